@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Compiler flags for our own targets; the user's defaults stay as they are.
+
+# Equality of reals is compared on purpose (exact zeros, n = 2): -Wno-compare-reals.
+# mdrcontact_set_flags(target): warnings, language standards, vectorisation of atan and log (-O3, never -ffast-math).
+function(mdrcontact_set_flags target)
+  set(gnu_fortran "$<COMPILE_LANG_AND_ID:Fortran,GNU>")
+  set(gnu_c "$<COMPILE_LANG_AND_ID:C,GNU,Clang>")
+  target_compile_options(${target} PRIVATE
+    "$<${gnu_fortran}:-std=f2018;-fimplicit-none;-Wall;-Wextra;-Wpedantic;-Wimplicit-interface;-Wimplicit-procedure;-Wtrampolines;-Wno-compare-reals>"
+    "$<$<AND:${gnu_fortran},$<CONFIG:Release>>:-O3>"
+    "$<${gnu_c}:-Wall;-Wextra;-Wpedantic;-Wconversion>")
+  if(MDRCONTACT_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE "$<$<OR:${gnu_fortran},${gnu_c}>:-Werror>")
+  endif()
+endfunction()

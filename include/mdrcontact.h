@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/**
+ * @file mdrcontact.h
+ * Contact of real, coated, layered and graded bodies, computed in one dimension.
+ */
+#ifndef MDRCONTACT_H
+#define MDRCONTACT_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MDR_VERSION_MAJOR 0
+#define MDR_VERSION_MINOR 1
+#define MDR_VERSION_PATCH 0
+
+/* ---- status ------------------------------------------------------------------------------------------------- */
+enum mdr_status {
+    MDR_SUCCESS = 0,
+    MDR_ENULL = 1,
+    MDR_EINVALID = 2,
+    MDR_EDOMAIN = 3,
+    MDR_EUNREACHABLE = 4,
+    MDR_ENOCONVERGENCE = 5,
+    MDR_ENOMEMORY = 6,
+    MDR_ECALLBACK = 7,
+    MDR_EFILE = 8
+};
+
+int mdr_version(void);                                   /* 10000 major + 100 minor + patch */
+const char *mdr_status_name(int status);
+int mdr_last_error(char *buffer, int length);            /* thread-local text; returns its full length */
+
+typedef struct mdr_profile mdr_profile;
+typedef struct mdr_medium mdr_medium;
+typedef struct mdr_contact mdr_contact;
+
+/** A user function y = f(x): writes *y and returns 0, or returns another value to report failure. Called during creation only. */
+typedef int (*mdr_function)(double x, double *y, void *context);
+
+/* ---- profiles (theory 1) ------------------------------------------------------------------------------------- */
+int mdr_profile_paraboloid(double radius, mdr_profile **out);
+int mdr_profile_sphere(double radius, mdr_profile **out);
+int mdr_profile_cone(double inclination, mdr_profile **out);
+int mdr_profile_power(double exponent, double coefficient, mdr_profile **out);
+int mdr_profile_flat_punch(double radius, mdr_profile **out);
+int mdr_profile_flat_cone(double end_radius, double inclination, mdr_profile **out);
+int mdr_profile_flat_paraboloid(double end_radius, double radius, mdr_profile **out);
+int mdr_profile_rounded_cone(double blend_radius, double inclination, mdr_profile **out);
+/* A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., up to height max_height; below min_height (0: none) A is continued linearly to 0 */
+int mdr_profile_area_function(int n, const double coefficients[], double min_height, double max_height, mdr_profile **out);
+int mdr_profile_table(int n, const double r[], const double f[], mdr_profile **out);
+int mdr_profile_callback(mdr_function height, void *context, double largest_radius, mdr_profile **out);
+int mdr_profile_sum(int n, const mdr_profile *const terms[], mdr_profile **out);
+
+int mdr_profile_height(const mdr_profile *p, int n, const double r[], double out[]);
+int mdr_profile_slope(const mdr_profile *p, int n, const double r[], double out[]);
+int mdr_profile_mdr(const mdr_profile *p, int n, const double x[], double out[]);
+int mdr_profile_mdr_slope(const mdr_profile *p, int n, const double x[], double out[]);
+/* f from sampled g, theory 1, second formula: the profile whose MDR profile is the table g(x) */
+int mdr_profile_from_mdr_table(int n, const double x[], const double g[], mdr_profile **out);
+int mdr_profile_free(mdr_profile **p);
+
+/* ---- media (theory 3) ---------------------------------------------------------------------------------------- */
+enum mdr_model {
+    MDR_MODEL_GAO = 0,                 /* Gao weights, moduli in parallel: the source's (12)-(15) */
+    MDR_MODEL_GAO_SERIES = 1,          /* Gao weights, compliances in series */
+    MDR_MODEL_DOERNER_NIX = 2,
+    MDR_MODEL_WAVE = 3,
+    MDR_MODEL_MENCIK_EXPONENTIAL = 4,
+    MDR_MODEL_MENCIK_RECIPROCAL = 5,
+    MDR_MODEL_BEC = 6,
+    MDR_MODEL_PERRIOT_BARTHEL = 7,
+    MDR_MODEL_HAY_CRAWFORD = 8,
+    MDR_MODEL_DIMITRIADIS = 9,         /* rigid base, nu = 1/2, paraboloid */
+    MDR_MODEL_GARCIA = 10,             /* rigid base, nu = 1/2, paraboloid */
+    MDR_MODEL_EXACT = 11
+};
+enum mdr_weight_nu {                   /* which Poisson's ratio enters I0 of the Gao weights */
+    MDR_WEIGHT_NU_SURFACE = 0,
+    MDR_WEIGHT_NU_SUBSTRATE = 1,
+    MDR_WEIGHT_NU_EFFECTIVE = 2,
+    MDR_WEIGHT_NU_GIVEN = 3
+};
+typedef struct mdr_medium_options {
+    double alpha;                      /* Doerner-Nix, Mencik exponentials: decay constant, default 1 */
+    double wave_factor;                /* wave: q = wave_factor/a, default pi/2 */
+    int weight_nu_choice;              /* Gao: enum mdr_weight_nu, default MDR_WEIGHT_NU_SURFACE */
+    double weight_nu;                  /* Gao: the number for MDR_WEIGHT_NU_GIVEN */
+    double tolerance;                  /* exact and sampled media: relative tolerance, default 1e-10 */
+} mdr_medium_options;
+void mdr_medium_options_init(mdr_medium_options *options);
+
+int mdr_medium_homogeneous(double E, double nu, mdr_medium **out);
+int mdr_medium_contact_modulus(double contact_modulus, mdr_medium **out);
+/* substrate_E = INFINITY is a rigid base: MDR_MODEL_EXACT, DIMITRIADIS, GARCIA only */
+int mdr_medium_coated(double coating_E, double coating_nu, double thickness, double substrate_E, double substrate_nu,
+                      int model, const mdr_medium_options *options, mdr_medium **out);
+/* layers from the surface down; model GAO, GAO_SERIES or EXACT */
+int mdr_medium_layered(int n, const double E[], const double nu[], const double thickness[],
+                       double substrate_E, double substrate_nu, int model, const mdr_medium_options *options, mdr_medium **out);
+/* E and nu at ascending depths z[0] = 0 ... z[n-1], linear between them, constant below; model GAO, GAO_SERIES or EXACT */
+int mdr_medium_graded(int n, const double z[], const double E[], const double nu[], int model,
+                      const mdr_medium_options *options, mdr_medium **out);
+/* E(z) and nu(z) as functions on [0, depth], constant below */
+int mdr_medium_graded_callback(mdr_function E, mdr_function nu, void *context, double depth, int model,
+                               const mdr_medium_options *options, mdr_medium **out);
+int mdr_medium_power_graded(double E0, double z0, double exponent, double nu, mdr_medium **out);
+int mdr_medium_table(int n, const double a[], const double modulus[], mdr_medium **out);
+int mdr_medium_callback(mdr_function modulus, void *context, double smallest_radius, double largest_radius, mdr_medium **out);
+
+int mdr_medium_modulus(const mdr_medium *m, int n, const double a[], double out[]);
+int mdr_medium_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
+int mdr_medium_free(mdr_medium **m);
+
+/* ---- weights (theory 3); complement J = 1 - I -------------------------------------------------------------- */
+int mdr_weight_phi(int n, const double xi[], double out[]);
+int mdr_weight_i0(int n, const double xi[], double nu, double out[]);
+int mdr_weight_i1(int n, const double xi[], double out[]);
+int mdr_weight_j0(int n, const double xi[], double nu, double out[]);
+int mdr_weight_j1(int n, const double xi[], double out[]);
+
+/* ---- contact (theory 4) -------------------------------------------------------------------------------------- */
+typedef struct mdr_contact_options {
+    int zeta_count;                    /* 0: d = g(a); else size of the table zeta(a) of (9), d = zeta(a) g(a) */
+    const double *zeta_radius;         /* [zeta_count] ascending */
+    const double *zeta;                /* [zeta_count] */
+} mdr_contact_options;
+void mdr_contact_options_init(mdr_contact_options *options);
+
+int mdr_contact_new(const mdr_profile *profile, const mdr_medium *medium, const mdr_contact_options *options, mdr_contact **out);
+int mdr_contact_from_depth(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+int mdr_contact_from_force(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+int mdr_contact_pressure(const mdr_contact *c, double a, int n, const double r[], double out[]);
+int mdr_contact_displacement(const mdr_contact *c, double a, int n, const double r[], double out[]);
+int mdr_contact_line_load(const mdr_contact *c, double a, int n, const double x[], double out[]);
+/* the same at a depth, for indenters whose radius does not determine the state (flat punch) */
+int mdr_contact_pressure_at_depth(const mdr_contact *c, double d, int n, const double r[], double out[]);
+int mdr_contact_displacement_at_depth(const mdr_contact *c, double d, int n, const double r[], double out[]);
+int mdr_contact_line_load_at_depth(const mdr_contact *c, double d, int n, const double x[], double out[]);
+int mdr_contact_free(mdr_contact **c);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,156 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Errors travel as values: an allocated `error_t` means failure and says why in words.
+!>
+!> The codes are the status values of the C API (`MDR_E...` in mdrcontact.h) and select the
+!> exception class in Python. A message names the argument, its value and what is allowed.
+module mdrcontact_error
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: error_t, raise, check_finite, check_positive, check_not_negative, check_poisson, to_text
+    public :: status_name
+    public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
+              error_memory, error_callback, error_file
+
+    !> The call did what it says.
+    integer, parameter :: success = 0
+    !> A required pointer or handle is null.
+    integer, parameter :: error_null = 1
+    !> An argument has a value that is never allowed (NaN, E <= 0, a table that is not monotone, ...).
+    integer, parameter :: error_invalid = 2
+    !> A point lies outside the region where the object is defined (r > a, beyond the end of a table).
+    integer, parameter :: error_domain = 3
+    !> No contact state has the requested force, depth or radius.
+    integer, parameter :: error_unreachable = 4
+    !> An iteration or a refinement ended before it met its tolerance.
+    integer, parameter :: error_no_convergence = 5
+    !> Memory could not be allocated.
+    integer, parameter :: error_memory = 6
+    !> A user function returned NaN or infinity, or reported a failure.
+    integer, parameter :: error_callback = 7
+    !> A file could not be read or written, or is damaged.
+    integer, parameter :: error_file = 8
+
+    !> A failure: `code` is one of the constants above, `message` the reason in words.
+    type :: error_t
+        integer :: code = success
+        character(len=:), allocatable :: message
+    end type error_t
+
+contains
+
+    !> Allocates `error` with a code and a message.
+    pure subroutine raise(error, code, message)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: code
+        character(len=*), intent(in) :: message
+
+        if (allocated(error)) return
+        allocate (error)
+        error%code = code
+        error%message = message
+    end subroutine raise
+
+    !> Raises unless `value` is finite.
+    pure subroutine check_finite(error, name, value)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        real(wp), intent(in) :: value
+
+        if (.not. ieee_is_finite(value)) call raise_value(error, name, value, "it must be a finite number")
+    end subroutine check_finite
+
+    !> Raises unless `value` is finite and greater than zero.
+    pure subroutine check_positive(error, name, value)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        real(wp), intent(in) :: value
+
+        if (ieee_is_finite(value)) then
+            if (value > 0.0_wp) return
+        end if
+        call raise_value(error, name, value, "it must be finite and greater than 0")
+    end subroutine check_positive
+
+    !> Raises unless `value` is finite and at least zero.
+    pure subroutine check_not_negative(error, name, value)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        real(wp), intent(in) :: value
+
+        if (ieee_is_finite(value)) then
+            if (value >= 0.0_wp) return
+        end if
+        call raise_value(error, name, value, "it must be finite and at least 0")
+    end subroutine check_not_negative
+
+    !> Raises unless `value` is a Poisson's ratio of a stable isotropic body, -1 < nu <= 1/2.
+    pure subroutine check_poisson(error, name, value)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        real(wp), intent(in) :: value
+
+        if (ieee_is_finite(value)) then
+            if (value > -1.0_wp .and. value <= 0.5_wp) return
+        end if
+        call raise_value(error, name, value, "Poisson's ratio must be greater than -1 and at most 0.5")
+    end subroutine check_poisson
+
+    pure subroutine raise_value(error, name, value, allowed)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name, allowed
+        real(wp), intent(in) :: value
+
+        call raise(error, error_invalid, name//" = "//to_text(value)//" is not allowed: "//allowed)
+    end subroutine raise_value
+
+    !> A number as a person would write it: short, up to seven digits.
+    pure function to_text(value) result(text)
+        real(wp), intent(in) :: value
+        character(len=:), allocatable :: text
+        character(len=32) :: buffer
+        integer :: last
+
+        if (value /= value) then
+            text = "NaN"
+        else if (.not. ieee_is_finite(value)) then
+            text = merge("-infinity", " infinity", value < 0.0_wp)
+        else if (value /= 0.0_wp .and. (abs(value) < 1.0e-3_wp .or. abs(value) >= 1.0e6_wp)) then
+            write (buffer, "(es14.6e3)") value
+            text = buffer
+        else
+            write (buffer, "(f0.7)") value
+            last = len_trim(buffer)
+            do while (buffer(last:last) == "0")
+                last = last - 1
+            end do
+            if (buffer(last:last) == ".") last = last - 1
+            text = buffer(:last)
+            if (text(1:1) == ".") text = "0"//text
+            if (index(text, "-.") == 1) text = "-0"//text(2:)
+            if (text == "" .or. text == "-") text = "0"
+        end if
+        text = trim(adjustl(text))
+    end function to_text
+
+    !> The symbolic name of a status code, as in the C header.
+    pure function status_name(code) result(name)
+        integer, intent(in) :: code
+        character(len=:), allocatable :: name
+
+        select case (code)
+        case (success); name = "MDR_SUCCESS"
+        case (error_null); name = "MDR_ENULL"
+        case (error_invalid); name = "MDR_EINVALID"
+        case (error_domain); name = "MDR_EDOMAIN"
+        case (error_unreachable); name = "MDR_EUNREACHABLE"
+        case (error_no_convergence); name = "MDR_ENOCONVERGENCE"
+        case (error_memory); name = "MDR_ENOMEMORY"
+        case (error_callback); name = "MDR_ECALLBACK"
+        case (error_file); name = "MDR_EFILE"
+        case default; name = "unknown status"
+        end select
+    end function status_name
+
+end module mdrcontact_error

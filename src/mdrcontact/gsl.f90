@@ -1,0 +1,145 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The GSL calls that the library uses, as Fortran interfaces and nothing more.
+!>
+!> GSL's default error handler aborts the process. `disable_gsl_abort` is called before GSL is
+!> used, which is a process-wide setting: a program that relies on GSL's own handler must set it
+!> again afterwards.
+module mdrcontact_gsl
+    use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr, c_size_t
+    implicit none (type, external)
+    private
+    public :: gsl_function, gsl_success
+    public :: disable_gsl_abort
+    public :: gsl_integration_glfixed_table_alloc, gsl_integration_glfixed_table_free, gsl_integration_glfixed_point
+    public :: gsl_root_fsolver_brent, gsl_root_fsolver_alloc, gsl_root_fsolver_free, gsl_root_fsolver_set, &
+              gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, &
+              gsl_root_test_interval
+    public :: gsl_interp_steffen, gsl_spline_alloc, gsl_spline_init, gsl_spline_free, gsl_spline_eval_deriv
+
+    integer(c_int), parameter :: gsl_success = 0
+
+    !> GSL's `gsl_function`: a C function pointer and its parameters.
+    type, bind(C) :: gsl_function
+        type(c_funptr) :: function
+        type(c_ptr) :: params
+    end type gsl_function
+
+    !> The Brent solver's type object.
+    type(c_ptr), protected, bind(C, name="gsl_root_fsolver_brent") :: gsl_root_fsolver_brent
+    !> The monotone Steffen interpolation's type object.
+    type(c_ptr), protected, bind(C, name="gsl_interp_steffen") :: gsl_interp_steffen
+
+    interface
+        function gsl_set_error_handler_off() result(previous) bind(C)
+            import :: c_funptr
+            type(c_funptr) :: previous
+        end function gsl_set_error_handler_off
+
+        function gsl_integration_glfixed_table_alloc(n) result(table) bind(C)
+            import :: c_ptr, c_size_t
+            integer(c_size_t), value :: n
+            type(c_ptr) :: table
+        end function gsl_integration_glfixed_table_alloc
+
+        subroutine gsl_integration_glfixed_table_free(table) bind(C)
+            import :: c_ptr
+            type(c_ptr), value :: table
+        end subroutine gsl_integration_glfixed_table_free
+
+        function gsl_integration_glfixed_point(a, b, i, xi, wi, table) result(status) bind(C)
+            import :: c_double, c_int, c_ptr, c_size_t
+            real(c_double), value :: a, b
+            integer(c_size_t), value :: i
+            real(c_double), intent(out) :: xi, wi
+            type(c_ptr), value :: table
+            integer(c_int) :: status
+        end function gsl_integration_glfixed_point
+
+        function gsl_root_fsolver_alloc(kind) result(solver) bind(C)
+            import :: c_ptr
+            type(c_ptr), value :: kind
+            type(c_ptr) :: solver
+        end function gsl_root_fsolver_alloc
+
+        subroutine gsl_root_fsolver_free(solver) bind(C)
+            import :: c_ptr
+            type(c_ptr), value :: solver
+        end subroutine gsl_root_fsolver_free
+
+        function gsl_root_fsolver_set(solver, f, lower, upper) result(status) bind(C)
+            import :: c_double, c_int, c_ptr, gsl_function
+            type(c_ptr), value :: solver
+            type(gsl_function), intent(in) :: f
+            real(c_double), value :: lower, upper
+            integer(c_int) :: status
+        end function gsl_root_fsolver_set
+
+        function gsl_root_fsolver_iterate(solver) result(status) bind(C)
+            import :: c_int, c_ptr
+            type(c_ptr), value :: solver
+            integer(c_int) :: status
+        end function gsl_root_fsolver_iterate
+
+        function gsl_root_fsolver_root(solver) result(root) bind(C)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: solver
+            real(c_double) :: root
+        end function gsl_root_fsolver_root
+
+        function gsl_root_fsolver_x_lower(solver) result(x) bind(C)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: solver
+            real(c_double) :: x
+        end function gsl_root_fsolver_x_lower
+
+        function gsl_root_fsolver_x_upper(solver) result(x) bind(C)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: solver
+            real(c_double) :: x
+        end function gsl_root_fsolver_x_upper
+
+        function gsl_root_test_interval(lower, upper, epsabs, epsrel) result(status) bind(C)
+            import :: c_double, c_int
+            real(c_double), value :: lower, upper, epsabs, epsrel
+            integer(c_int) :: status
+        end function gsl_root_test_interval
+
+        function gsl_spline_alloc(kind, n) result(spline) bind(C)
+            import :: c_ptr, c_size_t
+            type(c_ptr), value :: kind
+            integer(c_size_t), value :: n
+            type(c_ptr) :: spline
+        end function gsl_spline_alloc
+
+        function gsl_spline_init(spline, x, y, n) result(status) bind(C)
+            import :: c_double, c_int, c_ptr, c_size_t
+            type(c_ptr), value :: spline
+            real(c_double), intent(in) :: x(*), y(*)
+            integer(c_size_t), value :: n
+            integer(c_int) :: status
+        end function gsl_spline_init
+
+        subroutine gsl_spline_free(spline) bind(C)
+            import :: c_ptr
+            type(c_ptr), value :: spline
+        end subroutine gsl_spline_free
+
+        function gsl_spline_eval_deriv(spline, x, accelerator) result(slope) bind(C)
+            import :: c_double, c_ptr
+            type(c_ptr), value :: spline
+            real(c_double), value :: x
+            type(c_ptr), value :: accelerator
+            real(c_double) :: slope
+        end function gsl_spline_eval_deriv
+    end interface
+
+contains
+
+    !> Makes GSL return status codes instead of ending the process. Idempotent; called by whatever is about to use GSL.
+    subroutine disable_gsl_abort()
+        type(c_funptr) :: previous
+
+        previous = gsl_set_error_handler_off()
+    end subroutine disable_gsl_abort
+
+end module mdrcontact_gsl

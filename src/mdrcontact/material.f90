@@ -1,0 +1,55 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> An isotropic elastic material: Young's modulus E and Poisson's ratio nu.
+module mdrcontact_material
+    use mdrcontact_error, only: check_poisson, check_positive, error_t
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: material_t, new_material
+
+    type :: material_t
+        !> Young's modulus E > 0 [modulus]
+        real(wp) :: young = 0.0_wp
+        !> Poisson's ratio, -1 < nu <= 1/2
+        real(wp) :: poisson = 0.0_wp
+    contains
+        procedure :: shear
+        procedure :: contact
+    end type material_t
+
+contains
+
+    !> A material of Young's modulus E and Poisson's ratio nu. `role` names the body in an error message ("coating", ...).
+    pure subroutine new_material(self, young, poisson, error, role)
+        type(material_t), intent(out) :: self
+        real(wp), intent(in) :: young, poisson
+        type(error_t), allocatable, intent(out) :: error
+        character(len=*), intent(in), optional :: role
+        character(len=:), allocatable :: prefix
+
+        prefix = ""
+        if (present(role)) prefix = role//" "
+        call check_positive(error, prefix//"E", young)
+        call check_poisson(error, prefix//"nu", poisson)
+        if (allocated(error)) return
+        self%young = young
+        self%poisson = poisson
+    end subroutine new_material
+
+    !> G = E/(2 (1 + nu)) [modulus]
+    elemental function shear(self) result(modulus)
+        class(material_t), intent(in) :: self
+        real(wp) :: modulus
+
+        modulus = 0.5_wp*self%young/(1.0_wp + self%poisson)
+    end function shear
+
+    !> Contact (plane-strain) modulus E* = E/(1 - nu^2), equation (2) [modulus]
+    elemental function contact(self) result(modulus)
+        class(material_t), intent(in) :: self
+        real(wp) :: modulus
+
+        modulus = self%young/((1.0_wp - self%poisson)*(1.0_wp + self%poisson))
+    end function contact
+
+end module mdrcontact_material

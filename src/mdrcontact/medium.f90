@@ -1,0 +1,92 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The medium: whatever answers "pressed by this profile, what are depth, force, stiffness and line load at contact radius a?".
+!>
+!> Every frictionless contact state at radius a is the state of first touch plus a flat punch of radius a:
+!>     q(x; a) = q_first(x; a) + excess * q_punch(x; a),    excess = d - d_first(a).
+!> `excess` is 0 without adhesion, negative at an adhesive edge (theory 5) and positive at a vertical wall (flat punch).
+!> Contact, adhesion and fitting are written in these terms and never ask which kind of medium they hold.
+module mdrcontact_medium
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: medium_t
+
+    !> An elastic half-space. Concrete media are made by their `new_...` procedures and never change afterwards.
+    !> All radii are positive and finite, and at most the profile's largest_radius(): callers check this.
+    type, abstract :: medium_t
+    contains
+        !> E_eff(a), equation (10) [modulus]
+        procedure(radius_function), deferred :: modulus
+        !> dE_eff/da [modulus/length]
+        procedure(radius_function), deferred :: modulus_slope
+        !> depth [length] and force [modulus length^2] of the non-adhesive contact at radius a
+        procedure(first_touch), deferred :: depth_and_force
+        !> q(x; a) [modulus length], 0 <= x <= a
+        procedure(field), deferred :: line_load
+        !> p(r) [modulus], 0 <= r <= a; infinite at r = a where excess is not 0
+        procedure(field), deferred :: pressure
+        !> displacement of the surface u(r) [length], r > a, positive into the medium
+        procedure(field), deferred :: displacement_outside
+        !> the largest contact radius at which the medium is defined [length]; huge() where there is no end
+        procedure :: largest_radius => unlimited
+        !> the smallest one; 0 where there is no end
+        procedure :: smallest_radius => zero
+    end type medium_t
+
+    abstract interface
+        subroutine radius_function(self, a, values, error)
+            import :: error_t, medium_t, wp
+            class(medium_t), intent(in) :: self
+            !> contact radii [length]
+            real(wp), intent(in) :: a(:)
+            !> same size as a
+            real(wp), intent(out) :: values(:)
+            type(error_t), allocatable, intent(out) :: error
+        end subroutine radius_function
+
+        subroutine first_touch(self, profile, a, depth, force, error)
+            import :: error_t, medium_t, profile_t, wp
+            class(medium_t), intent(in) :: self
+            class(profile_t), intent(in) :: profile
+            real(wp), intent(in) :: a
+            real(wp), intent(out) :: depth, force
+            type(error_t), allocatable, intent(out) :: error
+        end subroutine first_touch
+
+        subroutine field(self, profile, a, excess, r, values, error)
+            import :: error_t, medium_t, profile_t, wp
+            class(medium_t), intent(in) :: self
+            class(profile_t), intent(in) :: profile
+            !> contact radius [length] and depth beyond that of first touch [length]
+            real(wp), intent(in) :: a, excess
+            !> positions [length]
+            real(wp), intent(in) :: r(:)
+            !> same size as r
+            real(wp), intent(out) :: values(:)
+            type(error_t), allocatable, intent(out) :: error
+        end subroutine field
+    end interface
+
+contains
+
+    pure function unlimited(self) result(radius)
+        class(medium_t), intent(in) :: self
+        real(wp) :: radius
+
+        associate (unused => self)
+        end associate
+        radius = huge(1.0_wp)
+    end function unlimited
+
+    pure function zero(self) result(radius)
+        class(medium_t), intent(in) :: self
+        real(wp) :: radius
+
+        associate (unused => self)
+        end associate
+        radius = 0.0_wp
+    end function zero
+
+end module mdrcontact_medium

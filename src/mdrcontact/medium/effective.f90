@@ -1,0 +1,195 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Media described by an effective modulus E_eff(a) (theory 3 and 4; Popov 2014, equations (9), (10), (21)-(27)).
+!>
+!> The rule: contact radius from the shape, stiffness from the radius, force by integrating the stiffness from first contact.
+module mdrcontact_medium_effective
+    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_profile, only: profile_t
+    use mdrcontact_quadrature, only: graded_rule, smallest_panel_ratio
+    implicit none (type, external)
+    private
+    public :: effective_medium_t
+
+    !> A medium with an effective contact modulus. Extensions provide E_eff(a) and its slope as elemental functions.
+    type, abstract, extends(medium_t) :: effective_medium_t
+    contains
+        !> E_eff(a) [modulus], a > 0
+        procedure(modulus_function), deferred :: effective_modulus
+        !> dE_eff/da [modulus/length], a > 0
+        procedure(modulus_function), deferred :: effective_modulus_slope
+        procedure :: modulus
+        procedure :: modulus_slope
+        procedure :: depth_and_force
+        procedure :: line_load
+        procedure :: pressure
+        procedure :: displacement_outside
+    end type effective_medium_t
+
+    abstract interface
+        elemental function modulus_function(self, a) result(value)
+            import :: effective_medium_t, wp
+            class(effective_medium_t), intent(in) :: self
+            real(wp), intent(in) :: a
+            real(wp) :: value
+        end function modulus_function
+    end interface
+
+contains
+
+    subroutine modulus(self, a, values, error)
+        class(effective_medium_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        values = self%effective_modulus(a)
+    end subroutine modulus
+
+    subroutine modulus_slope(self, a, values, error)
+        class(effective_medium_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        values = self%effective_modulus_slope(a)
+    end subroutine modulus_slope
+
+    !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to rounding.
+    subroutine depth_and_force(self, profile, a, depth, force, error)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: s(:), ds(:)
+        real(wp) :: lowest
+
+        depth = profile%mdr(a)
+        force = 0.0_wp
+        lowest = max(profile%end_radius(), smallest_panel_ratio*a)
+        if (a <= lowest) return
+        call graded_rule(lowest, a, profile%break_radii(), profile%largest_radius(), s, ds)
+        force = 2.0_wp*(self%effective_modulus(lowest)*profile%mdr_moment(lowest) &
+                        + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
+    end subroutine depth_and_force
+
+    !> q(x; a) = int_x^a E_eff(s) g'(s) ds, equation (21).
+    subroutine line_load(self, profile, a, excess, r, values, error)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: s(:), ds(:)
+        real(wp) :: lowest
+        integer :: i
+
+        do i = 1, size(r)
+            values(i) = self%effective_modulus(a)*excess
+            lowest = max(r(i), profile%end_radius(), smallest_panel_ratio*a)
+            if (a <= lowest) cycle
+            call graded_rule(lowest, a, profile%break_radii(), profile%largest_radius(), s, ds)
+            values(i) = values(i) + self%effective_modulus(lowest)*(profile%mdr(lowest) - profile%mdr(min(r(i), lowest))) &
+                        + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds)
+        end do
+    end subroutine line_load
+
+    !> p(r) = (1/pi) int_r^a E_eff(s) g'(s)/sqrt(s^2 - r^2) ds + E_eff(a) excess/(pi sqrt(a^2 - r^2)), equation (6).
+    subroutine pressure(self, profile, a, excess, r, values, error)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: s(:), ds(:), beyond(:)
+        real(wp) :: lowest
+        logical :: from_axis
+        integer :: i
+
+        do i = 1, size(r)
+            values(i) = self%effective_modulus(a)*edge_pressure(a, excess, r(i))
+            lowest = max(r(i), profile%end_radius())
+            from_axis = lowest <= 0.0_wp
+            if (from_axis) lowest = smallest_panel_ratio*a
+            if (a > lowest) then
+                call graded_rule(lowest, a, with_start(lowest, profile%break_radii()), profile%largest_radius(), s, ds, beyond)
+                values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds &
+                                            /sqrt((beyond + (lowest - r(i)))*(s + r(i))))
+                if (from_axis) values(i) = values(i) + self%effective_modulus(lowest)*near_axis(profile, lowest)
+            end if
+            values(i) = values(i)/pi
+        end do
+    end subroutine pressure
+
+    !> u(r) = (2/pi) int_0^a g'(s) arcsin(s/r) ds + (2/pi) excess arcsin(a/r), r > a: each increment of depth moves the surface as
+    !> a flat punch on a homogeneous body.
+    subroutine displacement_outside(self, profile, a, excess, r, values, error)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: s(:), ds(:)
+        real(wp) :: lowest
+        integer :: i
+
+        associate (unused => self)
+        end associate
+        lowest = max(profile%end_radius(), smallest_panel_ratio*a)
+        do i = 1, size(r)
+            values(i) = excess*asin(a/r(i))
+            if (a > lowest) then
+                call graded_rule(lowest, a, profile%break_radii(), min(profile%largest_radius(), r(i)), s, ds)
+                values(i) = values(i) + profile%mdr_moment(lowest)/r(i) + sum(profile%mdr_slope(s)*asin(s/r(i))*ds)
+            end if
+            values(i) = values(i)*(2.0_wp/pi)
+        end do
+    end subroutine displacement_outside
+
+    !> int_0^x g'(s)/s ds where g' is a power of s: infinite pressure at the apex of a cone and of anything sharper.
+    pure function near_axis(profile, x) result(integral)
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: x
+        real(wp) :: integral
+        real(wp) :: exponent
+
+        integral = 0.0_wp
+        if (profile%mdr_slope(x) <= 0.0_wp) return
+        exponent = log(profile%mdr_slope(x)/profile%mdr_slope(0.5_wp*x))/log(2.0_wp)
+        if (exponent > 1.0e-6_wp) then
+            integral = profile%mdr_slope(x)/exponent
+        else
+            integral = ieee_value(integral, ieee_positive_inf)
+        end if
+    end function near_axis
+
+    !> excess/sqrt(a^2 - r^2), pi times the pressure under a flat punch of unit modulus; infinite at the edge.
+    pure function edge_pressure(a, excess, r) result(values)
+        real(wp), intent(in) :: a, excess, r
+        real(wp) :: values
+
+        if (excess == 0.0_wp) then
+            values = 0.0_wp
+        else if (r < a) then
+            values = excess/sqrt((a - r)*(a + r))
+        else
+            values = sign(ieee_value(values, ieee_positive_inf), excess)
+        end if
+    end function edge_pressure
+
+    pure function with_start(start, breaks) result(all_breaks)
+        real(wp), intent(in) :: start, breaks(:)
+        real(wp) :: all_breaks(size(breaks) + 1)
+        integer :: below
+
+        below = count(breaks < start)
+        all_breaks = [breaks(:below), start, breaks(below + 1:)]
+    end function with_start
+
+end module mdrcontact_medium_effective

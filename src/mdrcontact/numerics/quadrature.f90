@@ -1,0 +1,137 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Quadrature over contact radii: composite Gauss-Legendre rules (nodes from GSL) on panels that are graded by the problem.
+!>
+!> Integrands of contact mechanics are analytic except at known radii: the origin, where a modulus varies on the
+!> scale of the thinnest layer and a profile may be a broken power, and the break radii of the profile, where g has
+!> a square-root branch to the right (flat ends, tangent points, knots of a table). Panels that grow by a constant ratio from every such radius
+!> and a quadratic substitution behind it make the rule converge exponentially, whatever lengths are involved.
+module mdrcontact_quadrature
+    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr, c_size_t
+    use mdrcontact_gsl, only: gsl_integration_glfixed_point, gsl_integration_glfixed_table_alloc, &
+                              gsl_integration_glfixed_table_free, gsl_success
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: gauss_legendre, graded_rule, smallest_panel_ratio
+
+    !> Nodes in a panel: a panel's nearest singularity lies at least a third of its length away, where 20 nodes give 1e-16.
+    integer, parameter :: nodes_per_panel = 20
+    !> Growth of the panels away from a singular radius.
+    real(wp), parameter :: panel_growth = 4.0_wp
+    !> Panels are not refined below this length, relative to the upper limit.
+    real(wp), parameter :: shortest_panel = 1.0e-12_wp
+    !> Where panels end towards the origin, relative to the upper limit; what lies below is for the caller's leading-order term.
+    real(wp), parameter :: smallest_panel_ratio = panel_growth**(-13)
+
+contains
+
+    !> Gauss-Legendre nodes and weights on [0, 1].
+    subroutine gauss_legendre(nodes, weights)
+        real(wp), intent(out) :: nodes(:)
+        !> same size as nodes
+        real(wp), intent(out) :: weights(:)
+        type(c_ptr) :: table
+        integer(c_int) :: status
+        integer :: i
+
+        table = gsl_integration_glfixed_table_alloc(int(size(nodes), c_size_t))
+        if (.not. c_associated(table)) then
+            nodes = 0.5_wp
+            weights = transfer(-1_8, 1.0_wp)
+            return
+        end if
+        do i = 1, size(nodes)
+            status = gsl_integration_glfixed_point(0.0_wp, 1.0_wp, int(i - 1, c_size_t), nodes(i), weights(i), table)
+            if (status /= gsl_success) weights(i) = transfer(-1_8, 1.0_wp)
+        end do
+        call gsl_integration_glfixed_table_free(table)
+    end subroutine gauss_legendre
+
+    !> Nodes s and weights ds of a composite rule over [lower, upper], graded towards 0, away from `breaks`
+    !> and towards `singular_end` (the radius above `upper` where the integrand may blow up; huge() if none).
+    subroutine graded_rule(lower, upper, breaks, singular_end, nodes, weights, distances)
+        !> 0 < lower < upper; for an integral from 0 take lower = upper*smallest_panel_ratio
+        real(wp), intent(in) :: lower, upper
+        !> ascending radii where the integrand is not analytic [length]
+        real(wp), intent(in) :: breaks(:)
+        real(wp), intent(in) :: singular_end
+        real(wp), allocatable, intent(out) :: nodes(:), weights(:)
+        !> nodes - lower without cancellation, for integrands that are singular there
+        real(wp), allocatable, intent(out), optional :: distances(:)
+        real(wp), allocatable :: edges(:), offsets(:)
+        real(wp) :: t(nodes_per_panel), w(nodes_per_panel), length
+        integer :: panel, first, last
+
+        call gauss_legendre(t, w)
+        call graded_edges(lower, upper, breaks, singular_end, edges)
+        allocate (nodes((size(edges) - 1)*nodes_per_panel))
+        allocate (weights(size(nodes)), offsets(size(nodes)))
+        do panel = 1, size(edges) - 1
+            first = (panel - 1)*nodes_per_panel + 1
+            last = panel*nodes_per_panel
+            length = edges(panel + 1) - edges(panel)
+            if (any(breaks == edges(panel))) then
+                offsets(first:last) = (edges(panel) - lower) + length*t**2
+                weights(first:last) = 2.0_wp*length*t*w
+            else
+                offsets(first:last) = (edges(panel) - lower) + length*t
+                weights(first:last) = length*w
+            end if
+        end do
+        nodes = lower + offsets
+        if (present(distances)) call move_alloc(offsets, distances)
+    end subroutine graded_rule
+
+    pure subroutine graded_edges(lower, upper, breaks, singular_end, edges)
+        real(wp), intent(in) :: lower, upper, breaks(:), singular_end
+        real(wp), allocatable, intent(out) :: edges(:)
+        real(wp), allocatable :: longer(:)
+        real(wp) :: here, next
+        integer :: count, passed
+
+        passed = 0
+        allocate (edges(64))
+        count = 1
+        edges(1) = lower
+        here = lower
+        do while (here < upper)
+            do while (passed < size(breaks))
+                if (breaks(passed + 1) > here) exit
+                passed = passed + 1
+            end do
+            next = here + step(here)
+            if (passed < size(breaks)) next = min(next, breaks(passed + 1))
+            if (upper - next < shortest_panel*upper .or. next <= here) next = upper
+            count = count + 1
+            if (count > size(edges)) then
+                allocate (longer(2*size(edges)))
+                longer(:size(edges)) = edges
+                call move_alloc(longer, edges)
+            end if
+            edges(count) = next
+            here = next
+        end do
+        edges = edges(:count)
+
+    contains
+
+        !> Panel length at `here`: proportional to the distance from the nearest singular radius behind and ahead.
+        pure function step(here) result(length)
+            real(wp), intent(in) :: here
+            real(wp) :: length
+            logical :: at_break
+
+            at_break = .false.
+            length = here
+            if (size(breaks) > 0) then
+                at_break = any(breaks == here)
+                length = minval(here - breaks, mask=breaks < here)
+                length = min(length, here)
+            end if
+            if (.not. at_break) length = (panel_growth - 1.0_wp)*length
+            length = min(length, 0.75_wp*(singular_end - here))
+        end function step
+
+    end subroutine graded_edges
+
+end module mdrcontact_quadrature

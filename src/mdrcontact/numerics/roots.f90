@@ -1,0 +1,146 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Roots of a scalar function by GSL's bracketing Brent solver.
+module mdrcontact_roots
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, c_loc, c_ptr
+    use mdrcontact_error, only: error_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_gsl, only: gsl_function, gsl_root_fsolver_alloc, gsl_root_fsolver_brent, gsl_root_fsolver_free, &
+                              gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_set, &
+                              gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, gsl_root_test_interval, gsl_success
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_scalar_function, only: scalar_function_t
+    implicit none (type, external)
+    private
+    public :: find_root, solve_increasing
+
+    integer, parameter :: most_iterations = 200
+    !> Secant steps before Brent's method takes over.
+    integer, parameter :: most_secants = 12
+    real(wp), parameter :: relative_width = 4.0_wp*epsilon(1.0_wp)
+    real(wp), parameter :: widest_step = 50.0_wp
+
+    !> Lets a polymorphic function travel through GSL's `void *params`.
+    type :: carrier_t
+        class(scalar_function_t), pointer :: f => null()
+    end type carrier_t
+
+contains
+
+    !> The root of f between lower and upper, where f has opposite signs, to a few units in the last place.
+    subroutine find_root(f, lower, upper, root, error)
+        class(scalar_function_t), intent(inout), target :: f
+        real(wp), intent(in) :: lower, upper
+        real(wp), intent(out) :: root
+        type(error_t), allocatable, intent(out) :: error
+        type(carrier_t), target :: carrier
+        type(gsl_function) :: gsl_f
+        type(c_ptr) :: solver
+        integer(c_int) :: status
+        integer :: iteration
+
+        root = lower
+        solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent)
+        if (.not. c_associated(solver)) then
+            call raise(error, error_memory, "no memory for a root finder")
+            return
+        end if
+        carrier%f => f
+        gsl_f%function = c_funloc(evaluate)
+        gsl_f%params = c_loc(carrier)
+        status = gsl_root_fsolver_set(solver, gsl_f, lower, upper)
+        if (status == gsl_success) then
+            do iteration = 1, most_iterations
+                status = gsl_root_fsolver_iterate(solver)
+                if (status /= gsl_success .or. allocated(f%error)) exit
+                root = gsl_root_fsolver_root(solver)
+                status = gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver), &
+                                                relative_width, relative_width)
+                if (status == gsl_success) exit
+            end do
+        end if
+        call gsl_root_fsolver_free(solver)
+        if (allocated(f%error)) then
+            error = f%error
+        else if (status /= gsl_success) then
+            call raise(error, error_no_convergence, "no root found between "//to_text(lower)//" and "//to_text(upper))
+        end if
+    end subroutine find_root
+
+    !> The root of an increasing f in [smallest, largest] that is close to linear: secant steps from `guess` until they
+    !> converge, bracketed by the signs seen on the way; Brent's method if they do not.
+    !> `found` is false, and `root` the nearer end, if f keeps its sign over the whole interval.
+    subroutine solve_increasing(f, guess, slope, smallest, largest, root, found, error)
+        class(scalar_function_t), intent(inout) :: f
+        !> starting point and the expected slope of f there
+        real(wp), intent(in) :: guess, slope
+        real(wp), intent(in) :: smallest, largest
+        real(wp), intent(out) :: root
+        logical, intent(out) :: found
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: x, y, x_before, y_before, low, high
+        logical :: has_low, has_high
+        integer :: iteration
+
+        has_low = .false.
+        has_high = .false.
+        low = smallest
+        high = largest
+        found = .true.
+        x = min(max(guess, smallest), largest)
+        x_before = x
+        y_before = 0.0_wp
+        do iteration = 1, most_iterations
+            y = f%value(x)
+            if (allocated(f%error)) then
+                error = f%error
+                return
+            end if
+            root = x
+            if (y == 0.0_wp) return
+            if (y < 0.0_wp) then
+                has_low = .true.
+                low = x
+            else
+                has_high = .true.
+                high = x
+            end if
+            if (iteration > 1) then
+                if (abs(x - x_before) <= relative_width*max(1.0_wp, abs(x))) return
+            end if
+            if ((x >= largest .and. y < 0.0_wp) .or. (x <= smallest .and. y > 0.0_wp)) then
+                found = .false.
+                return
+            end if
+            if (iteration > most_secants .and. has_low .and. has_high) exit
+            call secant_step()
+        end do
+        call find_root(f, low, high, root, error)
+
+    contains
+
+        !> Moves x; a step that is not finite or leaves the bracket becomes a bisection or a wide stride.
+        subroutine secant_step()
+            real(wp) :: next, rate
+
+            rate = slope
+            if (iteration > 1) rate = (y - y_before)/(x - x_before)
+            if (.not. rate > 0.0_wp) rate = slope
+            next = x - min(max(y/rate, -widest_step), widest_step)
+            if (has_low .and. has_high .and. (next <= low .or. next >= high)) next = 0.5_wp*(low + high)
+            x_before = x
+            y_before = y
+            x = min(max(next, smallest), largest)
+        end subroutine secant_step
+
+    end subroutine solve_increasing
+
+    function evaluate(x, params) result(y) bind(C)
+        real(c_double), value :: x
+        type(c_ptr), value :: params
+        real(c_double) :: y
+        type(carrier_t), pointer :: carrier
+
+        call c_f_pointer(params, carrier)
+        y = carrier%f%value(x)
+    end function evaluate
+
+end module mdrcontact_roots

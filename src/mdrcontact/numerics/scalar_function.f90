@@ -1,0 +1,27 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A real function of one real variable that carries its own data: what root finders, samplers and callbacks take.
+module mdrcontact_scalar_function
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: scalar_function_t
+
+    !> Extend it with the data that the function needs. A failed evaluation allocates `error` and
+    !> returns any number; whoever called the function looks at `error` before using the number.
+    type, abstract :: scalar_function_t
+        type(error_t), allocatable :: error
+    contains
+        procedure(value_at), deferred :: value
+    end type scalar_function_t
+
+    abstract interface
+        function value_at(self, x) result(y)
+            import :: scalar_function_t, wp
+            class(scalar_function_t), intent(inout) :: self
+            real(wp), intent(in) :: x
+            real(wp) :: y
+        end function value_at
+    end interface
+
+end module mdrcontact_scalar_function

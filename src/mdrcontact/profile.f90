@@ -1,0 +1,98 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The indenter (theory 1): a profile f(r), f(0) = 0, and its one-dimensional MDR profile g(x).
+!>
+!> A rigid axisymmetric indenter enters every contact problem through four functions of one radius and one
+!> integral, which each shape provides in closed form where there is one.
+!> Popov, Phys. Mesomech. 17 (2014) 50, equations (3) and (4).
+module mdrcontact_profile
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: profile_t
+
+    !> An axisymmetric indenter. Concrete shapes are made by their `new_...` procedures and never change afterwards.
+    !>
+    !> The functions are elemental and do not check their argument: it must lie in [0, largest_radius()],
+    !> below it where the profile ends in a vertical wall or tangent (sphere). Beyond it they return NaN or are undefined.
+    type, abstract :: profile_t
+    contains
+        !> f(r), the height of the surface above its lowest point [length]
+        procedure(radial_function), deferred :: height
+        !> f'(r) [1]
+        procedure(radial_function), deferred :: slope
+        !> g(x), equation (3) [length]
+        procedure(radial_function), deferred :: mdr
+        !> g'(x) [1]
+        procedure(radial_function), deferred :: mdr_slope
+        !> int_0^x s g'(s) ds [length^2]; a homogeneous body's force is 2 E* times it
+        procedure(radial_function), deferred :: mdr_moment
+        !> the largest radius at which the profile is defined [length]; huge() where there is no end
+        procedure :: largest_radius => unlimited
+        !> whether the profile rises vertically at largest_radius(), so that the contact radius stays there (flat punch)
+        procedure :: has_wall => no
+        !> radius of the flat end [length], 0 if there is none: the contact radius as the depth tends to 0
+        procedure :: end_radius => zero
+        !> radii at which f is not analytic, ascending, in (0, largest_radius()); quadrature is split there
+        procedure :: break_radii => none
+        !> an inverse of g where a closed form exists: the contact radius at depth g(a) = d on a homogeneous body; negative if none
+        procedure :: radius_from_mdr => no_inverse
+    end type profile_t
+
+    abstract interface
+        elemental function radial_function(self, x) result(y)
+            import :: profile_t, wp
+            class(profile_t), intent(in) :: self
+            real(wp), intent(in) :: x
+            real(wp) :: y
+        end function radial_function
+    end interface
+
+contains
+
+    pure function unlimited(self) result(radius)
+        class(profile_t), intent(in) :: self
+        real(wp) :: radius
+
+        associate (unused => self)
+        end associate
+        radius = huge(1.0_wp)
+    end function unlimited
+
+    pure function no(self) result(answer)
+        class(profile_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .false.
+    end function no
+
+    pure function zero(self) result(radius)
+        class(profile_t), intent(in) :: self
+        real(wp) :: radius
+
+        associate (unused => self)
+        end associate
+        radius = 0.0_wp
+    end function zero
+
+    pure function none(self) result(radii)
+        class(profile_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        associate (unused => self)
+        end associate
+        allocate (radii(0))
+    end function none
+
+    pure function no_inverse(self, depth) result(radius)
+        class(profile_t), intent(in) :: self
+        real(wp), intent(in) :: depth
+        real(wp) :: radius
+
+        associate (unused => self, also_unused => depth)
+        end associate
+        radius = -1.0_wp
+    end function no_inverse
+
+end module mdrcontact_profile
