@@ -113,12 +113,12 @@ int mdr_medium_modulus(const mdr_medium *m, int n, const double a[], double out[
 int mdr_medium_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
 int mdr_medium_free(mdr_medium **m);
 
-/* ---- weights (theory 3); complement J = 1 - I -------------------------------------------------------------- */
-int mdr_weight_phi(int n, const double xi[], double out[]);
+/* ---- weights (theory 3); xi = z/a >= 0; nu enters phi, i0 and j0 only ---------------------------------------- */
+int mdr_weight_phi(int n, const double xi[], double nu, double out[]);   /* dI0/dxi; (18) at nu = 1/2 */
 int mdr_weight_i0(int n, const double xi[], double nu, double out[]);
-int mdr_weight_i1(int n, const double xi[], double out[]);
-int mdr_weight_j0(int n, const double xi[], double nu, double out[]);
-int mdr_weight_j1(int n, const double xi[], double out[]);
+int mdr_weight_i1(int n, const double xi[], double nu, double out[]);
+int mdr_weight_j0(int n, const double xi[], double nu, double out[]);    /* 1 - I0 to full relative precision */
+int mdr_weight_j1(int n, const double xi[], double nu, double out[]);
 
 /* ---- contact (theory 4) -------------------------------------------------------------------------------------- */
 typedef struct mdr_contact_options {
