@@ -14,7 +14,8 @@ mdrcontact_set_flags(pfunit_standin)
 function(add_standin_ctest name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "TEST_SOURCES" "LINK_LIBRARIES")
   get_filename_component(source "${arg_TEST_SOURCES}" ABSOLUTE)
-  set(translated "${CMAKE_CURRENT_BINARY_DIR}/${name}.F90")
+  set(translated "${CMAKE_CURRENT_BINARY_DIR}/${name}_translated/${name}.F90")
+  file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/${name}_translated")
   add_custom_command(OUTPUT "${translated}"
     COMMAND Python3::Interpreter "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/translate_pf.py" "${source}" "${translated}"
     DEPENDS "${source}" "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/translate_pf.py"
