@@ -153,7 +153,8 @@ contains
         call self%medium%line_load(self%profile, state%radius, state%excess, x, values, error)
     end subroutine line_load
 
-    !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the apex of a cone.
+    !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the apex
+    !> of a cone.
     subroutine pressure(self, state, r, values, error)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
@@ -168,7 +169,8 @@ contains
         call self%medium%pressure(self%profile, state%radius, state%excess, r, values, error)
     end subroutine pressure
 
-    !> u(r), the displacement of the surface, positive into the medium [length]: d - f(r) inside the contact, the free surface outside.
+    !> u(r), the displacement of the surface, positive into the medium [length]: d - f(r) inside the contact, the free surface
+    !> outside.
     subroutine displacement(self, state, r, values, error)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state

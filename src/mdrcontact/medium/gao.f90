@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coating by Gao's weights (theory 3): the shear moduli of coating and substrate averaged in parallel or in series with the weight I0(h/a),
-!> Poisson's ratios with I1(h/a). Exact to first order in the contrast.
+!> Coating by Gao's weights (theory 3): the shear moduli of coating and substrate averaged in parallel or in series with the weight
+!> I0(h/a), Poisson's ratios with I1(h/a). Exact to first order in the contrast.
 !> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(15).
 module mdrcontact_medium_gao
     use mdrcontact_error, only: check_poisson, error_invalid, error_t, raise
@@ -14,7 +14,8 @@ module mdrcontact_medium_gao
     public :: gao_t, new_gao
     public :: gao_nu_surface, gao_nu_substrate, gao_nu_effective, gao_nu_given
 
-    !> Which Poisson's ratio enters I0, left open by the source: that of the coating (default), the substrate, the effective one, a number.
+    !> Which Poisson's ratio enters I0, left open by the source: that of the coating (default), the substrate, the effective
+    !> one, a number.
     integer, parameter :: gao_nu_surface = 0, gao_nu_substrate = 1, gao_nu_effective = 2, gao_nu_given = 3
 
     type, extends(coated_t) :: gao_t
