@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Checks of the arrays that cross the C boundary: every element, before anything is computed.
+!> Checks of the arrays that cross the C boundary: every element, before anything is computed. Loops and not array
+!> expressions: a check must not need memory of the array's size, which a temporary would take without asking.
 module mdrcontact_api_arrays
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
@@ -36,10 +37,13 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name
         real(c_double), intent(in) :: values(:)
-        integer :: first
+        integer :: i
 
-        first = findloc(ieee_is_finite(values), .false., dim=1)
-        if (first > 0) call check_finite(error, element(name, first), values(first))
+        do i = 1, size(values)
+            if (ieee_is_finite(values(i))) cycle
+            call check_finite(error, element(name, i), values(i))
+            return
+        end do
     end subroutine check_each_finite
 
     !> Raises unless all values are finite and greater than 0.
@@ -47,10 +51,13 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name
         real(c_double), intent(in) :: values(:)
-        integer :: first
+        integer :: i
 
-        first = findloc(ieee_is_finite(values) .and. values > 0.0_c_double, .false., dim=1)
-        if (first > 0) call check_positive(error, element(name, first), values(first))
+        do i = 1, size(values)
+            if (ieee_is_finite(values(i)) .and. values(i) > 0.0_c_double) cycle
+            call check_positive(error, element(name, i), values(i))
+            return
+        end do
     end subroutine check_each_positive
 
     !> Raises unless all values are finite and at least 0.
@@ -58,10 +65,13 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name
         real(c_double), intent(in) :: values(:)
-        integer :: first
+        integer :: i
 
-        first = findloc(ieee_is_finite(values) .and. values >= 0.0_c_double, .false., dim=1)
-        if (first > 0) call check_not_negative(error, element(name, first), values(first))
+        do i = 1, size(values)
+            if (ieee_is_finite(values(i)) .and. values(i) >= 0.0_c_double) cycle
+            call check_not_negative(error, element(name, i), values(i))
+            return
+        end do
     end subroutine check_each_not_negative
 
     !> Raises unless smallest <= values <= largest, where `whose` is defined.
@@ -69,17 +79,19 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name, whose
         real(c_double), intent(in) :: values(:), smallest, largest
-        integer :: first
+        integer :: i
 
-        first = findloc(values >= smallest .and. values <= largest, .false., dim=1)
-        if (first == 0) return
-        if (values(first) < smallest) then
-            call raise(error, error_domain, element(name, first)//" = "//to_text(values(first))//" is not allowed: "//whose// &
-                       " is defined from "//to_text(smallest)//" on")
-        else
-            call raise(error, error_domain, element(name, first)//" = "//to_text(values(first))//" is not allowed: "//whose// &
-                       " is defined up to "//to_text(largest))
-        end if
+        do i = 1, size(values)
+            if (values(i) < smallest) then
+                call raise(error, error_domain, element(name, i)//" = "//to_text(values(i))//" is not allowed: "//whose// &
+                           " is defined from "//to_text(smallest)//" on")
+                return
+            else if (values(i) > largest) then
+                call raise(error, error_domain, element(name, i)//" = "//to_text(values(i))//" is not allowed: "//whose// &
+                           " is defined up to "//to_text(largest))
+                return
+            end if
+        end do
     end subroutine check_each_within
 
     !> The C name of an element: r[0] is the first one.
