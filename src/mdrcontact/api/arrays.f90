@@ -5,12 +5,11 @@ module mdrcontact_api_arrays
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_api_status, only: check_given
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, &
-                                to_text
+    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_domain, &
+                                error_invalid, error_t, raise, to_text
     implicit none (type, external)
     private
-    public :: check_count, check_array, check_each_finite, check_each_positive, check_each_not_negative, check_each_within, &
-              element
+    public :: check_count, check_array, check_each_finite, check_each_positive, check_each_not_negative, check_each_within
 
 contains
 
@@ -19,7 +18,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int), intent(in) :: n
 
-        if (n < 0) call raise(error, error_invalid, "n = "//integer_text(n)//" is not allowed: a number of elements is at least 0")
+        if (n < 0) call raise(error, error_invalid, "n = "//count_text(int(n))//" is not allowed: it must be at least 0")
     end subroutine check_count
 
     !> Raises unless the array is there or has no elements.
@@ -41,7 +40,7 @@ contains
 
         do i = 1, size(values)
             if (ieee_is_finite(values(i))) cycle
-            call check_finite(error, element(name, i), values(i))
+            call check_finite(error, entry_name(name, i), values(i))
             return
         end do
     end subroutine check_each_finite
@@ -55,7 +54,7 @@ contains
 
         do i = 1, size(values)
             if (ieee_is_finite(values(i)) .and. values(i) > 0.0_c_double) cycle
-            call check_positive(error, element(name, i), values(i))
+            call check_positive(error, entry_name(name, i), values(i))
             return
         end do
     end subroutine check_each_positive
@@ -69,7 +68,7 @@ contains
 
         do i = 1, size(values)
             if (ieee_is_finite(values(i)) .and. values(i) >= 0.0_c_double) cycle
-            call check_not_negative(error, element(name, i), values(i))
+            call check_not_negative(error, entry_name(name, i), values(i))
             return
         end do
     end subroutine check_each_not_negative
@@ -83,33 +82,15 @@ contains
 
         do i = 1, size(values)
             if (values(i) < smallest) then
-                call raise(error, error_domain, element(name, i)//" = "//to_text(values(i))//" is not allowed: "//whose// &
+                call raise(error, error_domain, entry_name(name, i)//" = "//to_text(values(i))//" is not allowed: "//whose// &
                            " is defined from "//to_text(smallest)//" on")
                 return
             else if (values(i) > largest) then
-                call raise(error, error_domain, element(name, i)//" = "//to_text(values(i))//" is not allowed: "//whose// &
+                call raise(error, error_domain, entry_name(name, i)//" = "//to_text(values(i))//" is not allowed: "//whose// &
                            " is defined up to "//to_text(largest))
                 return
             end if
         end do
     end subroutine check_each_within
-
-    !> The C name of an element: r[0] is the first one.
-    pure function element(name, position) result(text)
-        character(len=*), intent(in) :: name
-        integer, intent(in) :: position
-        character(len=:), allocatable :: text
-
-        text = name//"["//integer_text(position - 1)//"]"
-    end function element
-
-    pure function integer_text(number) result(text)
-        integer, intent(in) :: number
-        character(len=:), allocatable :: text
-        character(len=12) :: buffer
-
-        write (buffer, "(i0)") number
-        text = trim(buffer)
-    end function integer_text
 
 end module mdrcontact_api_arrays
