@@ -13,6 +13,9 @@ module mdrcontact_monotone_table
     private
     public :: monotone_table_t, new_monotone_table
 
+    !> An end slope below this, relative to the first secant, is a rounding error of 0.
+    real(wp), parameter :: negligible = 1.0e-10_wp
+
     type, extends(scalar_function_t) :: monotone_table_t
         private
         real(wp), allocatable :: x(:), y(:), slopes(:)
@@ -48,7 +51,28 @@ contains
             self%slopes(i) = gsl_spline_eval_deriv(spline, x(i), c_null_ptr)
         end do
         call gsl_spline_free(spline)
+        self%slopes(1) = end_slope(x(1:3), y(1:3))
+        i = size(x)
+        self%slopes(i) = end_slope([x(i), x(i - 1), x(i - 2)], [y(i), y(i - 1), y(i - 2)])
     end subroutine new_monotone_table
+
+    !> The slope at the first of three points: of the parabola through them, limited so that the first piece stays monotone
+    !> (Steffen, Astron. Astrophys. 239 (1990) 443; GSL takes the secant). A blunt tip stays blunt, a cone a cone.
+    pure function end_slope(x, y) result(slope)
+        real(wp), intent(in) :: x(3), y(3)
+        real(wp) :: slope
+        real(wp) :: first, second, share
+
+        first = (y(2) - y(1))/(x(2) - x(1))
+        second = (y(3) - y(2))/(x(3) - x(2))
+        share = (x(2) - x(1))/(x(3) - x(1))
+        slope = first + (first - second)*share
+        if (slope*first <= 0.0_wp .or. abs(slope) < negligible*abs(first)) then
+            slope = 0.0_wp
+        else if (abs(slope) > 2.0_wp*abs(first)) then
+            slope = 2.0_wp*first
+        end if
+    end function end_slope
 
     function value(self, x) result(y)
         class(monotone_table_t), intent(inout) :: self

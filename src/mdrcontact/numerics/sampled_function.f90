@@ -18,6 +18,9 @@ module mdrcontact_sampled_function
     !> A panel is not halved below this length relative to its distance from 0.
     real(wp), parameter :: shortest_panel = 1.0e-10_wp
 
+    !> The slope in x of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t: 1/t amplifies rounding.
+    real(wp), parameter :: smallest_root = 1.0e-5_wp
+
     type :: sampled_function_t
         private
         !> panel i runs from edges(i) to edges(i+1)
@@ -177,8 +180,9 @@ contains
 
         i = panel_of(self, x)
         t = local(self, i, x)
+        if (self%from_root(i)) t = max(t, smallest_root)
         y = 2.0_wp*chebyshev_sum(self%derivatives(:, i), 2.0_wp*t - 1.0_wp)/(self%edges(i + 1) - self%edges(i))
-        if (self%from_root(i)) y = y/(2.0_wp*max(t, tiny(1.0_wp)))
+        if (self%from_root(i)) y = y/(2.0_wp*t)
     end function slope
 
     !> The integral of f from lower() to x.

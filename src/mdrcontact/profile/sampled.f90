@@ -36,6 +36,8 @@ module mdrcontact_profile_sampled
     type, extends(scalar_function_t) :: forward_transform_t
         type(sampled_function_t), pointer :: f => null()
         real(wp), allocatable :: edges(:)
+        !> f follows this power below its first edge
+        real(wp) :: exponent = 0.0_wp
     contains
         procedure :: value => forward_value
     end type forward_transform_t
@@ -44,6 +46,8 @@ module mdrcontact_profile_sampled
     type, extends(scalar_function_t) :: backward_transform_t
         type(sampled_function_t), pointer :: g => null()
         real(wp), allocatable :: edges(:)
+        !> g follows this power below its first edge
+        real(wp) :: exponent = 0.0_wp
     contains
         procedure :: value => backward_value
     end type backward_transform_t
@@ -51,6 +55,10 @@ module mdrcontact_profile_sampled
     real(wp), parameter :: height_tolerance = 1.0e-14_wp, transform_tolerance = 1.0e-13_wp
     !> f is sampled this much further down than g; below it is a power of r, whose transform is a fast power series.
     integer, parameter :: extra_octaves = 1, series_terms = 28
+    !> Octaves towards a flat end, where x - b loses the digits of x and only absolute accuracy is left to have.
+    integer, parameter :: flat_octaves = 10
+    !> Keeps the radii that probe for lost digits off powers of 2, where a user's formula may lose none by chance.
+    real(wp), parameter :: irrational = 0.7390851332151607_wp
     !> The range over which f and g are sampled: down to this fraction of their largest value or of the largest radius.
     real(wp), parameter :: smallest_value = 1.0e-20_wp, smallest_radius = 1.0e-10_wp
 
@@ -92,8 +100,11 @@ contains
         if (allocated(error)) return
         transform%f => f
         transform%edges = f%panel_edges()
+        if (flat_radius <= 0.0_wp) transform%exponent = log_slope(f)
         call new_sampled_function(self%g, transform, g_edges, [(root_starts(g_edges(i), flat_radius, breaks), &
-                                                                i=1, size(g_edges) - 1)], transform_tolerance, error)
+                                                                i=1, size(g_edges) - 1)], transform_tolerance, error, &
+                                  noise=max(flat_noise(transform, flat_radius, first_break(breaks, largest)), &
+                                            merge(100.0_wp*epsilon(top)*top, 0.0_wp, may_lose_digits)))
         if (allocated(error)) return
         self%f = f
         call finish(self, flat_radius, breaks)
@@ -110,18 +121,21 @@ contains
         type(sampled_function_t), target :: g
         type(backward_transform_t) :: transform
         real(wp), allocatable :: f_edges(:), g_edges(:)
-        integer :: i
+        integer :: i, octaves
 
-        g_edges = [geometric(flat_radius, first_break(breaks, largest), 40 + extra_octaves), breaks, largest]
-        f_edges = [geometric(flat_radius, first_break(breaks, largest), 40), breaks, largest]
+        octaves = merge(flat_octaves, 33, flat_radius > 0.0_wp)
+        g_edges = [geometric(flat_radius, first_break(breaks, largest), octaves + extra_octaves), breaks, largest]
+        f_edges = [geometric(flat_radius, first_break(breaks, largest), octaves), breaks, largest]
         call new_sampled_function(g, mdr, g_edges, [(.false., i=1, size(g_edges) - 1)], height_tolerance, error)
         if (allocated(error)) return
         call check_ascending(g, error)
         if (allocated(error)) return
         transform%g => g
         transform%edges = g%panel_edges()
+        if (flat_radius <= 0.0_wp) transform%exponent = log_slope(g)
         call new_sampled_function(self%f, transform, f_edges, [(root_starts(f_edges(i), flat_radius, breaks), &
-                                                                i=1, size(f_edges) - 1)], transform_tolerance, error)
+                                                                i=1, size(f_edges) - 1)], transform_tolerance, error, &
+                                  noise=flat_noise(transform, flat_radius, first_break(breaks, largest)))
         if (allocated(error)) return
         self%g = g
         call finish(self, flat_radius, breaks)
@@ -243,8 +257,8 @@ contains
         integer :: i, n
 
         y = 0.0_wp
-        if (self%f%value(self%edges(1)) > 0.0_wp) then
-            y = log_slope(self%f)*self%f%value(self%edges(1))*below_first(self%edges(1)/x, log_slope(self%f))
+        if (self%exponent > 0.0_wp) then
+            y = self%exponent*self%f%value(self%edges(1))*below_first(self%edges(1)/x, self%exponent)
         end if
         from = asin(min(self%edges(1)/x, 1.0_wp))
         do i = 2, size(self%edges)
@@ -266,8 +280,8 @@ contains
 
         from = asin(min(self%edges(1)/x, 1.0_wp))
         y = 0.0_wp
-        if (self%g%value(self%edges(1)) > 0.0_wp) then
-            y = self%g%value(self%edges(1))*self%edges(1)/x*below_first(self%edges(1)/x, log_slope(self%g) + 1.0_wp)
+        if (self%exponent > 0.0_wp) then
+            y = self%g%value(self%edges(1))*self%edges(1)/x*below_first(self%edges(1)/x, self%exponent + 1.0_wp)
         end if
         do i = 2, size(self%edges)
             to = asin(min(self%edges(i)/x, 1.0_wp))
@@ -301,6 +315,16 @@ contains
 
         n = merge(8, 20, angle < 0.05_wp)
     end function nodes_for
+
+    !> What is lost to rounding behind a flat end: relative accuracy of the transform at the first break.
+    function flat_noise(transform, flat_radius, first) result(noise)
+        class(scalar_function_t), intent(inout) :: transform
+        real(wp), intent(in) :: flat_radius, first
+        real(wp) :: noise
+
+        noise = 0.0_wp
+        if (flat_radius > 0.0_wp) noise = transform_tolerance*transform%value(first)
+    end function flat_noise
 
     !> f(0) must be 0, and the profile must rise at all.
     subroutine check_start(f, flat_radius, top, error)
@@ -348,9 +372,9 @@ contains
         count = 0
         values = 0.0_wp
         bend_before = huge(bend)
-        do while (count < nint(-log(smallest_radius)/log(2.0_wp)))
+        do while (count < merge(flat_octaves, nint(-log(smallest_radius)/log(2.0_wp)), flat_radius > 0.0_wp))
             values(2:3) = values(1:2)
-            values(1) = f%value(flat_radius + (first - flat_radius)*0.5_wp**(count + 1 + extra_octaves))
+            values(1) = f%value(flat_radius + irrational*(first - flat_radius)*0.5_wp**(count + 1 + extra_octaves))
             if (allocated(f%error)) then
                 error = f%error
                 return
@@ -391,12 +415,12 @@ contains
         answer = (flat_radius > 0.0_wp .and. edge == flat_radius) .or. any(breaks == edge)
     end function root_starts
 
-    !> d ln f/d ln x at the lower end.
+    !> The power of x that f follows at its lower end, over its lowest octave so that rounding errors of f matter least.
     pure function log_slope(f) result(exponent)
         type(sampled_function_t), intent(in) :: f
         real(wp) :: exponent
 
-        exponent = f%lower()*f%slope(f%lower())/f%value(f%lower())
+        exponent = log(f%value(2.0_wp*f%lower())/f%value(f%lower()))/log(2.0_wp)
     end function log_slope
 
 end module mdrcontact_profile_sampled
