@@ -153,8 +153,8 @@ contains
         call self%medium%line_load(self%profile, state%radius, state%excess, x, values, error)
     end subroutine line_load
 
-    !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the apex
-    !> of a cone.
+    !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the
+    !> apex of a cone.
     subroutine pressure(self, state, r, values, error)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
