@@ -8,6 +8,7 @@
 !> are involved.
 module mdrcontact_quadrature
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr, c_size_t
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_gsl, only: gsl_integration_glfixed_point, gsl_integration_glfixed_table_alloc, &
                               gsl_integration_glfixed_table_free, gsl_success
     use mdrcontact_kinds, only: wp
@@ -38,12 +39,12 @@ contains
         table = gsl_integration_glfixed_table_alloc(int(size(nodes), c_size_t))
         if (.not. c_associated(table)) then
             nodes = 0.5_wp
-            weights = transfer(-1_8, 1.0_wp)
+            weights = transfer(-1_int64, 1.0_wp)
             return
         end if
         do i = 1, size(nodes)
             status = gsl_integration_glfixed_point(0.0_wp, 1.0_wp, int(i - 1, c_size_t), nodes(i), weights(i), table)
-            if (status /= gsl_success) weights(i) = transfer(-1_8, 1.0_wp)
+            if (status /= gsl_success) weights(i) = transfer(-1_int64, 1.0_wp)
         end do
         call gsl_integration_glfixed_table_free(table)
     end subroutine gauss_legendre
