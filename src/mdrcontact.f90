@@ -15,6 +15,7 @@ module mdrcontact
     use mdrcontact_medium_hay_crawford, only: hay_crawford_t, new_hay_crawford
     use mdrcontact_medium_mencik, only: mencik_t, new_mencik
     use mdrcontact_medium_perriot_barthel, only: new_perriot_barthel, perriot_barthel_t
+    use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
     use mdrcontact_medium_wave, only: new_wave, wave_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus

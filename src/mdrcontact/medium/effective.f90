@@ -155,6 +155,7 @@ contains
         end do
     end subroutine line_load
 
+    !> Infinite at the rim of a flat end, where g' is.
     !> p(r) = (1/pi) int_r^a E_eff(s) d'(s)/sqrt(s^2 - r^2) ds + E_eff(a) excess/(pi sqrt(a^2 - r^2)), equation (6).
     subroutine pressure(self, profile, a, excess, r, values, error)
         class(effective_medium_t), intent(in) :: self
@@ -173,7 +174,9 @@ contains
             lowest = max(r(i), profile%end_radius())
             from_axis = lowest <= 0.0_wp
             if (from_axis) lowest = smallest_panel_ratio*a
-            if (a > lowest) then
+            if (r(i) > 0.0_wp .and. r(i) == profile%end_radius() .and. a > lowest) then
+                values(i) = ieee_value(values(i), ieee_positive_inf)
+            else if (a > lowest) then
                 call graded_rule(lowest, a, merged_breaks([lowest], all_breaks(self, profile)), profile%singular_radius(), &
                                  s, ds, beyond)
                 values(i) = values(i) + sum(self%effective_modulus(s)*depth_slope(self, profile, s)*ds &
