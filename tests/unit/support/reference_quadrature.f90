@@ -26,7 +26,8 @@ module reference_quadrature
 
 contains
 
-    !> The integral over [edges(1), edges(size(edges))]; f is analytic between the edges and may be singular, but integrable, at them.
+    !> The integral over [edges(1), edges(size(edges))]; f is analytic between the edges and may be singular,
+    !> but integrable, at them.
     function integral(f, edges) result(total)
         class(integrand_t), intent(in) :: f
         real(wp), intent(in) :: edges(:)
