@@ -5,10 +5,11 @@
 !> exception class in Python. A message names the argument, its value and what is allowed.
 module mdrcontact_error
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_kinds, only: wp
+    use mdrcontact_kinds, only: half_pi, wp
     implicit none (type, external)
     private
-    public :: error_t, raise, check_finite, check_positive, check_not_negative, check_poisson, to_text
+    public :: error_t, raise, check_finite, check_positive, check_not_negative, check_poisson, check_inclination, &
+              check_table, count_text, to_text
     public :: status_name
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file
@@ -96,6 +97,55 @@ contains
         end if
         call raise_value(error, name, value, "Poisson's ratio must be greater than -1 and at most 0.5")
     end subroutine check_poisson
+
+    !> Raises unless `inclination` is the angle between a cone's face and the surface, 0 < phi < pi/2.
+    pure subroutine check_inclination(error, inclination)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), intent(in) :: inclination
+
+        if (inclination > 0.0_wp .and. inclination < half_pi) return
+        call raise_value(error, "inclination", inclination, "the angle between face and surface must be greater than 0 "// &
+                         "and less than pi/2 = 1.570796 radian")
+    end subroutine check_inclination
+
+    !> Raises unless a table has at least `fewest` entries, finite values and strictly ascending abscissae.
+    pure subroutine check_table(error, x_name, x, y_name, y, fewest)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: x_name, y_name
+        real(wp), intent(in) :: x(:), y(:)
+        integer, intent(in) :: fewest
+        integer :: i
+
+        if (size(x) /= size(y)) then
+            call raise(error, error_invalid, x_name//" has "//count_text(size(x))//" and "//y_name//" has "// &
+                       count_text(size(y))//" entries: they must have the same number")
+        else if (size(x) < fewest) then
+            call raise(error, error_invalid, "a table of "//count_text(size(x))//" entries in "//x_name// &
+                       " is too short: at least "//count_text(fewest)//" are needed")
+        end if
+        if (allocated(error)) return
+        do i = 1, size(x)
+            call check_finite(error, x_name//"["//count_text(i)//"]", x(i))
+            call check_finite(error, y_name//"["//count_text(i)//"]", y(i))
+            if (allocated(error)) return
+        end do
+        do i = 2, size(x)
+            if (x(i) > x(i - 1)) cycle
+            call raise(error, error_invalid, x_name//"["//count_text(i)//"] = "//to_text(x(i))//" is not allowed: "//x_name// &
+                       " must be strictly ascending, and the entry before is "//to_text(x(i - 1)))
+            return
+        end do
+    end subroutine check_table
+
+    !> A count as text.
+    pure function count_text(count) result(text)
+        integer, intent(in) :: count
+        character(len=:), allocatable :: text
+        character(len=16) :: buffer
+
+        write (buffer, "(i0)") count
+        text = trim(buffer)
+    end function count_text
 
     pure subroutine raise_value(error, name, value, allowed)
         type(error_t), allocatable, intent(inout) :: error

@@ -8,12 +8,12 @@ module mdrcontact_profile
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: profile_t
+    public :: profile_t, root_beyond
 
     !> An axisymmetric indenter. Concrete shapes are made by their `new_...` procedures and never change afterwards.
     !>
     !> The functions are elemental and do not check their argument: it must lie in [0, largest_radius()],
-    !> below it where the profile ends in a vertical wall or tangent (sphere). Beyond it they return NaN or are undefined.
+    !> below the end where the profile ends in a vertical tangent (sphere). Beyond it they return NaN or are undefined.
     type, abstract :: profile_t
     contains
         !> f(r), the height of the surface above its lowest point [length]
@@ -28,13 +28,15 @@ module mdrcontact_profile
         procedure(radial_function), deferred :: mdr_moment
         !> the largest radius at which the profile is defined [length]; huge() where there is no end
         procedure :: largest_radius => unlimited
+        !> where g is singular at its end [length]: quadrature is refined towards it; huge() where it is not
+        procedure :: singular_radius => unlimited
         !> whether the profile rises vertically at largest_radius(), so that the contact radius stays there (flat punch)
         procedure :: has_wall => no
         !> radius of the flat end [length], 0 if there is none: the contact radius as the depth tends to 0
         procedure :: end_radius => zero
         !> radii at which f is not analytic, ascending, in (0, largest_radius()); quadrature is split there
         procedure :: break_radii => none
-        !> an inverse of g where a closed form exists: the contact radius at depth g(a) = d on a homogeneous body; negative if none
+        !> the inverse of g where a closed form exists, the contact radius at depth d = g(a) [length]; negative if none
         procedure :: radius_from_mdr => no_inverse
     end type profile_t
 
@@ -94,5 +96,13 @@ contains
         end associate
         radius = -1.0_wp
     end function no_inverse
+
+    !> sqrt(x^2 - b^2) without cancellation, 0 for x <= b: the root that every flat end and tangent point brings into g(x).
+    elemental function root_beyond(x, b) result(root)
+        real(wp), intent(in) :: x, b
+        real(wp) :: root
+
+        root = sqrt(max(x - b, 0.0_wp)*(x + b))
+    end function root_beyond
 
 end module mdrcontact_profile

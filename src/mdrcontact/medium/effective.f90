@@ -71,7 +71,7 @@ contains
         force = 0.0_wp
         lowest = max(profile%end_radius(), smallest_panel_ratio*a)
         if (a <= lowest) return
-        call graded_rule(lowest, a, profile%break_radii(), profile%largest_radius(), s, ds)
+        call graded_rule(lowest, a, profile%break_radii(), profile%singular_radius(), s, ds)
         force = 2.0_wp*(self%effective_modulus(lowest)*profile%mdr_moment(lowest) &
                         + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
     end subroutine depth_and_force
@@ -92,7 +92,7 @@ contains
             values(i) = self%effective_modulus(a)*excess
             lowest = max(r(i), profile%end_radius(), smallest_panel_ratio*a)
             if (a <= lowest) cycle
-            call graded_rule(lowest, a, profile%break_radii(), profile%largest_radius(), s, ds)
+            call graded_rule(lowest, a, profile%break_radii(), profile%singular_radius(), s, ds)
             values(i) = values(i) + self%effective_modulus(lowest)*(profile%mdr(lowest) - profile%mdr(min(r(i), lowest))) &
                         + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds)
         end do
@@ -117,7 +117,7 @@ contains
             from_axis = lowest <= 0.0_wp
             if (from_axis) lowest = smallest_panel_ratio*a
             if (a > lowest) then
-                call graded_rule(lowest, a, with_start(lowest, profile%break_radii()), profile%largest_radius(), s, ds, beyond)
+                call graded_rule(lowest, a, with_start(lowest, profile%break_radii()), profile%singular_radius(), s, ds, beyond)
                 values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds &
                                             /sqrt((beyond + (lowest - r(i)))*(s + r(i))))
                 if (from_axis) values(i) = values(i) + self%effective_modulus(lowest)*near_axis(profile, lowest)
@@ -145,7 +145,7 @@ contains
         do i = 1, size(r)
             values(i) = excess*asin(a/r(i))
             if (a > lowest) then
-                call graded_rule(lowest, a, profile%break_radii(), min(profile%largest_radius(), r(i)), s, ds)
+                call graded_rule(lowest, a, profile%break_radii(), min(profile%singular_radius(), r(i)), s, ds)
                 values(i) = values(i) + profile%mdr_moment(lowest)/r(i) + sum(profile%mdr_slope(s)*asin(s/r(i))*ds)
             end if
             values(i) = values(i)*(2.0_wp/pi)

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Power-law indenters f(r) = c r^n, with the paraboloid (n = 2) and the cone (n = 1) as their named cases.
 module mdrcontact_profile_power_law
-    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_inclination, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -144,14 +144,5 @@ contains
             y = x**n
         end if
     end function power
-
-    pure subroutine check_inclination(error, inclination)
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp), intent(in) :: inclination
-
-        if (inclination > 0.0_wp .and. inclination < half_pi) return
-        call raise(error, error_invalid, "inclination = "//to_text(inclination)//" is not allowed: the angle between face "// &
-                   "and surface must be greater than 0 and less than pi/2 radian")
-    end subroutine check_inclination
 
 end module mdrcontact_profile_power_law

@@ -1,0 +1,104 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The flat-ended (truncated) cone: flat up to b, then f(r) = (r - b) tan(phi).
+module mdrcontact_profile_flat_cone
+    use mdrcontact_error, only: check_inclination, check_positive, error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_profile, only: profile_t, root_beyond
+    implicit none (type, external)
+    private
+    public :: flat_cone_t, new_flat_cone
+
+    !> g(x) = x tan(phi) arccos(b/x), x > b. Popov 2014, table after equation (4).
+    type, extends(profile_t) :: flat_cone_t
+        private
+        !> b [length]
+        real(wp) :: flat_radius = 0.0_wp
+        real(wp) :: tangent = 0.0_wp
+    contains
+        procedure :: height
+        procedure :: slope
+        procedure :: mdr
+        procedure :: mdr_slope
+        procedure :: mdr_moment
+        procedure :: end_radius
+        procedure :: break_radii
+    end type flat_cone_t
+
+contains
+
+    !> A cone with a flat end.
+    subroutine new_flat_cone(self, end_radius, inclination, error)
+        type(flat_cone_t), intent(out) :: self
+        !> b > 0, radius of the flat end [length]
+        real(wp), intent(in) :: end_radius
+        !> phi, the angle between face and surface, 0 < phi < pi/2 [radian]
+        real(wp), intent(in) :: inclination
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_positive(error, "end_radius", end_radius)
+        call check_inclination(error, inclination)
+        if (allocated(error)) return
+        self%flat_radius = end_radius
+        self%tangent = tan(inclination)
+    end subroutine new_flat_cone
+
+    elemental function height(self, x) result(y)
+        class(flat_cone_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%tangent*max(x - self%flat_radius, 0.0_wp)
+    end function height
+
+    elemental function slope(self, x) result(y)
+        class(flat_cone_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = merge(self%tangent, 0.0_wp, x > self%flat_radius)
+    end function slope
+
+    elemental function mdr(self, x) result(y)
+        class(flat_cone_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%tangent*x*atan2(root_beyond(x, self%flat_radius), self%flat_radius)
+    end function mdr
+
+    elemental function mdr_slope(self, x) result(y)
+        class(flat_cone_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: root
+
+        root = root_beyond(x, self%flat_radius)
+        y = 0.0_wp
+        if (root > 0.0_wp) y = self%tangent*(atan2(root, self%flat_radius) + self%flat_radius/root)
+    end function mdr_slope
+
+    elemental function mdr_moment(self, x) result(y)
+        class(flat_cone_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: root
+
+        root = root_beyond(x, self%flat_radius)
+        y = 0.5_wp*self%tangent*(x**2*atan2(root, self%flat_radius) + self%flat_radius*root)
+    end function mdr_moment
+
+    pure function end_radius(self) result(radius)
+        class(flat_cone_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%flat_radius
+    end function end_radius
+
+    pure function break_radii(self) result(radii)
+        class(flat_cone_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        radii = [self%flat_radius]
+    end function break_radii
+
+end module mdrcontact_profile_flat_cone

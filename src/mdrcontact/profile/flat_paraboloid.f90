@@ -1,0 +1,102 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The flat-ended paraboloid (a worn sphere): flat up to b, then f(r) = (r^2 - b^2)/(2R).
+module mdrcontact_profile_flat_paraboloid
+    use mdrcontact_error, only: check_positive, error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_profile, only: profile_t, root_beyond
+    implicit none (type, external)
+    private
+    public :: flat_paraboloid_t, new_flat_paraboloid
+
+    !> g(x) = (x/R) sqrt(x^2 - b^2), x > b. Popov 2014, table after equation (4).
+    type, extends(profile_t) :: flat_paraboloid_t
+        private
+        !> b and R [length]
+        real(wp) :: flat_radius = 0.0_wp
+        real(wp) :: curvature_radius = 0.0_wp
+    contains
+        procedure :: height
+        procedure :: slope
+        procedure :: mdr
+        procedure :: mdr_slope
+        procedure :: mdr_moment
+        procedure :: end_radius
+        procedure :: break_radii
+    end type flat_paraboloid_t
+
+contains
+
+    !> A paraboloid with a flat end.
+    subroutine new_flat_paraboloid(self, end_radius, radius, error)
+        type(flat_paraboloid_t), intent(out) :: self
+        !> b > 0, radius of the flat end [length]
+        real(wp), intent(in) :: end_radius
+        !> R > 0, radius of curvature of the paraboloid at its (cut off) apex [length]
+        real(wp), intent(in) :: radius
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_positive(error, "end_radius", end_radius)
+        call check_positive(error, "radius", radius)
+        if (allocated(error)) return
+        self%flat_radius = end_radius
+        self%curvature_radius = radius
+    end subroutine new_flat_paraboloid
+
+    elemental function height(self, x) result(y)
+        class(flat_paraboloid_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = 0.5_wp*max(x - self%flat_radius, 0.0_wp)*(x + self%flat_radius)/self%curvature_radius
+    end function height
+
+    elemental function slope(self, x) result(y)
+        class(flat_paraboloid_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = merge(x/self%curvature_radius, 0.0_wp, x > self%flat_radius)
+    end function slope
+
+    elemental function mdr(self, x) result(y)
+        class(flat_paraboloid_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = x*root_beyond(x, self%flat_radius)/self%curvature_radius
+    end function mdr
+
+    elemental function mdr_slope(self, x) result(y)
+        class(flat_paraboloid_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: root
+
+        root = root_beyond(x, self%flat_radius)
+        y = 0.0_wp
+        if (root > 0.0_wp) y = (root + x*(x/root))/self%curvature_radius
+    end function mdr_slope
+
+    elemental function mdr_moment(self, x) result(y)
+        class(flat_paraboloid_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = root_beyond(x, self%flat_radius)*(2.0_wp*x**2 + self%flat_radius**2)/(3.0_wp*self%curvature_radius)
+    end function mdr_moment
+
+    pure function end_radius(self) result(radius)
+        class(flat_paraboloid_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%flat_radius
+    end function end_radius
+
+    pure function break_radii(self) result(radii)
+        class(flat_paraboloid_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        radii = [self%flat_radius]
+    end function break_radii
+
+end module mdrcontact_profile_flat_paraboloid

@@ -1,0 +1,114 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The flat-ended cylinder of radius b: the contact radius is b at every depth.
+module mdrcontact_profile_flat_punch
+    use mdrcontact_error, only: check_positive, error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: flat_punch_t, new_flat_punch
+
+    !> f = g = 0 up to the vertical wall at b.
+    type, extends(profile_t) :: flat_punch_t
+        private
+        !> b [length]
+        real(wp) :: radius = 0.0_wp
+    contains
+        procedure :: height
+        procedure :: slope
+        procedure :: mdr
+        procedure :: mdr_slope
+        procedure :: mdr_moment
+        procedure :: largest_radius
+        procedure :: end_radius
+        procedure :: has_wall
+    end type flat_punch_t
+
+contains
+
+    !> A flat punch of radius b.
+    subroutine new_flat_punch(self, radius, error)
+        type(flat_punch_t), intent(out) :: self
+        !> b > 0 [length]
+        real(wp), intent(in) :: radius
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_positive(error, "radius", radius)
+        if (allocated(error)) return
+        self%radius = radius
+    end subroutine new_flat_punch
+
+    elemental function height(self, x) result(y)
+        class(flat_punch_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        associate (unused => self, also_unused => x)
+        end associate
+        y = 0.0_wp
+    end function height
+
+    elemental function slope(self, x) result(y)
+        class(flat_punch_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        associate (unused => self, also_unused => x)
+        end associate
+        y = 0.0_wp
+    end function slope
+
+    elemental function mdr(self, x) result(y)
+        class(flat_punch_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        associate (unused => self, also_unused => x)
+        end associate
+        y = 0.0_wp
+    end function mdr
+
+    elemental function mdr_slope(self, x) result(y)
+        class(flat_punch_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        associate (unused => self, also_unused => x)
+        end associate
+        y = 0.0_wp
+    end function mdr_slope
+
+    elemental function mdr_moment(self, x) result(y)
+        class(flat_punch_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        associate (unused => self, also_unused => x)
+        end associate
+        y = 0.0_wp
+    end function mdr_moment
+
+    pure function largest_radius(self) result(radius)
+        class(flat_punch_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%radius
+    end function largest_radius
+
+    pure function end_radius(self) result(radius)
+        class(flat_punch_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%radius
+    end function end_radius
+
+    pure function has_wall(self) result(answer)
+        class(flat_punch_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .true.
+    end function has_wall
+
+end module mdrcontact_profile_flat_punch

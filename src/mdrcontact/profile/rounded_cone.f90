@@ -1,0 +1,116 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The cone with a rounded tip: a paraboloid up to b that meets the cone as its tangent.
+module mdrcontact_profile_rounded_cone
+    use mdrcontact_error, only: check_inclination, check_positive, error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_profile, only: profile_t, root_beyond
+    implicit none (type, external)
+    private
+    public :: rounded_cone_t, new_rounded_cone
+
+    !> f(r) = r^2 tan(phi)/(2b), r <= b; (r - b/2) tan(phi), r > b.
+    !> g(x) = (x tan(phi)/b) (x - H(x - b) [sqrt(x^2 - b^2) - b arccos(b/x)]). Popov 2014, table after equation (4).
+    !> With x - sqrt(x^2 - b^2) = b^2/(x + sqrt(x^2 - b^2)) nothing cancels at x >> b.
+    type, extends(profile_t) :: rounded_cone_t
+        private
+        !> b [length]
+        real(wp) :: blend_radius = 0.0_wp
+        real(wp) :: tangent = 0.0_wp
+    contains
+        procedure :: height
+        procedure :: slope
+        procedure :: mdr
+        procedure :: mdr_slope
+        procedure :: mdr_moment
+        procedure :: break_radii
+    end type rounded_cone_t
+
+contains
+
+    !> A cone with a rounded tip.
+    subroutine new_rounded_cone(self, blend_radius, inclination, error)
+        type(rounded_cone_t), intent(out) :: self
+        !> b > 0, where the paraboloid passes into the cone; the radius of curvature at the tip is b/tan(phi) [length]
+        real(wp), intent(in) :: blend_radius
+        !> phi, the angle between face and surface, 0 < phi < pi/2 [radian]
+        real(wp), intent(in) :: inclination
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_positive(error, "blend_radius", blend_radius)
+        call check_inclination(error, inclination)
+        if (allocated(error)) return
+        self%blend_radius = blend_radius
+        self%tangent = tan(inclination)
+    end subroutine new_rounded_cone
+
+    elemental function height(self, x) result(y)
+        class(rounded_cone_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        if (x <= self%blend_radius) then
+            y = 0.5_wp*self%tangent*x*(x/self%blend_radius)
+        else
+            y = self%tangent*(x - 0.5_wp*self%blend_radius)
+        end if
+    end function height
+
+    elemental function slope(self, x) result(y)
+        class(rounded_cone_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%tangent*min(x/self%blend_radius, 1.0_wp)
+    end function slope
+
+    elemental function mdr(self, x) result(y)
+        class(rounded_cone_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: root
+
+        root = root_beyond(x, self%blend_radius)
+        if (x <= self%blend_radius) then
+            y = self%tangent*x*(x/self%blend_radius)
+        else
+            y = self%tangent*x*(self%blend_radius/(x + root) + atan2(root, self%blend_radius))
+        end if
+    end function mdr
+
+    elemental function mdr_slope(self, x) result(y)
+        class(rounded_cone_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: root
+
+        root = root_beyond(x, self%blend_radius)
+        if (x <= self%blend_radius) then
+            y = 2.0_wp*self%tangent*(x/self%blend_radius)
+        else
+            y = self%tangent*(2.0_wp*self%blend_radius/(x + root) + atan2(root, self%blend_radius))
+        end if
+    end function mdr_slope
+
+    elemental function mdr_moment(self, x) result(y)
+        class(rounded_cone_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: root
+
+        root = root_beyond(x, self%blend_radius)
+        if (x <= self%blend_radius) then
+            y = (2.0_wp/3.0_wp)*self%tangent*x**2*(x/self%blend_radius)
+        else
+            y = self%tangent*((2.0_wp/3.0_wp)*x**2*(self%blend_radius/(x + root)) + self%blend_radius*root/6.0_wp &
+                              + 0.5_wp*x**2*atan2(root, self%blend_radius))
+        end if
+    end function mdr_moment
+
+    pure function break_radii(self) result(radii)
+        class(rounded_cone_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        radii = [self%blend_radius]
+    end function break_radii
+
+end module mdrcontact_profile_rounded_cone

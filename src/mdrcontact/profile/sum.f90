@@ -1,0 +1,174 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Sums of indenters: f and g are linear in each other, so the MDR profile of a sum is the sum of the MDR profiles.
+module mdrcontact_profile_sum
+    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: profile_sum_t, profile_term_t, new_profile_sum
+
+    !> One term of a sum.
+    type :: profile_term_t
+        class(profile_t), allocatable :: profile
+    end type profile_term_t
+
+    !> f(r) = f_1(r) + f_2(r) + ...; the first term to end, ends the sum.
+    type, extends(profile_t) :: profile_sum_t
+        private
+        type(profile_term_t), allocatable :: terms(:)
+    contains
+        procedure :: height
+        procedure :: slope
+        procedure :: mdr
+        procedure :: mdr_slope
+        procedure :: mdr_moment
+        procedure :: largest_radius
+        procedure :: singular_radius
+        procedure :: end_radius
+        procedure :: has_wall
+        procedure :: break_radii
+    end type profile_sum_t
+
+contains
+
+    !> The sum of at least one indenter.
+    subroutine new_profile_sum(self, terms, error)
+        type(profile_sum_t), intent(out) :: self
+        type(profile_term_t), intent(in) :: terms(:)
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i
+
+        if (size(terms) == 0) call raise(error, error_invalid, "terms is empty: a sum needs at least one profile")
+        do i = 1, size(terms)
+            if (.not. allocated(terms(i)%profile)) call raise(error, error_invalid, "a term of the sum holds no profile")
+        end do
+        if (allocated(error)) return
+        self%terms = terms
+    end subroutine new_profile_sum
+
+    elemental function height(self, x) result(y)
+        class(profile_sum_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        integer :: i
+
+        y = 0.0_wp
+        do i = 1, size(self%terms)
+            y = y + self%terms(i)%profile%height(x)
+        end do
+    end function height
+
+    elemental function slope(self, x) result(y)
+        class(profile_sum_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        integer :: i
+
+        y = 0.0_wp
+        do i = 1, size(self%terms)
+            y = y + self%terms(i)%profile%slope(x)
+        end do
+    end function slope
+
+    elemental function mdr(self, x) result(y)
+        class(profile_sum_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        integer :: i
+
+        y = 0.0_wp
+        do i = 1, size(self%terms)
+            y = y + self%terms(i)%profile%mdr(x)
+        end do
+    end function mdr
+
+    elemental function mdr_slope(self, x) result(y)
+        class(profile_sum_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        integer :: i
+
+        y = 0.0_wp
+        do i = 1, size(self%terms)
+            y = y + self%terms(i)%profile%mdr_slope(x)
+        end do
+    end function mdr_slope
+
+    elemental function mdr_moment(self, x) result(y)
+        class(profile_sum_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        integer :: i
+
+        y = 0.0_wp
+        do i = 1, size(self%terms)
+            y = y + self%terms(i)%profile%mdr_moment(x)
+        end do
+    end function mdr_moment
+
+    pure function largest_radius(self) result(radius)
+        class(profile_sum_t), intent(in) :: self
+        real(wp) :: radius
+        integer :: i
+
+        radius = huge(radius)
+        do i = 1, size(self%terms)
+            radius = min(radius, self%terms(i)%profile%largest_radius())
+        end do
+    end function largest_radius
+
+    pure function singular_radius(self) result(radius)
+        class(profile_sum_t), intent(in) :: self
+        real(wp) :: radius
+        integer :: i
+
+        radius = huge(radius)
+        do i = 1, size(self%terms)
+            radius = min(radius, self%terms(i)%profile%singular_radius())
+        end do
+    end function singular_radius
+
+    pure function end_radius(self) result(radius)
+        class(profile_sum_t), intent(in) :: self
+        real(wp) :: radius
+        integer :: i
+
+        radius = huge(radius)
+        do i = 1, size(self%terms)
+            radius = min(radius, self%terms(i)%profile%end_radius())
+        end do
+    end function end_radius
+
+    !> The term that ends first has a vertical wall there.
+    pure function has_wall(self) result(answer)
+        class(profile_sum_t), intent(in) :: self
+        logical :: answer
+        integer :: i
+
+        answer = .false.
+        do i = 1, size(self%terms)
+            if (self%terms(i)%profile%largest_radius() <= self%largest_radius()) then
+                answer = answer .or. self%terms(i)%profile%has_wall()
+            end if
+        end do
+    end function has_wall
+
+    pure function break_radii(self) result(radii)
+        class(profile_sum_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+        real(wp), allocatable :: all_radii(:)
+        integer :: i
+
+        allocate (all_radii(0), radii(0))
+        do i = 1, size(self%terms)
+            all_radii = [all_radii, self%terms(i)%profile%break_radii()]
+        end do
+        all_radii = pack(all_radii, all_radii < self%largest_radius())
+        do while (size(all_radii) > 0)
+            radii = [radii, minval(all_radii)]
+            all_radii = pack(all_radii, all_radii > radii(size(radii)))
+        end do
+    end function break_radii
+
+end module mdrcontact_profile_sum
