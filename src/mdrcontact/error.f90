@@ -9,7 +9,7 @@ module mdrcontact_error
     implicit none (type, external)
     private
     public :: error_t, raise, check_finite, check_positive, check_not_negative, check_poisson, check_inclination, &
-              check_table, count_text, to_text
+              check_table, count_text, entry_name, to_text
     public :: status_name
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file
@@ -125,17 +125,27 @@ contains
         end if
         if (allocated(error)) return
         do i = 1, size(x)
-            call check_finite(error, x_name//"["//count_text(i)//"]", x(i))
-            call check_finite(error, y_name//"["//count_text(i)//"]", y(i))
+            call check_finite(error, entry_name(x_name, i), x(i))
+            call check_finite(error, entry_name(y_name, i), y(i))
             if (allocated(error)) return
         end do
         do i = 2, size(x)
             if (x(i) > x(i - 1)) cycle
-            call raise(error, error_invalid, x_name//"["//count_text(i)//"] = "//to_text(x(i))//" is not allowed: "//x_name// &
+            call raise(error, error_invalid, entry_name(x_name, i)//" = "//to_text(x(i))//" is not allowed: "//x_name// &
                        " must be strictly ascending, and the entry before is "//to_text(x(i - 1)))
             return
         end do
     end subroutine check_table
+
+    !> What an error message calls an element of an array. In words, since Fortran counts from 1, C and Python from 0.
+    pure function entry_name(name, position) result(text)
+        character(len=*), intent(in) :: name
+        !> 1 is the first one
+        integer, intent(in) :: position
+        character(len=:), allocatable :: text
+
+        text = "entry "//count_text(position)//" of "//name
+    end function entry_name
 
     !> A count as text.
     pure function count_text(count) result(text)

@@ -2,11 +2,11 @@
 !> The contact of an indenter with a medium and its states, for C.
 module mdrcontact_api_contact
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_null_ptr, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, element
+    use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_handles, only: deliver_contact, open_contact, open_medium, open_profile
     use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_contact, only: contact_state_t, contact_t, new_contact
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: entry_name, error_invalid, error_t, raise
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -125,7 +125,7 @@ contains
                 call contact%at_radius(in(i), states(i), error)
             end select
             if (.not. allocated(error)) cycle
-            error%message = element("in", i)//": "//error%message
+            error%message = entry_name("in", i)//": "//error%message
             return
         end do
     end subroutine solve
