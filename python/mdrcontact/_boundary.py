@@ -11,10 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from .errors import ArgumentTypeError, error_class
+from .errors import ArgumentTypeError, InvalidArgumentError, error_class
 
 FloatOrArray = float | NDArray[np.float64]
 """What an evaluation returns: a float for a number, an array of the same shape for an array."""
+
+_ONE_POINT = np.ones(1)
 
 
 def check(status: int) -> None:
@@ -46,24 +48,30 @@ def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
 
 
 def row(name: str, values: ArrayLike) -> tuple[float, ...]:
-    """`values` as a tuple of floats: for tables that belong to an object. They must have one dimension."""
+    """`values` as a tuple of floats: for tables that belong to an object. They must have one dimension and not be empty."""
     array = numbers(name, values)
     if array.ndim != 1:
         raise ArgumentTypeError(f"{name} is not allowed: it must have one dimension, not {array.ndim}")
+    if not array.size:
+        raise InvalidArgumentError(f"{name} is not allowed: it is empty")
     return tuple(array.tolist())
-
-
-def shaped(flat: NDArray[np.float64], shape: tuple[int, ...]) -> FloatOrArray:
-    """A flat result in the shape of the input; a plain float where the input was one number."""
-    return flat.reshape(shape) if shape else float(flat[0])
 
 
 def evaluate(function: Callable[..., Any], *leading: Any, name: str, values: ArrayLike) -> FloatOrArray:
     """Calls a compiled function that maps n numbers to n numbers, for input of any shape."""
+    (result,) = evaluate_all(function, *leading, name=name, values=values)
+    return result
+
+
+def evaluate_all(function: Callable[..., Any], *leading: Any, name: str, values: ArrayLike) -> list[FloatOrArray]:
+    """The same for a function that gives several results."""
     points = numbers(name, values)
-    result, status = function(*leading, points.ravel())
+    # f2py takes no empty arrays: for them one harmless point tells how many results there are
+    *results, status = function(*leading, points.ravel() if points.size else _ONE_POINT)
+    if not points.size:
+        return [np.empty(points.shape) for _ in results]
     check(status)
-    return shaped(result, points.shape)
+    return [result.reshape(points.shape) if points.shape else float(result[0]) for result in results]
 
 
 class Handle:

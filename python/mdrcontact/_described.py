@@ -46,7 +46,7 @@ class Described:
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other):
             return NotImplemented
-        return self._arguments == other._arguments  # type: ignore[attr-defined]
+        return self._arguments == other._arguments
 
     def __hash__(self) -> int:
         return hash((type(self), tuple(self._arguments.items())))

@@ -1,14 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 ! A contact, its states and its end, flat for f2py.
 
-!> See mdr_contact_new; zeta(radius) is a table, empty for zeta = 1.
-subroutine contact_new(profile, medium, n, zeta_radius, zeta, handle, status)
+!> See mdr_contact_new; zeta_count = 0 for zeta = 1. (f2py takes no empty arrays: the table then holds one unused entry.)
+subroutine contact_new(profile, medium, zeta_count, n, zeta_radius, zeta, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_pointer
     use mdrcontact_c_contact, only: contact_options_t, mdr_contact_new, mdr_contact_options_init
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: zeta_count, n
     integer(c_int64_t), intent(in) :: profile, medium
     real(c_double), intent(in), target :: zeta_radius(n), zeta(n)
     integer(c_int64_t), intent(out) :: handle
@@ -19,7 +19,7 @@ subroutine contact_new(profile, medium, n, zeta_radius, zeta, handle, status)
     object = c_null_ptr
     options = contact_options_t(0_c_int, c_null_ptr, c_null_ptr)
     call mdr_contact_options_init(options)
-    if (n > 0) options = contact_options_t(n, c_loc(zeta_radius), c_loc(zeta))
+    if (zeta_count > 0) options = contact_options_t(zeta_count, c_loc(zeta_radius), c_loc(zeta))
     status = mdr_contact_new(to_pointer(profile), to_pointer(medium), options, object)
     handle = to_address(object)
 end subroutine contact_new
