@@ -7,7 +7,9 @@ module mdrcontact_contact
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_radius_law, only: radius_law_t
     use mdrcontact_roots, only: solve_increasing
     use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -33,6 +35,8 @@ module mdrcontact_contact
         private
         class(profile_t), allocatable :: profile
         class(medium_t), allocatable :: medium
+        !> the largest contact radius at which all parts are defined [length]
+        real(wp) :: last_radius = 0.0_wp
     contains
         procedure :: at_radius
         procedure :: at_depth
@@ -57,11 +61,13 @@ module mdrcontact_contact
 contains
 
     !> A contact of `profile` with `medium`.
-    subroutine new_contact(self, profile, medium, error)
+    subroutine new_contact(self, profile, medium, error, zeta)
         type(contact_t), intent(out) :: self
         class(profile_t), intent(in) :: profile
         class(medium_t), intent(in) :: medium
         type(error_t), allocatable, intent(out) :: error
+        !> zeta(a) of (9), d = zeta(a) g(a), for a medium with an effective modulus; the source's zeta = 1 if absent
+        type(radius_law_t), intent(in), optional :: zeta
 
         call disable_gsl_abort()
         if (profile%end_radius() > medium%largest_radius()) then
@@ -71,7 +77,36 @@ contains
         end if
         allocate (self%profile, source=profile)
         allocate (self%medium, source=medium)
+        ! A hair below the profile's end, which may be a vertical tangent; far below the end of the number range.
+        self%last_radius = min(profile%largest_radius()*(1.0_wp - epsilon(1.0_wp)), medium%largest_radius(), 1.0e100_wp)
+        if (present(zeta)) call set_zeta(self, zeta, error)
     end subroutine new_contact
+
+    subroutine set_zeta(self, zeta, error)
+        type(contact_t), intent(inout) :: self
+        type(radius_law_t), intent(in) :: zeta
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: radii(:), depths(:)
+        integer :: i
+
+        select type (medium => self%medium)
+        class is (effective_medium_t)
+            medium%zeta = zeta
+            self%last_radius = min(self%last_radius, zeta%largest_radius())
+        class default
+            call raise(error, error_invalid, "zeta is not allowed: this medium determines its depth exactly")
+            return
+        end select
+        radii = pack(zeta%break_radii(), zeta%break_radii() <= self%profile%largest_radius())
+        depths = zeta%at(radii)*self%profile%mdr(radii)
+        do i = 2, size(radii)
+            if (depths(i) < depths(i - 1)) then
+                call raise(error, error_invalid, "zeta is not allowed: the depth zeta(a) g(a) decreases between a = "// &
+                           to_text(radii(i - 1))//" and a = "//to_text(radii(i)))
+                return
+            end if
+        end do
+    end subroutine set_zeta
 
     !> The state at contact radius a.
     subroutine at_radius(self, radius, state, error)
@@ -89,9 +124,9 @@ contains
         else if (self%profile%has_wall() .and. radius >= self%profile%largest_radius()) then
             call raise(error, error_unreachable, "radius = "//to_text(radius)//" does not determine a state: at the indenter's "// &
                        "vertical wall, radius "//to_text(self%profile%largest_radius())//", the depth is free; give depth or force")
-        else if (radius > largest_radius(self)) then
+        else if (radius > self%last_radius) then
             call raise(error, error_domain, "radius = "//to_text(radius)//" is not allowed: indenter and medium are "// &
-                       "defined up to "//to_text(largest_radius(self)))
+                       "defined up to "//to_text(self%last_radius))
         else if (radius < self%medium%smallest_radius()) then
             call raise(error, error_domain, "radius = "//to_text(radius)//" is not allowed: the medium is defined from "// &
                        to_text(self%medium%smallest_radius())//" on")
@@ -153,7 +188,8 @@ contains
         call self%medium%line_load(self%profile, state%radius, state%excess, x, values, error)
     end subroutine line_load
 
-    !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the apex of a cone.
+    !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the
+    !> apex of a cone.
     subroutine pressure(self, state, r, values, error)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
@@ -168,7 +204,8 @@ contains
         call self%medium%pressure(self%profile, state%radius, state%excess, r, values, error)
     end subroutine pressure
 
-    !> u(r), the displacement of the surface, positive into the medium [length]: d - f(r) inside the contact, the free surface outside.
+    !> u(r), the displacement of the surface, positive into the medium [length]: d - f(r) inside the contact, the free surface
+    !> outside.
     subroutine displacement(self, state, r, values, error)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
@@ -266,14 +303,14 @@ contains
         first = smallest_log
         if (self%medium%smallest_radius() > self%profile%end_radius()) first = &
             log(self%medium%smallest_radius() - self%profile%end_radius())
-        last = log(largest_radius(self) - self%profile%end_radius())
+        last = log(self%last_radius - self%profile%end_radius())
         guess = 0.0_wp
         if (.not. of_force) then
             radius = self%profile%radius_from_mdr(wanted)
             if (radius > self%profile%end_radius()) guess = log(radius - self%profile%end_radius())
         end if
         call solve_increasing(mismatch, guess, 2.0_wp, first, last, root, found, error)
-        radius = min(self%profile%end_radius() + exp(root), largest_radius(self))
+        radius = min(self%profile%end_radius() + exp(root), self%last_radius)
     end subroutine radius_of
 
     function mismatch_value(self, x) result(y)
@@ -284,7 +321,7 @@ contains
         real(wp) :: value
 
         y = 0.0_wp
-        call first_touch(min(self%contact%profile%end_radius() + exp(x), largest_radius(self%contact)))
+        call first_touch(min(self%contact%profile%end_radius() + exp(x), self%contact%last_radius))
         if (allocated(self%error)) return
         value = merge(state%force, state%depth, self%of_force)
         if (value > tiny(value)) then
@@ -321,14 +358,6 @@ contains
         call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached: at radius "// &
                    to_text(state%radius)//", where the indenter or the medium ends, the "//name//" is "//to_text(last))
     end subroutine raise_unreachable
-
-    !> The largest contact radius; a hair below the profile's end where it ends in a vertical tangent.
-    pure function largest_radius(self) result(radius)
-        class(contact_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = min(self%profile%largest_radius()*(1.0_wp - epsilon(1.0_wp)), self%medium%largest_radius(), 1.0e100_wp)
-    end function largest_radius
 
     pure subroutine check_positions(state, name, positions, largest, error)
         type(contact_state_t), intent(in) :: state
