@@ -137,12 +137,15 @@ contains
         end do
     end subroutine check_table
 
+    ! The texts below have explicit lengths: gfortran keeps the length of a deferred-length function result in static
+    ! memory, where threads that fail at the same time would overwrite it.
+
     !> What an error message calls an element of an array. In words, since Fortran counts from 1, C and Python from 0.
     pure function entry_name(name, position) result(text)
         character(len=*), intent(in) :: name
         !> 1 is the first one
         integer, intent(in) :: position
-        character(len=:), allocatable :: text
+        character(len=10 + count_length(position) + len(name)) :: text
 
         text = "entry "//count_text(position)//" of "//name
     end function entry_name
@@ -150,12 +153,19 @@ contains
     !> A count as text.
     pure function count_text(count) result(text)
         integer, intent(in) :: count
-        character(len=:), allocatable :: text
+        character(len=count_length(count)) :: text
+
+        write (text, "(i0)") count
+    end function count_text
+
+    pure function count_length(count) result(length)
+        integer, intent(in) :: count
+        integer :: length
         character(len=16) :: buffer
 
         write (buffer, "(i0)") count
-        text = trim(buffer)
-    end function count_text
+        length = len_trim(buffer)
+    end function count_length
 
     pure subroutine raise_value(error, name, value, allowed)
         type(error_t), allocatable, intent(inout) :: error
@@ -168,36 +178,35 @@ contains
     !> A number as a person would write it: short, up to seven digits.
     pure function to_text(value) result(text)
         real(wp), intent(in) :: value
-        character(len=:), allocatable :: text
-        character(len=32) :: buffer
+        character(len=len_trim(padded_text(value))) :: text
+
+        text = padded_text(value)
+    end function to_text
+
+    pure function padded_text(value) result(text)
+        real(wp), intent(in) :: value
+        character(len=24) :: text
         integer :: last
 
         if (value /= value) then
             text = "NaN"
         else if (.not. ieee_is_finite(value)) then
-            text = merge("-infinity", " infinity", value < 0.0_wp)
+            text = merge("-infinity", "infinity ", value < 0.0_wp)
         else if (value /= 0.0_wp .and. (abs(value) < 1.0e-3_wp .or. abs(value) >= 1.0e6_wp)) then
-            write (buffer, "(es14.6e3)") value
-            text = buffer
+            write (text, "(es14.6e3)") value
         else
-            write (buffer, "(f0.7)") value
-            last = len_trim(buffer)
-            do while (buffer(last:last) == "0")
-                last = last - 1
-            end do
-            if (buffer(last:last) == ".") last = last - 1
-            text = buffer(:last)
-            if (text(1:1) == ".") text = "0"//text
-            if (index(text, "-.") == 1) text = "-0"//text(2:)
-            if (text == "" .or. text == "-") text = "0"
+            write (text, "(f16.7)") value
+            last = verify(text, " 0", back=.true.)
+            if (text(last:last) == ".") last = last - 1
+            text = text(:last)
         end if
-        text = trim(adjustl(text))
-    end function to_text
+        text = adjustl(text)
+    end function padded_text
 
     !> The symbolic name of a status code, as in the C header.
     pure function status_name(code) result(name)
         integer, intent(in) :: code
-        character(len=:), allocatable :: name
+        character(len=18) :: name
 
         select case (code)
         case (success); name = "MDR_SUCCESS"

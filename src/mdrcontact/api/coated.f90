@@ -5,7 +5,7 @@ module mdrcontact_api_coated
     use mdrcontact_api_handles, only: deliver_medium
     use mdrcontact_api_medium_options, only: medium_options_t, model_gao, model_gao_series, options_or_defaults
     use mdrcontact_api_status, only: status_of
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium_gao, only: gao_t, new_gao
     implicit none (type, external)
@@ -34,7 +34,8 @@ contains
         case (model_gao, model_gao_series)
             call deliver_gao()
         case default
-            call raise(error, error_invalid, "model is not one of enum mdr_model")
+            call raise(error, error_invalid, "model = "//count_text(int(model))//" is not allowed: "// &
+                       "it must be one of enum mdr_model")
             status = status_of(error)
         end select
 

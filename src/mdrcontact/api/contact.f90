@@ -6,7 +6,7 @@ module mdrcontact_api_contact
     use mdrcontact_api_handles, only: deliver_contact, open_contact, open_medium, open_profile
     use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_contact, only: contact_state_t, contact_t, new_contact
-    use mdrcontact_error, only: entry_name, error_invalid, error_t, raise
+    use mdrcontact_error, only: count_text, entry_name, error_invalid, error_t, raise
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -44,7 +44,8 @@ contains
         call open_profile(profile, "profile", indenter, error)
         call open_medium(medium, "medium", body, error)
         if (present(options)) then
-            if (options%zeta_count /= 0) call raise(error, error_invalid, "zeta_count must be 0")
+            if (options%zeta_count /= 0) call raise(error, error_invalid, "zeta_count = "//count_text(int(options%zeta_count))// &
+                                                      " is not allowed: it must be 0")
         end if
         if (.not. allocated(error)) call new_contact(contact, indenter, body, error)
         status = deliver_contact(contact, out, error)

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Height, slope and MDR profile of an indenter at given radii, for C.
+!> Height, slope and MDR profile of an indenter at given radii, for C. Loops, since an array expression
+!> of a type-bound function takes memory of the array's size without asking.
 module mdrcontact_api_profile_values
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_within
@@ -18,12 +19,16 @@ contains
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: r(*)
         real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
+        integer(c_int) :: status, i
         class(profile_t), pointer :: profile
         type(error_t), allocatable :: error
 
         call prepare(p, n, "r", r, present(out), profile, error)
-        if (.not. allocated(error) .and. n > 0) out(:n) = profile%height(r(:n))
+        if (.not. allocated(error)) then
+            do i = 1, n
+                out(i) = profile%height(r(i))
+            end do
+        end if
         status = status_of(error)
     end function mdr_profile_height
 
@@ -32,12 +37,16 @@ contains
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: r(*)
         real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
+        integer(c_int) :: status, i
         class(profile_t), pointer :: profile
         type(error_t), allocatable :: error
 
         call prepare(p, n, "r", r, present(out), profile, error)
-        if (.not. allocated(error) .and. n > 0) out(:n) = profile%slope(r(:n))
+        if (.not. allocated(error)) then
+            do i = 1, n
+                out(i) = profile%slope(r(i))
+            end do
+        end if
         status = status_of(error)
     end function mdr_profile_slope
 
@@ -46,12 +55,16 @@ contains
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*)
         real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
+        integer(c_int) :: status, i
         class(profile_t), pointer :: profile
         type(error_t), allocatable :: error
 
         call prepare(p, n, "x", x, present(out), profile, error)
-        if (.not. allocated(error) .and. n > 0) out(:n) = profile%mdr(x(:n))
+        if (.not. allocated(error)) then
+            do i = 1, n
+                out(i) = profile%mdr(x(i))
+            end do
+        end if
         status = status_of(error)
     end function mdr_profile_mdr
 
@@ -60,12 +73,16 @@ contains
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*)
         real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
+        integer(c_int) :: status, i
         class(profile_t), pointer :: profile
         type(error_t), allocatable :: error
 
         call prepare(p, n, "x", x, present(out), profile, error)
-        if (.not. allocated(error) .and. n > 0) out(:n) = profile%mdr_slope(x(:n))
+        if (.not. allocated(error)) then
+            do i = 1, n
+                out(i) = profile%mdr_slope(x(i))
+            end do
+        end if
         status = status_of(error)
     end function mdr_profile_mdr_slope
 
