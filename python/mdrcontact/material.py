@@ -19,19 +19,18 @@ class Elastic(Described):
 
     E: float
     nu: float
+    _half_space: Handle
 
     def __init__(self, E: float, nu: float) -> None:
-        self._describe(E=number("E", E), nu=number("nu", nu))
-        self._half_space()
+        E, nu = number("E", E), number("nu", nu)
+        # the library's half-space of this material checks E and nu, and knows E*
+        object.__setattr__(self, "_half_space", Handle(_native.medium_homogeneous(E, nu), _native.medium_free))
+        self._describe(E=E, nu=nu)
 
     @property
     def contact_modulus(self) -> float:
         """E* = E/(1 - nu^2), equation (2) [pressure]."""
-        return float(evaluate(_native.medium_modulus, self._half_space().address, name="a", values=1.0))
-
-    def _half_space(self) -> Handle:
-        # made anew each time: it is cheap, and it is how the library checks E and nu
-        return Handle(_native.medium_homogeneous(self.E, self.nu), _native.medium_free)
+        return float(evaluate(_native.medium_modulus, self._half_space.address, name="a", values=1.0))
 
 
 class _Rigid:
