@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,7 +28,8 @@ are apart. That is the uncertainty of the result as far as the choice of the mod
     mdrcontact compare problem.toml
     mdrcontact compare problem.toml --csv compare.csv --plot compare.png
 
-The spread is (largest - smallest)/mean over the models. Models that refuse the problem are listed with their reason.
+The spread is largest/smallest over the models: "14 %" means that the largest is 14 % above the smallest. Models that refuse the
+problem are listed with their reason. The figure draws ratios to the exact model or, without it, to the median of the models.
 """
 
 NEARLY_RIGID = 1000.0
@@ -67,7 +69,7 @@ def run(arguments: argparse.Namespace) -> None:
     problem = load(arguments.problem)
     answers, refusals = ask(problem)
     print(f"{problem.title}\n")
-    name, response, dimension = _response(problem)
+    name, response, dimension = response_of(problem)
     print(_side_by_side(problem, answers, name, [response(a.curve) for a in answers], dimension))
     print()
     print(_side_by_side(problem, answers, "effective modulus", [a.curve.modulus for a in answers], MODULUS))
@@ -122,28 +124,40 @@ def _under(medium: Any, model: str, base: object) -> Medium:
     return changed if base is None else changed.replace(substrate=base)  # type: ignore[no-any-return]
 
 
-def _response(problem: Problem) -> tuple[str, Any, Dimension]:
+def response_of(problem: Problem) -> tuple[str, Any, Dimension]:
     """What the models are compared by: the force, or the depth where the force is prescribed."""
     if problem.control.name == "force":
         return "depth", lambda curve: curve.depth, LENGTH
     return "force", lambda curve: curve.force, FORCE
 
 
-def relative_spread(values: Array) -> Array:
-    """(largest - smallest)/mean over the models (first axis)."""
-    spread: Array = (values.max(axis=0) - values.min(axis=0)) / values.mean(axis=0)
-    return spread
+def spread_text(values: Array) -> str:
+    """How far the largest of some values is above the smallest."""
+    ratio = float(values.max() / values.min())
+    if ratio < 3.0:
+        return f"{100.0 * (ratio - 1.0):.1f} %"
+    return f"factor {ratio:.1f}" if ratio < 100.0 else f"factor {ratio:.0f}"
+
+
+def reference(answers: Sequence[Answer], values: Array) -> tuple[str, Array]:
+    """What the models are measured by: the exact one, without it their median; `values` has one row for each answer."""
+    for answer, row in zip(answers, values):
+        if answer.model == "exact":
+            return "exact", row
+    median: Array = np.exp(np.median(np.log(values), axis=0))
+    return "median of the models", median
 
 
 def _side_by_side(problem: Problem, answers: list[Answer], name: str, values: list[Array], dimension: Dimension) -> str:
+    """A row for each model and one for the spread, a column for each of a few prescribed values."""
     control = problem.control
     picked = spread_over(len(control.values), _SHOWN)
     unit, given = practical(dimension, np.concatenate(values)), practical(control.dimension, control.values)
-    head = [f"{name} [{unit.name}]", *(f"{number(float(given.of(control.values[i])))} {given.name}" for i in picked)]
+    at = [f"{number(float(given.of(control.values[i])))} {given.name}" for i in picked]
+    head = [f"{name} [{unit.name}] at {control.name}", *at]
     rows = [[a.model, *(number(float(unit.of(v[i]))) for i in picked)] for a, v in zip(answers, values)]
-    spread = relative_spread(np.array(values))
-    last = ["spread", *(f"{100.0 * spread[i]:.1f} %" for i in picked)]
-    return f"at {control.name}\n" + aligned([head, *rows, last], left=1)
+    last = ["spread", *(spread_text(np.array([v[i] for v in values])) for i in picked)]
+    return aligned([head, *rows, last], left=1)
 
 
 def _long_csv(answers: list[Answer]) -> bytes:

@@ -40,7 +40,7 @@ def add(subparsers: Any) -> None:
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
     files.add_options(parser, "all rows of the table")
     parser.add_argument("--pressure-csv", type=Path, metavar="FILE.csv", help="write the pressure distributions to a CSV file")
-    parser.add_argument("--rows", type=_rows, default=12, metavar="N", help="rows of the table on the screen (default: 12)")
+    parser.add_argument("--rows", type=_rows, default=10, metavar="N", help="rows of the table on the screen (default: 10)")
     parser.set_defaults(run=run)
 
 
@@ -93,7 +93,9 @@ def thickness_note(problem: Problem, curve: Curve) -> str | None:
 def pressure_distributions(contact: Contact, curve: Curve) -> list[tuple[float, Any, Any]]:
     """(depth, r, p) at a quarter, half and the end of the curve; points where theory gives infinite pressure are left out."""
     result = []
-    for i in sorted({spread_over(len(curve.depth), 4)[k] for k in (0, 1, -1)}) if len(curve.depth) > 3 else range(len(curve.depth)):
+    count = len(curve.depth)
+    quarters = spread_over(count, 4)
+    for i in (quarters[0], quarters[1], quarters[3]) if count > 3 else range(count):
         # dense towards the edge, where pressures are steep, and a hair inside it: the edge itself is a matter of rounding
         r = curve.radius[i] * (1.0 - 1e-9) * np.sin(np.linspace(0.0, np.pi / 2, _PRESSURE_POINTS))
         p = np.asarray(contact.pressure(r, depth=float(curve.depth[i])))

@@ -37,6 +37,8 @@ _STYLE: dict[Any, Any] = {
     "savefig.dpi": 160,
     "svg.hashsalt": "mdrcontact",
 }
+_LINEAR = 20.0
+"""Values that differ by more than this factor are drawn on a logarithmic axis."""
 _COMPARABLE = 10.0
 """A reference curve that ends further away than this factor would only squash the others."""
 
@@ -76,37 +78,37 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
 
 def compare_figure(problem: Problem, answers: Sequence[Answer], form: str) -> bytes:
     """Response of every model, its effective modulus against a/h, and the deviation from the reference."""
-    from .compare import _response, relative_spread
+    from .compare import reference, response_of, spread_text
 
     with _style():
         figure, axes = _figure(problem.title, 1, 3, (12.0, 4.4))
-        name, response, dimension = _response(problem)
+        name, response, dimension = response_of(problem)
         given = practical(problem.control.dimension, problem.control.values)
         values = np.array([response(answer.curve) for answer in answers])
-        unit, modulus = practical(dimension, values.ravel()), practical(MODULUS, np.concatenate([a.curve.modulus for a in answers]))
+        moduli = np.concatenate([a.curve.modulus for a in answers])
+        unit, modulus = practical(dimension, values.ravel()), practical(MODULUS, moduli)
         h = thickness(problem.medium)
         radius = practical(LENGTH, np.concatenate([a.curve.radius for a in answers]))
         x = given.of(problem.control.values)
-        mean = values.mean(axis=0)
+        basis, base = reference(answers, values)
         lines = []
         for i, (answer, value) in enumerate(zip(answers, values)):
             look = {"color": COLOURS[i % len(COLOURS)], "linestyle": DASHES[i // len(COLOURS) % len(DASHES)]}
             lines += axes[0].plot(x, unit.of(value), **look)
             axes[1].plot(answer.curve.radius / h if h else radius.of(answer.curve.radius), modulus.of(answer.curve.modulus), **look)
-            axes[2].plot(x, 100.0 * (value / mean - 1.0), **look)
+            axes[2].plot(x, value / base, **look)
         along = f"{problem.control.name} [{given.symbol}]"
         axes[0].set(xlabel=along, ylabel=f"{name} [{unit.symbol}]")
-        axes[1].set(xlabel="a/h" if h else f"contact radius a [{radius.symbol}]", ylabel=rf"effective modulus $E_\mathrm{{eff}}$ [{modulus.symbol}]")
+        axes[1].set_xlabel("a/h" if h else f"contact radius a [{radius.symbol}]")
+        axes[1].set_ylabel(rf"effective modulus $E_\mathrm{{eff}}$ [{modulus.symbol}]")
         axes[1].set_xscale("log")
-        axes[2].set(xlabel=along, ylabel=f"{name}: deviation from the mean of the models [%]")
-        axes[2].fill_between(x, 100.0 * (values.min(axis=0) / mean - 1.0), 100.0 * (values.max(axis=0) / mean - 1.0), color="#eeeeee", zorder=0)
-        axes[2].set_title(f"spread at the end: {100.0 * relative_spread(values)[-1]:.3g} %")
+        axes[2].set(xlabel=along, ylabel=f"{name} / {basis}")
+        axes[2].set_title(f"spread at the end: {spread_text(values[:, -1])}")
         if h:
             axes[1].axvline(1.0, color=_GREY, linewidth=0.8, linestyle=":")
-            axes[1].set_title("dotted: a = h")
-        for axis, panel in ((axes[0], values), (axes[1], np.concatenate([a.curve.modulus for a in answers]))):
-            final = panel[:, -1] if panel.ndim == 2 else panel
-            if final.max() > 20.0 * final.min():
+            axes[1].annotate("a = h", (1.0, 0.02), xycoords=("data", "axes fraction"), ha="right", color=_GREY)
+        for axis, panel in ((axes[0], values[:, -1]), (axes[1], moduli), (axes[2], values / base)):
+            if panel.max() > _LINEAR * panel.min():
                 axis.set_yscale("log")
         figure.legend(lines, [a.model for a in answers], loc="outside lower center", ncols=min(5, len(answers)))
         return _render(figure, form)

@@ -58,13 +58,15 @@ def settings(model: str, options: Mapping[str, Any], *, layers: bool = False) ->
     given: dict[str, float | str] = {}
     for name, value in options.items():
         if name not in entry.options:
-            raise InvalidArgumentError(f"{name} is not an option of the model {model!r}: {nearest(name, entry.options)}")
+            words = nearest(name, entry.options)
+            raise InvalidArgumentError(f"{name} is not an option of the model {model!r}: {words}")
         if name == "weight_nu":
             choice, weight_nu, value = _weight_nu(value, weight_nu)
         else:
             value = number(name, value)
         given[name] = value
-    alpha, wave_factor, tolerance = (given.get(n, d) for n, d in (("alpha", alpha), ("wave_factor", wave_factor), ("tolerance", tolerance)))
+    alpha, wave_factor = given.get("alpha", alpha), given.get("wave_factor", wave_factor)
+    tolerance = given.get("tolerance", tolerance)
     return Settings((entry.code, alpha, wave_factor, choice, weight_nu, tolerance), given)
 
 
@@ -73,5 +75,6 @@ def _weight_nu(value: Any, unused: float) -> tuple[int, float, float | str]:
         value = number("weight_nu", value)
         return _WEIGHT_NU_GIVEN, value, value
     if value not in _WEIGHT_NU:
-        raise InvalidArgumentError(f"weight_nu = {value!r} is not allowed: {nearest(value, _WEIGHT_NU)} It may be a number as well.")
+        words = nearest(value, _WEIGHT_NU)
+        raise InvalidArgumentError(f"weight_nu = {value!r} is not allowed: {words}; a number is allowed as well")
     return _WEIGHT_NU[value], unused, value

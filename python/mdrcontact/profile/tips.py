@@ -58,7 +58,8 @@ class AreaFunction(Profile):
     min_height: float
 
     def __init__(self, coefficients: ArrayLike, max_height: float, min_height: float = 0.0) -> None:
-        terms, max_height, min_height = row("coefficients", coefficients), number("max_height", max_height), number("min_height", min_height)
+        terms = row("coefficients", coefficients)
+        max_height, min_height = number("max_height", max_height), number("min_height", min_height)
         self._own(
             _native.profile_area_function(terms, min_height, max_height),
             coefficients=terms,
