@@ -6,6 +6,7 @@
 module mdrcontact_error
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_kinds, only: half_pi, wp
+    use mdrcontact_padded_text, only: padded_count, padded_number
     implicit none (type, external)
     private
     public :: error_t, raise, check_finite, check_positive, check_not_negative, check_poisson, check_inclination, &
@@ -137,15 +138,12 @@ contains
         end do
     end subroutine check_table
 
-    ! The texts below have explicit lengths: gfortran keeps the length of a deferred-length function result in static
-    ! memory, where threads that fail at the same time would overwrite it.
-
     !> What an error message calls an element of an array. In words, since Fortran counts from 1, C and Python from 0.
     pure function entry_name(name, position) result(text)
         character(len=*), intent(in) :: name
         !> 1 is the first one
         integer, intent(in) :: position
-        character(len=10 + count_length(position) + len(name)) :: text
+        character(len=len("entry  of ") + len_trim(padded_count(position)) + len(name)) :: text
 
         text = "entry "//count_text(position)//" of "//name
     end function entry_name
@@ -153,19 +151,10 @@ contains
     !> A count as text.
     pure function count_text(count) result(text)
         integer, intent(in) :: count
-        character(len=count_length(count)) :: text
+        character(len=len_trim(padded_count(count))) :: text
 
-        write (text, "(i0)") count
+        text = padded_count(count)
     end function count_text
-
-    pure function count_length(count) result(length)
-        integer, intent(in) :: count
-        integer :: length
-        character(len=16) :: buffer
-
-        write (buffer, "(i0)") count
-        length = len_trim(buffer)
-    end function count_length
 
     pure subroutine raise_value(error, name, value, allowed)
         type(error_t), allocatable, intent(inout) :: error
@@ -178,30 +167,10 @@ contains
     !> A number as a person would write it: short, up to seven digits.
     pure function to_text(value) result(text)
         real(wp), intent(in) :: value
-        character(len=len_trim(padded_text(value))) :: text
+        character(len=len_trim(padded_number(value))) :: text
 
-        text = padded_text(value)
+        text = padded_number(value)
     end function to_text
-
-    pure function padded_text(value) result(text)
-        real(wp), intent(in) :: value
-        character(len=24) :: text
-        integer :: last
-
-        if (value /= value) then
-            text = "NaN"
-        else if (.not. ieee_is_finite(value)) then
-            text = merge("-infinity", "infinity ", value < 0.0_wp)
-        else if (value /= 0.0_wp .and. (abs(value) < 1.0e-3_wp .or. abs(value) >= 1.0e6_wp)) then
-            write (text, "(es14.6e3)") value
-        else
-            write (text, "(f16.7)") value
-            last = verify(text, " 0", back=.true.)
-            if (text(last:last) == ".") last = last - 1
-            text = text(:last)
-        end if
-        text = adjustl(text)
-    end function padded_text
 
     !> The symbolic name of a status code, as in the C header.
     pure function status_name(code) result(name)

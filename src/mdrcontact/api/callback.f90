@@ -60,6 +60,7 @@ contains
         if (status /= 0) then
             call raise(self%error, error_callback, "the function "//self%name//" reported failure "//count_text(int(status))// &
                        " at x = "//to_text(x))
+            y = ieee_value(y, ieee_quiet_nan)
         else if (.not. ieee_is_finite(y)) then
             call raise(self%error, error_callback, "the function "//self%name//" gave "//to_text(y)//" at x = "//to_text(x)// &
                        ": it must give a finite number")

@@ -1,14 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact of an indenter with a medium and its states, for C.
 module mdrcontact_api_contact
-    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_null_ptr, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_null_ptr, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive
     use mdrcontact_api_handles, only: deliver_contact, open_contact, open_medium, open_profile
-    use mdrcontact_api_status, only: check_memory, status_of
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_contact, only: contact_state_t, contact_t, new_contact
-    use mdrcontact_error, only: count_text, entry_name, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_table, count_text, entry_name, error_invalid, error_t, raise
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_radius_law, only: new_radius_law_from_table, radius_law_t
     implicit none (type, external)
     private
     public :: mdr_contact_options_init, mdr_contact_new
@@ -39,17 +40,42 @@ contains
         class(profile_t), pointer :: indenter
         class(medium_t), pointer :: body
         type(contact_t) :: contact
+        type(radius_law_t), allocatable :: zeta
         type(error_t), allocatable :: error
 
         call open_profile(profile, "profile", indenter, error)
         call open_medium(medium, "medium", body, error)
         if (present(options)) then
-            if (options%zeta_count /= 0) call raise(error, error_invalid, "zeta_count = "//count_text(int(options%zeta_count))// &
-                                                      " is not allowed: it must be 0")
+            if (options%zeta_count /= 0 .and. .not. allocated(error)) call read_zeta(options, zeta, error)
         end if
-        if (.not. allocated(error)) call new_contact(contact, indenter, body, error)
+        ! An unallocated zeta is an absent one.
+        if (.not. allocated(error)) call new_contact(contact, indenter, body, error, zeta)
         status = deliver_contact(contact, out, error)
     end function mdr_contact_new
+
+    !> zeta(a) from the table in the options.
+    subroutine read_zeta(options, zeta, error)
+        type(contact_options_t), intent(in) :: options
+        type(radius_law_t), allocatable, intent(out) :: zeta
+        type(error_t), allocatable, intent(out) :: error
+        real(c_double), pointer :: radius(:), values(:)
+
+        if (options%zeta_count < 0) then
+            call raise(error, error_invalid, "zeta_count = "//count_text(int(options%zeta_count))// &
+                       " is not allowed: it must be at least 0")
+        end if
+        call check_given(error, "zeta_radius", c_associated(options%zeta_radius))
+        call check_given(error, "zeta", c_associated(options%zeta))
+        if (allocated(error)) return
+        call c_f_pointer(options%zeta_radius, radius, [options%zeta_count])
+        call c_f_pointer(options%zeta, values, [options%zeta_count])
+        call check_table(error, "zeta_radius", radius, "zeta", values, 3)
+        call check_each_positive(error, "zeta_radius", radius)
+        call check_each_positive(error, "zeta", values)
+        if (allocated(error)) return
+        allocate (zeta)
+        call new_radius_law_from_table(zeta, radius, "zeta", values, error)
+    end subroutine read_zeta
 
     function mdr_contact_from_depth(c, n, in, d, a, f, k) result(status) bind(C)
         type(c_ptr), value :: c

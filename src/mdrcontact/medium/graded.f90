@@ -4,7 +4,7 @@
 !>
 !> The integrals are done once, when the medium is made, over a range of contact radii; afterwards E_eff(a) is an interpolation.
 module mdrcontact_medium_graded
-    use mdrcontact_error, only: check_poisson, check_positive, check_table, count_text, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_poisson, check_positive, check_table, entry_name, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_effective, only: effective_medium_t
@@ -59,11 +59,11 @@ contains
         call check_table(error, "z", z, "E", young, 2)
         call check_table(error, "z", z, "nu", poisson, 2)
         if (allocated(error)) return
-        if (z(1) /= 0.0_wp) call raise(error, error_invalid, "z[1] = "//to_text(z(1))//" is not allowed: depths start at the "// &
-                                       "surface, z = 0")
+        if (z(1) /= 0.0_wp) call raise(error, error_invalid, entry_name("z", 1)//" = "//to_text(z(1))// &
+                                       " is not allowed: depths start at the surface, z = 0")
         do i = 1, size(z)
-            call check_positive(error, "E["//count_text(i)//"]", young(i))
-            call check_poisson(error, "nu["//count_text(i)//"]", poisson(i))
+            call check_positive(error, entry_name("E", i), young(i))
+            call check_poisson(error, entry_name("nu", i), poisson(i))
         end do
         if (allocated(error)) return
         call depth_nodes(average, z)
