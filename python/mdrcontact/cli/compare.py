@@ -117,11 +117,12 @@ def candidates(medium: Medium) -> list[tuple[str, str, object]]:
     return found
 
 
-def _under(medium: Any, model: str, base: object) -> Medium:
+def _under(medium: Any, model: str, base: Any) -> Medium:
     if model == medium.model and base is None:
         return medium  # type: ignore[no-any-return]
-    changed = medium.with_model(model)
-    return changed if base is None else changed.replace(substrate=base)  # type: ignore[no-any-return]
+    if base is None:
+        return medium.with_model(model)  # type: ignore[no-any-return]
+    return Coated(medium.coating, medium.thickness, base, model)
 
 
 def response_of(problem: Problem) -> tuple[str, Any, Dimension]:

@@ -87,7 +87,8 @@ def thickness_note(problem: Problem, curve: Curve) -> str | None:
         side = "stays below" if curve.radius[-1] <= h else "is always above"
         return f"The contact radius {side} the coating thickness, h = {thick}."
     unit = practical(LENGTH, [depth])
-    return f"The contact radius equals the coating thickness, a = h = {thick}, at depth {number(float(unit.of(depth)))} {unit.name}."
+    deep = f"{number(float(unit.of(depth)))} {unit.name}"
+    return f"The contact radius equals the coating thickness, a = h = {thick}, at depth {deep}."
 
 
 def pressure_distributions(contact: Contact, curve: Curve) -> list[tuple[float, Any, Any]]:
