@@ -101,7 +101,7 @@ def compare_figure(problem: Problem, answers: Sequence[Answer], form: str) -> by
         axes[0].set(xlabel=along, ylabel=f"{name} [{unit.symbol}]")
         axes[1].set_xlabel("a/h" if h else f"contact radius a [{radius.symbol}]")
         axes[1].set_ylabel(rf"effective modulus $E_\mathrm{{eff}}$ [{modulus.symbol}]")
-        axes[1].set_xscale("log")
+        _set_log_x(axes[1])
         axes[2].set(xlabel=along, ylabel=f"{name} / {basis}")
         axes[2].set_title(f"spread at the end: {spread_text(values[:, -1])}")
         if h:
@@ -157,6 +157,15 @@ def _draw_pressures(axis: Any, pressures: Sequence[tuple[float, Any, Any]], curv
         # a cone's apex and a punch's edge have infinite pressure: show the rest
         axis.set_ylim(0, unit.of(highest))
     axis.legend()
+
+
+def _set_log_x(axis: Any) -> None:
+    from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
+
+    axis.set_xscale("log")
+    axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
+    axis.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axis.xaxis.set_minor_formatter(NullFormatter())
 
 
 def _style() -> Any:
