@@ -1,7 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The public Fortran surface of the library: `use mdrcontact, only: ...`.
 module mdrcontact
-    use mdrcontact_contact, only: contact_state_t, contact_t, new_contact
+    use mdrcontact_branch, only: control_t, depth_control, force_control
+    use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, new_material
