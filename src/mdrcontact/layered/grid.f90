@@ -32,7 +32,8 @@ contains
         type(grid_t) :: self
         integer :: i, first, last
 
-        self%edges = edges
+        allocate (self%edges(size(edges)))
+        self%edges(:) = edges
         self%order = rule%n
         allocate (self%x((size(edges) - 1)*rule%n), self%w((size(edges) - 1)*rule%n))
         do i = 1, size(edges) - 1

@@ -20,12 +20,16 @@ module mdrcontact_layered_rule
 contains
 
     function new_rule(n) result(self)
+        !> 2 to 20, or 32
         integer, intent(in) :: n
         type(rule_t) :: self
-        integer :: i
+        integer :: i, fine
 
         self%n = n
-        allocate (self%nodes(n), self%weights(n), self%to_legendre(n, n), self%fine_nodes(n + 8), self%fine_weights(n + 8))
+        ! sizes that GSL has to full precision; those that it computes are good to 1e-10 only
+        fine = n + 8
+        if (fine > 20) fine = merge(32, 64, fine <= 32)
+        allocate (self%nodes(n), self%weights(n), self%to_legendre(n, n), self%fine_nodes(fine), self%fine_weights(fine))
         call gauss_legendre(self%nodes, self%weights)
         call gauss_legendre(self%fine_nodes, self%fine_weights)
         call legendre(self%nodes, self%to_legendre)

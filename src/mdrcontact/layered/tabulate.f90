@@ -15,6 +15,8 @@ module mdrcontact_layered_tabulate
     private
     public :: tabulate_kernel
 
+    !> At least three digits more than working precision: the x87 format where there is one.
+    integer, parameter :: long = selected_real_kind(18)
     !> Nodes in a panel of wavenumbers.
     integer, parameter :: panel_nodes = 20
     !> exp(iky) is 1 to rounding below octave `lowest` of k y; octaves below `negligible` of it contribute nothing.
@@ -60,7 +62,7 @@ contains
             call check_path(ray, surface, kernel%unit, holds)
             if (.not. holds) cycle
             call fill_table(kernel, ray, surface)
-            kernel%defect = ray%chi_zero - integral(kernel)/half_pi
+            kernel%defect = defect_of(kernel, surface%long_wave_limit())
             if (ray%roughness < 1.0e-8_wp .and. abs(kernel%defect) < 1.0e-12_wp*(1.0_wp + abs(ray%chi_zero))) return
         end do
         call raise(error, error_no_convergence, "the surface compliance of this body could not be integrated over all wavelengths")
@@ -329,33 +331,29 @@ contains
         end do
     end function powers_from_values
 
-    !> int_0^inf X dy
-    subroutine integral_of_first(kernel, value)
+    !> chi(0) - (2/pi) int_0^inf X dy of the table as it stands, in higher precision: it is of the order of rounding.
+    pure function defect_of(kernel, sigma_zero) result(defect)
         type(kernel_t), intent(in) :: kernel
-        real(wp), intent(out) :: value
-        real(wp) :: nodes(20), weights(20), x(20)
-
-        call gauss_legendre(nodes, weights)
-        call kernel%evaluate(nodes, x)
-        value = sum(weights*x)
-    end subroutine integral_of_first
-
-    function integral(kernel) result(value)
-        type(kernel_t), intent(in) :: kernel
-        real(wp) :: value
+        real(wp), intent(in) :: sigma_zero
+        real(wp) :: defect
+        real(long) :: total, part, moment
         integer :: j, panel
-        real(wp) :: part
 
-        value = kernel%tail*scale(1.0_wp, -kernel%octaves())
+        total = real(kernel%tail, long)/2.0_long**kernel%octaves()
         do panel = 2*kernel%octaves(), 1, -1
-            part = 0.0_wp
+            part = 0.0_long
             do j = 0, degree, 2
-                part = part + kernel%coefficients(j, panel)/real(j + 1, wp)
+                part = part + real(kernel%coefficients(j, panel), long)/real(j + 1, long)
             end do
-            value = value + scale(0.5_wp*part, (panel - 1)/2)
+            total = total + part*2.0_long**((panel - 1)/2 - 1)
         end do
-        call integral_of_first(kernel, part)
-        value = value + part
-    end function integral
+        ! moment: int_0^1 (2 y^2 - 1)^j dy
+        moment = 1.0_long
+        do j = 0, degree
+            if (j > 0) moment = (1.0_long - real(2*j, long)*moment)/real(2*j + 1, long)
+            total = total + real(kernel%coefficients(j, 0), long)*moment
+        end do
+        defect = real((real(sigma_zero, long) - 1.0_long) - total*(2.0_long/acos(-1.0_long)), wp)
+    end function defect_of
 
 end module mdrcontact_layered_tabulate
