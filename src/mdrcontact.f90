@@ -1,15 +1,40 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The public Fortran surface of the library: `use mdrcontact, only: ...`.
 module mdrcontact
-    use mdrcontact_contact, only: contact_state_t, contact_t, new_contact
+    use mdrcontact_branch, only: control_t, depth_control, force_control
+    use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
-    use mdrcontact_medium_gao, only: gao_nu_effective, gao_nu_given, gao_nu_substrate, gao_nu_surface, gao_t, new_gao
+    use mdrcontact_medium_gao, only: gao_nu_effective, gao_nu_given, gao_nu_substrate, gao_nu_surface, gao_options_t, gao_t, &
+                                     new_gao, new_gao_layered
+    use mdrcontact_medium_bec, only: bec_t, new_bec
+    use mdrcontact_medium_bottom_effect, only: bottom_effect_t, dimitriadis_series, garcia_series, new_bottom_effect
+    use mdrcontact_medium_doerner_nix, only: doerner_nix_t, new_doerner_nix
+    use mdrcontact_medium_graded, only: graded_t, new_graded, new_graded_from_functions
+    use mdrcontact_medium_hay_crawford, only: hay_crawford_t, new_hay_crawford
+    use mdrcontact_medium_mencik, only: mencik_t, new_mencik
+    use mdrcontact_medium_perriot_barthel, only: new_perriot_barthel, perriot_barthel_t
+    use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
+    use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
+    use mdrcontact_medium_wave, only: new_wave, wave_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
+    use mdrcontact_profile_area_function, only: new_area_function_profile
+    use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
+    use mdrcontact_profile_flat_paraboloid, only: flat_paraboloid_t, new_flat_paraboloid
+    use mdrcontact_profile_flat_punch, only: flat_punch_t, new_flat_punch
+    use mdrcontact_profile_rounded_cone, only: new_rounded_cone, rounded_cone_t
+    use mdrcontact_profile_sampled, only: sampled_profile_t
+    use mdrcontact_profile_sphere, only: new_sphere, sphere_t
+    use mdrcontact_profile_sum, only: new_profile_sum, profile_sum_t, profile_term_t
+    use mdrcontact_profile_tabulated, only: new_profile_from_function, new_profile_from_mdr, new_tabulated_profile
+    use mdrcontact_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
+    use mdrcontact_scalar_function, only: scalar_function_t
     use mdrcontact_version, only: version_string
     use mdrcontact_weights, only: weight_i0, weight_i1, weight_j0, weight_j1, weight_phi
     implicit none (type, external)

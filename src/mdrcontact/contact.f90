@@ -1,42 +1,53 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The contact of an indenter with a medium: states from depth, force or radius, and their fields (theory 2 and 4).
+!> The contact of an indenter with a medium: states from depth, force or radius, and their fields (theory 2, 4, 5).
 module mdrcontact_contact
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_error, only: check_finite, check_not_negative, error_domain, error_invalid, error_no_convergence, error_t, &
+    use mdrcontact_branch, only: branch_t, control_t, depth_control, force_control, new_branch, stretch_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, equilibrium_t
+    use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_radius_law, only: radius_law_t
     use mdrcontact_roots, only: solve_increasing
     use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: contact_t, contact_state_t, new_contact
+    public :: contact_t, new_contact, contact_options_t
+    public :: on_loading, on_unloading
 
-    !> One state of a contact.
-    type :: contact_state_t
-        !> a [length]
-        real(wp) :: radius = 0.0_wp
-        !> d, positive into the medium [length]
-        real(wp) :: depth = 0.0_wp
-        !> F, positive in compression [modulus length^2]
-        real(wp) :: force = 0.0_wp
-        !> k = dF/dd at constant radius = 2 a E_eff(a) [modulus length]
-        real(wp) :: stiffness = 0.0_wp
-        !> depth beyond that of first touch at this radius [length]: 0 but at a vertical wall of the indenter
-        real(wp) :: excess = 0.0_wp
-    end type contact_state_t
+    !> Which stable state is meant where an adhesive contact has several: the one met when the bodies approach, or
+    !> the one kept when they are drawn apart.
+    integer, parameter :: on_loading = 1, on_unloading = 2
+
+    !> What a contact can have beyond indenter and medium.
+    type :: contact_options_t
+        !> gamma >= 0 [modulus length]
+        real(wp) :: work_of_adhesion = 0.0_wp
+        !> adhesion_automatic, adhesion_paper or adhesion_energy
+        integer :: adhesion_rule = adhesion_automatic
+        !> zeta(a) of (9), d = zeta(a) g(a), for a medium with an effective modulus; the source's zeta = 1 if not allocated
+        type(radius_law_t), allocatable :: zeta
+    end type contact_options_t
 
     !> An indenter on a medium. It holds copies of both and never changes; any number of threads may share it.
     type :: contact_t
         private
-        class(profile_t), allocatable :: profile
-        class(medium_t), allocatable :: medium
+        type(equilibrium_t) :: equilibrium
+        !> the adhesive branch; not allocated without adhesion
+        type(branch_t), allocatable :: branch
     contains
         procedure :: at_radius
         procedure :: at_depth
         procedure :: at_force
+        procedure :: pull_off
+        procedure :: stable_stretches
+        procedure :: state_on_stretch
+        procedure :: work_between
+        procedure :: is_adhesive
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement
@@ -44,7 +55,7 @@ module mdrcontact_contact
 
     !> ln(d/target) or ln(F/target) as a function of ln(a - end radius): close to linear for every shape and medium.
     type, extends(scalar_function_t) :: mismatch_t
-        type(contact_t), pointer :: contact => null()
+        type(equilibrium_t), pointer :: equilibrium => null()
         real(wp) :: target_value = 0.0_wp
         logical :: of_force = .false.
     contains
@@ -57,11 +68,12 @@ module mdrcontact_contact
 contains
 
     !> A contact of `profile` with `medium`.
-    subroutine new_contact(self, profile, medium, error)
+    subroutine new_contact(self, profile, medium, error, options)
         type(contact_t), intent(out) :: self
         class(profile_t), intent(in) :: profile
         class(medium_t), intent(in) :: medium
         type(error_t), allocatable, intent(out) :: error
+        type(contact_options_t), intent(in), optional :: options
 
         call disable_gsl_abort()
         if (profile%end_radius() > medium%largest_radius()) then
@@ -69,74 +81,217 @@ contains
                        ", is larger than the largest contact radius of the medium, "//to_text(medium%largest_radius()))
             return
         end if
-        allocate (self%profile, source=profile)
-        allocate (self%medium, source=medium)
+        allocate (self%equilibrium%profile, source=profile)
+        allocate (self%equilibrium%medium, source=medium)
+        ! A hair below the profile's end, which may be a vertical tangent; far below the end of the number range.
+        self%equilibrium%last_radius = min(profile%largest_radius()*merge(1.0_wp, 1.0_wp - epsilon(1.0_wp), profile%has_wall()), &
+                                           medium%largest_radius(), 1.0e100_wp)
+        if (.not. present(options)) return
+        if (allocated(options%zeta)) call set_zeta(self%equilibrium, options%zeta, error)
+        if (.not. allocated(error)) call set_adhesion(self, options%work_of_adhesion, options%adhesion_rule, error)
     end subroutine new_contact
 
-    !> The state at contact radius a.
+    subroutine set_zeta(equilibrium, zeta, error)
+        type(equilibrium_t), intent(inout) :: equilibrium
+        type(radius_law_t), intent(in) :: zeta
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: radii(:), depths(:)
+        integer :: i
+
+        select type (medium => equilibrium%medium)
+        class is (effective_medium_t)
+            medium%zeta = zeta
+            equilibrium%last_radius = min(equilibrium%last_radius, zeta%largest_radius())
+        class default
+            call raise(error, error_invalid, "zeta is not allowed: this medium determines its depth exactly")
+            return
+        end select
+        radii = pack(zeta%break_radii(), zeta%break_radii() <= equilibrium%profile%largest_radius())
+        depths = zeta%at(radii)*equilibrium%profile%mdr(radii)
+        do i = 2, size(radii)
+            if (depths(i) < depths(i - 1)) then
+                call raise(error, error_invalid, "zeta is not allowed: the depth zeta(a) g(a) decreases between a = "// &
+                           to_text(radii(i - 1))//" and a = "//to_text(radii(i)))
+                return
+            end if
+        end do
+    end subroutine set_zeta
+
+    subroutine set_adhesion(self, work_of_adhesion, rule, error)
+        type(contact_t), intent(inout) :: self
+        real(wp), intent(in) :: work_of_adhesion
+        integer, intent(in) :: rule
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_not_negative(error, "work_of_adhesion", work_of_adhesion)
+        if (all(rule /= [adhesion_automatic, adhesion_paper, adhesion_energy])) then
+            call raise(error, error_invalid, "adhesion_rule = "//count_text(rule)//" is not allowed: it must be 0 (automatic), "// &
+                       "1 (paper) or 2 (energy)")
+        end if
+        if (allocated(error) .or. work_of_adhesion <= 0.0_wp) return
+        self%equilibrium%work_of_adhesion = work_of_adhesion
+        self%equilibrium%rule = rule
+        allocate (self%branch)
+        call new_branch(self%branch, self%equilibrium, error)
+    end subroutine set_adhesion
+
+    !> Whether the work of adhesion is greater than 0.
+    pure function is_adhesive(self) result(answer)
+        class(contact_t), intent(in) :: self
+        logical :: answer
+
+        answer = allocated(self%branch)
+    end function is_adhesive
+
+    !> The state of equilibrium at contact radius a, stable or not.
     subroutine at_radius(self, radius, state, error)
         class(contact_t), intent(in) :: self
         !> a: at least the radius of the indenter's flat end, at most where indenter and medium are defined; 0 is first touch
         real(wp), intent(in) :: radius
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
+        real(wp) :: end_radius, wall_radius, smallest
 
         call check_not_negative(error, "radius", radius)
         if (allocated(error)) return
-        if (radius < self%profile%end_radius()) then
+        end_radius = self%equilibrium%profile%end_radius()
+        wall_radius = self%equilibrium%profile%largest_radius()
+        smallest = self%equilibrium%medium%smallest_radius()
+        if (radius < end_radius) then
             call raise(error, error_unreachable, "radius = "//to_text(radius)//" cannot be reached: the indenter's flat end "// &
-                       "makes contact at radius "//to_text(self%profile%end_radius())//" at once")
-        else if (self%profile%has_wall() .and. radius >= self%profile%largest_radius()) then
-            call raise(error, error_unreachable, "radius = "//to_text(radius)//" does not determine a state: at the indenter's "// &
-                       "vertical wall, radius "//to_text(self%profile%largest_radius())//", the depth is free; give depth or force")
-        else if (radius > largest_radius(self)) then
+                       "makes contact at radius "//to_text(end_radius)//" at once")
+        else if (self%equilibrium%profile%has_wall() .and. radius >= wall_radius) then
+            call raise(error, error_unreachable, "radius = "//to_text(radius)//" does not determine a state: at the "// &
+                       "indenter's vertical wall, radius "//to_text(wall_radius)//", the depth is free; give depth or force")
+        else if (radius > self%equilibrium%last_radius) then
             call raise(error, error_domain, "radius = "//to_text(radius)//" is not allowed: indenter and medium are "// &
-                       "defined up to "//to_text(largest_radius(self)))
-        else if (radius < self%medium%smallest_radius()) then
+                       "defined up to "//to_text(self%equilibrium%last_radius))
+        else if (radius < smallest) then
             call raise(error, error_domain, "radius = "//to_text(radius)//" is not allowed: the medium is defined from "// &
-                       to_text(self%medium%smallest_radius())//" on")
+                       to_text(smallest)//" on")
         end if
         if (allocated(error)) return
-        call state_at(self, radius, state, error)
+        call self%equilibrium%at(radius, state, error)
     end subroutine at_radius
 
-    !> The state at indentation depth d.
-    subroutine at_depth(self, depth, state, error)
+    !> The stable state at indentation depth d.
+    subroutine at_depth(self, depth, state, error, branch)
         class(contact_t), intent(in), target :: self
-        !> d >= 0 [length]
+        !> d >= 0, or with adhesion down to the pull-off depth on unloading [length]
         real(wp), intent(in) :: depth
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
 
         call check_finite(error, "depth", depth)
         if (allocated(error)) return
-        if (depth < 0.0_wp) then
+        if (self%is_adhesive()) then
+            call adhesive_state(self, depth, depth_control, "depth", branch, state, error)
+        else if (depth < 0.0_wp) then
             call raise(error, error_unreachable, "depth = "//to_text(depth)//" cannot be reached: the bodies "// &
                        "are apart below depth 0")
-            return
+        else
+            call invert(self%equilibrium, depth, .false., state, error)
         end if
-        call invert(self, depth, .false., state, error)
         if (.not. allocated(error)) state%depth = depth
     end subroutine at_depth
 
-    !> The state under normal force F.
-    subroutine at_force(self, force, state, error)
+    !> The stable state under normal force F.
+    subroutine at_force(self, force, state, error, branch)
         class(contact_t), intent(in), target :: self
-        !> F >= 0 [modulus length^2]
+        !> F >= 0, or with adhesion down to the pull-off force on unloading [modulus length^2]
         real(wp), intent(in) :: force
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
 
         call check_finite(error, "force", force)
         if (allocated(error)) return
-        if (force < 0.0_wp) then
+        if (self%is_adhesive()) then
+            call adhesive_state(self, force, force_control, "force", branch, state, error)
+        else if (force < 0.0_wp) then
             call raise(error, error_unreachable, "force = "//to_text(force)//" cannot be reached: without adhesion the bodies "// &
                        "do not pull on each other")
-            return
+        else
+            call invert(self%equilibrium, force, .true., state, error)
         end if
-        call invert(self, force, .true., state, error)
         if (.not. allocated(error)) state%force = force
     end subroutine at_force
+
+    !> Where the contact breaks: the state of lowest depth or force on the whole branch, and the other local minima.
+    subroutine pull_off(self, control, state, error, others)
+        class(contact_t), intent(in) :: self
+        !> depth_control, force_control, or a spring in between
+        type(control_t), intent(in) :: control
+        !> all zero without adhesion
+        type(contact_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+        !> ends of the other stable stretches, in ascending order of the radius
+        type(contact_state_t), allocatable, intent(out), optional :: others(:)
+        type(stretch_t), allocatable :: list(:)
+        type(contact_state_t), allocatable :: ends(:)
+        integer :: i, global
+
+        if (present(others)) allocate (others(0))
+        if (.not. self%is_adhesive()) return
+        call self%stable_stretches(control, list, error)
+        if (allocated(error)) return
+        if (size(list) == 0) then
+            call raise(error, error_unreachable, "this contact has no stable adhesive state under the control asked for")
+            return
+        end if
+        allocate (ends(size(list)))
+        do i = 1, size(list)
+            call self%state_on_stretch(control, list(i), list(i)%lowest, ends(i), error)
+            if (allocated(error)) return
+        end do
+        global = minloc(list%lowest, dim=1)
+        state = ends(global)
+        if (present(others)) others = [ends(:global - 1), ends(global + 1:)]
+    end subroutine pull_off
+
+    !> The stable stretches of the adhesive branch under a control, by ascending radius.
+    subroutine stable_stretches(self, control, list, error)
+        class(contact_t), intent(in) :: self
+        type(control_t), intent(in) :: control
+        type(stretch_t), allocatable, intent(out) :: list(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        if (allocated(self%branch)) then
+            call self%branch%stretches(self%equilibrium, control, list, error)
+        else
+            allocate (list(0))
+        end if
+    end subroutine stable_stretches
+
+    !> The state with a given value of the controlled quantity on one of the stable stretches.
+    subroutine state_on_stretch(self, control, stretch, s, state, error)
+        class(contact_t), intent(in) :: self
+        type(control_t), intent(in) :: control
+        type(stretch_t), intent(in) :: stretch
+        real(wp), intent(in) :: s
+        type(contact_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+
+        call self%branch%state_on(self%equilibrium, control, stretch, s, state, error)
+    end subroutine state_on_stretch
+
+    !> int F dd along the adhesive branch between two of its states; at a vertical wall the depth alone changes.
+    pure function work_between(self, from, to) result(work)
+        class(contact_t), intent(in) :: self
+        type(contact_state_t), intent(in) :: from, to
+        real(wp) :: work
+
+        if (self%equilibrium%profile%has_wall() .and. from%radius >= self%equilibrium%last_radius &
+            .and. to%radius >= self%equilibrium%last_radius) then
+            work = 0.5_wp*(from%force + to%force)*(to%depth - from%depth)
+        else
+            work = self%branch%work_between(self%equilibrium%coordinate_of(from%radius), &
+                                            self%equilibrium%coordinate_of(to%radius))
+        end if
+    end function work_between
 
     !> q(x), the line load of the one-dimensional springs, equation (5) or (21) [modulus length].
     subroutine line_load(self, state, x, values, error)
@@ -150,10 +305,11 @@ contains
 
         call check_positions(state, "x", x, state%radius, error)
         if (allocated(error)) return
-        call self%medium%line_load(self%profile, state%radius, state%excess, x, values, error)
+        call self%equilibrium%medium%line_load(self%equilibrium%profile, state%radius, state%excess, x, values, error)
     end subroutine line_load
 
-    !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the apex of a cone.
+    !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the
+    !> apex of a cone; minus infinity at an adhesive edge.
     subroutine pressure(self, state, r, values, error)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
@@ -165,10 +321,11 @@ contains
 
         call check_positions(state, "r", r, state%radius, error)
         if (allocated(error)) return
-        call self%medium%pressure(self%profile, state%radius, state%excess, r, values, error)
+        call self%equilibrium%medium%pressure(self%equilibrium%profile, state%radius, state%excess, r, values, error)
     end subroutine pressure
 
-    !> u(r), the displacement of the surface, positive into the medium [length]: d - f(r) inside the contact, the free surface outside.
+    !> u(r), the displacement of the surface, positive into the medium [length]: d - f(r) inside the contact, the free surface
+    !> outside.
     subroutine displacement(self, state, r, values, error)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
@@ -182,35 +339,59 @@ contains
         call check_positions(state, "r", r, huge(1.0_wp), error)
         if (allocated(error)) return
         allocate (outside(count(r > state%radius)))
-        call self%medium%displacement_outside(self%profile, state%radius, state%excess, pack(r, r > state%radius), outside, error)
+        call self%equilibrium%medium%displacement_outside(self%equilibrium%profile, state%radius, state%excess, &
+                                                          pack(r, r > state%radius), outside, error)
         if (allocated(error)) return
-        values = unpack(outside, r > state%radius, state%depth - self%profile%height(min(r, state%radius)))
+        values = unpack(outside, r > state%radius, state%depth - self%equilibrium%profile%height(min(r, state%radius)))
     end subroutine displacement
 
-    !> Depth, force and stiffness at a radius that has been checked.
-    subroutine state_at(self, radius, state, error)
-        class(contact_t), intent(in) :: self
-        real(wp), intent(in) :: radius
+    !> The stable adhesive state with a given depth or force, on loading (the smallest contact that the approach meets) or on
+    !> unloading (the largest).
+    subroutine adhesive_state(self, wanted, control, name, branch, state, error)
+        type(contact_t), intent(in) :: self
+        real(wp), intent(in) :: wanted
+        type(control_t), intent(in) :: control
+        character(len=*), intent(in) :: name
+        integer, intent(in), optional :: branch
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: modulus(1)
+        type(stretch_t), allocatable :: list(:)
+        integer :: chosen, way
 
-        if (radius <= 0.0_wp) return
-        state%radius = radius
-        call self%medium%depth_and_force(self%profile, radius, state%depth, state%force, error)
-        if (allocated(error)) return
-        call self%medium%modulus([radius], modulus, error)
-        if (allocated(error)) return
-        state%stiffness = 2.0_wp*radius*modulus(1)
-        if (.not. (ieee_is_finite(state%depth) .and. ieee_is_finite(state%force) .and. ieee_is_finite(state%stiffness))) then
-            call raise(error, error_no_convergence, "the state at radius = "//to_text(radius)// &
-                       " is beyond the range of floating-point numbers")
+        way = on_unloading
+        if (present(branch)) way = branch
+        if (way /= on_loading .and. way /= on_unloading) then
+            call raise(error, error_invalid, "branch = "//count_text(way)//" is not allowed: it must be 1 (loading) or "// &
+                       "2 (unloading)")
+            return
         end if
-    end subroutine state_at
+        if (way == on_loading .and. wanted < 0.0_wp) then
+            call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached on loading: the bodies "// &
+                       "touch at "//name//" 0; below it a contact exists on unloading only")
+            return
+        end if
+        call self%stable_stretches(control, list, error)
+        if (allocated(error)) return
+        if (size(list) == 0) then
+            call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached: this contact has no stable "// &
+                       "adhesive state")
+            return
+        end if
+        chosen = findloc(list%lowest <= wanted .and. wanted <= list%highest, .true., dim=1, back=way == on_unloading)
+        if (chosen > 0) then
+            call self%state_on_stretch(control, list(chosen), wanted, state, error)
+        else if (wanted < minval(list%lowest)) then
+            call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached: the adhesive branch "// &
+                       "ends at pull-off, "//name//" = "//to_text(minval(list%lowest)))
+        else
+            call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached: the branch ends with the "// &
+                       "indenter or the medium at "//name//" = "//to_text(maxval(list%highest)))
+        end if
+    end subroutine adhesive_state
 
-    !> The state with a given depth or force, both of which grow with the contact radius.
-    subroutine invert(self, wanted, of_force, state, error)
-        class(contact_t), intent(in), target :: self
+    !> The non-adhesive state with a given depth or force, both of which grow with the contact radius.
+    subroutine invert(equilibrium, wanted, of_force, state, error)
+        type(equilibrium_t), intent(in), target :: equilibrium
         real(wp), intent(in) :: wanted
         logical, intent(in) :: of_force
         type(contact_state_t), intent(out) :: state
@@ -218,19 +399,21 @@ contains
         real(wp) :: closest
         logical :: found
 
-        call state_at(self, self%profile%end_radius(), state, error)
-        if (wanted <= 0.0_wp .or. allocated(error)) return
-        if (self%profile%has_wall()) then
-            call state_at(self, self%profile%largest_radius(), state, error)
+        if (wanted <= 0.0_wp) then
+            call equilibrium%at(equilibrium%profile%end_radius(), state, error)
+            return
+        end if
+        if (equilibrium%profile%has_wall() .and. equilibrium%last_radius >= equilibrium%profile%largest_radius()) then
+            call equilibrium%at(equilibrium%last_radius, state, error)
             if (allocated(error)) return
             if (wanted >= merge(state%force, state%depth, of_force)) then
                 call push_beyond_wall(state, wanted, of_force)
                 return
             end if
         end if
-        call radius_of(self, wanted, of_force, closest, found, error)
+        call radius_with(equilibrium, wanted, of_force, closest, found, error)
         if (allocated(error)) return
-        call state_at(self, closest, state, error)
+        call equilibrium%at(closest, state, error)
         if (allocated(error) .or. found) return
         call raise_unreachable(state, wanted, of_force, error)
     end subroutine invert
@@ -250,57 +433,44 @@ contains
         state%force = state%force + state%stiffness*state%excess
     end subroutine push_beyond_wall
 
-    subroutine radius_of(self, wanted, of_force, radius, found, error)
-        class(contact_t), intent(in), target :: self
+    subroutine radius_with(equilibrium, wanted, of_force, radius, found, error)
+        type(equilibrium_t), intent(in), target :: equilibrium
         real(wp), intent(in) :: wanted
         logical, intent(in) :: of_force
         real(wp), intent(out) :: radius
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
         type(mismatch_t) :: mismatch
-        real(wp) :: first, last, guess, root
+        real(wp) :: first, guess, root
 
-        mismatch%contact => self
+        mismatch%equilibrium => equilibrium
         mismatch%target_value = wanted
         mismatch%of_force = of_force
         first = smallest_log
-        if (self%medium%smallest_radius() > self%profile%end_radius()) first = &
-            log(self%medium%smallest_radius() - self%profile%end_radius())
-        last = log(largest_radius(self) - self%profile%end_radius())
+        if (equilibrium%medium%smallest_radius() > equilibrium%profile%end_radius()) then
+            first = equilibrium%coordinate_of(equilibrium%medium%smallest_radius())
+        end if
         guess = 0.0_wp
         if (.not. of_force) then
-            radius = self%profile%radius_from_mdr(wanted)
-            if (radius > self%profile%end_radius()) guess = log(radius - self%profile%end_radius())
+            radius = equilibrium%profile%radius_from_mdr(wanted)
+            if (radius > equilibrium%profile%end_radius()) guess = equilibrium%coordinate_of(radius)
         end if
-        call solve_increasing(mismatch, guess, 2.0_wp, first, last, root, found, error)
-        radius = min(self%profile%end_radius() + exp(root), largest_radius(self))
-    end subroutine radius_of
+        call solve_increasing(mismatch, guess, 2.0_wp, first, equilibrium%coordinate_of(equilibrium%last_radius), root, found, &
+                              error)
+        radius = equilibrium%radius_of(root)
+    end subroutine radius_with
 
     function mismatch_value(self, x) result(y)
         class(mismatch_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        type(contact_state_t) :: state
-        real(wp) :: value
+        real(wp) :: depth, force, value
 
         y = 0.0_wp
-        call first_touch(min(self%contact%profile%end_radius() + exp(x), largest_radius(self%contact)))
+        call self%equilibrium%first_touch(self%equilibrium%radius_of(x), depth, force, self%error)
         if (allocated(self%error)) return
-        value = merge(state%force, state%depth, self%of_force)
-        if (value > tiny(value)) then
-            y = log(value/self%target_value)
-        else
-            y = log(tiny(value)/self%target_value)
-        end if
-
-    contains
-
-        subroutine first_touch(radius)
-            real(wp), intent(in) :: radius
-
-            call self%contact%medium%depth_and_force(self%contact%profile, radius, state%depth, state%force, self%error)
-        end subroutine first_touch
-
+        value = merge(force, depth, self%of_force)
+        y = log(max(value, tiny(value))/self%target_value)
     end function mismatch_value
 
     pure subroutine raise_unreachable(state, wanted, of_force, error)
@@ -321,14 +491,6 @@ contains
         call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached: at radius "// &
                    to_text(state%radius)//", where the indenter or the medium ends, the "//name//" is "//to_text(last))
     end subroutine raise_unreachable
-
-    !> The largest contact radius; a hair below the profile's end where it ends in a vertical tangent.
-    pure function largest_radius(self) result(radius)
-        class(contact_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = min(self%profile%largest_radius()*(1.0_wp - epsilon(1.0_wp)), self%medium%largest_radius(), 1.0e100_wp)
-    end function largest_radius
 
     pure subroutine check_positions(state, name, positions, largest, error)
         type(contact_state_t), intent(in) :: state

@@ -6,10 +6,11 @@
 module mdrcontact_error
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_kinds, only: half_pi, wp
+    use mdrcontact_padded_text, only: padded_count, padded_number
     implicit none (type, external)
     private
     public :: error_t, raise, check_finite, check_positive, check_not_negative, check_poisson, check_inclination, &
-              check_table, count_text, to_text
+              check_table, count_text, entry_name, to_text
     public :: status_name
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file
@@ -125,26 +126,34 @@ contains
         end if
         if (allocated(error)) return
         do i = 1, size(x)
-            call check_finite(error, x_name//"["//count_text(i)//"]", x(i))
-            call check_finite(error, y_name//"["//count_text(i)//"]", y(i))
+            call check_finite(error, entry_name(x_name, i), x(i))
+            call check_finite(error, entry_name(y_name, i), y(i))
             if (allocated(error)) return
         end do
         do i = 2, size(x)
             if (x(i) > x(i - 1)) cycle
-            call raise(error, error_invalid, x_name//"["//count_text(i)//"] = "//to_text(x(i))//" is not allowed: "//x_name// &
+            call raise(error, error_invalid, entry_name(x_name, i)//" = "//to_text(x(i))//" is not allowed: "//x_name// &
                        " must be strictly ascending, and the entry before is "//to_text(x(i - 1)))
             return
         end do
     end subroutine check_table
 
+    !> What an error message calls an element of an array. In words, since Fortran counts from 1, C and Python from 0.
+    pure function entry_name(name, position) result(text)
+        character(len=*), intent(in) :: name
+        !> 1 is the first one
+        integer, intent(in) :: position
+        character(len=len("entry  of ") + len_trim(padded_count(position)) + len(name)) :: text
+
+        text = "entry "//count_text(position)//" of "//name
+    end function entry_name
+
     !> A count as text.
     pure function count_text(count) result(text)
         integer, intent(in) :: count
-        character(len=:), allocatable :: text
-        character(len=16) :: buffer
+        character(len=len_trim(padded_count(count))) :: text
 
-        write (buffer, "(i0)") count
-        text = trim(buffer)
+        text = padded_count(count)
     end function count_text
 
     pure subroutine raise_value(error, name, value, allowed)
@@ -158,36 +167,15 @@ contains
     !> A number as a person would write it: short, up to seven digits.
     pure function to_text(value) result(text)
         real(wp), intent(in) :: value
-        character(len=:), allocatable :: text
-        character(len=32) :: buffer
-        integer :: last
+        character(len=len_trim(padded_number(value))) :: text
 
-        if (value /= value) then
-            text = "NaN"
-        else if (.not. ieee_is_finite(value)) then
-            text = merge("-infinity", " infinity", value < 0.0_wp)
-        else if (value /= 0.0_wp .and. (abs(value) < 1.0e-3_wp .or. abs(value) >= 1.0e6_wp)) then
-            write (buffer, "(es14.6e3)") value
-            text = buffer
-        else
-            write (buffer, "(f0.7)") value
-            last = len_trim(buffer)
-            do while (buffer(last:last) == "0")
-                last = last - 1
-            end do
-            if (buffer(last:last) == ".") last = last - 1
-            text = buffer(:last)
-            if (text(1:1) == ".") text = "0"//text
-            if (index(text, "-.") == 1) text = "-0"//text(2:)
-            if (text == "" .or. text == "-") text = "0"
-        end if
-        text = trim(adjustl(text))
+        text = padded_number(value)
     end function to_text
 
     !> The symbolic name of a status code, as in the C header.
     pure function status_name(code) result(name)
         integer, intent(in) :: code
-        character(len=:), allocatable :: name
+        character(len=18) :: name
 
         select case (code)
         case (success); name = "MDR_SUCCESS"

@@ -29,6 +29,10 @@ module mdrcontact_medium
         procedure(field), deferred :: pressure
         !> displacement of the surface u(r) [length], r > a, positive into the medium
         procedure(field), deferred :: displacement_outside
+        !> depth, force, modulus and its slope at one radius; a medium that finds them together overrides it
+        procedure :: response
+        !> whether the medium meets an adhesive edge exactly, with the energy balance; otherwise the rule is a choice (theory 5)
+        procedure :: edge_is_exact => no
         !> the largest contact radius at which the medium is defined [length]; huge() where there is no end
         procedure :: largest_radius => unlimited
         !> the smallest one; 0 where there is no end
@@ -70,6 +74,33 @@ module mdrcontact_medium
     end interface
 
 contains
+
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
+        class(medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force, modulus, modulus_slope
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: value(1), slope(1)
+
+        modulus = 0.0_wp
+        modulus_slope = 0.0_wp
+        call self%depth_and_force(profile, a, depth, force, error)
+        if (.not. allocated(error)) call self%modulus([a], value, error)
+        if (.not. allocated(error)) call self%modulus_slope([a], slope, error)
+        if (allocated(error)) return
+        modulus = value(1)
+        modulus_slope = slope(1)
+    end subroutine response
+
+    pure function no(self) result(answer)
+        class(medium_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .false.
+    end function no
 
     pure function unlimited(self) result(radius)
         class(medium_t), intent(in) :: self

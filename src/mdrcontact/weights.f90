@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Weights of a depth z = a xi in the effective modulus of a layered medium (theory 3).
 !>
-!> I0 weighs the shear modulus, I1 Poisson's ratio; both rise from 0 at the surface to 1 at infinite depth. Each comes with its complement
-!> J = 1 - I and its slope dI/dxi, computed directly and not by subtraction, so that all keep full relative
+!> I0 weighs the shear modulus, I1 Poisson's ratio; both rise from 0 at the surface to 1 at infinite depth. Each comes with its
+!> complement J = 1 - I and its slope dI/dxi, computed directly and not by subtraction, so that all keep full relative
 !> precision at both ends: contrasts of 1e6 and a/h from 1e-9 to 1e6 need it.
 !> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (13)-(18).
 module mdrcontact_weights

@@ -8,18 +8,23 @@ module mdrcontact_medium_effective
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_quadrature, only: graded_rule, smallest_panel_ratio
+    use mdrcontact_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
+    use mdrcontact_radius_law, only: radius_law_t
     implicit none (type, external)
     private
     public :: effective_medium_t
 
     !> A medium with an effective contact modulus. Extensions provide E_eff(a) and its slope as elemental functions.
     type, abstract, extends(medium_t) :: effective_medium_t
+        !> zeta(a) of (9), d = zeta(a) g(a); the source's zeta = 1 where it is not given
+        type(radius_law_t), allocatable :: zeta
     contains
         !> E_eff(a) [modulus], a > 0
         procedure(modulus_function), deferred :: effective_modulus
         !> dE_eff/da [modulus/length], a > 0
         procedure(modulus_function), deferred :: effective_modulus_slope
+        !> radii where E_eff is not analytic, ascending [length]
+        procedure :: modulus_breaks => no_breaks
         procedure :: modulus
         procedure :: modulus_slope
         procedure :: depth_and_force
@@ -57,7 +62,58 @@ contains
         values = self%effective_modulus_slope(a)
     end subroutine modulus_slope
 
-    !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to rounding.
+    !> d = zeta(a) g(a), equation (9).
+    elemental function depth_at(self, profile, a) result(depth)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp) :: depth
+
+        depth = profile%mdr(a)
+        if (allocated(self%zeta)) depth = depth*self%zeta%at(a)
+    end function depth_at
+
+    elemental function depth_slope(self, profile, a) result(slope)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp) :: slope
+
+        slope = profile%mdr_slope(a)
+        if (allocated(self%zeta)) slope = self%zeta%at(a)*slope + self%zeta%slope_at(a)*profile%mdr(a)
+    end function depth_slope
+
+    !> int_0^a s d'(s) ds up to a radius below which zeta is constant.
+    pure function first_moment(self, profile, a) result(moment)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp) :: moment
+
+        moment = profile%mdr_moment(a)
+        if (allocated(self%zeta)) moment = moment*self%zeta%at(a)
+    end function first_moment
+
+    !> Where profile, modulus or zeta are not analytic.
+    pure function all_breaks(self, profile) result(radii)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), allocatable :: radii(:)
+
+        radii = merged_breaks(profile%break_radii(), self%modulus_breaks())
+        if (allocated(self%zeta)) radii = merged_breaks(radii, self%zeta%break_radii())
+    end function all_breaks
+
+    pure function no_breaks(self) result(radii)
+        class(effective_medium_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        associate (unused => self)
+        end associate
+        allocate (radii(0))
+    end function no_breaks
+
+    !> d = zeta(a) g(a), F = int_0^a 2 s E_eff(s) d'(s) ds. Below the lowest panel E_eff is constant to rounding.
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -67,16 +123,16 @@ contains
         real(wp), allocatable :: s(:), ds(:)
         real(wp) :: lowest
 
-        depth = profile%mdr(a)
+        depth = depth_at(self, profile, a)
         force = 0.0_wp
         lowest = max(profile%end_radius(), smallest_panel_ratio*a)
         if (a <= lowest) return
-        call graded_rule(lowest, a, profile%break_radii(), profile%singular_radius(), s, ds)
-        force = 2.0_wp*(self%effective_modulus(lowest)*profile%mdr_moment(lowest) &
-                        + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
+        call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds)
+        force = 2.0_wp*(self%effective_modulus(lowest)*first_moment(self, profile, lowest) &
+                        + sum(s*self%effective_modulus(s)*depth_slope(self, profile, s)*ds))
     end subroutine depth_and_force
 
-    !> q(x; a) = int_x^a E_eff(s) g'(s) ds, equation (21).
+    !> q(x; a) = int_x^a E_eff(s) d'(s) ds, equation (21).
     subroutine line_load(self, profile, a, excess, r, values, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -92,13 +148,15 @@ contains
             values(i) = self%effective_modulus(a)*excess
             lowest = max(r(i), profile%end_radius(), smallest_panel_ratio*a)
             if (a <= lowest) cycle
-            call graded_rule(lowest, a, profile%break_radii(), profile%singular_radius(), s, ds)
-            values(i) = values(i) + self%effective_modulus(lowest)*(profile%mdr(lowest) - profile%mdr(min(r(i), lowest))) &
-                        + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds)
+            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds)
+            values(i) = values(i) + self%effective_modulus(lowest) &
+                        *(depth_at(self, profile, lowest) - depth_at(self, profile, min(r(i), lowest))) &
+                        + sum(self%effective_modulus(s)*depth_slope(self, profile, s)*ds)
         end do
     end subroutine line_load
 
-    !> p(r) = (1/pi) int_r^a E_eff(s) g'(s)/sqrt(s^2 - r^2) ds + E_eff(a) excess/(pi sqrt(a^2 - r^2)), equation (6).
+    !> Infinite at the rim of a flat end, where g' is.
+    !> p(r) = (1/pi) int_r^a E_eff(s) d'(s)/sqrt(s^2 - r^2) ds + E_eff(a) excess/(pi sqrt(a^2 - r^2)), equation (6).
     subroutine pressure(self, profile, a, excess, r, values, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -116,17 +174,20 @@ contains
             lowest = max(r(i), profile%end_radius())
             from_axis = lowest <= 0.0_wp
             if (from_axis) lowest = smallest_panel_ratio*a
-            if (a > lowest) then
-                call graded_rule(lowest, a, with_start(lowest, profile%break_radii()), profile%singular_radius(), s, ds, beyond)
-                values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds &
+            if (r(i) > 0.0_wp .and. r(i) == profile%end_radius() .and. a > lowest) then
+                values(i) = ieee_value(values(i), ieee_positive_inf)
+            else if (a > lowest) then
+                call graded_rule(lowest, a, merged_breaks([lowest], all_breaks(self, profile)), profile%singular_radius(), &
+                                 s, ds, beyond)
+                values(i) = values(i) + sum(self%effective_modulus(s)*depth_slope(self, profile, s)*ds &
                                             /sqrt((beyond + (lowest - r(i)))*(s + r(i))))
-                if (from_axis) values(i) = values(i) + self%effective_modulus(lowest)*near_axis(profile, lowest)
+                if (from_axis) values(i) = values(i) + self%effective_modulus(lowest)*near_axis(self, profile, lowest)
             end if
             values(i) = values(i)/pi
         end do
     end subroutine pressure
 
-    !> u(r) = (2/pi) int_0^a g'(s) arcsin(s/r) ds + (2/pi) excess arcsin(a/r), r > a: each increment of depth moves the surface as
+    !> u(r) = (2/pi) int_0^a d'(s) arcsin(s/r) ds + (2/pi) excess arcsin(a/r), r > a: each increment of depth moves the surface as
     !> a flat punch on a homogeneous body.
     subroutine displacement_outside(self, profile, a, excess, r, values, error)
         class(effective_medium_t), intent(in) :: self
@@ -139,31 +200,31 @@ contains
         real(wp) :: lowest
         integer :: i
 
-        associate (unused => self)
-        end associate
         lowest = max(profile%end_radius(), smallest_panel_ratio*a)
         do i = 1, size(r)
             values(i) = excess*asin(a/r(i))
             if (a > lowest) then
-                call graded_rule(lowest, a, profile%break_radii(), min(profile%singular_radius(), r(i)), s, ds)
-                values(i) = values(i) + profile%mdr_moment(lowest)/r(i) + sum(profile%mdr_slope(s)*asin(s/r(i))*ds)
+                call graded_rule(lowest, a, all_breaks(self, profile), min(profile%singular_radius(), r(i)), s, ds)
+                values(i) = values(i) + first_moment(self, profile, lowest)/r(i) &
+                            + sum(depth_slope(self, profile, s)*asin(s/r(i))*ds)
             end if
             values(i) = values(i)*(2.0_wp/pi)
         end do
     end subroutine displacement_outside
 
-    !> int_0^x g'(s)/s ds where g' is a power of s: infinite pressure at the apex of a cone and of anything sharper.
-    pure function near_axis(profile, x) result(integral)
+    !> int_0^x d'(s)/s ds where d' is a power of s: infinite pressure at the apex of a cone and of anything sharper.
+    pure function near_axis(self, profile, x) result(integral)
+        class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: x
         real(wp) :: integral
         real(wp) :: exponent
 
         integral = 0.0_wp
-        if (profile%mdr_slope(x) <= 0.0_wp) return
-        exponent = log(profile%mdr_slope(x)/profile%mdr_slope(0.5_wp*x))/log(2.0_wp)
+        if (depth_slope(self, profile, x) <= 0.0_wp) return
+        exponent = log(depth_slope(self, profile, x)/depth_slope(self, profile, 0.5_wp*x))/log(2.0_wp)
         if (exponent > 1.0e-6_wp) then
-            integral = profile%mdr_slope(x)/exponent
+            integral = depth_slope(self, profile, x)/exponent
         else
             integral = ieee_value(integral, ieee_positive_inf)
         end if
@@ -182,14 +243,5 @@ contains
             values = sign(ieee_value(values, ieee_positive_inf), excess)
         end if
     end function edge_pressure
-
-    pure function with_start(start, breaks) result(all_breaks)
-        real(wp), intent(in) :: start, breaks(:)
-        real(wp) :: all_breaks(size(breaks) + 1)
-        integer :: below
-
-        below = count(breaks < start)
-        all_breaks = [breaks(:below), start, breaks(below + 1:)]
-    end function with_start
 
 end module mdrcontact_medium_effective

@@ -1,27 +1,40 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coating by Gao's weights (theory 3): the shear moduli of coating and substrate averaged in parallel or in series with the weight I0(h/a),
-!> Poisson's ratios with I1(h/a). Exact to first order in the contrast.
-!> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(15).
+!> Coatings and layers by Gao's weights (theory 3): the shear moduli of all depths averaged in parallel, or their compliances in
+!> series, with the weight dI0, Poisson's ratios with dI1. Exact to first order in the contrast.
+!> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(16).
 module mdrcontact_medium_gao
-    use mdrcontact_error, only: check_poisson, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_poisson, check_positive, count_text, entry_name, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium_coated, only: coated_t
+    use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_weights, only: weight_i0, weight_i0_poisson_slope, weight_i0_slope, weight_i1, weight_i1_slope, &
                                   weight_j0, weight_j1
     implicit none (type, external)
     private
-    public :: gao_t, new_gao
+    public :: gao_t, new_gao, new_gao_layered, gao_options_t, i0_poisson_choice
     public :: gao_nu_surface, gao_nu_substrate, gao_nu_effective, gao_nu_given
 
-    !> Which Poisson's ratio enters I0, left open by the source: that of the coating (default), the substrate, the effective one, a number.
+    !> Which Poisson's ratio enters I0, left open by the source: that of the surface (default), of the substrate, the effective
+    !> one, a given number.
     integer, parameter :: gao_nu_surface = 0, gao_nu_substrate = 1, gao_nu_effective = 2, gao_nu_given = 3
 
-    type, extends(coated_t) :: gao_t
-        private
+    !> The choices that Gao's weights leave.
+    type :: gao_options_t
+        !> average the compliances 1/G instead of the moduli G: far closer to the exact solution at large contrast
         logical :: in_series = .false.
+        !> one of gao_nu_...
         integer :: weight_nu_choice = gao_nu_surface
-        real(wp) :: weight_nu = 0.0_wp
+        !> the number for gao_nu_given
+        real(wp) :: weight_nu = 0.5_wp
+    end type gao_options_t
+
+    !> Layers 1, 2, ... from the surface down on a substrate, which is the last entry of each array.
+    type, extends(effective_medium_t) :: gao_t
+        private
+        real(wp), allocatable :: shear(:), poisson(:)
+        !> depths of the interfaces [length]
+        real(wp), allocatable :: depth(:)
+        type(gao_options_t) :: options
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
@@ -29,96 +42,155 @@ module mdrcontact_medium_gao
 
 contains
 
-    subroutine new_gao(self, coating, thickness, substrate, error, in_series, weight_nu_choice, weight_nu)
+    !> One coating of thickness h on a substrate.
+    subroutine new_gao(self, coating, thickness, substrate, error, options)
         type(gao_t), intent(out) :: self
         type(material_t), intent(in) :: coating, substrate
         !> h > 0 [length]
         real(wp), intent(in) :: thickness
         type(error_t), allocatable, intent(out) :: error
-        !> average the compliances 1/G instead of the moduli G; far closer to the exact solution at large contrast
-        logical, intent(in), optional :: in_series
-        !> one of gao_nu_...; gao_nu_given takes weight_nu
-        integer, intent(in), optional :: weight_nu_choice
-        real(wp), intent(in), optional :: weight_nu
+        type(gao_options_t), intent(in), optional :: options
 
-        call self%set_bodies(coating, thickness, substrate, error)
-        if (present(in_series)) self%in_series = in_series
-        if (present(weight_nu_choice)) self%weight_nu_choice = weight_nu_choice
-        select case (self%weight_nu_choice)
-        case (gao_nu_surface, gao_nu_effective)
-            self%weight_nu = coating%poisson
-        case (gao_nu_substrate)
-            self%weight_nu = substrate%poisson
-        case (gao_nu_given)
-            if (present(weight_nu)) then
-                self%weight_nu = weight_nu
-                call check_poisson(error, "weight_nu", weight_nu)
-            else
-                call raise(error, error_invalid, "weight_nu is missing: gao_nu_given needs the number itself")
-            end if
-        case default
-            call raise(error, error_invalid, "weight_nu_choice is not one of gao_nu_surface, gao_nu_substrate, "// &
-                       "gao_nu_effective, gao_nu_given")
-        end select
+        call check_positive(error, "thickness", thickness)
+        if (allocated(error)) return
+        call new_gao_layered(self, [coating], [thickness], substrate, error, options)
     end subroutine new_gao
 
-    !> E_eff = 2 G_eff/(1 - nu_eff). Both averages are sums of weight times value with I and 1 - I each to full precision.
+    !> Layers on a substrate.
+    subroutine new_gao_layered(self, layers, thickness, substrate, error, options)
+        type(gao_t), intent(out) :: self
+        !> from the surface down, at least one
+        type(material_t), intent(in) :: layers(:)
+        !> thicknesses > 0, same size [length]
+        real(wp), intent(in) :: thickness(:)
+        type(material_t), intent(in) :: substrate
+        type(error_t), allocatable, intent(out) :: error
+        type(gao_options_t), intent(in), optional :: options
+        integer :: i
+
+        if (size(layers) == 0 .or. size(layers) /= size(thickness)) then
+            call raise(error, error_invalid, "there are "//count_text(size(layers))//" layers and "// &
+                       count_text(size(thickness))//" thicknesses: there must be at least one, and as many of each")
+            return
+        end if
+        do i = 1, size(layers)
+            call check_positive(error, entry_name("thickness", i), thickness(i))
+        end do
+        if (present(options)) self%options = options
+        self%shear = [layers%shear(), substrate%shear()]
+        self%poisson = [layers%poisson, substrate%poisson]
+        self%depth = thickness
+        do i = 2, size(thickness)
+            self%depth(i) = self%depth(i - 1) + thickness(i)
+        end do
+        call i0_poisson_choice(self%options, self%poisson(1), substrate%poisson, error)
+    end subroutine new_gao_layered
+
+    !> Turns the choice of nu in I0 into its number, `options%weight_nu`.
+    pure subroutine i0_poisson_choice(options, surface, substrate, error)
+        type(gao_options_t), intent(inout) :: options
+        real(wp), intent(in) :: surface, substrate
+        type(error_t), allocatable, intent(inout) :: error
+
+        select case (options%weight_nu_choice)
+        case (gao_nu_surface, gao_nu_effective)
+            options%weight_nu = surface
+        case (gao_nu_substrate)
+            options%weight_nu = substrate
+        case (gao_nu_given)
+            call check_poisson(error, "weight_nu", options%weight_nu)
+        case default
+            call raise(error, error_invalid, "weight_nu_choice = "//count_text(options%weight_nu_choice)//" is not allowed: it "// &
+                       "must be 0 (surface), 1 (substrate), 2 (effective) or 3 (given)")
+        end select
+    end subroutine i0_poisson_choice
+
+    !> E_eff = 2 G_eff/(1 - nu_eff), every average a sum of positive weights times values.
     elemental function effective_modulus(self, a) result(value)
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
         real(wp) :: value
-        real(wp) :: xi, nu_eff
+        real(wp) :: nu
 
-        xi = self%thickness/a
-        nu_eff = self%coating%poisson*weight_i1(xi) + self%substrate%poisson*weight_j1(xi)
-        value = 2.0_wp*averaged_shear(self, xi, i0_poisson(self, nu_eff))/(1.0_wp - nu_eff)
+        nu = averaged_poisson(self, a)
+        value = 2.0_wp*averaged_shear(self, a, i0_poisson(self%options, nu))/(1.0_wp - nu)
     end function effective_modulus
 
     elemental function effective_modulus_slope(self, a) result(value)
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
         real(wp) :: value
-        real(wp) :: xi, nu_eff, nu_eff_slope, nu, weight_slope, shear, shear_slope
+        real(wp) :: nu, nu_slope, shear, shear_slope
 
-        xi = self%thickness/a
-        nu_eff = self%coating%poisson*weight_i1(xi) + self%substrate%poisson*weight_j1(xi)
-        nu_eff_slope = (self%coating%poisson - self%substrate%poisson)*weight_i1_slope(xi)
-        nu = i0_poisson(self, nu_eff)
-        weight_slope = weight_i0_slope(xi, nu)
-        if (self%weight_nu_choice == gao_nu_effective) then
-            weight_slope = weight_slope + weight_i0_poisson_slope(xi, nu)*nu_eff_slope
-        end if
-        shear = averaged_shear(self, xi, nu)
-        if (self%in_series) then
-            shear_slope = -shear**2*(1.0_wp/self%coating%shear() - 1.0_wp/self%substrate%shear())*weight_slope
-        else
-            shear_slope = (self%coating%shear() - self%substrate%shear())*weight_slope
-        end if
-        value = 2.0_wp*(shear_slope + shear*nu_eff_slope/(1.0_wp - nu_eff))/(1.0_wp - nu_eff)*(-xi/a)
+        nu = averaged_poisson(self, a)
+        nu_slope = -sum((self%poisson(:size(self%depth)) - self%poisson(2:))*weight_i1_slope(self%depth/a)*(self%depth/a))/a
+        shear = averaged_shear(self, a, i0_poisson(self%options, nu))
+        shear_slope = averaged_shear_slope(self, a, i0_poisson(self%options, nu), shear, nu_slope)
+        value = 2.0_wp*(shear_slope + shear*nu_slope/(1.0_wp - nu))/(1.0_wp - nu)
     end function effective_modulus_slope
 
-    pure function averaged_shear(self, xi, nu) result(shear)
+    pure function averaged_poisson(self, a) result(nu)
         class(gao_t), intent(in) :: self
-        real(wp), intent(in) :: xi, nu
-        real(wp) :: shear
+        real(wp), intent(in) :: a
+        real(wp) :: nu
 
-        if (self%in_series) then
-            shear = 1.0_wp/(weight_i0(xi, nu)/self%coating%shear() + weight_j0(xi, nu)/self%substrate%shear())
+        nu = sum(self%poisson*shares(size(self%depth), weight_i1(self%depth/a), weight_j1(self%depth/a)))
+    end function averaged_poisson
+
+    pure function averaged_shear(self, a, nu) result(shear)
+        class(gao_t), intent(in) :: self
+        real(wp), intent(in) :: a, nu
+        real(wp) :: shear
+        real(wp) :: share(size(self%shear))
+
+        share = shares(size(self%depth), weight_i0(self%depth/a, nu), weight_j0(self%depth/a, nu))
+        if (self%options%in_series) then
+            shear = 1.0_wp/sum(share/self%shear)
         else
-            shear = weight_i0(xi, nu)*self%coating%shear() + weight_j0(xi, nu)*self%substrate%shear()
+            shear = sum(share*self%shear)
         end if
     end function averaged_shear
 
-    pure function i0_poisson(self, nu_eff) result(nu)
+    pure function averaged_shear_slope(self, a, nu, shear, nu_slope) result(slope)
         class(gao_t), intent(in) :: self
-        real(wp), intent(in) :: nu_eff
+        real(wp), intent(in) :: a, nu, shear, nu_slope
+        real(wp) :: slope
+        real(wp) :: weight_slope(size(self%depth))
+        integer :: n
+
+        n = size(self%depth)
+        weight_slope = -weight_i0_slope(self%depth/a, nu)*(self%depth/a)/a
+        if (self%options%weight_nu_choice == gao_nu_effective) then
+            weight_slope = weight_slope + weight_i0_poisson_slope(self%depth/a, nu)*nu_slope
+        end if
+        if (self%options%in_series) then
+            slope = -shear**2*sum((1.0_wp/self%shear(:n) - 1.0_wp/self%shear(2:))*weight_slope)
+        else
+            slope = sum((self%shear(:n) - self%shear(2:))*weight_slope)
+        end if
+    end function averaged_shear_slope
+
+    pure function i0_poisson(options, effective) result(nu)
+        type(gao_options_t), intent(in) :: options
+        real(wp), intent(in) :: effective
         real(wp) :: nu
 
-        if (self%weight_nu_choice == gao_nu_effective) then
-            nu = nu_eff
-        else
-            nu = self%weight_nu
-        end if
+        nu = merge(effective, options%weight_nu, options%weight_nu_choice == gao_nu_effective)
     end function i0_poisson
+
+    !> The weight of each layer from the weights above (i) and below (j = 1 - i) each interface: the difference of whichever is
+    !> smaller, so that a thin or remote layer's share keeps its relative accuracy.
+    pure function shares(n, i, j) result(share)
+        integer, intent(in) :: n
+        real(wp), intent(in) :: i(n), j(n)
+        real(wp) :: share(n + 1)
+        integer :: layer
+
+        share(1) = i(1)
+        do layer = 2, n
+            share(layer) = merge(i(layer) - i(layer - 1), j(layer - 1) - j(layer), i(layer) < 0.5_wp)
+        end do
+        share(n + 1) = j(n)
+    end function shares
 
 end module mdrcontact_medium_gao

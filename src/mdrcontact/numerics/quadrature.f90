@@ -3,16 +3,18 @@
 !>
 !> Integrands of contact mechanics are analytic except at known radii: the origin, where a modulus varies on the
 !> scale of the thinnest layer and a profile may be a broken power, and the break radii of the profile, where g has
-!> a square-root branch to the right (flat ends, tangent points, knots of a table). Panels that grow by a constant ratio from every such radius
-!> and a quadratic substitution behind it make the rule converge exponentially, whatever lengths are involved.
+!> a square-root branch to the right (flat ends, tangent points, knots of a table). Panels that grow by a constant ratio
+!> from every such radius and a quadratic substitution behind it make the rule converge exponentially, whatever lengths
+!> are involved.
 module mdrcontact_quadrature
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr, c_size_t
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_gsl, only: gsl_integration_glfixed_point, gsl_integration_glfixed_table_alloc, &
                               gsl_integration_glfixed_table_free, gsl_success
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: gauss_legendre, graded_rule, smallest_panel_ratio
+    public :: gauss_legendre, graded_rule, merged_breaks, smallest_panel_ratio
 
     !> Nodes in a panel: a panel's nearest singularity lies at least a third of its length away, where 20 nodes give 1e-16.
     integer, parameter :: nodes_per_panel = 20
@@ -37,12 +39,12 @@ contains
         table = gsl_integration_glfixed_table_alloc(int(size(nodes), c_size_t))
         if (.not. c_associated(table)) then
             nodes = 0.5_wp
-            weights = transfer(-1_8, 1.0_wp)
+            weights = transfer(-1_int64, 1.0_wp)
             return
         end if
         do i = 1, size(nodes)
             status = gsl_integration_glfixed_point(0.0_wp, 1.0_wp, int(i - 1, c_size_t), nodes(i), weights(i), table)
-            if (status /= gsl_success) weights(i) = transfer(-1_8, 1.0_wp)
+            if (status /= gsl_success) weights(i) = transfer(-1_int64, 1.0_wp)
         end do
         call gsl_integration_glfixed_table_free(table)
     end subroutine gauss_legendre
@@ -81,6 +83,40 @@ contains
         nodes = lower + offsets
         if (present(distances)) call move_alloc(offsets, distances)
     end subroutine graded_rule
+
+    !> Two ascending lists of radii as one, without repetitions.
+    pure function merged_breaks(first, second) result(merged)
+        real(wp), intent(in) :: first(:), second(:)
+        real(wp), allocatable :: merged(:)
+        real(wp) :: next
+        integer :: i, j, count
+
+        allocate (merged(size(first) + size(second)))
+        i = 1
+        j = 1
+        count = 0
+        do while (i <= size(first) .or. j <= size(second))
+            next = huge(next)
+            if (i <= size(first)) next = first(i)
+            if (j <= size(second)) next = min(next, second(j))
+            count = count + 1
+            merged(count) = next
+            i = i + count_upto(first(i:), next)
+            j = j + count_upto(second(j:), next)
+        end do
+        merged = merged(:count)
+    end function merged_breaks
+
+    !> How many leading entries are not above `limit`.
+    pure function count_upto(list, limit) result(number)
+        real(wp), intent(in) :: list(:), limit
+        integer :: number
+
+        do number = 0, size(list) - 1
+            if (list(number + 1) > limit) return
+        end do
+        number = size(list)
+    end function count_upto
 
     pure subroutine graded_edges(lower, upper, breaks, singular_end, edges)
         real(wp), intent(in) :: lower, upper, breaks(:), singular_end

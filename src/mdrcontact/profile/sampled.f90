@@ -55,6 +55,8 @@ module mdrcontact_profile_sampled
     real(wp), parameter :: height_tolerance = 1.0e-14_wp, transform_tolerance = 1.0e-13_wp
     !> f is sampled this much further down than g; below it is a power of r, whose transform is a fast power series.
     integer, parameter :: extra_octaves = 1, series_terms = 28
+    !> Points in a panel, smooth by construction, at which a profile is seen not to decrease.
+    integer, parameter :: checks_in_panel = 16
     !> Octaves towards a flat end, where x - b loses the digits of x and only absolute accuracy is left to have.
     integer, parameter :: flat_octaves = 10
     !> Keeps the radii that probe for lost digits off powers of 2, where a user's formula may lose none by chance.
@@ -347,15 +349,22 @@ contains
         type(sampled_function_t), intent(in) :: f
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: edges(:)
-        integer :: i
+        real(wp) :: here, before, rounding
+        integer :: i, j
 
         allocate (edges, source=f%panel_edges())
+        rounding = 1.0e-12_wp*f%value(edges(size(edges)))
+        before = f%value(edges(1))
         do i = 2, size(edges)
-            if (f%value(edges(i)) < f%value(edges(i - 1)) - 1.0e-12_wp*f%value(edges(size(edges)))) then
-                call raise(error, error_invalid, "the profile decreases between "//to_text(edges(i - 1))//" and "// &
-                           to_text(edges(i))//": it must not")
-                return
-            end if
+            do j = 1, checks_in_panel
+                here = f%value(edges(i - 1) + (edges(i) - edges(i - 1))*real(j, wp)/checks_in_panel)
+                if (here < before - rounding) then
+                    call raise(error, error_invalid, "the profile decreases between "//to_text(edges(i - 1))//" and "// &
+                               to_text(edges(i))//": it must not")
+                    return
+                end if
+                before = here
+            end do
         end do
     end subroutine check_ascending
 

@@ -4,6 +4,7 @@ module mdrcontact_profile_sum
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_quadrature, only: merged_breaks
     implicit none (type, external)
     private
     public :: profile_sum_t, profile_term_t, new_profile_sum
@@ -157,18 +158,13 @@ contains
     pure function break_radii(self) result(radii)
         class(profile_sum_t), intent(in) :: self
         real(wp), allocatable :: radii(:)
-        real(wp), allocatable :: all_radii(:)
         integer :: i
 
-        allocate (all_radii(0), radii(0))
+        allocate (radii(0))
         do i = 1, size(self%terms)
-            all_radii = [all_radii, self%terms(i)%profile%break_radii()]
+            radii = merged_breaks(radii, self%terms(i)%profile%break_radii())
         end do
-        all_radii = pack(all_radii, all_radii < self%largest_radius())
-        do while (size(all_radii) > 0)
-            radii = [radii, minval(all_radii)]
-            all_radii = pack(all_radii, all_radii > radii(size(radii)))
-        end do
+        radii = pack(radii, radii < self%largest_radius())
     end function break_radii
 
 end module mdrcontact_profile_sum

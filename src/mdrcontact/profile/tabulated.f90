@@ -2,7 +2,7 @@
 !> Indenters from data: a table of heights f(r), a table of g(x), a user's function f(r).
 module mdrcontact_profile_tabulated
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_error, only: check_positive, check_table, count_text, error_callback, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_positive, check_table, entry_name, error_callback, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_monotone_table, only: monotone_table_t, new_monotone_table
@@ -89,7 +89,7 @@ contains
         end if
         do i = 2, size(y)
             if (y(i) < y(i - 1)) then
-                call raise(error, error_invalid, y_name//"["//count_text(i)//"] = "//to_text(y(i))//" is not allowed: "// &
+                call raise(error, error_invalid, entry_name(y_name, i)//" = "//to_text(y(i))//" is not allowed: "// &
                            y_name//" must not decrease, and the entry before is "//to_text(y(i - 1)))
                 return
             end if

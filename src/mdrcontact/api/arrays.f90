@@ -1,0 +1,96 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Checks of the arrays that cross the C boundary: every element, before anything is computed. Loops and not array
+!> expressions: a check must not need memory of the array's size, which a temporary would take without asking.
+module mdrcontact_api_arrays
+    use, intrinsic :: iso_c_binding, only: c_double, c_int
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_api_status, only: check_given
+    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_domain, &
+                                error_invalid, error_t, raise, to_text
+    implicit none (type, external)
+    private
+    public :: check_count, check_array, check_each_finite, check_each_positive, check_each_not_negative, check_each_within
+
+contains
+
+    !> Raises unless n >= 0.
+    pure subroutine check_count(error, n)
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int), intent(in) :: n
+
+        if (n < 0) call raise(error, error_invalid, "n = "//count_text(int(n))//" is not allowed: it must be at least 0")
+    end subroutine check_count
+
+    !> Raises unless the array is there or has no elements.
+    pure subroutine check_array(error, name, n, is_given)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        integer(c_int), intent(in) :: n
+        logical, intent(in) :: is_given
+
+        if (n > 0) call check_given(error, name, is_given)
+    end subroutine check_array
+
+    !> Raises unless all values are finite.
+    pure subroutine check_each_finite(error, name, values)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        real(c_double), intent(in) :: values(:)
+        integer :: i
+
+        do i = 1, size(values)
+            if (ieee_is_finite(values(i))) cycle
+            call check_finite(error, entry_name(name, i), values(i))
+            return
+        end do
+    end subroutine check_each_finite
+
+    !> Raises unless all values are finite and greater than 0.
+    pure subroutine check_each_positive(error, name, values)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        real(c_double), intent(in) :: values(:)
+        integer :: i
+
+        do i = 1, size(values)
+            if (ieee_is_finite(values(i)) .and. values(i) > 0.0_c_double) cycle
+            call check_positive(error, entry_name(name, i), values(i))
+            return
+        end do
+    end subroutine check_each_positive
+
+    !> Raises unless all values are finite and at least 0.
+    pure subroutine check_each_not_negative(error, name, values)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        real(c_double), intent(in) :: values(:)
+        integer :: i
+
+        do i = 1, size(values)
+            if (ieee_is_finite(values(i)) .and. values(i) >= 0.0_c_double) cycle
+            call check_not_negative(error, entry_name(name, i), values(i))
+            return
+        end do
+    end subroutine check_each_not_negative
+
+    !> Raises unless smallest <= values <= largest, where `whose` is defined.
+    pure subroutine check_each_within(error, name, values, smallest, largest, whose)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name, whose
+        real(c_double), intent(in) :: values(:), smallest, largest
+        integer :: i
+
+        do i = 1, size(values)
+            if (values(i) < smallest) then
+                call raise(error, error_domain, entry_name(name, i)//" = "//to_text(values(i))//" is not allowed: "//whose// &
+                           " is defined from "//to_text(smallest)//" on")
+                return
+            else if (values(i) > largest) then
+                call raise(error, error_domain, entry_name(name, i)//" = "//to_text(values(i))//" is not allowed: "//whose// &
+                           " is defined up to "//to_text(largest))
+                return
+            end if
+        end do
+    end subroutine check_each_within
+
+end module mdrcontact_api_arrays

@@ -1,0 +1,160 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The contact of an indenter with a medium and its states, for C.
+module mdrcontact_api_contact
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_null_ptr, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive
+    use mdrcontact_api_handles, only: deliver_contact, open_contact, open_medium, open_profile
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_contact, only: contact_state_t, contact_t, new_contact
+    use mdrcontact_error, only: check_table, count_text, entry_name, error_invalid, error_t, raise
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_profile, only: profile_t
+    use mdrcontact_radius_law, only: new_radius_law_from_table, radius_law_t
+    implicit none (type, external)
+    private
+    public :: mdr_contact_options_init, mdr_contact_new
+    public :: mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius
+
+    !> struct mdr_contact_options
+    type, bind(C) :: contact_options_t
+        integer(c_int) :: zeta_count = 0_c_int
+        type(c_ptr) :: zeta_radius = c_null_ptr
+        type(c_ptr) :: zeta = c_null_ptr
+    end type contact_options_t
+
+    integer, parameter :: by_depth = 1, by_force = 2, by_radius = 3
+
+contains
+
+    subroutine mdr_contact_options_init(options) bind(C)
+        type(contact_options_t), intent(inout), optional :: options
+
+        if (present(options)) options = contact_options_t()
+    end subroutine mdr_contact_options_init
+
+    function mdr_contact_new(profile, medium, options, out) result(status) bind(C)
+        type(c_ptr), value :: profile, medium
+        type(contact_options_t), intent(in), optional :: options
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        class(profile_t), pointer :: indenter
+        class(medium_t), pointer :: body
+        type(contact_t) :: contact
+        type(radius_law_t), allocatable :: zeta
+        type(error_t), allocatable :: error
+
+        call open_profile(profile, "profile", indenter, error)
+        call open_medium(medium, "medium", body, error)
+        if (present(options)) then
+            if (options%zeta_count /= 0 .and. .not. allocated(error)) call read_zeta(options, zeta, error)
+        end if
+        ! An unallocated zeta is an absent one.
+        if (.not. allocated(error)) call new_contact(contact, indenter, body, error, zeta)
+        status = deliver_contact(contact, out, error)
+    end function mdr_contact_new
+
+    !> zeta(a) from the table in the options.
+    subroutine read_zeta(options, zeta, error)
+        type(contact_options_t), intent(in) :: options
+        type(radius_law_t), allocatable, intent(out) :: zeta
+        type(error_t), allocatable, intent(out) :: error
+        real(c_double), pointer :: radius(:), values(:)
+
+        if (options%zeta_count < 0) then
+            call raise(error, error_invalid, "zeta_count = "//count_text(int(options%zeta_count))// &
+                       " is not allowed: it must be at least 0")
+        end if
+        call check_given(error, "zeta_radius", c_associated(options%zeta_radius))
+        call check_given(error, "zeta", c_associated(options%zeta))
+        if (allocated(error)) return
+        call c_f_pointer(options%zeta_radius, radius, [options%zeta_count])
+        call c_f_pointer(options%zeta, values, [options%zeta_count])
+        call check_table(error, "zeta_radius", radius, "zeta", values, 3)
+        call check_each_positive(error, "zeta_radius", radius)
+        call check_each_positive(error, "zeta", values)
+        if (allocated(error)) return
+        allocate (zeta)
+        call new_radius_law_from_table(zeta, radius, "zeta", values, error)
+    end subroutine read_zeta
+
+    function mdr_contact_from_depth(c, n, in, d, a, f, k) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: in(*)
+        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
+        integer(c_int) :: status
+
+        status = write_states(c, by_depth, n, in, d, a, f, k)
+    end function mdr_contact_from_depth
+
+    function mdr_contact_from_force(c, n, in, d, a, f, k) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: in(*)
+        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
+        integer(c_int) :: status
+
+        status = write_states(c, by_force, n, in, d, a, f, k)
+    end function mdr_contact_from_force
+
+    function mdr_contact_from_radius(c, n, in, d, a, f, k) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: in(*)
+        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
+        integer(c_int) :: status
+
+        status = write_states(c, by_radius, n, in, d, a, f, k)
+    end function mdr_contact_from_radius
+
+    !> All states are computed before the first number is written.
+    function write_states(c, given, n, in, d, a, f, k) result(status)
+        type(c_ptr), intent(in) :: c
+        integer, intent(in) :: given
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in), optional :: in(*)
+        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        type(contact_state_t), allocatable :: states(:)
+        type(error_t), allocatable :: error
+
+        call open_contact(c, "c", contact, error)
+        call check_count(error, n)
+        call check_array(error, "in", n, present(in))
+        if (.not. allocated(error) .and. n > 0) call solve(contact, given, in(:n), states, error)
+        status = status_of(error)
+        if (allocated(error) .or. n == 0) return
+        if (present(d)) d(:n) = states%depth
+        if (present(a)) a(:n) = states%radius
+        if (present(f)) f(:n) = states%force
+        if (present(k)) k(:n) = states%stiffness
+    end function write_states
+
+    subroutine solve(contact, given, in, states, error)
+        type(contact_t), pointer, intent(in) :: contact
+        integer, intent(in) :: given
+        real(c_double), intent(in) :: in(:)
+        type(contact_state_t), allocatable, intent(out) :: states(:)
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i, stat
+
+        allocate (states(size(in)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        do i = 1, size(in)
+            select case (given)
+            case (by_depth)
+                call contact%at_depth(in(i), states(i), error)
+            case (by_force)
+                call contact%at_force(in(i), states(i), error)
+            case default
+                call contact%at_radius(in(i), states(i), error)
+            end select
+            if (.not. allocated(error)) cycle
+            error%message = entry_name("in", i)//": "//error%message
+            return
+        end do
+    end subroutine solve
+
+end module mdrcontact_api_contact

@@ -1,0 +1,95 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Homogeneous media, and the modulus and stiffness of any medium, for C.
+module mdrcontact_api_medium
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_each_within
+    use mdrcontact_api_handles, only: deliver_medium, open_medium
+    use mdrcontact_api_status, only: check_memory, status_of
+    use mdrcontact_error, only: error_t
+    use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus
+    implicit none (type, external)
+    private
+    public :: mdr_medium_homogeneous, mdr_medium_contact_modulus, mdr_medium_modulus, mdr_medium_stiffness
+
+contains
+
+    function mdr_medium_homogeneous(e, nu, out) result(status) bind(C)
+        real(c_double), value :: e, nu
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(material_t) :: material
+        type(homogeneous_t) :: medium
+        type(error_t), allocatable :: error
+
+        call new_material(material, e, nu, error)
+        call new_homogeneous(medium, material)
+        status = deliver_medium(medium, out, error)
+    end function mdr_medium_homogeneous
+
+    function mdr_medium_contact_modulus(contact_modulus, out) result(status) bind(C)
+        real(c_double), value :: contact_modulus
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(homogeneous_t) :: medium
+        type(error_t), allocatable :: error
+
+        call new_homogeneous_from_modulus(medium, contact_modulus, error)
+        status = deliver_medium(medium, out, error)
+    end function mdr_medium_contact_modulus
+
+    function mdr_medium_modulus(m, n, a, out) result(status) bind(C)
+        type(c_ptr), value :: m
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: a(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        real(c_double), allocatable :: modulus(:)
+        type(error_t), allocatable :: error
+
+        call evaluate(m, n, a, present(out), modulus, error)
+        if (.not. allocated(error) .and. n > 0) out(:n) = modulus
+        status = status_of(error)
+    end function mdr_medium_modulus
+
+    function mdr_medium_stiffness(m, n, a, out) result(status) bind(C)
+        type(c_ptr), value :: m
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: a(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        real(c_double), allocatable :: modulus(:)
+        type(error_t), allocatable :: error
+
+        call evaluate(m, n, a, present(out), modulus, error)
+        if (.not. allocated(error) .and. n > 0) out(:n) = 2.0_c_double*a(:n)*modulus
+        status = status_of(error)
+    end function mdr_medium_stiffness
+
+    !> E_eff(a) at checked radii.
+    subroutine evaluate(m, n, a, has_out, modulus, error)
+        type(c_ptr), intent(in) :: m
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in), optional :: a(*)
+        logical, intent(in) :: has_out
+        real(c_double), allocatable, intent(out) :: modulus(:)
+        type(error_t), allocatable, intent(out) :: error
+        class(medium_t), pointer :: medium
+        integer :: stat
+
+        call open_medium(m, "m", medium, error)
+        call check_count(error, n)
+        call check_array(error, "a", n, present(a))
+        call check_array(error, "out", n, has_out)
+        if (allocated(error) .or. n == 0) return
+        call check_each_positive(error, "a", a(:n))
+        call check_each_within(error, "a", a(:n), medium%smallest_radius(), medium%largest_radius(), "the medium")
+        if (allocated(error)) return
+        allocate (modulus(n), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        call medium%modulus(a(:n), modulus, error)
+    end subroutine evaluate
+
+end module mdrcontact_api_medium

@@ -1,0 +1,51 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Media whose effective modulus is a table or a user's function, for C.
+module mdrcontact_api_medium_data
+    use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive
+    use mdrcontact_api_callback, only: c_function_t, new_c_function
+    use mdrcontact_api_handles, only: deliver_medium
+    use mdrcontact_error, only: check_table, error_t
+    use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
+    implicit none (type, external)
+    private
+    public :: mdr_medium_table, mdr_medium_callback
+
+contains
+
+    function mdr_medium_table(n, a, modulus, out) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: a(*), modulus(*)
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(tabulated_medium_t) :: medium
+        type(error_t), allocatable :: error
+
+        call check_count(error, n)
+        call check_array(error, "a", n, present(a))
+        call check_array(error, "modulus", n, present(modulus))
+        if (.not. allocated(error)) then
+            call check_table(error, "a", a(:n), "modulus", modulus(:n), 3)
+            call check_each_positive(error, "a", a(:n))
+            call check_each_positive(error, "modulus", modulus(:n))
+        end if
+        if (.not. allocated(error)) call new_tabulated_medium(medium, a(:n), modulus(:n), error)
+        status = deliver_medium(medium, out, error)
+    end function mdr_medium_table
+
+    function mdr_medium_callback(modulus, context, smallest_radius, largest_radius, out) result(status) bind(C)
+        type(c_funptr), value :: modulus
+        type(c_ptr), value :: context
+        real(c_double), value :: smallest_radius, largest_radius
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(c_function_t) :: f
+        type(tabulated_medium_t) :: medium
+        type(error_t), allocatable :: error
+
+        call new_c_function(f, "modulus", modulus, context, error)
+        if (.not. allocated(error)) call new_medium_from_function(medium, f, smallest_radius, largest_radius, error)
+        status = deliver_medium(medium, out, error)
+    end function mdr_medium_callback
+
+end module mdrcontact_api_medium_data

@@ -1,0 +1,115 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Indenter profiles from area functions, tables, user functions and other profiles, for C.
+module mdrcontact_api_profile_data
+    use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count
+    use mdrcontact_api_callback, only: c_function_t, new_c_function
+    use mdrcontact_api_handles, only: deliver_profile, open_profile
+    use mdrcontact_api_status, only: check_memory
+    use mdrcontact_error, only: entry_name, error_t
+    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile_area_function, only: new_area_function_profile
+    use mdrcontact_profile_sampled, only: sampled_profile_t
+    use mdrcontact_profile_sum, only: new_profile_sum, profile_sum_t, profile_term_t
+    use mdrcontact_profile_tabulated, only: new_profile_from_function, new_profile_from_mdr, new_tabulated_profile
+    implicit none (type, external)
+    private
+    public :: mdr_profile_area_function, mdr_profile_table, mdr_profile_from_mdr_table, mdr_profile_callback, mdr_profile_sum
+
+contains
+
+    function mdr_profile_area_function(n, coefficients, min_height, max_height, out) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: coefficients(*)
+        real(c_double), value :: min_height, max_height
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(sampled_profile_t) :: profile
+        type(error_t), allocatable :: error
+
+        call check_count(error, n)
+        call check_array(error, "coefficients", n, present(coefficients))
+        if (.not. allocated(error)) call new_area_function_profile(profile, coefficients(:n), min_height, max_height, error)
+        status = deliver_profile(profile, out, error)
+    end function mdr_profile_area_function
+
+    function mdr_profile_table(n, r, f, out) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: r(*), f(*)
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(sampled_profile_t) :: profile
+        type(error_t), allocatable :: error
+
+        call check_count(error, n)
+        call check_array(error, "r", n, present(r))
+        call check_array(error, "f", n, present(f))
+        if (.not. allocated(error)) call new_tabulated_profile(profile, r(:n), f(:n), error)
+        status = deliver_profile(profile, out, error)
+    end function mdr_profile_table
+
+    function mdr_profile_from_mdr_table(n, x, g, out) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: x(*), g(*)
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(sampled_profile_t) :: profile
+        type(error_t), allocatable :: error
+
+        call check_count(error, n)
+        call check_array(error, "x", n, present(x))
+        call check_array(error, "g", n, present(g))
+        if (.not. allocated(error)) call new_profile_from_mdr(profile, x(:n), g(:n), error)
+        status = deliver_profile(profile, out, error)
+    end function mdr_profile_from_mdr_table
+
+    function mdr_profile_callback(height, context, largest_radius, out) result(status) bind(C)
+        type(c_funptr), value :: height
+        type(c_ptr), value :: context
+        real(c_double), value :: largest_radius
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(c_function_t) :: f
+        type(sampled_profile_t) :: profile
+        type(error_t), allocatable :: error
+
+        call new_c_function(f, "height", height, context, error)
+        if (.not. allocated(error)) call new_profile_from_function(profile, f, largest_radius, error)
+        status = deliver_profile(profile, out, error)
+    end function mdr_profile_callback
+
+    function mdr_profile_sum(n, terms, out) result(status) bind(C)
+        integer(c_int), value :: n
+        type(c_ptr), intent(in), optional :: terms(*)
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(profile_sum_t) :: profile
+        type(profile_term_t), allocatable :: copies(:)
+        type(error_t), allocatable :: error
+
+        call check_count(error, n)
+        call check_array(error, "terms", n, present(terms))
+        if (.not. allocated(error)) call copy_terms(terms(:max(n, 0)), copies, error)
+        if (.not. allocated(error)) call new_profile_sum(profile, copies, error)
+        status = deliver_profile(profile, out, error)
+    end function mdr_profile_sum
+
+    subroutine copy_terms(terms, copies, error)
+        type(c_ptr), intent(in) :: terms(:)
+        type(profile_term_t), allocatable, intent(out) :: copies(:)
+        type(error_t), allocatable, intent(inout) :: error
+        class(profile_t), pointer :: term
+        integer :: i, stat
+
+        allocate (copies(size(terms)), stat=stat)
+        call check_memory(error, stat)
+        do i = 1, size(terms)
+            call open_profile(terms(i), entry_name("terms", i), term, error)
+            if (allocated(error)) return
+            allocate (copies(i)%profile, source=term, stat=stat)
+            call check_memory(error, stat)
+            if (allocated(error)) return
+        end do
+    end subroutine copy_terms
+
+end module mdrcontact_api_profile_data

@@ -1,0 +1,48 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> From an `error_t` to the status of a C call and the calling thread's error text.
+module mdrcontact_api_status
+    use, intrinsic :: iso_c_binding, only: c_char, c_int
+    use mdrcontact_error, only: error_memory, error_null, error_t, raise, success
+    implicit none (type, external)
+    private
+    public :: status_of, check_given, check_memory
+
+    interface
+        subroutine mdrcontact_store_error(text, length) bind(C)
+            import :: c_char, c_int
+            character(kind=c_char), intent(in) :: text(*)
+            integer(c_int), value :: length
+        end subroutine mdrcontact_store_error
+    end interface
+
+contains
+
+    !> The status to return. A failure's text becomes the thread's last error; success leaves the text as it was.
+    function status_of(error) result(status)
+        type(error_t), allocatable, intent(in) :: error
+        integer(c_int) :: status
+
+        status = success
+        if (.not. allocated(error)) return
+        status = int(error%code, c_int)
+        call mdrcontact_store_error(error%message, len(error%message, c_int))
+    end function status_of
+
+    !> Raises unless a required pointer is there.
+    pure subroutine check_given(error, name, is_given)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        logical, intent(in) :: is_given
+
+        if (.not. is_given) call raise(error, error_null, name//" is NULL: a pointer is required")
+    end subroutine check_given
+
+    !> Raises unless the `stat` of an allocation is zero.
+    pure subroutine check_memory(error, stat)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: stat
+
+        if (stat /= 0) call raise(error, error_memory, "not enough memory")
+    end subroutine check_memory
+
+end module mdrcontact_api_status

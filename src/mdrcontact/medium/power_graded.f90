@@ -1,0 +1,322 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The power-law graded half-space E(z) = E0 (z/z0)^m, -1 < m < 1, exactly (theory 3; Hess, Int. J. Eng. Sci. 104 (2016) 20).
+!>
+!> The springs c(x) = c1 x^m stiffen or soften with their distance from the axis and the MDR profile has a kernel of its own:
+!>     g(x) = x^{1-m} int_0^x f'(r) (x^2 - r^2)^{(m-1)/2} dr,      d = g(a),      F = 2 int_0^a c(x) (d - g(x)) dx.
+module mdrcontact_medium_power_graded
+    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_error, only: check_poisson, check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_gsl, only: disable_gsl_abort
+    use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_profile, only: profile_t
+    use mdrcontact_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
+    use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
+    use mdrcontact_scalar_function, only: scalar_function_t
+    implicit none (type, external)
+    private
+    public :: power_graded_t, new_power_graded
+
+    type, extends(medium_t) :: power_graded_t
+        private
+        !> m
+        real(wp) :: exponent = 0.0_wp
+        !> c1 [modulus length^-m]
+        real(wp) :: spring = 0.0_wp
+    contains
+        procedure :: modulus
+        procedure :: modulus_slope
+        procedure :: depth_and_force
+        procedure :: line_load
+        procedure :: pressure
+        procedure :: displacement_outside
+        procedure :: edge_is_exact
+    end type power_graded_t
+
+    !> g(x) of one indenter in this medium.
+    type, extends(scalar_function_t) :: transform_t
+        class(profile_t), pointer :: profile => null()
+        real(wp) :: exponent = 0.0_wp
+    contains
+        procedure :: value => transform_at
+    end type transform_t
+
+    !> Distance from a singular end, relative to the radius, below which the integrand is its leading power.
+    real(wp), parameter :: closest = 1.0e-15_wp
+    real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
+    integer, parameter :: octaves = 34
+
+contains
+
+    !> A power-law graded half-space.
+    subroutine new_power_graded(self, young, reference_depth, exponent, poisson, error)
+        type(power_graded_t), intent(out) :: self
+        !> E0 > 0, Young's modulus at depth z0 [modulus]
+        real(wp), intent(in) :: young
+        !> z0 > 0 [length]
+        real(wp), intent(in) :: reference_depth
+        !> m, -1 < m < 1
+        real(wp), intent(in) :: exponent
+        !> nu, the same at all depths
+        real(wp), intent(in) :: poisson
+        type(error_t), allocatable, intent(out) :: error
+
+        call disable_gsl_abort()
+        call check_positive(error, "E0", young)
+        call check_positive(error, "z0", reference_depth)
+        call check_poisson(error, "nu", poisson)
+        if (.not. (exponent > -1.0_wp .and. exponent < 1.0_wp)) then
+            call raise(error, error_invalid, "exponent = "//to_text(exponent)//" is not allowed: it must be greater than "// &
+                       "-1 and less than 1")
+        end if
+        if (allocated(error)) return
+        self%exponent = exponent
+        self%spring = spring_factor(exponent, poisson)*young/((1.0_wp - poisson)*(1.0_wp + poisson))*reference_depth**(-exponent)
+    end subroutine new_power_graded
+
+    !> H(m, nu), 1 for a homogeneous body.
+    pure function spring_factor(m, nu) result(h)
+        real(wp), intent(in) :: m, nu
+        real(wp) :: h, beta, c
+
+        beta = sqrt((1.0_wp + m)*(1.0_wp - m*nu/(1.0_wp - nu)))
+        c = 2.0_wp**(1.0_wp + m)*gamma(0.5_wp*(3.0_wp + m + beta))*gamma(0.5_wp*(3.0_wp + m - beta))/(pi*gamma(2.0_wp + m))
+        h = 2.0_wp*(1.0_wp + m)*cos(half_pi*m)*gamma(1.0_wp + 0.5_wp*m) &
+            /(sqrt(pi)*c*beta*sin(half_pi*beta)*gamma(0.5_wp*(1.0_wp + m)))
+    end function spring_factor
+
+    !> E_eff = c1 a^m/(1 + m), from k = 2 int_0^a c(x) dx.
+    subroutine modulus(self, a, values, error)
+        class(power_graded_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        values = self%spring*a**self%exponent/(1.0_wp + self%exponent)
+    end subroutine modulus
+
+    subroutine modulus_slope(self, a, values, error)
+        class(power_graded_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        values = self%spring*self%exponent*a**(self%exponent - 1.0_wp)/(1.0_wp + self%exponent)
+    end subroutine modulus_slope
+
+    !> d = g(a); exchanging the order of integration, F = 2 c1/(1+m) int_0^a f'(r) r^2 (a^2 - r^2)^{(m-1)/2} dr.
+    subroutine depth_and_force(self, profile, a, depth, force, error)
+        class(power_graded_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: moments(2)
+
+        moments = slope_moments(profile, self%exponent, a)
+        depth = a**(1.0_wp - self%exponent)*moments(1)
+        force = 2.0_wp*self%spring/(1.0_wp + self%exponent)*moments(2)
+    end subroutine depth_and_force
+
+    !> q(x) = c(x) (d - g(x)).
+    subroutine line_load(self, profile, a, excess, r, values, error)
+        class(power_graded_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i
+
+        do i = 1, size(r)
+            values(i) = mdr(profile, self%exponent, a) - mdr(profile, self%exponent, r(i)) + excess
+            if (r(i) > 0.0_wp .or. self%exponent >= 0.0_wp) then
+                values(i) = values(i)*self%spring*r(i)**self%exponent
+            else
+                values(i) = ieee_value(values(i), ieee_positive_inf)
+            end if
+        end do
+    end subroutine line_load
+
+    !> p(r) = (c1/pi) [excess (a^2 - r^2)^{(m-1)/2} + int_r^a g'(x) (x^2 - r^2)^{(m-1)/2} dx].
+    subroutine pressure(self, profile, a, excess, r, values, error)
+        class(power_graded_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(sampled_function_t) :: g
+        real(wp), allocatable :: x(:), dx(:), beyond(:)
+        real(wp) :: start, power, near
+        integer :: i
+
+        if (profile%end_radius() < a) call sample_transform(self, profile, a, g, error)
+        if (allocated(error)) return
+        power = 0.5_wp*(self%exponent - 1.0_wp)
+        do i = 1, size(r)
+            values(i) = 0.0_wp
+            if (excess /= 0.0_wp) then
+                values(i) = excess*ieee_value(values(i), ieee_positive_inf)
+                if (r(i) < a) values(i) = excess*((a - r(i))*(a + r(i)))**power
+            end if
+            start = max(r(i), profile%end_radius())
+            if (r(i) > 0.0_wp .and. r(i) == profile%end_radius() .and. a > start) then
+                values(i) = ieee_value(values(i), ieee_positive_inf)
+            else if (a > start) then
+                near = max(closest*a, smallest_panel_ratio*a*merge(1.0_wp, 0.0_wp, start <= 0.0_wp))
+                if (near < a - start) then
+                    call graded_rule(near, a - start, shifted_breaks(profile, start), huge(1.0_wp), beyond, dx)
+                    allocate (x, source=start + beyond)
+                    values(i) = values(i) + sum(g%slope(x)*((beyond + (start - r(i)))*(x + r(i)))**power*dx) &
+                                + near_start(g, start, near, r(i), self%exponent)
+                    deallocate (x)
+                end if
+            end if
+            values(i) = values(i)*self%spring/pi
+        end do
+    end subroutine pressure
+
+    !> u(r) = (2 cos(m pi/2)/pi) int_0^a x^m w(x) (r^2 - x^2)^{-(1+m)/2} dx, r > a, w = d - g.
+    subroutine displacement_outside(self, profile, a, excess, r, values, error)
+        class(power_graded_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(sampled_function_t) :: g
+        real(wp), allocatable :: x(:), dx(:), w(:)
+        real(wp) :: depth, lowest
+        integer :: i
+
+        if (size(r) == 0) return
+        if (profile%end_radius() < a) call sample_transform(self, profile, a, g, error)
+        if (allocated(error)) return
+        depth = mdr(profile, self%exponent, a) + excess
+        lowest = smallest_panel_ratio*a
+        do i = 1, size(r)
+            call graded_rule(lowest, a, profile%break_radii(), min(r(i), profile%singular_radius()), x, dx)
+            w = spread(depth, 1, size(x))
+            if (profile%end_radius() < a) w = depth - merge(g%value(x), 0.0_wp, x > profile%end_radius())
+            values(i) = sum(x**self%exponent*w*((r(i) - x)*(r(i) + x))**(-0.5_wp*(1.0_wp + self%exponent))*dx) &
+                        + depth*(lowest/r(i))**(1.0_wp + self%exponent)/(1.0_wp + self%exponent)
+            values(i) = values(i)*cos(half_pi*self%exponent)/half_pi
+        end do
+    end subroutine displacement_outside
+
+    pure function edge_is_exact(self) result(answer)
+        class(power_graded_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .true.
+    end function edge_is_exact
+
+    !> g(x) = x^{1-m} int_0^x f'(r) (x^2 - r^2)^{(m-1)/2} dr.
+    function mdr(profile, m, x) result(g)
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: m, x
+        real(wp) :: g
+        real(wp) :: moments(2)
+
+        g = 0.0_wp
+        if (x <= profile%end_radius()) return
+        moments = slope_moments(profile, m, x)
+        g = x**(1.0_wp - m)*moments(1)
+    end function mdr
+
+    !> int_0^a f'(r) {1, r^2} (a^2 - r^2)^{(m-1)/2} dr. The half next to a is taken in s = a - r, graded towards s = 0, where the
+    !> integrand is a power of s; next to the axis f' is a power of r.
+    function slope_moments(profile, m, a) result(moments)
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: m, a
+        real(wp) :: moments(2)
+        real(wp), allocatable :: r(:), dr(:), s(:), ds(:), f(:)
+        real(wp) :: lowest, edge, power
+        integer :: i
+
+        power = 0.5_wp*(m - 1.0_wp)
+        edge = closest*a
+        moments = profile%slope(a - edge)*(2.0_wp*a)**power*edge**(power + 1.0_wp)/(power + 1.0_wp)*[1.0_wp, a**2]
+        lowest = smallest_panel_ratio*a
+        if (profile%end_radius() < 0.5_wp*a) then
+            lowest = max(lowest, profile%end_radius())
+            call graded_rule(lowest, 0.5_wp*a, profile%break_radii(), profile%singular_radius(), r, dr)
+            f = profile%slope(r)*((a - r)*(a + r))**power*dr
+            moments = moments + [sum(f) + profile%height(lowest)*a**(m - 1.0_wp), sum(f*r**2)]
+        end if
+        ! A break of the profile is a kink of f', which panel edges resolve; it sits at s = a - break.
+        if (a - profile%end_radius() <= edge) return
+        associate (breaks => profile%break_radii())
+            call graded_rule(edge, min(0.5_wp*a, a - profile%end_radius()), &
+                             [(a - breaks(i), i=size(breaks), 1, -1)], huge(1.0_wp), s, ds)
+        end associate
+        f = profile%slope(a - s)*(s*(2.0_wp*a - s))**power*ds
+        moments = moments + [sum(f), sum(f*(a - s)**2)]
+    end function slope_moments
+
+    !> g on (0, a], to differentiate and integrate.
+    subroutine sample_transform(self, profile, a, g, error)
+        class(power_graded_t), intent(in) :: self
+        class(profile_t), intent(in), target :: profile
+        real(wp), intent(in) :: a
+        type(sampled_function_t), intent(out) :: g
+        type(error_t), allocatable, intent(out) :: error
+        type(transform_t) :: transform
+        real(wp), allocatable :: edges(:), breaks(:)
+        real(wp) :: b
+        integer :: i
+
+        transform%profile => profile
+        transform%exponent = self%exponent
+        b = profile%end_radius()
+        breaks = pack(profile%break_radii(), profile%break_radii() > b .and. profile%break_radii() < a)
+        edges = merged_breaks(breaks, [(b + (a - b)*0.5_wp**i, i=merge(20, octaves, b > 0.0_wp), 0, -1)])
+        if (b > 0.0_wp) edges = [b, edges]
+        edges(size(edges)) = a
+        call new_sampled_function(g, transform, edges, [((b > 0.0_wp .and. i == 1) .or. any(breaks == edges(i)), &
+                                                         i=1, size(edges) - 1)], sampling_tolerance, error, &
+                                  noise=merge(sampling_tolerance, 0.0_wp, b > 0.0_wp)*transform%value(a))
+    end subroutine sample_transform
+
+    function transform_at(self, x) result(y)
+        class(transform_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = mdr(self%profile, self%exponent, x)
+    end function transform_at
+
+    !> The part of the pressure integral within `near` of its singular start, where g' is constant or, at the axis, a power of x.
+    function near_start(g, start, near, r, m) result(integral)
+        type(sampled_function_t), intent(in) :: g
+        real(wp), intent(in) :: start, near, r, m
+        real(wp) :: integral
+        real(wp) :: power, growth
+
+        power = 0.5_wp*(m - 1.0_wp)
+        if (start <= 0.0_wp) then
+            growth = log(g%slope(near)/g%slope(0.5_wp*near))/log(2.0_wp) + m
+            if (growth > 1.0e-6_wp) then
+                integral = g%slope(near)*near**m/growth
+            else
+                integral = ieee_value(integral, ieee_positive_inf)
+            end if
+        else if (r < start) then
+            integral = g%value(start + near)*((start - r)*(start + r))**power
+        else
+            integral = g%slope(start + near)*(2.0_wp*start)**power*near**(power + 1.0_wp)/(power + 1.0_wp)
+        end if
+    end function near_start
+
+    pure function shifted_breaks(profile, start) result(breaks)
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: start
+        real(wp), allocatable :: breaks(:)
+
+        breaks = pack(profile%break_radii(), profile%break_radii() > start) - start
+    end function shifted_breaks
+
+end module mdrcontact_medium_power_graded

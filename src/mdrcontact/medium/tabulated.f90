@@ -1,0 +1,92 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The user's own effective modulus E_eff(a): a table or a function (theory 3, last item).
+module mdrcontact_medium_tabulated
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_medium_effective, only: effective_medium_t
+    use mdrcontact_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
+    use mdrcontact_scalar_function, only: scalar_function_t
+    implicit none (type, external)
+    private
+    public :: tabulated_medium_t, new_tabulated_medium, new_medium_from_function
+
+    !> E_eff(a) between two radii. States are offered between them; below the smaller one, where every contact
+    !> begins, the modulus is taken as constant.
+    type, extends(effective_medium_t) :: tabulated_medium_t
+        private
+        type(radius_law_t) :: law
+    contains
+        procedure :: effective_modulus
+        procedure :: effective_modulus_slope
+        procedure :: smallest_radius
+        procedure :: largest_radius
+        procedure :: modulus_breaks
+    end type tabulated_medium_t
+
+    real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
+
+contains
+
+    !> E_eff(a) through the points of a table, interpolated in ln a without overshoot (Steffen).
+    subroutine new_tabulated_medium(self, radius, modulus, error)
+        type(tabulated_medium_t), intent(out) :: self
+        !> ascending contact radii > 0, at least 3 [length]
+        real(wp), intent(in) :: radius(:)
+        !> E_eff > 0, same size [modulus]
+        real(wp), intent(in) :: modulus(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        call new_radius_law_from_table(self%law, radius, "modulus", modulus, error)
+    end subroutine new_tabulated_medium
+
+    !> E_eff(a) by a function, which is called here and never again.
+    subroutine new_medium_from_function(self, modulus, smallest_radius, largest_radius, error)
+        type(tabulated_medium_t), intent(out) :: self
+        !> E_eff(a) > 0, smooth [modulus]
+        class(scalar_function_t), intent(inout), target :: modulus
+        !> 0 < smallest_radius < largest_radius: between them the function is sampled and states are offered [length]
+        real(wp), intent(in) :: smallest_radius, largest_radius
+        type(error_t), allocatable, intent(out) :: error
+
+        call new_radius_law_from_function(self%law, modulus, "the modulus", smallest_radius, largest_radius, &
+                                          sampling_tolerance, error)
+    end subroutine new_medium_from_function
+
+    elemental function effective_modulus(self, a) result(value)
+        class(tabulated_medium_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        real(wp) :: value
+
+        value = self%law%at(a)
+    end function effective_modulus
+
+    elemental function effective_modulus_slope(self, a) result(value)
+        class(tabulated_medium_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        real(wp) :: value
+
+        value = self%law%slope_at(a)
+    end function effective_modulus_slope
+
+    pure function smallest_radius(self) result(radius)
+        class(tabulated_medium_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%law%smallest_radius()
+    end function smallest_radius
+
+    pure function largest_radius(self) result(radius)
+        class(tabulated_medium_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%law%largest_radius()
+    end function largest_radius
+
+    pure function modulus_breaks(self) result(radii)
+        class(tabulated_medium_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        radii = self%law%break_radii()
+    end function modulus_breaks
+
+end module mdrcontact_medium_tabulated

@@ -1,0 +1,175 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A quantity known as a function of the contact radius, by a table or by sampling a function: E_eff(a), zeta(a).
+!>
+!> It is interpolated in ln a, and constant below its smallest radius: forces are integrated from first contact.
+module mdrcontact_radius_law
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_error, only: check_positive, check_table, entry_name, error_callback, error_invalid, error_t, raise, to_text
+    use mdrcontact_gsl, only: disable_gsl_abort
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_monotone_table, only: monotone_table_t, new_monotone_table
+    use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
+    use mdrcontact_scalar_function, only: scalar_function_t
+    implicit none (type, external)
+    private
+    public :: radius_law_t, new_radius_law_from_table, new_radius_law_from_function
+
+    type :: radius_law_t
+        private
+        real(wp) :: smallest = 0.0_wp, largest = 0.0_wp
+        !> one of the two
+        type(monotone_table_t), allocatable :: table
+        type(sampled_function_t), allocatable :: sampled
+        real(wp), allocatable :: breaks(:)
+    contains
+        procedure :: at
+        procedure :: slope_at
+        procedure :: smallest_radius
+        procedure :: largest_radius
+        procedure :: break_radii
+    end type radius_law_t
+
+    !> The function of ln a, watched for values that are not positive numbers.
+    type, extends(scalar_function_t) :: logarithmic_t
+        class(scalar_function_t), pointer :: f => null()
+        character(len=:), allocatable :: name
+    contains
+        procedure :: value => logarithmic_value
+    end type logarithmic_t
+
+contains
+
+    !> The law through the points (radius, values), interpolated in ln a without overshoot (Steffen).
+    subroutine new_radius_law_from_table(self, radius, name, values, error)
+        type(radius_law_t), intent(out) :: self
+        !> ascending contact radii > 0, at least 3 [length]
+        real(wp), intent(in) :: radius(:)
+        !> what the values are, for error messages
+        character(len=*), intent(in) :: name
+        !> positive, same size as radius
+        real(wp), intent(in) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i
+
+        call check_table(error, "radius", radius, name, values, 3)
+        if (allocated(error)) return
+        call check_positive(error, entry_name("radius", 1), radius(1))
+        do i = 1, size(values)
+            call check_positive(error, entry_name(name, i), values(i))
+        end do
+        if (allocated(error)) return
+        self%smallest = radius(1)
+        self%largest = radius(size(radius))
+        self%breaks = radius
+        allocate (self%table)
+        call new_monotone_table(self%table, log(radius), values, error)
+    end subroutine new_radius_law_from_table
+
+    !> The law f(a) between two radii, sampled to a relative tolerance. f is called here and never again.
+    subroutine new_radius_law_from_function(self, f, name, smallest, largest, tolerance, error)
+        type(radius_law_t), intent(out) :: self
+        !> a positive, smooth function of the contact radius
+        class(scalar_function_t), intent(inout), target :: f
+        character(len=*), intent(in) :: name
+        !> 0 < smallest < largest [length]
+        real(wp), intent(in) :: smallest, largest
+        real(wp), intent(in) :: tolerance
+        type(error_t), allocatable, intent(out) :: error
+        type(logarithmic_t) :: logarithmic
+
+        call disable_gsl_abort()
+        call check_positive(error, "smallest_radius", smallest)
+        call check_positive(error, "largest_radius", largest)
+        if (allocated(error)) return
+        if (largest <= smallest) then
+            call raise(error, error_invalid, "largest_radius = "//to_text(largest)//" is not allowed: it must be greater than "// &
+                       "smallest_radius = "//to_text(smallest))
+            return
+        end if
+        logarithmic%f => f
+        logarithmic%name = name
+        self%smallest = smallest
+        self%largest = largest
+        allocate (self%sampled, self%breaks(0))
+        call new_sampled_function(self%sampled, logarithmic, octaves(log(smallest), log(largest)), &
+                                  spread(.false., 1, size(octaves(log(smallest), log(largest))) - 1), tolerance, error)
+    end subroutine new_radius_law_from_function
+
+    !> The value at radius a <= largest_radius().
+    elemental function at(self, a) result(y)
+        class(radius_law_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        real(wp) :: y
+        real(wp) :: x
+
+        x = log(min(max(a, self%smallest), self%largest))
+        if (allocated(self%table)) then
+            y = self%table%at(x)
+        else
+            y = self%sampled%value(x)
+        end if
+    end function at
+
+    !> The derivative with respect to a.
+    elemental function slope_at(self, a) result(y)
+        class(radius_law_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        real(wp) :: y
+
+        if (a < self%smallest .or. a > self%largest) then
+            y = 0.0_wp
+        else if (allocated(self%table)) then
+            y = self%table%slope_at(log(a))/a
+        else
+            y = self%sampled%slope(log(a))/a
+        end if
+    end function slope_at
+
+    pure function smallest_radius(self) result(radius)
+        class(radius_law_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%smallest
+    end function smallest_radius
+
+    pure function largest_radius(self) result(radius)
+        class(radius_law_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%largest
+    end function largest_radius
+
+    !> Radii where the law is not analytic: the points of a table.
+    pure function break_radii(self) result(radii)
+        class(radius_law_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        radii = self%breaks
+    end function break_radii
+
+    !> Panel edges about 1 apart in ln a, the scale on which effective moduli vary.
+    pure function octaves(first, last) result(edges)
+        real(wp), intent(in) :: first, last
+        real(wp), allocatable :: edges(:)
+        integer :: i, count
+
+        count = max(1, nint(last - first))
+        edges = [(first + (last - first)*(real(i, wp)/count), i=0, count)]
+        edges(count + 1) = last
+    end function octaves
+
+    function logarithmic_value(self, x) result(y)
+        class(logarithmic_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%f%value(exp(x))
+        if (allocated(self%f%error)) then
+            self%error = self%f%error
+        else if (.not. (ieee_is_finite(y) .and. y > 0.0_wp)) then
+            call raise(self%error, error_callback, "the function for "//self%name//" returned "//to_text(y)//" at a = "// &
+                       to_text(exp(x))//": it must return a finite number greater than 0")
+        end if
+    end function logarithmic_value
+
+end module mdrcontact_radius_law

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Checks for the C tests: each one is typed, counted, and prints what it saw when it fails.
+ * A test program ends with `return check_report("name");`, which fails if anything failed or nothing was checked.
+ */
+#ifndef CHECK_H
+#define CHECK_H
+
+#include "mdrcontact.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int check_count;
+static int check_failures;
+
+static inline void check_failed(const char *file, int line, const char *what)
+{
+    check_failures++;
+    fprintf(stderr, "%s:%d: %s: ", file, line, what);
+}
+
+static inline void check_true_at(const char *file, int line, const char *what, int condition)
+{
+    check_count++;
+    if (!condition) {
+        check_failed(file, line, what);
+        fprintf(stderr, "is not true\n");
+    }
+}
+
+static inline void check_int_at(const char *file, int line, const char *what, int found, int expected)
+{
+    check_count++;
+    if (found != expected) {
+        check_failed(file, line, what);
+        fprintf(stderr, "%d, expected %d\n", found, expected);
+    }
+}
+
+static inline void check_text_at(const char *file, int line, const char *what, const char *found, const char *expected)
+{
+    check_count++;
+    if (found == NULL || strcmp(found, expected) != 0) {
+        check_failed(file, line, what);
+        fprintf(stderr, "\"%s\", expected \"%s\"\n", found ? found : "NULL", expected);
+    }
+}
+
+/* |found - expected| <= tolerance |expected|; equal infinities are equal, NaN never is. */
+static inline void check_close_at(const char *file, int line, const char *what, double found, double expected, double tolerance)
+{
+    check_count++;
+    if (found == expected) return;
+    if (!(fabs(found - expected) <= tolerance * fabs(expected)) || isinf(expected)) {
+        check_failed(file, line, what);
+        fprintf(stderr, "%.17g, expected %.17g, off by %.3g relative\n", found, expected, (found - expected) / expected);
+    }
+}
+
+static inline void check_success_at(const char *file, int line, const char *what, int status)
+{
+    check_count++;
+    if (status != MDR_SUCCESS) {
+        char text[512];
+        mdr_last_error(text, (int)sizeof text);
+        check_failed(file, line, what);
+        fprintf(stderr, "%s: %s\n", mdr_status_name(status), text);
+    }
+}
+
+/* The status, and a last error that says so in the words `part`. */
+static inline void check_status_at(const char *file, int line, const char *what, int status, int expected, const char *part)
+{
+    char text[512];
+    mdr_last_error(text, (int)sizeof text);
+    check_count++;
+    if (status != expected) {
+        check_failed(file, line, what);
+        fprintf(stderr, "%s, expected %s\n", mdr_status_name(status), mdr_status_name(expected));
+    } else if (strstr(text, part) == NULL) {
+        check_failed(file, line, what);
+        fprintf(stderr, "the text \"%s\" does not contain \"%s\"\n", text, part);
+    }
+}
+
+#define CHECK_TRUE(condition) check_true_at(__FILE__, __LINE__, #condition, (condition))
+#define CHECK_INT(found, expected) check_int_at(__FILE__, __LINE__, #found, (found), (expected))
+#define CHECK_TEXT(found, expected) check_text_at(__FILE__, __LINE__, #found, (found), (expected))
+#define CHECK_CLOSE(found, expected, tolerance) check_close_at(__FILE__, __LINE__, #found, (found), (expected), (tolerance))
+#define CHECK_SUCCESS(call) check_success_at(__FILE__, __LINE__, #call, (call))
+#define CHECK_STATUS(call, expected, part) check_status_at(__FILE__, __LINE__, #call, (call), (expected), (part))
+
+/* Marks an output array before a call that must fail, and checks that the call left it alone. */
+static const double untouched = -12345.678;
+
+static inline void fill_untouched(int n, double values[])
+{
+    for (int i = 0; i < n; i++) values[i] = untouched;
+}
+
+static inline void check_untouched_at(const char *file, int line, const char *what, int n, const double values[])
+{
+    for (int i = 0; i < n; i++) check_close_at(file, line, what, values[i], untouched, 0.0);
+}
+
+#define CHECK_UNTOUCHED(n, values) check_untouched_at(__FILE__, __LINE__, #values, (n), (values))
+
+static inline int check_report(const char *name)
+{
+    printf("%s: %d checks, %d failed\n", name, check_count, check_failures);
+    return check_failures == 0 && check_count > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+#endif

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Pressure, displacement and line load: refusals, then Hertz, Sneddon and Boussinesq's punch. */
+#include "check.h"
+
+#define SIZE(array) (sizeof(array) / sizeof *(array))
+
+static const double pi = 3.14159265358979323846;
+
+typedef int (*field_call)(const mdr_contact *, double, int, const double[], double[]);
+static const field_call fields[] = {mdr_contact_pressure, mdr_contact_line_load, mdr_contact_displacement,
+                                    mdr_contact_pressure_at_depth, mdr_contact_line_load_at_depth,
+                                    mdr_contact_displacement_at_depth};
+
+static mdr_contact *paraboloid(double R, double modulus)
+{
+    mdr_profile *p = NULL;
+    mdr_medium *m = NULL;
+    mdr_contact *c = NULL;
+    CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
+    CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
+    CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    return c;
+}
+
+static void refusals(void)
+{
+    const double r[2] = {0.0, 0.5}, negative[2] = {0.0, -0.5}, not_a_number[2] = {NAN, 0.5}, outside[2] = {0.5, 1.01};
+    double out[2];
+    mdr_contact *c = paraboloid(1.0, 1.0);
+    mdr_profile *p = NULL;
+
+    CHECK_SUCCESS(mdr_profile_cone(0.1, &p));
+    fill_untouched(2, out);
+    for (size_t i = 0; i < SIZE(fields); i++) {
+        field_call field = fields[i];
+        const int inside_only = i % 3 != 2;
+        CHECK_STATUS(field(NULL, 1.0, 2, r, out), MDR_ENULL, "c is NULL");
+        CHECK_STATUS(field((mdr_contact *)(void *)p, 1.0, 2, r, out), MDR_EINVALID, "not an mdr_contact");
+        CHECK_STATUS(field(c, 1.0, -1, r, out), MDR_EINVALID, "n = -1");
+        CHECK_STATUS(field(c, 1.0, 2, NULL, out), MDR_ENULL, i % 3 == 1 ? "x is NULL" : "r is NULL");
+        CHECK_STATUS(field(c, 1.0, 2, r, NULL), MDR_ENULL, "out is NULL");
+        CHECK_STATUS(field(c, NAN, 2, r, out), MDR_EINVALID, i < 3 ? "radius = NaN" : "depth = NaN");
+        CHECK_STATUS(field(c, INFINITY, 2, r, out), MDR_EINVALID, i < 3 ? "radius = infinity" : "depth = infinity");
+        CHECK_STATUS(field(c, -1.0, 2, r, out), i < 3 ? MDR_EINVALID : MDR_EUNREACHABLE, i < 3 ? "radius = -1" : "depth = -1");
+        CHECK_STATUS(field(c, 0.0, 2, r, out), MDR_EINVALID, "no contact");
+        CHECK_STATUS(field(c, 1.0, 2, negative, out), MDR_EINVALID, " = -0.5");
+        CHECK_STATUS(field(c, 1.0, 2, not_a_number, out), MDR_EINVALID, " = NaN");
+        if (inside_only) CHECK_STATUS(field(c, 1.0, 2, outside, out), MDR_EDOMAIN, " = 1.01");
+        CHECK_SUCCESS(field(c, 1.0, 0, NULL, NULL));
+    }
+    CHECK_UNTOUCHED(2, out);
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
+static void hertz(void)
+{
+    const double R = 2.0, modulus = 3.0, a = 0.25, d = a * a / R, p0 = 2 * modulus * a / (pi * R);
+    const double r[4] = {0.0, 0.1, 0.2, 0.2499}, far[3] = {0.3, 0.5, 10.0};
+    double by_radius[4], by_depth[4];
+    mdr_contact *c = paraboloid(R, modulus);
+
+    CHECK_SUCCESS(mdr_contact_pressure(c, a, 4, r, by_radius));
+    CHECK_SUCCESS(mdr_contact_pressure_at_depth(c, d, 4, r, by_depth));
+    for (int i = 0; i < 4; i++) {
+        CHECK_CLOSE(by_radius[i], p0 * sqrt(1 - r[i] * r[i] / (a * a)), 1e-10);
+        CHECK_CLOSE(by_depth[i], p0 * sqrt(1 - r[i] * r[i] / (a * a)), 1e-10);
+    }
+    CHECK_SUCCESS(mdr_contact_line_load(c, a, 4, r, by_radius));
+    CHECK_SUCCESS(mdr_contact_line_load_at_depth(c, d, 4, r, by_depth));
+    for (int i = 0; i < 4; i++) {
+        CHECK_CLOSE(by_radius[i], modulus * (d - r[i] * r[i] / R), 1e-10);
+        CHECK_CLOSE(by_depth[i], modulus * (d - r[i] * r[i] / R), 1e-10);
+    }
+    CHECK_SUCCESS(mdr_contact_displacement(c, a, 4, r, by_radius));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(by_radius[i], d - r[i] * r[i] / (2 * R), 1e-12);
+    CHECK_SUCCESS(mdr_contact_displacement(c, a, 3, far, by_radius));
+    CHECK_SUCCESS(mdr_contact_displacement_at_depth(c, d, 3, far, by_depth));
+    for (int i = 0; i < 3; i++) {
+        const double s = far[i] / a;
+        const double u = a * a / (pi * R) * ((2 - s * s) * asin(1 / s) + sqrt(s * s - 1));
+        CHECK_CLOSE(by_radius[i], u, 1e-10);
+        CHECK_CLOSE(by_depth[i], u, 1e-10);
+    }
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
+static void sneddon(void)
+{
+    const double phi = 0.3, modulus = 1.5, a = 0.7, r[4] = {0.0, 0.1, 0.4, 0.69};
+    double out[4];
+    mdr_profile *p = NULL;
+    mdr_medium *m = NULL;
+    mdr_contact *c = NULL;
+
+    CHECK_SUCCESS(mdr_profile_cone(phi, &p));
+    CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
+    CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    CHECK_SUCCESS(mdr_contact_pressure(c, a, 4, r, out));
+    CHECK_TRUE(isinf(out[0]) && out[0] > 0); /* the cone's apex */
+    for (int i = 1; i < 4; i++) CHECK_CLOSE(out[i], 0.5 * modulus * tan(phi) * acosh(a / r[i]), 1e-10);
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
+static void boussinesq(void)
+{
+    const double b = 0.4, modulus = 2.0, d = 0.1, r[4] = {0.0, 0.2, 0.39, 0.4}, far[2] = {0.5, 4.0};
+    double out[4];
+    mdr_profile *p = NULL;
+    mdr_medium *m = NULL;
+    mdr_contact *c = NULL;
+
+    CHECK_SUCCESS(mdr_profile_flat_punch(b, &p));
+    CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
+    CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    fill_untouched(4, out);
+    CHECK_STATUS(mdr_contact_pressure(c, b, 4, r, out), MDR_EUNREACHABLE, "give depth or force");
+    CHECK_UNTOUCHED(4, out);
+    CHECK_SUCCESS(mdr_contact_pressure_at_depth(c, d, 4, r, out));
+    for (int i = 0; i < 3; i++) CHECK_CLOSE(out[i], modulus * d / (pi * sqrt(b * b - r[i] * r[i])), 1e-10);
+    CHECK_TRUE(isinf(out[3]) && out[3] > 0);
+    CHECK_SUCCESS(mdr_contact_line_load_at_depth(c, d, 4, r, out));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(out[i], modulus * d, 1e-12);
+    CHECK_SUCCESS(mdr_contact_displacement_at_depth(c, d, 2, far, out));
+    for (int i = 0; i < 2; i++) CHECK_CLOSE(out[i], 2 * d / pi * asin(b / far[i]), 1e-10);
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
+int main(void)
+{
+    refusals();
+    hertz();
+    sneddon();
+    boussinesq();
+    return check_report("fields");
+}

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * No memory for a large array: MDR_ENOMEMORY, nothing written, nothing lost. This program brings its own malloc, which
+ * refuses large requests while it is told to; everything else goes on to the C library's.
+ */
+#include "check.h"
+
+void *__libc_malloc(size_t size);
+
+static size_t largest_request = (size_t)-1;
+
+void *malloc(size_t size)
+{
+    return size > largest_request ? NULL : __libc_malloc(size);
+}
+
+enum { COUNT = 200000 };
+
+static double in[COUNT], out[COUNT];
+
+static void refuse_large_requests(void)
+{
+    largest_request = COUNT;
+}
+
+static void grant_all_requests(void)
+{
+    largest_request = (size_t)-1;
+}
+
+int main(void)
+{
+    mdr_profile *p = NULL;
+    mdr_medium *m = NULL;
+    mdr_contact *c = NULL;
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
+    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &m));
+    CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    for (int i = 0; i < COUNT; i++) in[i] = 1e-6 * (i + 1);
+    fill_untouched(COUNT, out);
+
+    refuse_large_requests();
+    CHECK_TRUE(malloc(8 * COUNT) == NULL);
+    CHECK_STATUS(mdr_medium_modulus(m, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_medium_stiffness(m, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_contact_from_radius(c, COUNT, in, NULL, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_contact_from_depth(c, COUNT, in, NULL, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_contact_from_force(c, COUNT, in, NULL, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_contact_pressure(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_contact_line_load(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_contact_displacement(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    for (int i = 0; i < COUNT; i += 1000) CHECK_CLOSE(out[i], untouched, 0.0);
+    /* these need no memory of the array's size */
+    CHECK_SUCCESS(mdr_profile_height(p, COUNT, in, out));
+    CHECK_SUCCESS(mdr_weight_i0(COUNT, in, 0.3, out));
+    grant_all_requests();
+
+    CHECK_SUCCESS(mdr_contact_from_radius(c, COUNT, in, NULL, NULL, out, NULL));
+    CHECK_CLOSE(out[COUNT - 1], 4.0 / 3.0 / 0.91 * pow(in[COUNT - 1], 3), 1e-12);
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    return check_report("memory");
+}

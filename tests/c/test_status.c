@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Version, status names, the protocol of the last error's text, and options. */
+#include "check.h"
+
+static void version_agrees_with_the_header(void)
+{
+    CHECK_INT(mdr_version(), 10000 * MDR_VERSION_MAJOR + 100 * MDR_VERSION_MINOR + MDR_VERSION_PATCH);
+}
+
+static void every_status_has_its_name(void)
+{
+#define NAME_OF(code) CHECK_TEXT(mdr_status_name(code), #code)
+    NAME_OF(MDR_SUCCESS);
+    NAME_OF(MDR_ENULL);
+    NAME_OF(MDR_EINVALID);
+    NAME_OF(MDR_EDOMAIN);
+    NAME_OF(MDR_EUNREACHABLE);
+    NAME_OF(MDR_ENOCONVERGENCE);
+    NAME_OF(MDR_ENOMEMORY);
+    NAME_OF(MDR_ECALLBACK);
+    NAME_OF(MDR_EFILE);
+    CHECK_TEXT(mdr_status_name(-1), "unknown status");
+    CHECK_TEXT(mdr_status_name(99), "unknown status");
+}
+
+static void text_is_empty_before_the_first_failure(void)
+{
+    char text[8] = "before";
+    CHECK_INT(mdr_last_error(text, 8), 0);
+    CHECK_TEXT(text, "");
+}
+
+static void text_fits_or_is_cut(void)
+{
+    const char *full = "radius = -1 is not allowed: it must be finite and greater than 0";
+    const int length = (int)strlen(full);
+    char text[200];
+    mdr_profile *p = NULL;
+
+    CHECK_INT(mdr_profile_paraboloid(-1.0, &p), MDR_EINVALID);
+    CHECK_TRUE(p == NULL);
+    CHECK_INT(mdr_last_error(NULL, 0), length);
+    CHECK_INT(mdr_last_error(NULL, 100), length);
+    memset(text, '#', sizeof text);
+    CHECK_INT(mdr_last_error(text, -5), length);
+    CHECK_INT(mdr_last_error(text, 0), length);
+    CHECK_INT(text[0], '#');
+    CHECK_INT(mdr_last_error(text, 1), length);
+    CHECK_TEXT(text, "");
+    CHECK_INT(text[1], '#');
+    CHECK_INT(mdr_last_error(text, 7), length);
+    CHECK_TEXT(text, "radius");
+    CHECK_INT(text[7], '#');
+    CHECK_INT(mdr_last_error(text, length), length);
+    CHECK_INT((int)strlen(text), length - 1);
+    CHECK_INT(mdr_last_error(text, length + 1), length);
+    CHECK_TEXT(text, full);
+    CHECK_INT(text[length + 1], '#');
+}
+
+static void success_leaves_the_text(void)
+{
+    char text[200];
+    mdr_profile *p = NULL;
+
+    CHECK_STATUS(mdr_profile_paraboloid(0.0, &p), MDR_EINVALID, "radius = 0");
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_TRUE(mdr_last_error(text, (int)sizeof text) > 0);
+    CHECK_TRUE(strstr(text, "radius = 0") == text);
+}
+
+static void options_have_defaults(void)
+{
+    mdr_medium_options medium;
+    mdr_contact_options contact;
+
+    mdr_medium_options_init(NULL);
+    mdr_contact_options_init(NULL);
+    memset(&medium, 0x5a, sizeof medium);
+    memset(&contact, 0x5a, sizeof contact);
+    mdr_medium_options_init(&medium);
+    mdr_contact_options_init(&contact);
+    CHECK_CLOSE(medium.alpha, 1.0, 0.0);
+    CHECK_CLOSE(medium.wave_factor, 1.5707963267948966, 0.0);
+    CHECK_INT(medium.weight_nu_choice, MDR_WEIGHT_NU_SURFACE);
+    CHECK_CLOSE(medium.weight_nu, 0.5, 0.0);
+    CHECK_CLOSE(medium.tolerance, 1e-10, 0.0);
+    CHECK_INT(contact.zeta_count, 0);
+    CHECK_TRUE(contact.zeta_radius == NULL && contact.zeta == NULL);
+}
+
+int main(void)
+{
+    text_is_empty_before_the_first_failure();
+    version_agrees_with_the_header();
+    every_status_has_its_name();
+    text_fits_or_is_cut();
+    success_leaves_the_text();
+    options_have_defaults();
+    return check_report("status");
+}

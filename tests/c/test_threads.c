@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Threads that share every object: the same numbers as one thread alone, and each thread its own error text. */
+#include "check.h"
+
+#include <pthread.h>
+
+enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 8 * POINTS };
+
+typedef struct task {
+    const mdr_profile *profile;
+    const mdr_medium *medium;
+    const mdr_contact *contact;
+    int number;
+    int failed_calls;
+    int wrong_texts;
+    double values[VALUES];
+} task;
+
+/* Every evaluation there is, into task->values. */
+static void evaluate(task *t)
+{
+    const double a[POINTS] = {1e-3, 0.05, 0.3, 0.8, 1.5, 3.0};
+    double *v = t->values, d[POINTS], F[POINTS];
+    int failed = 0;
+
+    failed += mdr_profile_height(t->profile, POINTS, a, v) != MDR_SUCCESS;
+    failed += mdr_profile_mdr(t->profile, POINTS, a, v + POINTS) != MDR_SUCCESS;
+    failed += mdr_medium_modulus(t->medium, POINTS, a, v + 2 * POINTS) != MDR_SUCCESS;
+    failed += mdr_weight_i0(POINTS, a, 0.3, v + 3 * POINTS) != MDR_SUCCESS;
+    failed += mdr_contact_from_radius(t->contact, POINTS, a, d, NULL, F, NULL) != MDR_SUCCESS;
+    failed += mdr_contact_from_depth(t->contact, POINTS, d, NULL, v + 4 * POINTS, NULL, NULL) != MDR_SUCCESS;
+    failed += mdr_contact_from_force(t->contact, POINTS, F, NULL, v + 5 * POINTS, NULL, NULL) != MDR_SUCCESS;
+    failed += mdr_contact_pressure(t->contact, 3.0, POINTS, a, v + 6 * POINTS) != MDR_SUCCESS;
+    failed += mdr_contact_displacement(t->contact, 0.3, POINTS, a, v + 7 * POINTS) != MDR_SUCCESS;
+    t->failed_calls += failed;
+}
+
+/* Fails on purpose with a number of its own and finds that number in its own text. */
+static void fail(task *t)
+{
+    char expected[40], text[200];
+    mdr_profile *p = NULL;
+
+    snprintf(expected, sizeof expected, "radius = -%d is", t->number);
+    if (mdr_profile_paraboloid(-(double)t->number, &p) != MDR_EINVALID) t->wrong_texts++;
+    evaluate(t);
+    mdr_last_error(text, (int)sizeof text);
+    if (strstr(text, expected) != text) t->wrong_texts++;
+}
+
+static void *run(void *argument)
+{
+    task *t = argument;
+    if (mdr_last_error(NULL, 0) != 0) t->wrong_texts++; /* a new thread has not failed yet */
+    for (int i = 0; i < ROUNDS; i++) fail(t);
+    return NULL;
+}
+
+int main(void)
+{
+    mdr_profile *profile = NULL;
+    mdr_medium *medium = NULL;
+    mdr_contact *contact = NULL;
+    task alone = {0}, tasks[THREADS] = {{0}};
+    pthread_t threads[THREADS];
+
+    CHECK_SUCCESS(mdr_profile_rounded_cone(0.4, 0.35, &profile));
+    CHECK_SUCCESS(mdr_medium_coated(72.0, 0.17, 0.5, 165.0, 0.22, MDR_MODEL_GAO, NULL, &medium));
+    CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
+    alone.profile = profile;
+    alone.medium = medium;
+    alone.contact = contact;
+    for (int i = 0; i < THREADS; i++) {
+        tasks[i] = alone;
+        tasks[i].number = i + 1;
+    }
+    evaluate(&alone);
+    CHECK_INT(alone.failed_calls, 0);
+    CHECK_STATUS(mdr_profile_paraboloid(-77.0, &profile), MDR_EINVALID, "radius = -77");
+
+    for (int i = 0; i < THREADS; i++) CHECK_INT(pthread_create(&threads[i], NULL, run, &tasks[i]), 0);
+    for (int i = 0; i < THREADS; i++) CHECK_INT(pthread_join(threads[i], NULL), 0);
+    for (int i = 0; i < THREADS; i++) {
+        CHECK_INT(tasks[i].failed_calls, 0);
+        CHECK_INT(tasks[i].wrong_texts, 0);
+        for (int j = 0; j < VALUES; j++) CHECK_CLOSE(tasks[i].values[j], alone.values[j], 0.0);
+    }
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+    CHECK_SUCCESS(mdr_medium_free(&medium));
+    CHECK_SUCCESS(mdr_profile_free(&profile));
+    return check_report("threads");
+}
