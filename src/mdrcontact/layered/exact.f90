@@ -40,11 +40,11 @@ module mdrcontact_layered_exact
         procedure :: modulus
         procedure :: modulus_slope
         procedure :: depth_and_force
-        procedure :: response
-        procedure :: edge_is_exact
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
+        procedure :: response
+        procedure :: edge_is_exact
         procedure :: zeta
     end type layered_exact_t
 
