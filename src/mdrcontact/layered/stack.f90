@@ -23,7 +23,7 @@ module mdrcontact_layered_stack
         !> layer thicknesses [length] and shear moduli relative to the first layer's, from the surface down
         real(wp), allocatable :: thickness(:), shear(:)
         !> compliance of the base relative to 1/(2 G) of the first layer; 0 if rigid
-        real(wp) :: base(2, 2) = 0.0_wp
+        complex(wp) :: base(2, 2) = 0.0_wp
         real(wp) :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
         !> total thickness [length], and the power series in k of all layers' transfer matrix
         real(wp) :: total_thickness = 0.0_wp

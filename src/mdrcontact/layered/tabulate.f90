@@ -65,7 +65,7 @@ contains
             if (.not. holds) cycle
             call fill_table(kernel, ray, surface)
             kernel%defect = defect_of(kernel, surface%long_wave_limit())
-            if (ray%roughness < 1.0e-8_wp .and. abs(kernel%defect) < 1.0e-10_wp*(1.0_wp + ray%largest)) return
+            if (ray%roughness < 3.0e-8_wp .and. abs(kernel%defect) < 1.0e-10_wp*(1.0_wp + ray%largest)) return
         end do
         call raise(error, error_no_convergence, "the surface compliance of this body could not be integrated over all wavelengths")
     end subroutine tabulate_kernel
@@ -217,7 +217,7 @@ contains
             level = sum(x)/real(size(x), wp)
             spread = maxval(abs(x - level))
             kernel%tail = level*scale(1.0_wp, 2*octave)
-            if (spread <= 1.0e-13_wp*abs(level) .or. spread <= 4.0e-14_wp*scale(surface%long_wave_limit(), -octave)) exit
+            if (spread <= 1.0e-13_wp*abs(level) .or. spread <= 1.0e-14_wp*scale(surface%long_wave_limit(), -octave)) exit
         end do
         octave = min(octave, most_octaves - 1)
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)
