@@ -389,7 +389,7 @@ enum mdr_branch {
 /** What a contact can have beyond indenter and medium. Set by mdr_contact_options_init(), then changed. The arrays are
  *  copied by mdr_contact_new(). */
 typedef struct mdr_contact_options {
-    int zeta_count;            /**< 0, the default: d = g(a); else the size, at least 3, of the table of zeta in (9), d = zeta(a) g(a). */
+    int zeta_count;            /**< Size of the table of zeta in (9), d = zeta(a) g(a), at least 3; default 0: zeta = 1. */
     const double *zeta_radius; /**< [zeta_count] contact radii > 0, strictly ascending; contacts reach the last one [length]. */
     const double *zeta;        /**< [zeta_count] zeta > 0 [1]; zeta(a) g(a) must not decrease. */
     double work_of_adhesion;   /**< gamma >= 0 [modulus length]; default 0. */

@@ -81,7 +81,7 @@ static void jkr(const mdr_contact *c)
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
 }
 
-/* Pull-off at (3/2) pi gamma R under force control: a state just before, none just after. On approach there is none under tension. */
+/* Pull-off at (3/2) pi gamma R under force control: a state just before, none just after. On approach none before touching. */
 static void pull_off(const mdr_contact *c)
 {
     const double pull_off_force = -1.5 * pi * work * R;
