@@ -28,9 +28,9 @@
  * output array may be the input array itself; otherwise arrays must not overlap. Error messages count entries from 1.
  *
  * @par Handles and who frees them
- * mdr_profile, mdr_medium and mdr_contact are made by the functions with an `out` argument, belong to the caller, and are freed
- * by mdr_profile_free(), mdr_medium_free() and mdr_contact_free(), which also set the caller's pointer to NULL. A contact
- * and a sum hold copies: what they were made from may be freed at once. A handle never changes after its creation.
+ * mdr_profile, mdr_medium, mdr_contact and mdr_loop are made by the functions with an `out` argument, belong to the caller, and
+ * are freed by mdr_profile_free() and so on, which also set the caller's pointer to NULL. What a handle was made from
+ * may be freed at once: it holds copies. A handle never changes after its creation.
  *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
@@ -88,6 +88,8 @@ typedef struct mdr_profile mdr_profile;
 typedef struct mdr_medium mdr_medium;
 /** An indenter on a medium. Made by mdr_contact_new(), freed by mdr_contact_free(). */
 typedef struct mdr_contact mdr_contact;
+/** A cycle of approach and retraction. Made by mdr_loop_new(), freed by mdr_loop_free(). */
+typedef struct mdr_loop mdr_loop;
 
 /**
  * A user function y = f(x). It is called only while the object it describes is made, in the thread that makes it.
@@ -276,8 +278,8 @@ int mdr_medium_coated(double coating_E, double coating_nu, double thickness, dou
  *  @param E             [n] Young's moduli > 0 from the surface down [modulus]
  *  @param nu            [n] Poisson's ratios, -1 < nu <= 1/2 [1]
  *  @param thickness     [n] thicknesses > 0 [length]
- *  @param substrate_E   > 0 [modulus]
- *  @param substrate_nu  -1 < nu <= 1/2 [1]
+ *  @param substrate_E   > 0 [modulus]; INFINITY is a rigid base, MDR_MODEL_EXACT only
+ *  @param substrate_nu  -1 < nu <= 1/2 [1]; not looked at for a rigid base
  *  @param model         MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT
  *  @param options       NULL for the defaults
  *  @param out           receives the handle */
@@ -290,7 +292,7 @@ int mdr_medium_layered(int n, const double E[], const double nu[], const double 
  *  @param z        [n] depths, strictly ascending from z[0] = 0 [length]
  *  @param E        [n] Young's moduli > 0 [modulus]
  *  @param nu       [n] Poisson's ratios, -1 < nu <= 1/2 [1]
- *  @param model    MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT
+ *  @param model    MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES
  *  @param options  NULL for the defaults
  *  @param out      receives the handle */
 int mdr_medium_graded(int n, const double z[], const double E[], const double nu[], int model,
@@ -301,7 +303,7 @@ int mdr_medium_graded(int n, const double z[], const double E[], const double nu
  *  @param nu       Poisson's ratio nu(z), -1 < nu <= 1/2 [1]
  *  @param context  passed on to both, may be NULL
  *  @param depth    > 0, below which the body is homogeneous [length]
- *  @param model    MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT
+ *  @param model    MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES
  *  @param options  NULL for the defaults
  *  @param out      receives the handle
  *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if a function is not smooth enough to be sampled */
@@ -382,8 +384,15 @@ enum mdr_adhesion_rule {
 
 /** Which stable state is meant where an adhesive contact has several. */
 enum mdr_branch {
-    MDR_BRANCH_LOADING = 1,  /**< The one met when the bodies approach. */
-    MDR_BRANCH_UNLOADING = 2 /**< The one kept when they are drawn apart. */
+    MDR_ON_LOADING = 1,  /**< The smallest contact, met when the bodies approach. */
+    MDR_ON_UNLOADING = 2 /**< The largest contact, kept when they are drawn apart: what from_depth and from_force give. */
+};
+
+/** What the machine prescribes. */
+enum mdr_control {
+    MDR_CONTROL_FORCE = 0, /**< The normal force. */
+    MDR_CONTROL_DEPTH = 1, /**< The indentation depth. */
+    MDR_CONTROL_SPRING = 2 /**< The far end of a spring that presses the indenter, d + F/stiffness; loops only. */
 };
 
 /** What a contact can have beyond indenter and medium. Set by mdr_contact_options_init(), then changed. The arrays are
@@ -470,6 +479,72 @@ int mdr_contact_line_load_at_depth(const mdr_contact *c, double d, int n, const 
 /** Frees a contact and sets *c to NULL. c = NULL and *c = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *c is not a contact */
 int mdr_contact_free(mdr_contact **c);
+
+/* ---- adhesion: pull-off and loops, (28)-(32) --------------------------------------------------------------------- */
+
+/** Where an adhesive contact breaks: the lowest force, or depth, of all its stable states. All 0 without adhesion. Outputs
+ *  that are NULL are skipped.
+ *  @param c        contact
+ *  @param control  MDR_CONTROL_FORCE or MDR_CONTROL_DEPTH
+ *  @param d        or NULL: indentation depth [length]
+ *  @param a        or NULL: contact radius [length]
+ *  @param F        or NULL: normal force [modulus length^2]
+ *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_ENOCONVERGENCE */
+int mdr_contact_pull_off(const mdr_contact *c, int control, double *d, double *a, double *F);
+
+/** Where each stable stretch of an adhesive contact ends: that of mdr_contact_pull_off() first, then the others by ascending radius.
+ *  A coated body can have several. Outputs d, a, F that are NULL are skipped.
+ *  @param c         contact
+ *  @param control   MDR_CONTROL_FORCE or MDR_CONTROL_DEPTH
+ *  @param capacity  size of the arrays, >= 0: at most so many are written
+ *  @param d         [capacity] or NULL: indentation depths [length]
+ *  @param a         [capacity] or NULL: contact radii [length]
+ *  @param F         [capacity] or NULL: normal forces [modulus length^2]
+ *  @param count     receives how many there are, 0 without adhesion
+ *  @return as mdr_contact_pull_off() */
+int mdr_contact_pull_offs(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count);
+
+/** A cycle: approach from afar, jump into contact, press to `largest`, retract until the bodies are apart again.
+ *  @param c                 contact
+ *  @param control           one of enum mdr_control: what the positions of the loop are
+ *  @param spring_stiffness  > 0 for MDR_CONTROL_SPRING [modulus length], not looked at otherwise
+ *  @param largest           position where the motion turns back, > 0 [length, or modulus length^2 under force control]
+ *  @param points            points on each way, at least 2; jumps and their ends come on top
+ *  @param out               receives the handle
+ *  @return also MDR_EUNREACHABLE if `largest` cannot be reached or the bodies do not stick when they touch,
+ *          MDR_ENOCONVERGENCE */
+int mdr_loop_new(const mdr_contact *c, int control, double spring_stiffness, double largest, int points, mdr_loop **out);
+
+/** The sizes of a loop. Outputs that are NULL are skipped.
+ *  @param l              loop
+ *  @param points         or NULL: number of points of the path
+ *  @param turning_point  or NULL: index, from 0, of the last point of the approach
+ *  @param jumps          or NULL: number of jumps */
+int mdr_loop_size(const mdr_loop *l, int *points, int *turning_point, int *jumps);
+
+/** The first n points of the path, or all if there are fewer. Outputs that are NULL are skipped.
+ *  @param l         loop
+ *  @param n         size of the arrays
+ *  @param position  [n] or NULL: what is prescribed, see mdr_loop_new()
+ *  @param d         [n] or NULL: indentation depths, negative where the bodies are apart [length]
+ *  @param a         [n] or NULL: contact radii, 0 where they are apart [length]
+ *  @param F         [n] or NULL: normal forces [modulus length^2] */
+int mdr_loop_path(const mdr_loop *l, int n, double position[], double d[], double a[], double F[]);
+
+/** Where the path jumps.
+ *  @param l      loop
+ *  @param n      size of the array; at most so many are written
+ *  @param index  [n] indices, from 0, of the points just before each jump */
+int mdr_loop_jumps(const mdr_loop *l, int n, int index[]);
+
+/** The energy lost in the cycle, the area of the loop.
+ *  @param l       loop
+ *  @param energy  receives it [modulus length^3] */
+int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy);
+
+/** Frees a loop and sets *l to NULL. l = NULL and *l = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *l is not a loop */
+int mdr_loop_free(mdr_loop **l);
 
 #ifdef __cplusplus
 }

@@ -45,15 +45,15 @@ static void branches_refuse(const mdr_contact *c, branch_call states)
     double d[1];
 
     fill_untouched(1, d);
-    CHECK_STATUS(states(NULL, MDR_BRANCH_LOADING, 1, good, d, NULL, NULL, NULL), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(states(c, MDR_BRANCH_LOADING, -1, good, d, NULL, NULL, NULL), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(states(c, MDR_BRANCH_LOADING, 1, NULL, d, NULL, NULL, NULL), MDR_ENULL, "in is NULL");
+    CHECK_STATUS(states(NULL, MDR_ON_LOADING, 1, good, d, NULL, NULL, NULL), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(states(c, MDR_ON_LOADING, -1, good, d, NULL, NULL, NULL), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(states(c, MDR_ON_LOADING, 1, NULL, d, NULL, NULL, NULL), MDR_ENULL, "in is NULL");
     CHECK_STATUS(states(c, 0, 1, good, d, NULL, NULL, NULL), MDR_EINVALID, "branch = 0");
     CHECK_STATUS(states(c, 3, 1, good, d, NULL, NULL, NULL), MDR_EINVALID, "branch = 3");
-    CHECK_STATUS(states(c, MDR_BRANCH_UNLOADING, 1, not_a_number, d, NULL, NULL, NULL), MDR_EINVALID, "NaN");
-    CHECK_STATUS(states(c, MDR_BRANCH_UNLOADING, 1, far, d, NULL, NULL, NULL), MDR_EUNREACHABLE, "-100");
+    CHECK_STATUS(states(c, MDR_ON_UNLOADING, 1, not_a_number, d, NULL, NULL, NULL), MDR_EINVALID, "NaN");
+    CHECK_STATUS(states(c, MDR_ON_UNLOADING, 1, far, d, NULL, NULL, NULL), MDR_EUNREACHABLE, "-100");
     CHECK_UNTOUCHED(1, d);
-    CHECK_SUCCESS(states(c, MDR_BRANCH_LOADING, 0, NULL, NULL, NULL, NULL, NULL));
+    CHECK_SUCCESS(states(c, MDR_ON_LOADING, 0, NULL, NULL, NULL, NULL, NULL));
 }
 
 static void jkr(const mdr_contact *c)
@@ -75,9 +75,9 @@ static void jkr(const mdr_contact *c)
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
     CHECK_SUCCESS(mdr_contact_from_force(c, 4, F, NULL, found, NULL, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
-    CHECK_SUCCESS(mdr_contact_from_force_on(c, MDR_BRANCH_UNLOADING, 4, F, NULL, found, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_from_force_on(c, MDR_ON_UNLOADING, 4, F, NULL, found, NULL, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
-    CHECK_SUCCESS(mdr_contact_from_depth_on(c, MDR_BRANCH_UNLOADING, 4, d, NULL, found, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_from_depth_on(c, MDR_ON_UNLOADING, 4, d, NULL, found, NULL, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
 }
 
@@ -91,7 +91,7 @@ static void pull_off(const mdr_contact *c)
     CHECK_SUCCESS(mdr_contact_from_force(c, 1, before, NULL, a, NULL, NULL));
     CHECK_CLOSE(a[0], cbrt(9 * pi * work * R * R / (8 * modulus)), 3e-3);
     CHECK_STATUS(mdr_contact_from_force(c, 1, after, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
-    CHECK_STATUS(mdr_contact_from_depth_on(c, MDR_BRANCH_LOADING, 1, (const double[]){-0.01}, NULL, a, NULL, NULL),
+    CHECK_STATUS(mdr_contact_from_depth_on(c, MDR_ON_LOADING, 1, (const double[]){-0.01}, NULL, a, NULL, NULL),
                  MDR_EUNREACHABLE, "depth = ");
 }
 
