@@ -90,6 +90,7 @@ contains
         type(error_t), allocatable :: error
         integer :: stat
 
+        nullify (inside)
         call open_contact(c, "c", contact, error)
         call check_given(error, "out", present(out))
         call choose_control(chosen, control, spring_stiffness, .true., error)
