@@ -11,7 +11,8 @@ module mdrcontact_closed_forms
 
 contains
 
-    !> F(a) of a paraboloid, equation (24): (16 a^3/(3R)) [G1 + (G0 - G1)/(2 pi) (4 arctan xi + xi^3 ln(1 + xi^-2) - xi)], xi = h/a.
+    !> F(a) of a paraboloid, equation (24), xi = h/a:
+    !> (16 a^3/(3R)) [G1 + (G0 - G1)/(2 pi) (4 arctan xi + xi^3 ln(1 + xi^-2) - xi)], xi = h/a.
     elemental function coated_paraboloid_force(a, radius, coating_shear, substrate_shear, thickness) result(force)
         !> a and R [length], G0 and G1 [modulus], h [length], all > 0
         real(wp), intent(in) :: a, radius, coating_shear, substrate_shear, thickness

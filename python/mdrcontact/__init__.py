@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact of coated, layered and graded bodies, computed in one dimension.
+
+    import mdrcontact as mdr
+
+    oxide = mdr.Elastic(72e9, 0.17)                     # E [Pa], nu
+    silicon = mdr.Elastic(165e9, 0.22)
+    medium = mdr.Coated(oxide, 500e-9, silicon)         # h [m]
+    contact = mdr.Contact(mdr.Sphere(10e-6), medium)
+    state = contact.at_depth([20e-9, 50e-9, 100e-9])    # State(depth, radius, force, stiffness)
+
+Any consistent units. Numbers give floats, arrays give arrays of the same shape. All objects are immutable, compare and pickle by
+their constructor arguments, and may be shared between threads. Errors are `MDRError` and its subclasses.
+"""
+
+from . import contact, errors, material, medium, profile, weights
+from ._native import version as _version
+from .contact import *  # noqa: F403
+from .errors import *  # noqa: F403
+from .material import *  # noqa: F403
+from .medium import *  # noqa: F403
+from .profile import *  # noqa: F403
+from .weights import *  # noqa: F403
+
+__all__ = [
+    *contact.__all__,
+    *errors.__all__,
+    *material.__all__,
+    *medium.__all__,
+    *profile.__all__,
+    *weights.__all__,
+]
+
+__version__ = "{}.{}.{}".format(_version() // 10000, _version() // 100 % 100, _version() % 100)

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command `mdrcontact`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from .. import __version__
+from ..errors import MDRError
+from ..problem import ProblemError
+from . import compare, curve, example
+from .files import OutputError
+
+__all__ = ["main"]
+
+COMMANDS = (curve, compare, example)
+"""Each command is a module with `add(subparsers)`, which sets its `run(arguments)`."""
+
+_DESCRIPTION = """\
+Contact of an indenter with a coated, layered or graded body: force, contact radius, stiffness and pressure.
+
+A problem is a text file that says what the indenter and the medium are and what to compute, units written out. Begin with a
+ready-made one:
+
+    mdrcontact example sio2_on_si > problem.toml
+    mdrcontact curve problem.toml --plot curve.png
+    mdrcontact compare problem.toml --plot compare.png
+"""
+
+_EPILOG = """\
+exit status:
+  0  done
+  1  the problem is well-formed but cannot be solved, or a result cannot be written
+  2  the command line or the problem file is wrong
+"""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs the command; returns its exit status. Faults are told in one line on standard error."""
+    parser = argparse.ArgumentParser(
+        prog="mdrcontact", description=_DESCRIPTION, epilog=_EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--version", action="version", version=f"mdrcontact {__version__}")
+    subparsers = parser.add_subparsers(metavar="COMMAND", required=True)
+    for command in COMMANDS:
+        command.add(subparsers)
+    chosen = parser.parse_args(arguments)
+    try:
+        chosen.run(chosen)
+    except ProblemError as problem:
+        return _fail(problem, 2)
+    except (MDRError, OutputError) as problem:
+        return _fail(problem, 1)
+    except BrokenPipeError:
+        # the reader of our output has gone (| head): not our fault, and nothing is left to say
+        sys.stderr.close()
+        return 1
+    except KeyboardInterrupt:
+        return _fail("interrupted; nothing was written", 130)
+    return 0
+
+
+def _fail(problem: object, status: int) -> int:
+    sys.stdout.flush()
+    print("mdrcontact: " + " ".join(str(problem).split()), file=sys.stderr)
+    return status

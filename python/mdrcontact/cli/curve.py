@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact curve`: force, contact radius, stiffness and pressure of one problem."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..contact import Contact
+from ..problem import Problem, load
+from ..problem.units import LENGTH, MODULUS, practical
+from . import files
+from .solve import Curve, columns, crossing, progress, solve, thickness
+from .table import Column, as_csv, as_text, column, number, spread_over
+
+_DESCRIPTION = """\
+Computes one problem: depth, contact radius, force, contact stiffness, effective modulus and mean pressure.
+
+    mdrcontact example sio2_on_si > problem.toml
+    mdrcontact curve problem.toml
+    mdrcontact curve problem.toml --csv curve.csv --plot curve.png
+
+The table on the screen shows a few rows; the CSV file holds all of them.
+"""
+
+_PRESSURE_POINTS = 400
+
+
+def add(subparsers: Any) -> None:
+    """Adds the command to the command line."""
+    parser = subparsers.add_parser(
+        "curve",
+        help="force, radius, stiffness and pressure of one problem",
+        description=_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
+    files.add_options(parser, "all rows of the table")
+    parser.add_argument("--pressure-csv", type=Path, metavar="FILE.csv", help="write the pressure distributions to a CSV file")
+    parser.add_argument("--rows", type=_rows, default=10, metavar="N", help="rows of the table on the screen (default: 10)")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Computes, prints, writes."""
+    files.check(arguments.csv, arguments.plot, arguments.pressure_csv, force=arguments.force)
+    if arguments.plot:
+        from . import figures
+
+        figures.require(arguments.plot)
+    problem = load(arguments.problem)
+    contact = problem.contact()
+    with progress(1, problem.control) as bar:
+        curve = solve(contact, problem.control, bar)
+    table = columns(curve, problem.medium)
+    print(f"{problem.title}\n")
+    print(as_text(table, arguments.rows))
+    note = thickness_note(problem, curve)
+    if note:
+        print(f"\n{note}")
+    results = {}
+    if arguments.csv:
+        results[arguments.csv] = as_csv(table)
+    if arguments.plot or arguments.pressure_csv:
+        pressures = pressure_distributions(contact, curve)
+        if arguments.pressure_csv:
+            results[arguments.pressure_csv] = as_csv(_stacked(pressures))
+        if arguments.plot:
+            results[arguments.plot] = figures.curve_figure(problem, curve, pressures, files.figure_format(arguments.plot))
+    if results:
+        print()
+        files.write(results, arguments.force)
+
+
+def thickness_note(problem: Problem, curve: Curve) -> str | None:
+    """One sentence on where the contact becomes as wide as the coating is thick."""
+    h = thickness(problem.medium)
+    if h is None:
+        return None
+    unit = practical(LENGTH, [h])
+    thick = f"{number(float(unit.of(h)))} {unit.name}"
+    depth = crossing(curve, h)
+    if depth is None:
+        side = "stays below" if curve.radius[-1] <= h else "is always above"
+        return f"The contact radius {side} the coating thickness, h = {thick}."
+    unit = practical(LENGTH, [depth])
+    deep = f"{number(float(unit.of(depth)))} {unit.name}"
+    return f"The contact radius equals the coating thickness, a = h = {thick}, at depth {deep}."
+
+
+def pressure_distributions(contact: Contact, curve: Curve) -> list[tuple[float, Any, Any]]:
+    """(depth, r, p) at a quarter, half and the end of the curve; points where theory gives infinite pressure are left out."""
+    result = []
+    count = len(curve.depth)
+    quarters = spread_over(count, 4)
+    for i in (quarters[0], quarters[1], quarters[3]) if count > 3 else range(count):
+        # dense towards the edge, where pressures are steep, and a hair inside it: the edge itself is a matter of rounding
+        r = curve.radius[i] * (1.0 - 1e-9) * np.sin(np.linspace(0.0, np.pi / 2, _PRESSURE_POINTS))
+        p = np.asarray(contact.pressure(r, depth=float(curve.depth[i])))
+        finite = np.isfinite(p)
+        result.append((float(curve.depth[i]), r[finite], p[finite]))
+    return result
+
+
+def _stacked(pressures: list[tuple[float, Any, Any]]) -> list[Column]:
+    depth = np.concatenate([np.full(len(r), d) for d, r, _ in pressures])
+    return [
+        column("depth", depth, LENGTH),
+        column("r", np.concatenate([r for _, r, _ in pressures]), LENGTH),
+        column("pressure", np.concatenate([p for _, _, p in pressures]), MODULUS),
+    ]
+
+
+def _rows(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of rows: it must be a whole number, at least 1")
+    return int(text)

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The figures of the commands `curve` and `compare`."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..contact import Contact
+from ..material import Elastic
+from ..medium import Coated, Homogeneous
+from ..problem import Problem
+from ..problem.units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, Unit, practical
+from .files import OutputError, figure_format
+from .solve import Array, Curve, crossing, thickness
+
+if TYPE_CHECKING:
+    from .compare import Answer
+
+# Okabe and Ito's colours: told apart by all eyes. Dashes tell apart what colours no longer do.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+DASHES = ("-", (0, (5, 2)), (0, (1, 1.2)))
+_GREY = "#707070"
+_STYLE: dict[Any, Any] = {
+    "font.size": 9,
+    "axes.titlesize": 10,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#e6e6e6",
+    "legend.frameon": False,
+    "lines.linewidth": 1.6,
+    "savefig.dpi": 160,
+    "svg.hashsalt": "mdrcontact",
+}
+_LINEAR = 20.0
+"""Values that differ by more than this factor are drawn on a logarithmic axis."""
+_COMPARABLE = 10.0
+"""A reference curve that ends further away than this factor would only squash the others."""
+
+
+def require(path: Path) -> None:
+    """Raises before any work is done if the figure could not be drawn."""
+    figure_format(path)
+    try:
+        import matplotlib.figure  # noqa: F401
+    except ImportError as problem:
+        raise OutputError('figures need matplotlib: pip install "mdrcontact[plot]"') from problem
+
+
+def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float, Any, Any]], form: str) -> bytes:
+    """Force, radius and stiffness against depth, and pressure distributions."""
+    with _style():
+        figure, axes = _figure(problem.title, 2, 2, (8.4, 6.4))
+        depth = practical(LENGTH, curve.depth)
+        panels: Sequence[tuple[str, Array, Dimension]] = (
+            ("force F", curve.force, FORCE),
+            ("contact radius a", curve.radius, LENGTH),
+            ("contact stiffness k", curve.stiffness, STIFFNESS),
+        )
+        for axis, (name, values, dimension) in zip(axes.flat, panels):
+            unit = practical(dimension, values)
+            axis.plot(depth.of(curve.depth), unit.of(values), color=COLOURS[0], label=_model_name(problem))
+            if name.startswith("force"):
+                _draw_references(axis, problem, curve, depth, unit)
+            _mark_thickness(axis, problem, curve, depth, unit, values)
+            axis.set(xlabel=f"indentation depth d [{depth.symbol}]", ylabel=f"{name} [{unit.symbol}]")
+            axis.set_xlim(0, None)
+            axis.set_ylim(0, None)
+        axes.flat[0].legend()
+        _draw_pressures(axes.flat[3], pressures, curve)
+        return _render(figure, form)
+
+
+def compare_figure(problem: Problem, answers: Sequence[Answer], form: str) -> bytes:
+    """Response of every model, its effective modulus against a/h, and the deviation from the reference."""
+    from .compare import reference, response_of, spread_text
+
+    with _style():
+        figure, axes = _figure(problem.title, 1, 3, (12.0, 4.4))
+        name, response, dimension = response_of(problem)
+        given = practical(problem.control.dimension, problem.control.values)
+        values = np.array([response(answer.curve) for answer in answers])
+        moduli = np.concatenate([a.curve.modulus for a in answers])
+        unit, modulus = practical(dimension, values.ravel()), practical(MODULUS, moduli)
+        h = thickness(problem.medium)
+        radius = practical(LENGTH, np.concatenate([a.curve.radius for a in answers]))
+        x = given.of(problem.control.values)
+        basis, base = reference(answers, values)
+        lines = []
+        for i, (answer, value) in enumerate(zip(answers, values)):
+            look = {"color": COLOURS[i % len(COLOURS)], "linestyle": DASHES[i // len(COLOURS) % len(DASHES)]}
+            lines += axes[0].plot(x, unit.of(value), **look)
+            axes[1].plot(answer.curve.radius / h if h else radius.of(answer.curve.radius), modulus.of(answer.curve.modulus), **look)
+            axes[2].plot(x, value / base, **look)
+        along = f"{problem.control.name} [{given.symbol}]"
+        axes[0].set(xlabel=along, ylabel=f"{name} [{unit.symbol}]")
+        axes[1].set_xlabel("a/h" if h else f"contact radius a [{radius.symbol}]")
+        axes[1].set_ylabel(rf"effective modulus $E_\mathrm{{eff}}$ [{modulus.symbol}]")
+        _set_log_x(axes[1])
+        axes[2].set(xlabel=along, ylabel=f"{name} / {basis}")
+        axes[2].set_title(f"spread at the end: {spread_text(values[:, -1])}")
+        if h:
+            axes[1].axvline(1.0, color=_GREY, linewidth=0.8, linestyle=":")
+            axes[1].annotate("a = h", (1.0, 0.02), xycoords=("data", "axes fraction"), ha="right", color=_GREY)
+        for axis, panel in ((axes[0], values[:, -1]), (axes[1], moduli), (axes[2], values / base)):
+            if panel.max() > _LINEAR * panel.min():
+                axis.set_yscale("log")
+        figure.legend(lines, [a.model for a in answers], loc="outside lower center", ncols=min(5, len(answers)))
+        return _render(figure, form)
+
+
+def _model_name(problem: Problem) -> str:
+    model = getattr(problem.medium, "model", None)
+    kind = type(problem.medium).__name__.lower()
+    return f"{kind}, model “{model}”" if model else kind
+
+
+def _draw_references(axis: Any, problem: Problem, curve: Curve, depth: Unit, force: Unit) -> None:
+    """The homogeneous bodies between which a coated one lies."""
+    body = problem.medium
+    if not isinstance(body, Coated):
+        return
+    for name, material, dashes in (("coating", body.coating, (0, (1, 1.5))), ("substrate", body.substrate, (0, (5, 2)))):
+        if not isinstance(material, Elastic):
+            continue
+        values = np.asarray(Contact(problem.indenter, Homogeneous(material)).at_depth(curve.depth).force)
+        if 1.0 / _COMPARABLE < values[-1] / curve.force[-1] < _COMPARABLE:
+            axis.plot(depth.of(curve.depth), force.of(values), color=_GREY, linewidth=1.0, linestyle=dashes, label=f"{name} alone")
+
+
+def _mark_thickness(axis: Any, problem: Problem, curve: Curve, depth: Unit, unit: Unit, values: Array) -> None:
+    h = thickness(problem.medium)
+    at = crossing(curve, h) if h else None
+    if at is None:
+        return
+    point = depth.of(at), unit.of(np.interp(at, curve.depth, values))
+    axis.plot(*point, "o", color=COLOURS[1], markersize=5, zorder=5)
+    axis.annotate("a = h", point, xytext=(7, -11), textcoords="offset points", color=COLOURS[1])
+
+
+def _draw_pressures(axis: Any, pressures: Sequence[tuple[float, Any, Any]], curve: Curve) -> None:
+    length = practical(LENGTH, curve.radius)
+    depth = practical(LENGTH, curve.depth)
+    highest = 4.0 * float(curve.mean_pressure[-1])
+    unit = practical(MODULUS, [min(highest, max(float(p.max(initial=0.0)) for _, _, p in pressures))])
+    for i, (d, r, p) in enumerate(pressures):
+        axis.plot(length.of(r), unit.of(p), color=COLOURS[i % len(COLOURS)], label=f"d = {float(depth.of(d)):.3g} {depth.symbol}")
+    axis.set(xlabel=f"distance from the axis r [{length.symbol}]", ylabel=f"contact pressure p [{unit.symbol}]")
+    axis.set_xlim(0, None)
+    axis.set_ylim(0, None)
+    if unit.factor * axis.get_ylim()[1] > 1.5 * highest:
+        # a cone's apex and a punch's edge have infinite pressure: show the rest
+        axis.set_ylim(0, unit.of(highest))
+    axis.legend()
+
+
+def _set_log_x(axis: Any) -> None:
+    from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
+
+    axis.set_xscale("log")
+    axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
+    axis.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axis.xaxis.set_minor_formatter(NullFormatter())
+
+
+def _style() -> Any:
+    import matplotlib
+
+    return matplotlib.rc_context(_STYLE)
+
+
+def _figure(title: str, rows: int, columns: int, size: tuple[float, float]) -> tuple[Any, Any]:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size, layout="constrained")
+    figure.suptitle(title)
+    return figure, figure.subplots(rows, columns)
+
+
+def _render(figure: Any, form: str) -> bytes:
+    buffer = io.BytesIO()
+    metadata = {"png": {"Software": "mdrcontact"}, "pdf": {"Creator": "mdrcontact", "CreationDate": None}, "svg": {"Date": None}}
+    figure.savefig(buffer, format=form, metadata=metadata[form])
+    return buffer.getvalue()

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results into files: all of them or none, and never over an existing file unless the user says so."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+FIGURE_FORMATS = ("png", "pdf", "svg")
+
+
+class OutputError(Exception):
+    """A result cannot be written."""
+
+
+def add_options(parser: argparse.ArgumentParser, what: str) -> None:
+    """The options that every command with results has."""
+    parser.add_argument("--csv", type=Path, metavar="FILE.csv", help=f"write {what} to a CSV file, units in its header")
+    parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the figure (.png, .pdf or .svg)")
+    parser.add_argument("--force", action="store_true", help="overwrite files that exist")
+
+
+def check(*paths: Path | None, force: bool) -> None:
+    """Raises before any work is done if a file could not be written afterwards."""
+    given = [path for path in paths if path is not None]
+    if len({path.resolve() for path in given}) < len(given):
+        raise OutputError("two results cannot go to the same file")
+    for path in given:
+        if path.is_dir():
+            raise OutputError(f"{path} is a folder, not a file")
+        if not path.parent.is_dir():
+            raise OutputError(f"{path}: there is no folder {path.parent}")
+        if path.exists() and not force:
+            raise OutputError(f"{path} exists; --force overwrites it")
+
+
+def figure_format(path: Path) -> str:
+    """The format a figure's file name asks for."""
+    suffix = path.suffix.lower().removeprefix(".")
+    if suffix not in FIGURE_FORMATS:
+        raise OutputError(f"{path}: a figure's name must end in " + ", ".join(f".{name}" for name in FIGURE_FORMATS))
+    return suffix
+
+
+def write(contents: Mapping[Path, bytes], force: bool) -> None:
+    """Writes each file beside its place first and moves it there when it is complete."""
+    check(*contents, force=force)
+    for path, content in contents.items():
+        try:
+            _replace(path, content)
+        except OSError as problem:
+            raise OutputError(f"{path}: it cannot be written: {problem.strerror or problem}") from problem
+        print(f"written: {path}")
+
+
+def _replace(path: Path, content: bytes) -> None:
+    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
+        try:
+            file.write(content)
+            file.close()
+            # a temporary file is private; the result gets the permissions of any new file
+            mask = os.umask(0)
+            os.umask(mask)
+            os.chmod(file.name, 0o666 & ~mask)
+            os.replace(file.name, path)
+        except BaseException:
+            os.unlink(file.name)
+            raise

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The states a problem asks for, with a progress bar where that takes long."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from tqdm import tqdm
+
+from ..contact import Contact
+from ..medium import Coated, Layered, Medium
+from ..problem.compute import Control
+from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
+from .table import Column, column
+
+Array = NDArray[np.float64]
+
+_CHUNKS = 50
+_PATIENCE = 2.0
+"""Seconds without a word to the user."""
+
+
+class Curve(NamedTuple):
+    """States at ascending prescribed values, SI units."""
+
+    depth: Array
+    radius: Array
+    force: Array
+    stiffness: Array
+
+    @property
+    def modulus(self) -> Array:
+        """E_eff = k/(2a)."""
+        return self.stiffness / (2.0 * self.radius)
+
+    @property
+    def mean_pressure(self) -> Array:
+        """F/(pi a^2)."""
+        return self.force / (math.pi * self.radius**2)
+
+
+@contextmanager
+def progress(curves: int, control: Control) -> Iterator[Any]:
+    """A bar on the terminal for that many curves, shown once the work has taken long enough to wonder about."""
+    total = curves * len(control.values)
+    with tqdm(total=total, unit="states", delay=_PATIENCE, disable=None, leave=False) as bar:
+        yield bar
+
+
+def solve(contact: Contact, control: Control, bar: Any) -> Curve:
+    """The states at all prescribed values."""
+    count = len(control.values)
+    step = max(1, -(-count // _CHUNKS))
+    parts = []
+    for start in range(0, count, step):
+        part = slice(start, min(start + step, count))
+        parts.append(control.states(contact, part))
+        bar.update(part.stop - part.start)
+    return Curve(*(np.concatenate([np.atleast_1d(part[i]) for part in parts]) for i in range(4)))
+
+
+def thickness(medium: Medium) -> float | None:
+    """Thickness h of the coating or of all layers together; None for a medium without layers."""
+    if isinstance(medium, Coated):
+        return medium.thickness
+    if isinstance(medium, Layered):
+        return math.fsum(h for _, h in medium.layers)
+    return None
+
+
+def columns(curve: Curve, medium: Medium) -> list[Column]:
+    """What the tables show of a curve."""
+    h = thickness(medium)
+    return [
+        column("depth", curve.depth, LENGTH),
+        column("radius", curve.radius, LENGTH),
+        *([column("a/h", curve.radius / h, RATIO)] if h else []),
+        column("force", curve.force, FORCE),
+        column("stiffness", curve.stiffness, STIFFNESS),
+        column("effective modulus", curve.modulus, MODULUS),
+        column("mean pressure", curve.mean_pressure, MODULUS),
+    ]
+
+
+def crossing(curve: Curve, value: float) -> float | None:
+    """Depth at which the contact radius passes `value`, None if it does not within the curve."""
+    if not curve.radius[0] < value < curve.radius[-1]:
+        return None
+    return float(np.interp(value, curve.radius, curve.depth))

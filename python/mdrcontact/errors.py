@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Exceptions, one class for each status of the library; the words are the library's own."""
+
+from __future__ import annotations
+
+__all__ = [
+    "MDRError",
+    "InvalidArgumentError",
+    "ArgumentTypeError",
+    "DomainError",
+    "UnreachableError",
+    "NoConvergenceError",
+    "OutOfMemoryError",
+    "CallbackError",
+    "FileError",
+]
+
+
+class MDRError(Exception):
+    """Anything the library refuses or cannot do; the base of all exceptions below."""
+
+
+class InvalidArgumentError(MDRError, ValueError):
+    """An argument has a value that is never allowed: NaN, E <= 0, a table that does not ascend, an unknown model, ..."""
+
+
+class ArgumentTypeError(MDRError, TypeError):
+    """An argument is of the wrong kind: a text or a complex number where a real number is needed, ..."""
+
+
+class DomainError(MDRError, ValueError):
+    """A point lies outside the region where the object is defined: r > a, beyond the end of a table, ..."""
+
+
+class UnreachableError(MDRError, ValueError):
+    """No contact state has the requested depth, force or radius."""
+
+
+class NoConvergenceError(MDRError, ArithmeticError):
+    """An iteration or a refinement ended before it met its tolerance."""
+
+
+class OutOfMemoryError(MDRError, MemoryError):
+    """Memory could not be allocated."""
+
+
+class CallbackError(MDRError, ValueError):
+    """A user's function returned NaN, infinity or no number. What it raises itself is raised unchanged."""
+
+
+class FileError(MDRError, OSError):
+    """A file could not be read or written, or is damaged."""
+
+
+_BY_STATUS: dict[int, type[MDRError]] = {
+    1: InvalidArgumentError,  # MDR_ENULL
+    2: InvalidArgumentError,  # MDR_EINVALID
+    3: DomainError,
+    4: UnreachableError,
+    5: NoConvergenceError,
+    6: OutOfMemoryError,
+    7: CallbackError,
+    8: FileError,
+}
+
+
+def error_class(status: int) -> type[MDRError]:
+    """The exception class of a status code of mdrcontact.h."""
+    return _BY_STATUS.get(status, MDRError)

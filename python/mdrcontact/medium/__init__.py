@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Media."""
+
+from .base import Medium
+from .coated import Coated
+from .graded import Graded, PowerLawGraded
+from .homogeneous import Homogeneous
+from .layered import Layered
+from .sampled import CallableMedium, TabulatedMedium
+
+__all__ = [
+    "Medium",
+    "Homogeneous",
+    "Coated",
+    "Layered",
+    "Graded",
+    "PowerLawGraded",
+    "TabulatedMedium",
+    "CallableMedium",
+]

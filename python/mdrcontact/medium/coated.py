@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One coating on a half-space or on a rigid base (theory 3 and 6)."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from .. import _native
+from .._boundary import number
+from ..errors import ArgumentTypeError
+from ..material import RIGID, Elastic, _Rigid
+from .base import Medium
+from .homogeneous import elastic
+from .models import MODELS, settings
+
+
+def base(substrate: object) -> tuple[float, float]:
+    """E and nu of a substrate as the library takes them: an infinite E is a rigid base."""
+    if substrate is RIGID:
+        return math.inf, 0.0
+    if not isinstance(substrate, Elastic):
+        raise ArgumentTypeError(f"substrate = {substrate!r} is not allowed: it must be an Elastic(E, nu) or RIGID")
+    return substrate.E, substrate.nu
+
+
+class Coated(Medium):
+    """A half-space with one bonded coating.
+
+    coating : Elastic(E, nu)
+    thickness : h > 0 [length]
+    substrate : Elastic(E, nu); RIGID for the models "exact", "dimitriadis", "garcia"
+    model : how E_eff(a) is found; no model is hidden behind another
+        "gao" (12)-(15), "gao-series"           options: weight_nu = "surface" (default), "substrate", "effective" or a number
+        "doerner-nix" (11)                      options: alpha = 1
+        "wave" (19), (20)                       options: wave_factor = pi/2
+        "mencik-exponential", "mencik-reciprocal"   options: alpha = 1
+        "bec", "perriot-barthel", "hay-crawford"
+        "dimitriadis", "garcia"                 incompressible layer on a rigid base under a paraboloid
+        "exact"                                 options: tolerance = 1e-10
+
+    The indenter is rigid. (With an elastic one, both compliances would add up only approximately: see `Homogeneous`.)
+    """
+
+    coating: Elastic
+    thickness: float
+    substrate: Elastic | _Rigid
+    model: str
+
+    def __init__(
+        self, coating: Elastic, thickness: float, substrate: Elastic | _Rigid, model: str = "gao", **options: float | str
+    ) -> None:
+        film, thickness, chosen = elastic("coating", coating), number("thickness", thickness), settings(model, options)
+        self._own(
+            _native.medium_coated(film.E, film.nu, thickness, *base(substrate), *chosen.native),
+            coating=film,
+            thickness=thickness,
+            substrate=substrate,
+            model=model,
+            **chosen.given,
+        )
+
+    def with_model(self, model: str, **options: Any) -> Coated:
+        """The same body under another model; options of the present model are not carried over."""
+        return Coated(self.coating, self.thickness, self.substrate, model, **options)
+
+    @staticmethod
+    def models() -> tuple[str, ...]:
+        """The names of all models."""
+        return tuple(MODELS)

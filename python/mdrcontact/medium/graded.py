@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies whose moduli change with depth (theory 3)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import _native
+from .._boundary import number, row
+from .._callback import Callback
+from ..errors import InvalidArgumentError
+from .base import Medium
+from .models import settings
+
+DepthFunction = Callable[[float], float]
+
+
+class Graded(Medium):
+    """A body whose moduli depend on the depth z below the surface. Two ways to say how:
+
+    z, E, nu tables : depths z[0] = 0, ascending [length], E(z) > 0 [pressure] and nu(z) there; linear in between, constant below.
+        nu may be one number
+    z a number, E and nu functions : E(z) and nu(z) on 0 <= z <= that depth [length], constant below; nu may be a number. They are
+        called while the object is made and never later; what they raise is raised to the caller
+    model : "gao" (option weight_nu), "gao-series" (option weight_nu), "exact" (option tolerance); see `Coated`
+    """
+
+    model: str
+
+    def __init__(
+        self,
+        z: ArrayLike,
+        E: ArrayLike | DepthFunction,
+        nu: ArrayLike | DepthFunction,
+        model: str = "gao",
+        **options: float | str,
+    ) -> None:
+        chosen = settings(model, options, layers=True)
+        if callable(E) or callable(nu):
+            created, arguments = _from_functions(z, E, nu, chosen.native)
+        else:
+            created, arguments = _from_tables(z, E, nu, chosen.native)
+        self._own(created, **arguments, model=model, **chosen.given)
+
+    def with_model(self, model: str, **options: Any) -> Graded:
+        """The same body under another model; options of the present model are not carried over."""
+        return Graded(self.z, self.E, self.nu, model, **options)
+
+
+def _from_functions(z: Any, E: Any, nu: Any, native: tuple[Any, ...]) -> tuple[tuple[int, int], dict[str, Any]]:
+    depth = number("z", z)
+    E, nu = (value if callable(value) else number(name, value) for name, value in (("E", E), ("nu", nu)))
+    calls = [Callback(name, value if callable(value) else _Constant(value)) for name, value in (("E", E), ("nu", nu))]
+    created = _native.medium_graded_callback(calls[0].address, calls[1].address, depth, *native)
+    for call in calls:
+        call.reraise()
+    return created, {"z": depth, "E": E, "nu": nu}
+
+
+def _from_tables(z: Any, E: Any, nu: Any, native: tuple[Any, ...]) -> tuple[tuple[int, int], dict[str, Any]]:
+    depths, moduli = row("z", z), row("E", E)
+    ratios = (number("nu", nu),) * len(depths) if np.ndim(nu) == 0 else row("nu", nu)
+    if not len(depths) == len(moduli) == len(ratios):
+        raise InvalidArgumentError(
+            f"z, E and nu must have the same length; it is {len(depths)}, {len(moduli)} and {len(ratios)}"
+        )
+    return _native.medium_graded(depths, moduli, ratios, *native), {"z": depths, "E": moduli, "nu": ratios}
+
+
+class _Constant:
+    def __init__(self, value: float) -> None:
+        self._value = value
+
+    def __call__(self, z: float) -> float:
+        return self._value
+
+
+class PowerLawGraded(Medium):
+    """A half-space with E(z) = E0 (z/z0)^m and constant nu, solved exactly (Hess 2016).
+
+    E0 : modulus at the depth z0, > 0 [pressure]
+    z0 : > 0 [length]
+    exponent : m, -1 < m < 1
+    nu : Poisson's ratio, -1 < nu <= 0.5
+    """
+
+    E0: float
+    z0: float
+    exponent: float
+    nu: float
+
+    def __init__(self, E0: float, z0: float, exponent: float, nu: float) -> None:
+        given = {name: number(name, value) for name, value in (("E0", E0), ("z0", z0), ("exponent", exponent), ("nu", nu))}
+        self._own(_native.medium_power_graded(*given.values()), **given)

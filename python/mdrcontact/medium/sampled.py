@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The user's own effective modulus (theory 3)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from numpy.typing import ArrayLike
+
+from .. import _native
+from .._boundary import number, row
+from .._callback import Callback
+from ..errors import InvalidArgumentError
+from .base import Medium
+
+
+class TabulatedMedium(Medium):
+    """A medium known by a table of its effective contact modulus.
+
+    a : contact radii > 0, ascending [length]
+    modulus : E_eff there, > 0 [pressure]; constant outside the table's range
+    """
+
+    a: tuple[float, ...]
+
+    def __init__(self, a: ArrayLike, modulus: ArrayLike) -> None:
+        radii, moduli = row("a", a), row("modulus", modulus)
+        if len(radii) != len(moduli):
+            raise InvalidArgumentError(f"a and modulus must have the same length; it is {len(radii)} and {len(moduli)}")
+        self._own(_native.medium_table(radii, moduli), a=radii, modulus=moduli)
+
+
+class CallableMedium(Medium):
+    """A medium known by a function E_eff(a).
+
+    function : takes a contact radius and returns the effective contact modulus > 0 [pressure]. It is called while the object is
+        made and never later; what it raises is raised to the caller
+    smallest_radius, largest_radius : the range of contact radii to sample, 0 < smallest < largest [length]
+
+    Pickles if the function does (a function of a module does, a lambda does not).
+    """
+
+    function: Callable[[float], float]
+    smallest_radius: float
+    largest_radius: float
+
+    def __init__(self, function: Callable[[float], float], smallest_radius: float, largest_radius: float) -> None:
+        callback = Callback("function", function)
+        first, last = number("smallest_radius", smallest_radius), number("largest_radius", largest_radius)
+        created = _native.medium_callback(callback.address, first, last)
+        callback.reraise()
+        self._own(created, function=function, smallest_radius=first, largest_radius=last)

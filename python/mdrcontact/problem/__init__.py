@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Problem files: an indenter, a medium and what to compute, in TOML with units written out."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ..contact import Contact
+from ..medium import Medium
+from ..profile import Profile
+from . import compute, indenter, medium
+from .compute import Control
+from .section import ProblemError, Section
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+__all__ = ["Problem", "ProblemError", "load", "read"]
+
+_TABLES = {"title": None, "indenter": None, "medium": None, "compute": None}
+
+
+class Problem(NamedTuple):
+    """What a problem file says."""
+
+    title: str
+    indenter: Profile
+    medium: Medium
+    control: Control
+
+    def contact(self) -> Contact:
+        """The contact of the indenter with the medium."""
+        return Contact(self.indenter, self.medium)
+
+
+def load(path: str | Path) -> Problem:
+    """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
+    path = Path(path)
+    try:
+        table = tomllib.loads(path.read_text(encoding="utf-8"))
+        return read(table, title=path.stem)
+    except OSError as problem:
+        raise ProblemError(f"{path}: it cannot be read: {problem.strerror or problem}") from problem
+    except UnicodeDecodeError as problem:
+        raise ProblemError(f"{path}: it is not a text file in UTF-8") from problem
+    except tomllib.TOMLDecodeError as problem:
+        raise ProblemError(f"{path}: it is not valid TOML: {problem}") from problem
+    except ProblemError as problem:
+        raise ProblemError(f"{path}: {problem}") from problem
+
+
+def read(table: dict[str, Any], title: str = "") -> Problem:
+    """The problem that the tables of a problem file describe."""
+    whole = Section(table, "the file", _TABLES)
+    sections = {}
+    for name, known in (("indenter", indenter.KNOWN), ("medium", medium.KNOWN), ("compute", compute.KNOWN)):
+        if name not in table:
+            raise ProblemError(f"the table [{name}] is missing: a problem has [indenter], [medium] and [compute]")
+        sections[name] = Section(table[name], name, known)
+    shape = sections["indenter"]
+    material = None
+    if "material" in shape:
+        material = medium.read_material(shape.child("material", medium.MATERIAL))
+    if "title" in whole:
+        title = str(whole.plain("title"))
+    return Problem(
+        title,
+        indenter.read_indenter(shape),
+        medium.read_medium(sections["medium"], material),
+        compute.read_control(sections["compute"]),
+    )

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table [compute] of a problem file: at which depths, forces or radii."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..contact import Contact, State
+from .section import ProblemError, Section
+from .units import FORCE, LENGTH, Dimension
+
+_LISTS = {"depth": "depths", "force": "forces", "radius": "radii"}
+_DIMENSIONS = {"depth": LENGTH, "force": FORCE, "radius": LENGTH}
+
+KNOWN: Mapping[str, Dimension | None] = {
+    **{f"max_{name}": dimension for name, dimension in _DIMENSIONS.items()},
+    **{f"min_{name}": dimension for name, dimension in _DIMENSIONS.items()},
+    **{_LISTS[name]: dimension for name, dimension in _DIMENSIONS.items()},
+    "points": None,
+    "spacing": None,
+}
+
+MOST_POINTS = 100_000
+
+
+class Control(NamedTuple):
+    """What is prescribed: "depth", "force" or "radius", and its values in SI units, ascending."""
+
+    name: str
+    values: NDArray[np.float64]
+
+    @property
+    def dimension(self) -> Dimension:
+        """Of the prescribed quantity."""
+        return _DIMENSIONS[self.name]
+
+    def states(self, contact: Contact, part: slice = slice(None)) -> State:
+        """The states of a contact at the prescribed values, or at part of them."""
+        at: Any = getattr(contact, f"at_{self.name}")
+        state: State = at(self.values[part])
+        return state
+
+
+def read_control(section: Section) -> Control:
+    """The values that [compute] prescribes."""
+    starts = [key for name in _DIMENSIONS for key in (f"max_{name}", _LISTS[name]) if key in section]
+    if len(starts) != 1:
+        said = " and ".join(starts) if starts else "none of them is there"
+        raise ProblemError(
+            f"[{section.path}]: give one of max_depth, max_force, max_radius (as in max_depth = \"100 nm\") or a list "
+            f"depths, forces, radii; {said}"
+        )
+    key = starts[0]
+    if not key.startswith("max_"):
+        section.only((key,), f"a list of {key}")
+        name = next(name for name, many in _LISTS.items() if many == key)
+        values = np.array(section.quantities(key))
+        if not values.size or np.any(np.diff(values) <= 0.0):
+            raise ProblemError(f"[{section.path}]: {key} must be an ascending list with at least one value")
+        return Control(name, values)
+    name = key.removeprefix("max_")
+    section.only((key, f"min_{name}", "points", "spacing"), key)
+    return Control(name, _range(section, name))
+
+
+def _range(section: Section, name: str) -> NDArray[np.float64]:
+    largest = section.quantity(f"max_{name}")
+    points = section.count("points", default=100, largest=MOST_POINTS)
+    logarithmic = section.choice("spacing", ["linear", "log"], default="linear") == "log"
+    smallest = largest / 1000.0 if logarithmic else largest / points
+    if f"min_{name}" in section:
+        smallest = section.quantity(f"min_{name}")
+    if not 0.0 < smallest <= largest:
+        raise ProblemError(f"[{section.path}]: max_{name} must be greater than 0 and min_{name} between 0 and it")
+    space = np.geomspace if logarithmic else np.linspace
+    return space(smallest, largest, points) if points > 1 else np.array([largest])

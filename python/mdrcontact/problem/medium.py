@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table [medium] of a problem file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from .. import medium
+from ..material import RIGID, Elastic, _Rigid
+from ..medium.models import MODELS
+from .section import ProblemError, Section
+from .units import LENGTH, MODULUS, Dimension
+
+KNOWN: Mapping[str, Dimension | None] = {
+    "type": None,
+    "model": None,
+    "material": None,
+    "coating": None,
+    "layer": None,
+    "substrate": None,
+    "alpha": None,
+    "wave_factor": None,
+    "weight_nu": None,
+    "tolerance": None,
+    "z": LENGTH,
+    "E": MODULUS,
+    "nu": None,
+    "E0": MODULUS,
+    "z0": LENGTH,
+    "exponent": None,
+    "a": LENGTH,
+    "modulus": MODULUS,
+}
+
+MATERIAL: Mapping[str, Dimension | None] = {"E": MODULUS, "nu": None}
+_FILM: Mapping[str, Dimension | None] = {**MATERIAL, "thickness": LENGTH}
+_OPTIONS = ("alpha", "wave_factor", "weight_nu", "tolerance")
+
+
+def read_material(section: Section) -> Elastic:
+    """The material whose E and nu a table gives."""
+    with section.words():
+        return Elastic(section.quantity("E"), section.number("nu"))
+
+
+def _model(section: Section) -> tuple[str, dict[str, Any]]:
+    options = {name: section.plain(name) for name in _OPTIONS if name in section}
+    return section.choice("model", MODELS, default="gao"), options
+
+
+def _substrate(section: Section) -> Elastic | _Rigid:
+    if "substrate" in section and isinstance(section.plain("substrate"), str):
+        section.choice("substrate", ["rigid"])
+        return RIGID
+    return read_material(section.child("substrate", MATERIAL))
+
+
+def _film(section: Section) -> tuple[Elastic, float]:
+    return read_material(section), section.quantity("thickness")
+
+
+def _homogeneous(section: Section, indenter: Elastic | None) -> medium.Medium:
+    return medium.Homogeneous(read_material(section.child("material", MATERIAL)), indenter)
+
+
+def _coated(section: Section) -> medium.Medium:
+    coating, thickness = _film(section.child("coating", _FILM))
+    model, options = _model(section)
+    return medium.Coated(coating, thickness, _substrate(section), model, **options)
+
+
+def _layered(section: Section) -> medium.Medium:
+    layers = [_film(layer) for layer in section.children("layer", _FILM)]
+    model, options = _model(section)
+    return medium.Layered(layers, _substrate(section), model, **options)
+
+
+def _graded(section: Section) -> medium.Medium:
+    nu = section.numbers("nu") if "nu" in section and isinstance(section.plain("nu"), list) else section.number("nu")
+    model, options = _model(section)
+    return medium.Graded(section.quantities("z"), section.quantities("E"), nu, model, **options)
+
+
+def _power_law_graded(section: Section) -> medium.Medium:
+    return medium.PowerLawGraded(
+        section.quantity("E0"), section.quantity("z0"), section.number("exponent"), section.number("nu")
+    )
+
+
+def _table(section: Section) -> medium.Medium:
+    return medium.TabulatedMedium(section.quantities("a"), section.quantities("modulus"))
+
+
+_TYPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], medium.Medium]]] = {
+    "coated": (("coating", "substrate", "model", *_OPTIONS), _coated),
+    "layered": (("layer", "substrate", "model", *_OPTIONS), _layered),
+    "graded": (("z", "E", "nu", "model", *_OPTIONS), _graded),
+    "power-law-graded": (("E0", "z0", "exponent", "nu"), _power_law_graded),
+    "table": (("a", "modulus"), _table),
+    "homogeneous": (("material",), lambda section: _homogeneous(section, None)),
+}
+
+
+def read_medium(section: Section, indenter: Elastic | None) -> medium.Medium:
+    """The medium that [medium] describes; `indenter` is the indenter's material, None if it is rigid."""
+    kind = section.choice("type", _TYPES)
+    keys, build = _TYPES[kind]
+    section.only(("type", *keys), f"a medium of type {kind!r}")
+    with section.words():
+        if indenter is None:
+            return build(section)
+        if kind != "homogeneous":
+            raise ProblemError(
+                "[indenter.material]: an elastic indenter is exact on a homogeneous medium only; leave it out for a rigid one"
+            )
+        return _homogeneous(section, indenter)

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checked reading of the tables of a problem file: every fault is one sentence that says where it is and what is expected."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from contextlib import contextmanager
+from typing import Any, Iterator
+
+from .._choices import nearest
+from ..errors import InvalidArgumentError, MDRError
+from .units import Dimension, UnitError, parse, to_si
+
+
+class ProblemError(InvalidArgumentError):
+    """A problem file is wrong; the words say where and what is expected."""
+
+
+class Section:
+    """One table of a problem file.
+
+    `known` names its keys: a `Dimension` for quantities, None for everything else. A quantity is written with its unit in the
+    value, radius = "500 nm", or in the key, radius_nm = 500.
+    """
+
+    def __init__(self, table: Any, path: str, known: Mapping[str, Dimension | None]) -> None:
+        if not isinstance(table, dict):
+            raise ProblemError(f"{path} must be a table: write a line [{path}] and its keys below it")
+        self.path = path
+        self._table = table
+        self._known = known
+        for key in table:
+            if key not in known and not any(d and key.startswith(f"{k}_") for k, d in known.items()):
+                raise ProblemError(f"[{path}]: unknown key {key!r}: {nearest(key, known)}")
+
+    def __contains__(self, key: str) -> bool:
+        return self._spelling(key) is not None
+
+    def only(self, keys: Iterable[str], because: str) -> None:
+        """Refuses keys that are known but make no sense here."""
+        allowed = set(keys)
+        for key in self._known:
+            if key not in allowed and key in self:
+                raise ProblemError(f"[{self.path}]: the key {key!r} does not belong to {because}: {nearest(key, sorted(allowed))}")
+
+    def quantity(self, key: str) -> float:
+        """A quantity in SI units."""
+        value, suffix = self._found(key)
+        return self._convert(key, value, suffix)
+
+    def quantities(self, key: str) -> list[float]:
+        """A list of quantities in SI units."""
+        value, suffix = self._found(key)
+        if not isinstance(value, list):
+            raise ProblemError(f"[{self.path}]: {key} must be a list, as in {self._example(key, many=True)}")
+        return [self._convert(key, entry, suffix) for entry in value]
+
+    def number(self, key: str, default: float | None = None) -> float:
+        """A number without unit."""
+        if default is not None and key not in self:
+            return default
+        value, _ = self._found(key)
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise ProblemError(f"[{self.path}]: {key} = {value!r} is not a number: write it without quotes and without a unit")
+        return float(value)
+
+    def numbers(self, key: str) -> list[float]:
+        """A list of numbers without unit."""
+        value, _ = self._found(key)
+        if not isinstance(value, list) or any(isinstance(v, bool) or not isinstance(v, (int, float)) for v in value):
+            raise ProblemError(f"[{self.path}]: {key} must be a list of numbers, as in {key} = [0.2, 0.3]")
+        return [float(v) for v in value]
+
+    def count(self, key: str, default: int, largest: int) -> int:
+        """A whole number from 1 to `largest`."""
+        value = self._table.get(key, default)
+        if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= largest:
+            raise ProblemError(f"[{self.path}]: {key} = {value!r} is not allowed: it must be a whole number from 1 to {largest}")
+        return value
+
+    def choice(self, key: str, choices: Iterable[str], default: str | None = None) -> str:
+        """One of several words."""
+        if default is not None and key not in self:
+            return default
+        value, _ = self._found(key)
+        choices = list(choices)
+        if not isinstance(value, str) or value not in choices:
+            raise ProblemError(f"[{self.path}]: {key} = {value!r} is not allowed: {nearest(str(value), choices)}")
+        return value
+
+    def plain(self, key: str) -> Any:
+        """A value as it stands in the file."""
+        return self._found(key)[0]
+
+    def child(self, key: str, known: Mapping[str, Dimension | None]) -> Section:
+        """A table inside this one."""
+        path = f"{self.path}.{key}"
+        if key not in self:
+            raise ProblemError(f"[{path}] is missing: it must give {', '.join(known)}")
+        return Section(self._table[key], path, known)
+
+    def children(self, key: str, known: Mapping[str, Dimension | None]) -> list[Section]:
+        """The tables [[...]] inside this one."""
+        path = f"{self.path}.{key}"
+        tables = self._table.get(key)
+        if not isinstance(tables, list) or not tables:
+            raise ProblemError(f"[[{path}]] is missing: write one such table for each layer, from the surface down")
+        return [Section(table, f"{path} {i}", known) for i, table in enumerate(tables, start=1)]
+
+    @contextmanager
+    def words(self) -> Iterator[None]:
+        """Says in which table the numbers stand that the library refuses."""
+        try:
+            yield
+        except ProblemError:
+            raise
+        except MDRError as problem:
+            raise ProblemError(f"[{self.path}]: {problem}") from problem
+
+    def _spelling(self, key: str) -> str | None:
+        found = [k for k in self._table if k == key or (self._known.get(key) and k not in self._known and k.startswith(f"{key}_"))]
+        if len(found) > 1:
+            raise ProblemError(f"[{self.path}]: {' and '.join(found)} say the same thing twice: keep one")
+        return found[0] if found else None
+
+    def _found(self, key: str) -> tuple[Any, str]:
+        spelling = self._spelling(key)
+        if spelling is None:
+            raise ProblemError(f"[{self.path}]: the key {key!r} is missing: write it as in {self._example(key)}")
+        return self._table[spelling], spelling[len(key) + 1 :]
+
+    def _convert(self, key: str, value: Any, suffix: str) -> float:
+        dimension = self._known[key]
+        assert dimension is not None
+        is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+        try:
+            if suffix and is_number:
+                return to_si(float(value), suffix, dimension)
+            if suffix:
+                raise UnitError(f"{value!r} is not a number: the unit stands in the key already")
+            if isinstance(value, str):
+                return parse(value, dimension)
+        except UnitError as problem:
+            raise ProblemError(f"[{self.path}]: {key}: {problem}") from None
+        if is_number:
+            raise ProblemError(f"[{self.path}]: {key} = {value!r} has no unit: write {dimension.name} as in {self._example(key)}")
+        raise ProblemError(f"[{self.path}]: {key} = {value!r} is not {dimension.name}: write it as in {self._example(key)}")
+
+    def _example(self, key: str, many: bool = False) -> str:
+        dimension = self._known.get(key)
+        text = f'"{dimension.example}"' if dimension else "..."
+        return f"{key} = [{text}, ...]" if many else f"{key} = {text}"

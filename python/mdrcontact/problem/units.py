@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Units: read with pint into SI, written in the practical unit that suits the magnitude."""
+
+from __future__ import annotations
+
+import functools
+import re
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+import pint
+
+from .._choices import nearest
+
+
+class UnitError(ValueError):
+    """A text is not the quantity it should be; the words say what is expected."""
+
+
+class Dimension(NamedTuple):
+    """A kind of quantity: its SI unit, an example for messages, and the units in which results are written, ascending."""
+
+    name: str
+    si: str
+    example: str
+    practical: tuple[tuple[str, float], ...]
+    others: tuple[str, ...] = ()
+
+
+LENGTH = Dimension("a length", "m", "500 nm", (("pm", 1e-12), ("nm", 1e-9), ("um", 1e-6), ("mm", 1e-3), ("m", 1.0)), ("angstrom",))
+MODULUS = Dimension("a modulus", "Pa", "70 GPa", (("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)), ("N/m^2", "N/mm^2"))
+FORCE = Dimension("a force", "N", "2 mN", (("pN", 1e-12), ("nN", 1e-9), ("uN", 1e-6), ("mN", 1e-3), ("N", 1.0), ("kN", 1e3)))
+STIFFNESS = Dimension(
+    "a stiffness", "N/m", "50 kN/m", (("uN/m", 1e-6), ("mN/m", 1e-3), ("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6))
+)
+ANGLE = Dimension("an angle", "rad", "20 deg", (("rad", 1.0),), ("deg",))
+RATIO = Dimension("a number", "", "1", (("", 1.0),))
+
+_QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S.*?)?\s*")
+
+
+@functools.cache
+def _registry() -> Any:
+    return pint.UnitRegistry()
+
+
+def to_si(value: float, unit: str, dimension: Dimension) -> float:
+    """`value` in `unit` as a number in the SI unit of `dimension`."""
+    try:
+        factor_and_unit = _registry().Unit(unit)
+        if dimension is ANGLE and factor_and_unit not in (_registry().degree, _registry().radian):
+            raise UnitError(f"{unit!r} is not a unit of {dimension.name}: write it as in \"{dimension.example}\"")
+        return float(_registry().Quantity(value, factor_and_unit).to(dimension.si).magnitude)
+    except pint.DimensionalityError:
+        raise UnitError(f"{unit!r} is not a unit of {dimension.name}: write it as in \"{dimension.example}\"") from None
+    except (pint.UndefinedUnitError, pint.DefinitionSyntaxError, ValueError, TypeError, AttributeError, AssertionError) as problem:
+        if isinstance(problem, UnitError):
+            raise
+        known = [name for name, _ in dimension.practical] + list(dimension.others)
+        raise UnitError(f"there is no unit {unit!r}: {nearest(unit, known)}") from None
+
+
+def parse(text: str, dimension: Dimension) -> float:
+    """A text such as "500 nm" as a number in SI units."""
+    match = _QUANTITY.fullmatch(text)
+    if match is None:
+        raise UnitError(f"{text!r} is not {dimension.name}: write it as in \"{dimension.example}\"")
+    if match[2] is None:
+        raise UnitError(f"{text!r} has no unit: write {dimension.name} as in \"{dimension.example}\"")
+    return to_si(float(match[1]), match[2], dimension)
+
+
+class Unit(NamedTuple):
+    """A unit results are written in."""
+
+    name: str
+    factor: float
+
+    def of(self, values: Any) -> Any:
+        """SI values in this unit."""
+        return np.asarray(values) / self.factor
+
+    @property
+    def symbol(self) -> str:
+        """The name as it is printed in a figure."""
+        return self.name.replace("u", "\N{MICRO SIGN}", 1) if self.name.startswith("u") else self.name
+
+
+def practical(dimension: Dimension, values: Iterable[float]) -> Unit:
+    """The unit in which the largest of `values` (SI) is at least 1, where there is one."""
+    array = np.abs(np.asarray(list(values), dtype=float))
+    finite = array[np.isfinite(array)]
+    largest = float(finite.max()) if finite.size else 0.0
+    if largest == 0.0:
+        return Unit(*next(((n, f) for n, f in dimension.practical if f == 1.0), dimension.practical[0]))
+    name, factor = dimension.practical[0]
+    for name_, factor_ in dimension.practical:
+        # 1 - 1e-9: 1 mN that comes out as 0.9999999999999999 mN is not 1000 uN
+        if largest >= factor_ * (1.0 - 1e-9):
+            name, factor = name_, factor_
+    return Unit(name, factor)

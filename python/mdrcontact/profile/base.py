@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What every indenter profile can do."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from .. import _native
+from .._boundary import FloatOrArray, Handle, evaluate
+from .._described import Described
+from ..errors import ArgumentTypeError, InvalidArgumentError
+
+
+class Profile(Described):
+    """A rigid axisymmetric indenter: its profile f(r), f(0) = 0, and its one-dimensional profile g(x), equation (3).
+
+    Lengths are in the unit of length of the whole problem. Profiles add: `Cone(...) + Paraboloid(...)`. They never change and may
+    be shared between threads.
+    """
+
+    _handle: Handle
+
+    def _own(self, created: tuple[int, int], **arguments: Any) -> None:
+        """Takes over what a compiled constructor returned and remembers the arguments that rebuild it."""
+        object.__setattr__(self, "_handle", Handle(created, _native.profile_free))
+        self._describe(**arguments)
+
+    def height(self, r: ArrayLike) -> FloatOrArray:
+        """f(r) [length] at radii r >= 0 [length], any shape."""
+        return evaluate(_native.profile_height, self._handle.address, name="r", values=r)
+
+    def slope(self, r: ArrayLike) -> FloatOrArray:
+        """f'(r) [1] at radii r >= 0 [length], any shape."""
+        return evaluate(_native.profile_slope, self._handle.address, name="r", values=r)
+
+    def mdr(self, x: ArrayLike) -> FloatOrArray:
+        """g(x) [length], equation (3), at positions x >= 0 [length], any shape."""
+        return evaluate(_native.profile_mdr, self._handle.address, name="x", values=x)
+
+    def mdr_slope(self, x: ArrayLike) -> FloatOrArray:
+        """g'(x) [1] at positions x >= 0 [length], any shape."""
+        return evaluate(_native.profile_mdr_slope, self._handle.address, name="x", values=x)
+
+    def __add__(self, other: object) -> SumProfile:
+        if not isinstance(other, Profile):
+            return NotImplemented
+        return SumProfile(_terms(self) + _terms(other))
+
+
+class SumProfile(Profile):
+    """The sum of profiles, f(r) = f_1(r) + f_2(r) + ...; made by `+`."""
+
+    terms: tuple[Profile, ...]
+
+    def __init__(self, terms: tuple[Profile, ...] | list[Profile]) -> None:
+        terms = tuple(terms)
+        if not terms:
+            raise InvalidArgumentError("terms is not allowed: it is empty")
+        for term in terms:
+            if not isinstance(term, Profile):
+                raise ArgumentTypeError(f"terms is not allowed: {term!r} is not an indenter profile")
+        self._own(_native.profile_sum([term._handle.address for term in terms]), terms=terms)
+
+
+def _terms(profile: Profile) -> tuple[Profile, ...]:
+    return profile.terms if isinstance(profile, SumProfile) else (profile,)

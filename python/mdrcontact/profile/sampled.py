@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Indenters from measured tables and from user functions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from numpy.typing import ArrayLike
+
+from .. import _native
+from .._boundary import number, row
+from .._callback import Callback
+from ..errors import InvalidArgumentError
+from .base import Profile
+
+
+def _pair(x_name: str, x: ArrayLike, y_name: str, y: ArrayLike) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    positions, values = row(x_name, x), row(y_name, y)
+    if len(positions) != len(values):
+        raise InvalidArgumentError(f"{x_name} and {y_name} must have the same length; it is {len(positions)} and {len(values)}")
+    return positions, values
+
+
+class TabulatedProfile(Profile):
+    """A profile from a table, interpolated smoothly and without overshoot between the points.
+
+    r : radii, r[0] = 0, ascending [length]
+    f : heights, f[0] = 0, same length [length]
+    """
+
+    r: tuple[float, ...]
+    f: tuple[float, ...]
+
+    def __init__(self, r: ArrayLike, f: ArrayLike) -> None:
+        radii, heights = _pair("r", r, "f", f)
+        self._own(_native.profile_table(radii, heights), r=radii, f=heights)
+
+
+class TabulatedMDRProfile(Profile):
+    """The profile f(r) whose one-dimensional profile is the table g(x): the inverse transform, equation (4).
+
+    x : positions, x[0] = 0, ascending [length]
+    g : values, g[0] = 0, same length [length]
+    """
+
+    x: tuple[float, ...]
+    g: tuple[float, ...]
+
+    def __init__(self, x: ArrayLike, g: ArrayLike) -> None:
+        positions, values = _pair("x", x, "g", g)
+        self._own(_native.profile_from_mdr_table(positions, values), x=positions, g=values)
+
+
+class CallableProfile(Profile):
+    """A profile from a user function.
+
+    f : takes a radius r, 0 <= r <= r_max, and returns the height; f(0) = 0. It is called while the object is made and never later;
+        what it raises is raised to the caller
+    r_max : largest radius at which f is defined [length], > 0
+
+    Pickles if f does (a function of a module does, a lambda does not).
+    """
+
+    f: Callable[[float], float]
+    r_max: float
+
+    def __init__(self, f: Callable[[float], float], r_max: float) -> None:
+        callback, r_max = Callback("f", f), number("r_max", r_max)
+        created = _native.profile_callback(callback.address, r_max)
+        callback.reraise()
+        self._own(created, f=f, r_max=r_max)

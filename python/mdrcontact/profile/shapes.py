@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Indenters with closed forms (theory 1)."""
+
+from __future__ import annotations
+
+import math
+
+from .. import _native
+from .._boundary import number
+from ..errors import ArgumentTypeError
+from .base import Profile
+
+
+class Paraboloid(Profile):
+    """A paraboloid, f = r^2/(2R): the usual approximation of a sphere for a << R. radius: R > 0 [length]."""
+
+    radius: float
+
+    def __init__(self, radius: float) -> None:
+        radius = number("radius", radius)
+        self._own(_native.profile_paraboloid(radius), radius=radius)
+
+
+class Sphere(Profile):
+    """A sphere, exact: f = R - sqrt(R^2 - r^2). radius: R > 0 [length]; the contact radius stays below R."""
+
+    radius: float
+
+    def __init__(self, radius: float) -> None:
+        radius = number("radius", radius)
+        self._own(_native.profile_sphere(radius), radius=radius)
+
+
+class Cone(Profile):
+    """A cone, f = r tan(phi). Give one of:
+
+    inclination : phi, angle between the cone's face and the surface, 0 < phi < pi/2 [rad]
+    half_angle : angle between the cone's face and its axis, pi/2 - phi [rad]
+    degrees : whether the angle is in degrees
+    """
+
+    inclination: float
+
+    def __init__(self, inclination: float | None = None, *, half_angle: float | None = None, degrees: bool = False) -> None:
+        if (inclination is None) == (half_angle is None):
+            raise ArgumentTypeError("a cone needs one of inclination and half_angle, and not both")
+        if inclination is not None:
+            phi = _radians("inclination", inclination, degrees)
+        else:
+            angle = number("half_angle", half_angle)
+            phi = math.radians(90.0 - angle) if degrees else math.pi / 2 - angle
+        self._own(_native.profile_cone(phi), inclination=phi)
+
+
+class PowerLaw(Profile):
+    """A power law, f = c r^n. exponent: n > 0; coefficient: c > 0 [length^(1-n)]."""
+
+    exponent: float
+    coefficient: float
+
+    def __init__(self, exponent: float, coefficient: float) -> None:
+        exponent, coefficient = number("exponent", exponent), number("coefficient", coefficient)
+        self._own(_native.profile_power(exponent, coefficient), exponent=exponent, coefficient=coefficient)
+
+
+class FlatPunch(Profile):
+    """A flat cylindrical punch. radius: b > 0 [length], the contact radius at every depth."""
+
+    radius: float
+
+    def __init__(self, radius: float) -> None:
+        radius = number("radius", radius)
+        self._own(_native.profile_flat_punch(radius), radius=radius)
+
+
+class FlatEndedCone(Profile):
+    """A truncated cone, f = (r - b) tan(phi) for r > b.
+
+    end_radius : b > 0, radius of the flat end [length]
+    inclination : phi, angle between face and surface, 0 < phi < pi/2 [rad, or degrees with degrees=True]
+    """
+
+    end_radius: float
+    inclination: float
+
+    def __init__(self, end_radius: float, inclination: float, *, degrees: bool = False) -> None:
+        end_radius, phi = number("end_radius", end_radius), _radians("inclination", inclination, degrees)
+        self._own(_native.profile_flat_cone(end_radius, phi), end_radius=end_radius, inclination=phi)
+
+
+class FlatEndedParaboloid(Profile):
+    """A worn or truncated paraboloid, f = (r^2 - b^2)/(2R) for r > b.
+
+    end_radius : b > 0, radius of the flat end [length]
+    radius : R > 0, radius of curvature [length]
+    """
+
+    end_radius: float
+    radius: float
+
+    def __init__(self, end_radius: float, radius: float) -> None:
+        end_radius, radius = number("end_radius", end_radius), number("radius", radius)
+        self._own(_native.profile_flat_paraboloid(end_radius, radius), end_radius=end_radius, radius=radius)
+
+
+class RoundedCone(Profile):
+    """A cone whose tip is a paraboloid that meets it without a kink: f = r^2 tan(phi)/(2b) up to r = b, (r - b/2) tan(phi) beyond.
+
+    blend_radius : b > 0, where the rounding ends [length]; the tip's radius of curvature is b/tan(phi)
+    inclination : phi, angle between face and surface, 0 < phi < pi/2 [rad, or degrees with degrees=True]
+    """
+
+    blend_radius: float
+    inclination: float
+
+    def __init__(self, blend_radius: float, inclination: float, *, degrees: bool = False) -> None:
+        blend_radius, phi = number("blend_radius", blend_radius), _radians("inclination", inclination, degrees)
+        self._own(_native.profile_rounded_cone(blend_radius, phi), blend_radius=blend_radius, inclination=phi)
+
+
+def _radians(name: str, angle: float, degrees: bool) -> float:
+    value = number(name, angle)
+    return math.radians(value) if degrees else value

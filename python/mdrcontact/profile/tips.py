@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tips of nanoindentation: pyramids as their equivalent cones, and calibrated tips by their area function (theory 1)."""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+from numpy.typing import ArrayLike
+
+from .. import _native
+from .._boundary import number, row
+from .base import Profile
+
+
+class _Pyramid(Profile):
+    """A pyramid as the cone of the same projected area at every height; `inclination` is that cone's [rad]."""
+
+    half_angle_degrees: ClassVar[float]
+
+    def __init__(self) -> None:
+        self._own(_native.profile_cone(self.inclination))
+
+    @property
+    def inclination(self) -> float:
+        """phi of the equivalent cone, angle between face and surface [rad]."""
+        return math.radians(90.0 - self.half_angle_degrees)
+
+
+class Berkovich(_Pyramid):
+    """The three-sided Berkovich pyramid as its equivalent cone, half-angle 70.30 degrees."""
+
+    half_angle_degrees = 70.30
+
+
+class Vickers(_Pyramid):
+    """The four-sided Vickers pyramid as its equivalent cone, half-angle 70.30 degrees."""
+
+    half_angle_degrees = 70.30
+
+
+class CubeCorner(_Pyramid):
+    """The cube corner as its equivalent cone, half-angle 42.28 degrees."""
+
+    half_angle_degrees = 42.28
+
+
+class AreaFunction(Profile):
+    """A calibrated tip by its area function A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., A = pi r^2.
+
+    coefficients : C0, C1, ... [length^2, length^1.. as above]; A must grow with f between min_height and max_height
+    max_height : f up to which the calibration holds [length], > 0
+    min_height : below it A is continued linearly to 0 [length]; 0: the calibration holds from the apex on
+    """
+
+    coefficients: tuple[float, ...]
+    max_height: float
+    min_height: float
+
+    def __init__(self, coefficients: ArrayLike, max_height: float, min_height: float = 0.0) -> None:
+        terms = row("coefficients", coefficients)
+        max_height, min_height = number("max_height", max_height), number("min_height", min_height)
+        self._own(
+            _native.profile_area_function(terms, min_height, max_height),
+            coefficients=terms,
+            max_height=max_height,
+            min_height=min_height,
+        )

@@ -1,0 +1,87 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+! A contact, its states and its end, flat for f2py.
+
+!> See mdr_contact_new; zeta_count = 0 for zeta = 1. (f2py takes no empty arrays: the table then holds one unused entry.)
+subroutine contact_new(profile, medium, zeta_count, n, zeta_radius, zeta, handle, status)
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
+    use mdrcontact_address, only: to_address, to_pointer
+    use mdrcontact_c_contact, only: contact_options_t, mdr_contact_new, mdr_contact_options_init
+    implicit none (type, external)
+    !f2py threadsafe
+    integer(c_int), intent(in) :: zeta_count, n
+    integer(c_int64_t), intent(in) :: profile, medium
+    real(c_double), intent(in), target :: zeta_radius(n), zeta(n)
+    integer(c_int64_t), intent(out) :: handle
+    integer(c_int), intent(out) :: status
+    type(contact_options_t) :: options
+    type(c_ptr) :: object
+
+    object = c_null_ptr
+    options = contact_options_t(0_c_int, c_null_ptr, c_null_ptr)
+    call mdr_contact_options_init(options)
+    if (zeta_count > 0) options = contact_options_t(zeta_count, c_loc(zeta_radius), c_loc(zeta))
+    status = mdr_contact_new(to_pointer(profile), to_pointer(medium), options, object)
+    handle = to_address(object)
+end subroutine contact_new
+
+!> See mdr_contact_from_depth.
+subroutine contact_from_depth(n, handle, given, d, a, F, k, status)
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
+    use mdrcontact_address, only: to_pointer
+    use mdrcontact_c_contact, only: mdr_contact_from_depth
+    implicit none (type, external)
+    !f2py threadsafe
+    integer(c_int), intent(in) :: n
+    integer(c_int64_t), intent(in) :: handle
+    real(c_double), intent(in) :: given(n)
+    real(c_double), intent(out) :: d(n), a(n), F(n), k(n)
+    integer(c_int), intent(out) :: status
+
+    status = mdr_contact_from_depth(to_pointer(handle), n, given, d, a, F, k)
+end subroutine contact_from_depth
+
+!> See mdr_contact_from_force.
+subroutine contact_from_force(n, handle, given, d, a, F, k, status)
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
+    use mdrcontact_address, only: to_pointer
+    use mdrcontact_c_contact, only: mdr_contact_from_force
+    implicit none (type, external)
+    !f2py threadsafe
+    integer(c_int), intent(in) :: n
+    integer(c_int64_t), intent(in) :: handle
+    real(c_double), intent(in) :: given(n)
+    real(c_double), intent(out) :: d(n), a(n), F(n), k(n)
+    integer(c_int), intent(out) :: status
+
+    status = mdr_contact_from_force(to_pointer(handle), n, given, d, a, F, k)
+end subroutine contact_from_force
+
+!> See mdr_contact_from_radius.
+subroutine contact_from_radius(n, handle, given, d, a, F, k, status)
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
+    use mdrcontact_address, only: to_pointer
+    use mdrcontact_c_contact, only: mdr_contact_from_radius
+    implicit none (type, external)
+    !f2py threadsafe
+    integer(c_int), intent(in) :: n
+    integer(c_int64_t), intent(in) :: handle
+    real(c_double), intent(in) :: given(n)
+    real(c_double), intent(out) :: d(n), a(n), F(n), k(n)
+    integer(c_int), intent(out) :: status
+
+    status = mdr_contact_from_radius(to_pointer(handle), n, given, d, a, F, k)
+end subroutine contact_from_radius
+
+!> See mdr_contact_free.
+subroutine contact_free(handle, status)
+    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_ptr
+    use mdrcontact_address, only: to_pointer
+    use mdrcontact_c_contact, only: mdr_contact_free
+    implicit none (type, external)
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(out) :: status
+    type(c_ptr) :: object
+
+    object = to_pointer(handle)
+    status = mdr_contact_free(object)
+end subroutine contact_free

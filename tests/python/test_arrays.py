@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shapes and types in and out."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from conftest import every_medium, every_profile
+
+import mdrcontact as mdr
+
+
+@pytest.mark.parametrize("shape", [(1,), (7,), (2, 3), (2, 1, 3), (0,), (3, 0)])
+def test_any_shape(coated, shape):
+    depth = np.full(shape, 1e-8)
+    state = coated.at_depth(depth)
+    assert all(entry.shape == shape and entry.dtype == np.float64 for entry in state)
+    assert coated.medium.modulus(depth).shape == shape
+    assert coated.indenter.mdr(depth).shape == shape
+    assert coated.pressure(depth, depth=1e-8).shape == shape
+    assert mdr.weight_i0(depth).shape == shape
+
+
+@pytest.mark.parametrize("value", [1, 1.0, np.float32(1.0), np.int16(1), np.array(1.0)])
+def test_a_number_gives_a_float(value):
+    assert type(mdr.weight_phi(value)) is float
+    assert type(mdr.Cone(0.2).height(value)) is float
+    state = mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(mdr.Elastic(1.0, 0.2))).at_depth(value)
+    assert all(type(entry) is float for entry in state)
+
+
+def test_values_do_not_depend_on_memory_layout(coated):
+    depth = np.arange(1.0, 13.0).reshape(3, 4) * 1e-8
+    expected = np.array([[coated.at_depth(d).force for d in row] for row in depth])
+    for same in (depth.tolist(), np.asfortranarray(depth), depth[::-1][::-1], depth.astype(">f8"), np.repeat(depth, 2, axis=1)[:, ::2]):
+        assert np.array_equal(coated.at_depth(same).force, expected)
+
+
+def test_input_is_left_alone(coated):
+    depth = np.array([1e-8, 2e-8])
+    depth.flags.writeable = False
+    state = coated.at_depth(depth)
+    assert state.depth is not depth
+    assert np.array_equal(depth, [1e-8, 2e-8])
+    state.force[:] = 0.0
+    assert coated.at_depth(depth).force[0] > 0.0
+
+
+@pytest.mark.parametrize("wrong", ["1e-8", b"1", None, 1e-8 + 0j, [1e-8, None], ["1e-8"], True, [True], Fraction(1, 2), {1: 2}, [[1.0], [1.0, 2.0]]])
+def test_what_is_not_a_real_number_is_refused(coated, wrong):
+    for function in (coated.at_depth, coated.medium.modulus, coated.indenter.height, mdr.weight_i1):
+        with pytest.raises(mdr.ArgumentTypeError) as caught:
+            function(wrong)
+        assert isinstance(caught.value, TypeError)
+
+
+def test_masked_elements_are_refused(coated):
+    with pytest.raises(mdr.ArgumentTypeError, match="masked"):
+        coated.at_depth(np.ma.masked_array([1e-8, 2e-8], [False, True]))
+
+
+def test_state_unpacks(coated):
+    depth, radius, force, stiffness = coated.at_depth(1e-8)
+    state = mdr.State(depth, radius, force, stiffness)
+    assert state == coated.at_depth(1e-8)
+    assert state._fields == ("depth", "radius", "force", "stiffness")
+
+
+@pytest.mark.parametrize("profile", every_profile(), ids=lambda p: type(p).__name__)
+def test_every_profile_has_four_functions(profile):
+    x = np.array([0.0, 1e-8, 1e-7])
+    for name in ("height", "slope", "mdr", "mdr_slope"):
+        values = getattr(profile, name)(x)
+        assert values.shape == (3,) and np.all(np.isfinite(values)) and np.all(values >= 0.0)
+
+
+@pytest.mark.parametrize("medium", every_medium(), ids=lambda m: f"{type(m).__name__}-{getattr(m, 'model', '')}")
+def test_every_medium_has_a_modulus(medium):
+    a = np.array([1e-7, 1e-6])
+    assert np.all(medium.modulus(a) > 0.0)
+    assert medium.stiffness(a) == pytest.approx(2 * a * medium.modulus(a), rel=1e-14)
