@@ -43,6 +43,8 @@ module mdrcontact_layered_exact
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
+        procedure :: response
+        procedure :: edge_is_exact
         procedure :: zeta
         procedure :: edge_modulus
     end type layered_exact_t
@@ -162,6 +164,36 @@ contains
         depth = solution%depth
         force = self%surface_modulus*solution%force
     end subroutine depth_and_force
+
+    !> Depth, force, E_eff and its slope from one solution.
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force, modulus, modulus_slope
+        type(error_t), allocatable, intent(out) :: error
+        type(solution_t) :: solution
+
+        depth = 0.0_wp
+        force = 0.0_wp
+        modulus = 0.0_wp
+        modulus_slope = 0.0_wp
+        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        if (allocated(error)) return
+        depth = solution%depth
+        force = self%surface_modulus*solution%force
+        modulus = self%surface_modulus*solution%modulus
+        modulus_slope = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a
+    end subroutine response
+
+    pure function edge_is_exact(self) result(answer)
+        class(layered_exact_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .true.
+    end function edge_is_exact
 
     !> zeta(a) = d/g(a), equation (9): what the depth is to that of a homogeneous body at the same contact radius.
     subroutine zeta(self, profile, a, values, error)
