@@ -2,11 +2,14 @@
 !> The public Fortran surface of the library: `use mdrcontact, only: ...`.
 module mdrcontact
     use mdrcontact_branch, only: control_t, depth_control, force_control
+    use mdrcontact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
+                                       coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_nu_given, gao_nu_substrate, gao_nu_surface, gao_options_t, gao_t, &

@@ -43,6 +43,7 @@ module mdrcontact_contact
         procedure :: at_radius
         procedure :: at_depth
         procedure :: at_force
+        procedure :: at_control
         procedure :: pull_off
         procedure :: stable_stretches
         procedure :: state_on_stretch
@@ -53,11 +54,12 @@ module mdrcontact_contact
         procedure :: displacement
     end type contact_t
 
-    !> ln(d/target) or ln(F/target) as a function of ln(a - end radius): close to linear for every shape and medium.
+    !> ln(s/target), s = d or F or what a spring adds of both, as a function of ln(a - end radius): close to linear for every
+    !> shape and medium.
     type, extends(scalar_function_t) :: mismatch_t
         type(equilibrium_t), pointer :: equilibrium => null()
+        type(control_t) :: control
         real(wp) :: target_value = 0.0_wp
-        logical :: of_force = .false.
     contains
         procedure :: value => mismatch_value
     end type mismatch_t
@@ -184,16 +186,7 @@ contains
         !> on_loading or on_unloading (default)
         integer, intent(in), optional :: branch
 
-        call check_finite(error, "depth", depth)
-        if (allocated(error)) return
-        if (self%is_adhesive()) then
-            call adhesive_state(self, depth, depth_control, "depth", branch, state, error)
-        else if (depth < 0.0_wp) then
-            call raise(error, error_unreachable, "depth = "//to_text(depth)//" cannot be reached: the bodies "// &
-                       "are apart below depth 0")
-        else
-            call invert(self%equilibrium, depth, .false., state, error)
-        end if
+        call self%at_control(depth_control, "depth", depth, state, error, branch)
         if (.not. allocated(error)) state%depth = depth
     end subroutine at_depth
 
@@ -207,18 +200,40 @@ contains
         !> on_loading or on_unloading (default)
         integer, intent(in), optional :: branch
 
-        call check_finite(error, "force", force)
-        if (allocated(error)) return
-        if (self%is_adhesive()) then
-            call adhesive_state(self, force, force_control, "force", branch, state, error)
-        else if (force < 0.0_wp) then
-            call raise(error, error_unreachable, "force = "//to_text(force)//" cannot be reached: without adhesion the bodies "// &
-                       "do not pull on each other")
-        else
-            call invert(self%equilibrium, force, .true., state, error)
-        end if
+        call self%at_control(force_control, "force", force, state, error, branch)
         if (.not. allocated(error)) state%force = force
     end subroutine at_force
+
+    !> The stable state at a given value s of what a machine controls: depth, force, or the far end of a spring.
+    subroutine at_control(self, control, name, s, state, error, branch)
+        class(contact_t), intent(in), target :: self
+        type(control_t), intent(in) :: control
+        !> what s is called in error messages
+        character(len=*), intent(in) :: name
+        real(wp), intent(in) :: s
+        type(contact_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        integer :: way
+
+        way = on_unloading
+        if (present(branch)) way = branch
+        if (way /= on_loading .and. way /= on_unloading) then
+            call raise(error, error_invalid, "branch = "//count_text(way)//" is not allowed: it must be 1 (loading) or "// &
+                       "2 (unloading)")
+        end if
+        call check_finite(error, name, s)
+        if (allocated(error)) return
+        if (self%is_adhesive()) then
+            call adhesive_state(self, control, name, s, way, state, error)
+        else if (s < 0.0_wp) then
+            call raise(error, error_unreachable, name//" = "//to_text(s)//" cannot be reached: without adhesion the bodies are "// &
+                       "apart below "//name//" 0 and do not pull on each other")
+        else
+            call invert(self%equilibrium, control, name, s, state, error)
+        end if
+    end subroutine at_control
 
     !> Where the contact breaks: the state of lowest depth or force on the whole branch, and the other local minima.
     subroutine pull_off(self, control, state, error, others)
@@ -345,98 +360,90 @@ contains
         values = unpack(outside, r > state%radius, state%depth - self%equilibrium%profile%height(min(r, state%radius)))
     end subroutine displacement
 
-    !> The stable adhesive state with a given depth or force, on loading (the smallest contact that the approach meets) or on
-    !> unloading (the largest).
-    subroutine adhesive_state(self, wanted, control, name, branch, state, error)
+    !> The stable adhesive state with a given s, on loading (the smallest contact that the approach meets) or on unloading
+    !> (the largest).
+    subroutine adhesive_state(self, control, name, s, way, state, error)
         type(contact_t), intent(in) :: self
-        real(wp), intent(in) :: wanted
         type(control_t), intent(in) :: control
         character(len=*), intent(in) :: name
-        integer, intent(in), optional :: branch
+        real(wp), intent(in) :: s
+        integer, intent(in) :: way
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
         type(stretch_t), allocatable :: list(:)
-        integer :: chosen, way
+        character(len=:), allocatable :: what
+        integer :: chosen
 
-        way = on_unloading
-        if (present(branch)) way = branch
-        if (way /= on_loading .and. way /= on_unloading) then
-            call raise(error, error_invalid, "branch = "//count_text(way)//" is not allowed: it must be 1 (loading) or "// &
-                       "2 (unloading)")
-            return
-        end if
-        if (way == on_loading .and. wanted < 0.0_wp) then
-            call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached on loading: the bodies "// &
-                       "touch at "//name//" 0; below it a contact exists on unloading only")
+        what = name//" = "//to_text(s)//" cannot be reached"
+        if (way == on_loading .and. s < 0.0_wp) then
+            call raise(error, error_unreachable, what//" on loading: the bodies touch at "//name//" 0; below it a contact "// &
+                       "exists on unloading only")
             return
         end if
         call self%stable_stretches(control, list, error)
         if (allocated(error)) return
         if (size(list) == 0) then
-            call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached: this contact has no stable "// &
-                       "adhesive state")
+            call raise(error, error_unreachable, what//": this contact has no stable adhesive state")
             return
         end if
-        chosen = findloc(list%lowest <= wanted .and. wanted <= list%highest, .true., dim=1, back=way == on_unloading)
+        chosen = findloc(list%lowest <= s .and. s <= list%highest, .true., dim=1, back=way == on_unloading)
         if (chosen > 0) then
-            call self%state_on_stretch(control, list(chosen), wanted, state, error)
-        else if (wanted < minval(list%lowest)) then
-            call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached: the adhesive branch "// &
-                       "ends at pull-off, "//name//" = "//to_text(minval(list%lowest)))
+            call self%state_on_stretch(control, list(chosen), s, state, error)
+        else if (s < minval(list%lowest)) then
+            call raise(error, error_unreachable, what//": the adhesive branch ends at pull-off, "//name//" = "// &
+                       to_text(minval(list%lowest)))
         else
-            call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached: the branch ends with the "// &
-                       "indenter or the medium at "//name//" = "//to_text(maxval(list%highest)))
+            call raise(error, error_unreachable, what//": the branch ends with the indenter or the medium at "//name//" = "// &
+                       to_text(maxval(list%highest)))
         end if
     end subroutine adhesive_state
 
-    !> The non-adhesive state with a given depth or force, both of which grow with the contact radius.
-    subroutine invert(equilibrium, wanted, of_force, state, error)
+    !> The non-adhesive state with a given s, which grows with the contact radius.
+    subroutine invert(equilibrium, control, name, s, state, error)
         type(equilibrium_t), intent(in), target :: equilibrium
-        real(wp), intent(in) :: wanted
-        logical, intent(in) :: of_force
+        type(control_t), intent(in) :: control
+        character(len=*), intent(in) :: name
+        real(wp), intent(in) :: s
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: closest
         logical :: found
 
-        if (wanted <= 0.0_wp) then
+        if (s <= 0.0_wp) then
             call equilibrium%at(equilibrium%profile%end_radius(), state, error)
             return
         end if
         if (equilibrium%profile%has_wall() .and. equilibrium%last_radius >= equilibrium%profile%largest_radius()) then
             call equilibrium%at(equilibrium%last_radius, state, error)
             if (allocated(error)) return
-            if (wanted >= merge(state%force, state%depth, of_force)) then
-                call push_beyond_wall(state, wanted, of_force)
+            if (s >= control%of(state%depth, state%force)) then
+                call push_beyond_wall(state, control, s)
                 return
             end if
         end if
-        call radius_with(equilibrium, wanted, of_force, closest, found, error)
+        call radius_with(equilibrium, control, s, closest, found, error)
         if (allocated(error)) return
         call equilibrium%at(closest, state, error)
         if (allocated(error) .or. found) return
-        call raise_unreachable(state, wanted, of_force, error)
+        call raise(error, error_unreachable, name//" = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
+                   ", where the indenter or the medium ends, the "//name//" is "//to_text(control%of(state%depth, state%force)))
     end subroutine invert
 
     !> At a vertical wall the radius stays and the indenter goes on as a flat punch.
-    pure subroutine push_beyond_wall(state, wanted, of_force)
+    pure subroutine push_beyond_wall(state, control, s)
         type(contact_state_t), intent(inout) :: state
-        real(wp), intent(in) :: wanted
-        logical, intent(in) :: of_force
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: s
 
-        if (of_force) then
-            state%excess = (wanted - state%force)/state%stiffness
-        else
-            state%excess = wanted - state%depth
-        end if
+        state%excess = (s - control%of(state%depth, state%force))/control%of(1.0_wp, state%stiffness)
         state%depth = state%depth + state%excess
         state%force = state%force + state%stiffness*state%excess
     end subroutine push_beyond_wall
 
-    subroutine radius_with(equilibrium, wanted, of_force, radius, found, error)
+    subroutine radius_with(equilibrium, control, s, radius, found, error)
         type(equilibrium_t), intent(in), target :: equilibrium
-        real(wp), intent(in) :: wanted
-        logical, intent(in) :: of_force
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: s
         real(wp), intent(out) :: radius
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
@@ -444,15 +451,15 @@ contains
         real(wp) :: first, guess, root
 
         mismatch%equilibrium => equilibrium
-        mismatch%target_value = wanted
-        mismatch%of_force = of_force
+        mismatch%control = control
+        mismatch%target_value = s
         first = smallest_log
         if (equilibrium%medium%smallest_radius() > equilibrium%profile%end_radius()) then
             first = equilibrium%coordinate_of(equilibrium%medium%smallest_radius())
         end if
         guess = 0.0_wp
-        if (.not. of_force) then
-            radius = equilibrium%profile%radius_from_mdr(wanted)
+        if (control%depth_weight > 0.0_wp) then
+            radius = equilibrium%profile%radius_from_mdr(s/control%depth_weight)
             if (radius > equilibrium%profile%end_radius()) guess = equilibrium%coordinate_of(radius)
         end if
         call solve_increasing(mismatch, guess, 2.0_wp, first, equilibrium%coordinate_of(equilibrium%last_radius), root, found, &
@@ -464,33 +471,13 @@ contains
         class(mismatch_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: depth, force, value
+        real(wp) :: depth, force
 
         y = 0.0_wp
         call self%equilibrium%first_touch(self%equilibrium%radius_of(x), depth, force, self%error)
         if (allocated(self%error)) return
-        value = merge(force, depth, self%of_force)
-        y = log(max(value, tiny(value))/self%target_value)
+        y = log(max(self%control%of(depth, force), tiny(depth))/self%target_value)
     end function mismatch_value
-
-    pure subroutine raise_unreachable(state, wanted, of_force, error)
-        type(contact_state_t), intent(in) :: state
-        real(wp), intent(in) :: wanted
-        logical, intent(in) :: of_force
-        type(error_t), allocatable, intent(inout) :: error
-        character(len=:), allocatable :: name
-        real(wp) :: last
-
-        if (of_force) then
-            name = "force"
-            last = state%force
-        else
-            name = "depth"
-            last = state%depth
-        end if
-        call raise(error, error_unreachable, name//" = "//to_text(wanted)//" cannot be reached: at radius "// &
-                   to_text(state%radius)//", where the indenter or the medium ends, the "//name//" is "//to_text(last))
-    end subroutine raise_unreachable
 
     pure subroutine check_positions(state, name, positions, largest, error)
         type(contact_state_t), intent(in) :: state

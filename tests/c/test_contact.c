@@ -35,6 +35,26 @@ static void creation_refuses(void)
     mdr_contact_options_init(&options);
     options.zeta_count = -1;
     CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "zeta_count = -1");
+    double radius[3] = {0.1, 1.0, 10.0}, zeta[3] = {1.0, 1.1, 1.2};
+    options.zeta_count = 3;
+    CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_ENULL, "zeta_radius is NULL");
+    options.zeta_radius = radius;
+    CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_ENULL, "zeta is NULL");
+    options.zeta = zeta;
+    options.zeta_count = 2;
+    CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "too short");
+    options.zeta_count = 3;
+    zeta[2] = 0.0;
+    CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "entry 3 of zeta = 0");
+    zeta[2] = NAN;
+    CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "entry 3 of zeta = NaN");
+    zeta[2] = 1e-3;
+    CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "decreases");
+    zeta[2] = 1.2;
+    radius[0] = 0.0;
+    CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "entry 1 of zeta_radius = 0");
+    radius[0] = 2.0;
+    CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "entry 2 of zeta_radius = 1");
     CHECK_TRUE(c == NULL);
     CHECK_SUCCESS(mdr_contact_free(NULL));
     CHECK_SUCCESS(mdr_contact_free(&c));
@@ -227,8 +247,38 @@ static void first_touch_and_in_place(void)
     CHECK_SUCCESS(mdr_contact_free(&c));
 }
 
+/* A constant zeta multiplies d and F of (9) and leaves a and k. */
+static void zeta_scales_the_depth(void)
+{
+    const double R = 2.0, modulus = 1.5, radius[3] = {1e-3, 1.0, 100.0}, zeta[3] = {1.25, 1.25, 1.25}, a[2] = {0.1, 3.0};
+    double d[2], F[2], k[2];
+    mdr_profile *p = NULL;
+    mdr_medium *m = NULL;
+    mdr_contact *c = NULL;
+    mdr_contact_options options;
+
+    mdr_contact_options_init(&options);
+    options.zeta_count = 3;
+    options.zeta_radius = radius;
+    options.zeta = zeta;
+    CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
+    CHECK_SUCCESS(mdr_medium_coated(1.5, 0.0, 0.3, 1.5, 0.0, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(mdr_contact_new(p, m, &options, &c));
+    CHECK_SUCCESS(mdr_contact_from_radius(c, 2, a, d, NULL, F, k));
+    for (int i = 0; i < 2; i++) {
+        CHECK_CLOSE(d[i], 1.25 * a[i] * a[i] / R, 1e-12);
+        CHECK_CLOSE(F[i], 1.25 * 4.0 / 3.0 * modulus * pow(a[i], 3) / R, 1e-10);
+        CHECK_CLOSE(k[i], 2 * modulus * a[i], 1e-12);
+    }
+    CHECK_STATUS(mdr_contact_from_radius(c, 1, (const double[]){101.0}, d, NULL, NULL, NULL), MDR_EDOMAIN, "up to 100");
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+}
+
 int main(void)
 {
+    zeta_scales_the_depth();
     creation_refuses();
     states_refuse();
     ends_refuse();

@@ -171,10 +171,130 @@ static void limits(void)
     }
 }
 
+/* E_eff of the published models, written out once more; index 0 is the coating. */
+static double published(int model, double x, double E0, double nu0, double E1, double nu1)
+{
+    const double pi = 3.14159265358979323846, xi = 1 / x;
+    const double M0 = E0 / (1 - nu0 * nu0), M1 = E1 / (1 - nu1 * nu1), G0 = 0.5 * E0 / (1 + nu0), G1 = 0.5 * E1 / (1 + nu1);
+    const double i1 = 2 / pi * atan(xi) + xi / pi * log1p(x * x);
+    const double i0 = 2 / pi * atan(xi)
+        + ((1 - 2 * nu0) * xi * log1p(x * x) - xi / (1 + xi * xi)) / (2 * pi * (1 - nu0));
+    const double nu = nu1 + (nu0 - nu1) * i1;
+    double e, L, x0;
+
+    switch (model) {
+    case MDR_MODEL_DOERNER_NIX:
+        e = exp(-xi);
+        return 1 / ((1 - nu0) / (2 * G0) * (1 - e) + (1 - nu1) / (2 * G1) * e);
+    case MDR_MODEL_WAVE:
+        e = exp(-pi * xi);
+        return 2 / (1 - nu) * G0 * ((G0 + G1) - (G0 - G1) * e) / ((G0 + G1) + (G0 - G1) * e);
+    case MDR_MODEL_MENCIK_EXPONENTIAL:
+        return M1 + (M0 - M1) * exp(-x);
+    case MDR_MODEL_MENCIK_RECIPROCAL:
+        return 1 / (1 / M1 + (1 / M0 - 1 / M1) * exp(-x));
+    case MDR_MODEL_BEC: /* h = 1, a = x */
+        return 1 / (2 * x * (1 / ((pi * x * x + 2 * x) * M0) + 1 / (2 * (x + 2 / pi) * M1)));
+    case MDR_MODEL_PERRIOT_BARTHEL:
+        L = log10(M1 / M0);
+        x0 = pow(10.0, -0.093 + 0.792 * L + 0.05 * L * L);
+        return M0 + (M1 - M0) / (1 + pow(x0 / x, 1.27));
+    case MDR_MODEL_HAY_CRAWFORD:
+        return 2 / ((1 - nu1) * (1 - nu0) / (1 - (1 - i1) * nu0 - i1 * nu1)) / ((1 - i0) / (G1 + 0.0626 * i0 * G0) + i0 / G0);
+    default:
+        return NAN;
+    }
+}
+
+static void published_models(void)
+{
+    const double h = 0.25, x[4] = {0.03, 0.5, 2.0, 40.0};
+    const double a[4] = {0.03 * h, 0.5 * h, 2.0 * h, 40.0 * h};
+
+    for (int model = MDR_MODEL_DOERNER_NIX; model <= MDR_MODEL_HAY_CRAWFORD; model++) {
+        double found[4];
+        mdr_medium *m = NULL;
+        CHECK_SUCCESS(mdr_medium_coated(400.0, 0.2, h, 70.0, 0.33, model, NULL, &m));
+        CHECK_SUCCESS(mdr_medium_modulus(m, 4, a, found));
+        for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], published(model, x[i], 400.0, 0.2, 70.0, 0.33), 1e-13);
+        CHECK_SUCCESS(mdr_medium_free(&m));
+    }
+}
+
+/* The options reach their models: alpha scales h/a (or a/h), wave_factor the exponent. */
+static void options_of_published_models(void)
+{
+    const double h = 0.25, a[1] = {0.2};
+    const double bad[4] = {0.0, -1.0, NAN, INFINITY};
+    const int with_alpha[3] = {MDR_MODEL_DOERNER_NIX, MDR_MODEL_MENCIK_EXPONENTIAL, MDR_MODEL_MENCIK_RECIPROCAL};
+    double found[1];
+    mdr_medium *m = NULL;
+    mdr_medium_options options;
+
+    for (int i = 0; i < 3; i++) {
+        mdr_medium_options_init(&options);
+        options.alpha = 0.7;
+        const double x = with_alpha[i] == MDR_MODEL_DOERNER_NIX ? a[0] / (0.7 * h) : 0.7 * a[0] / h;
+        CHECK_SUCCESS(mdr_medium_coated(400.0, 0.2, h, 70.0, 0.33, with_alpha[i], &options, &m));
+        CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, found));
+        CHECK_CLOSE(found[0], published(with_alpha[i], x, 400.0, 0.2, 70.0, 0.33), 1e-13);
+        CHECK_SUCCESS(mdr_medium_free(&m));
+        for (int j = 0; j < 4; j++) {
+            options.alpha = bad[j];
+            CHECK_STATUS(mdr_medium_coated(400.0, 0.2, h, 70.0, 0.33, with_alpha[i], &options, &m), MDR_EINVALID, "alpha = ");
+        }
+    }
+    mdr_medium_options_init(&options);
+    options.wave_factor = 0.4;
+    CHECK_SUCCESS(mdr_medium_coated(3.0 * 5.0, 0.5, h, 3.0 * 2.0, 0.5, MDR_MODEL_WAVE, &options, &m));
+    CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, found));
+    const double e = exp(-2 * 0.4 * h / a[0]);
+    CHECK_CLOSE(found[0], 4 * 5.0 * (7.0 - 3.0 * e) / (7.0 + 3.0 * e), 1e-13);
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    for (int j = 0; j < 4; j++) {
+        options.wave_factor = bad[j];
+        CHECK_STATUS(mdr_medium_coated(2.0, 0.5, h, 1.0, 0.5, MDR_MODEL_WAVE, &options, &m), MDR_EINVALID, "wave_factor = ");
+    }
+    CHECK_TRUE(m == NULL);
+}
+
+/* An incompressible layer on a rigid base gives back the published force of a paraboloid. */
+static void bottom_effect(void)
+{
+    const double E = 2.0, h = 0.5, R = 3.0, chi = 0.8, series[2][5] = {{1, 1.133, 1.283, 0.769, 0.0975}, {1, 1.133, 1.497, 1.469, 0.755}};
+    const double depth[1] = {(chi * h) * (chi * h) / R};
+    const double hertz = 4.0 / 3.0 * E / 0.75 * sqrt(R) * pow(depth[0], 1.5);
+
+    for (int i = 0; i < 2; i++) {
+        const int model = i == 0 ? MDR_MODEL_DIMITRIADIS : MDR_MODEL_GARCIA;
+        double F[1], expected = 0;
+        mdr_profile *p = NULL;
+        mdr_medium *m = NULL;
+        mdr_contact *c = NULL;
+        CHECK_STATUS(mdr_medium_coated(E, 0.5, h, 1.0, 0.3, model, NULL, &m), MDR_EINVALID, "substrate E = 1 ");
+        CHECK_STATUS(mdr_medium_coated(E, 0.5, h, NAN, 0.3, model, NULL, &m), MDR_EINVALID, "substrate E = NaN");
+        CHECK_STATUS(mdr_medium_coated(E, 0.5, h, -INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "substrate E = -infinity");
+        CHECK_STATUS(mdr_medium_coated(E, 0.4, h, INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "coating nu = 0.4");
+        CHECK_STATUS(mdr_medium_coated(E, 0.5, 0.0, INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "thickness = 0");
+        CHECK_SUCCESS(mdr_medium_coated(E, 0.5, h, INFINITY, 0.0, model, NULL, &m));
+        CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
+        CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+        CHECK_SUCCESS(mdr_contact_from_depth(c, 1, depth, NULL, NULL, F, NULL));
+        for (int k = 4; k >= 0; k--) expected = expected * chi + series[i][k];
+        CHECK_CLOSE(F[0], hertz * expected, 1e-10);
+        CHECK_SUCCESS(mdr_contact_free(&c));
+        CHECK_SUCCESS(mdr_medium_free(&m));
+        CHECK_SUCCESS(mdr_profile_free(&p));
+    }
+}
+
 int main(void)
 {
     homogeneous_refuses();
     coated_refuses();
+    published_models();
+    options_of_published_models();
+    bottom_effect();
     evaluations_refuse();
     homogeneous_values();
     gao_values();

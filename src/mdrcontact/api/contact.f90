@@ -5,7 +5,9 @@ module mdrcontact_api_contact
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive
     use mdrcontact_api_handles, only: deliver_contact, open_contact, open_medium, open_profile
     use mdrcontact_api_status, only: check_given, check_memory, status_of
-    use mdrcontact_contact, only: contact_state_t, contact_t, new_contact
+    use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_unloading
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_table, count_text, entry_name, error_invalid, error_t, raise
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
@@ -14,48 +16,52 @@ module mdrcontact_api_contact
     private
     public :: mdr_contact_options_init, mdr_contact_new
     public :: mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius
+    public :: mdr_contact_from_depth_on, mdr_contact_from_force_on
 
     !> struct mdr_contact_options
-    type, bind(C) :: contact_options_t
+    type, bind(C) :: c_contact_options_t
         integer(c_int) :: zeta_count = 0_c_int
         type(c_ptr) :: zeta_radius = c_null_ptr
         type(c_ptr) :: zeta = c_null_ptr
-    end type contact_options_t
+        real(c_double) :: work_of_adhesion = 0.0_c_double
+        integer(c_int) :: adhesion_rule = int(adhesion_automatic, c_int)
+    end type c_contact_options_t
 
     integer, parameter :: by_depth = 1, by_force = 2, by_radius = 3
 
 contains
 
     subroutine mdr_contact_options_init(options) bind(C)
-        type(contact_options_t), intent(inout), optional :: options
+        type(c_contact_options_t), intent(inout), optional :: options
 
-        if (present(options)) options = contact_options_t()
+        if (present(options)) options = c_contact_options_t()
     end subroutine mdr_contact_options_init
 
     function mdr_contact_new(profile, medium, options, out) result(status) bind(C)
         type(c_ptr), value :: profile, medium
-        type(contact_options_t), intent(in), optional :: options
+        type(c_contact_options_t), intent(in), optional :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         class(profile_t), pointer :: indenter
         class(medium_t), pointer :: body
         type(contact_t) :: contact
-        type(radius_law_t), allocatable :: zeta
+        type(contact_options_t) :: chosen
         type(error_t), allocatable :: error
 
         call open_profile(profile, "profile", indenter, error)
         call open_medium(medium, "medium", body, error)
         if (present(options)) then
-            if (options%zeta_count /= 0 .and. .not. allocated(error)) call read_zeta(options, zeta, error)
+            chosen%work_of_adhesion = options%work_of_adhesion
+            chosen%adhesion_rule = options%adhesion_rule
+            if (options%zeta_count /= 0 .and. .not. allocated(error)) call read_zeta(options, chosen%zeta, error)
         end if
-        ! An unallocated zeta is an absent one.
-        if (.not. allocated(error)) call new_contact(contact, indenter, body, error, zeta)
+        if (.not. allocated(error)) call new_contact(contact, indenter, body, error, chosen)
         status = deliver_contact(contact, out, error)
     end function mdr_contact_new
 
     !> zeta(a) from the table in the options.
     subroutine read_zeta(options, zeta, error)
-        type(contact_options_t), intent(in) :: options
+        type(c_contact_options_t), intent(in) :: options
         type(radius_law_t), allocatable, intent(out) :: zeta
         type(error_t), allocatable, intent(out) :: error
         real(c_double), pointer :: radius(:), values(:)
@@ -84,8 +90,18 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_depth, n, in, d, a, f, k)
+        status = write_states(c, by_depth, n, in, d, a, f, k, on_unloading)
     end function mdr_contact_from_depth
+
+    function mdr_contact_from_depth_on(c, branch, n, in, d, a, f, k) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: branch, n
+        real(c_double), intent(in), optional :: in(*)
+        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
+        integer(c_int) :: status
+
+        status = write_states(c, by_depth, n, in, d, a, f, k, int(branch))
+    end function mdr_contact_from_depth_on
 
     function mdr_contact_from_force(c, n, in, d, a, f, k) result(status) bind(C)
         type(c_ptr), value :: c
@@ -94,8 +110,18 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_force, n, in, d, a, f, k)
+        status = write_states(c, by_force, n, in, d, a, f, k, on_unloading)
     end function mdr_contact_from_force
+
+    function mdr_contact_from_force_on(c, branch, n, in, d, a, f, k) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: branch, n
+        real(c_double), intent(in), optional :: in(*)
+        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
+        integer(c_int) :: status
+
+        status = write_states(c, by_force, n, in, d, a, f, k, int(branch))
+    end function mdr_contact_from_force_on
 
     function mdr_contact_from_radius(c, n, in, d, a, f, k) result(status) bind(C)
         type(c_ptr), value :: c
@@ -104,16 +130,17 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_radius, n, in, d, a, f, k)
+        status = write_states(c, by_radius, n, in, d, a, f, k, on_unloading)
     end function mdr_contact_from_radius
 
     !> All states are computed before the first number is written.
-    function write_states(c, given, n, in, d, a, f, k) result(status)
+    function write_states(c, given, n, in, d, a, f, k, branch) result(status)
         type(c_ptr), intent(in) :: c
         integer, intent(in) :: given
         integer(c_int), intent(in) :: n
         real(c_double), intent(in), optional :: in(*)
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
+        integer, intent(in) :: branch
         integer(c_int) :: status
         type(contact_t), pointer :: contact
         type(contact_state_t), allocatable :: states(:)
@@ -122,7 +149,7 @@ contains
         call open_contact(c, "c", contact, error)
         call check_count(error, n)
         call check_array(error, "in", n, present(in))
-        if (.not. allocated(error) .and. n > 0) call solve(contact, given, in(:n), states, error)
+        if (.not. allocated(error) .and. n > 0) call solve(contact, given, branch, in(:n), states, error)
         status = status_of(error)
         if (allocated(error) .or. n == 0) return
         if (present(d)) d(:n) = states%depth
@@ -131,9 +158,9 @@ contains
         if (present(k)) k(:n) = states%stiffness
     end function write_states
 
-    subroutine solve(contact, given, in, states, error)
+    subroutine solve(contact, given, branch, in, states, error)
         type(contact_t), pointer, intent(in) :: contact
-        integer, intent(in) :: given
+        integer, intent(in) :: given, branch
         real(c_double), intent(in) :: in(:)
         type(contact_state_t), allocatable, intent(out) :: states(:)
         type(error_t), allocatable, intent(out) :: error
@@ -145,9 +172,9 @@ contains
         do i = 1, size(in)
             select case (given)
             case (by_depth)
-                call contact%at_depth(in(i), states(i), error)
+                call contact%at_depth(in(i), states(i), error, branch)
             case (by_force)
-                call contact%at_force(in(i), states(i), error)
+                call contact%at_force(in(i), states(i), error, branch)
             case default
                 call contact%at_radius(in(i), states(i), error)
             end select

@@ -5,7 +5,8 @@ module mdrcontact_api_fields
     use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_handles, only: open_contact
     use mdrcontact_api_status, only: check_memory, status_of
-    use mdrcontact_contact, only: contact_state_t, contact_t
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t
     implicit none (type, external)
     private

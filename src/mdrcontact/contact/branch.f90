@@ -177,7 +177,9 @@ contains
         real(wp), allocatable :: turns(:), s(:)
         type(contact_state_t) :: end_state
         type(stretch_t) :: wall
-        real(wp) :: end_coordinate
+        !> allocated where the last radius is so large that the state there is not a number
+        type(error_t), allocatable :: unlimited
+        real(wp) :: end_coordinate, end_value
         integer :: i, n
 
         if (allocated(self%depth_stretches) .and. control%force_weight == 0.0_wp) then
@@ -188,8 +190,9 @@ contains
             return
         end if
         allocate (list(0))
-        call equilibrium%at(equilibrium%last_radius, end_state, error)
-        if (allocated(error)) return
+        call equilibrium%at(equilibrium%last_radius, end_state, unlimited)
+        end_value = huge(1.0_wp)
+        if (.not. allocated(unlimited)) end_value = control%of(end_state%depth, end_state%force)
         if (self%has_range) then
             call turning_points(self, equilibrium, control, turns, s, error)
             if (allocated(error)) return
@@ -201,7 +204,7 @@ contains
             if (size(list) > 0) then
                 if (list(size(list))%last >= turns(n) .and. end_coordinate > turns(n)) then
                     list(size(list))%last = end_coordinate
-                    list(size(list))%highest = max(control%of(end_state%depth, end_state%force), s(n))
+                    list(size(list))%highest = max(end_value, s(n))
                 end if
             end if
         end if
@@ -210,7 +213,7 @@ contains
         wall%at_wall = .true.
         wall%first = equilibrium%coordinate_of(equilibrium%last_radius)
         wall%last = wall%first
-        wall%lowest = control%of(end_state%depth, end_state%force)
+        wall%lowest = end_value
         wall%highest = huge(1.0_wp)
         list = [list, wall]
     end subroutine stretches
@@ -243,6 +246,8 @@ contains
             end do
         end do
         turns = [turns, edges(size(edges))]
+        ! Behind a flat end s rises with the root of a - b: the branch begins at the rim itself.
+        if (equilibrium%profile%end_radius() > 0.0_wp) turns(1) = smallest_log
         allocate (s(size(turns)))
         do panel = 1, size(turns)
             call value_on(equilibrium, control, turns(panel), s(panel), error)
@@ -339,7 +344,7 @@ contains
         real(wp) :: low, high, middle, slope, guess
         integer :: i
 
-        low = stretch%first
+        low = max(stretch%first, self%depth%lower())
         high = min(stretch%last, self%depth%upper())
         if (control%of(self%depth%value(high), self%force%value(high)) > quantity%offset) then
             do i = 1, 60

@@ -88,6 +88,7 @@ contains
         type(average_t) :: average
         type(sampled_function_t) :: e, nu
         real(wp), allocatable :: edges(:)
+        real(wp) :: top_young, top_poisson
         integer :: i
 
         call check_positive(error, "depth", depth)
@@ -98,15 +99,26 @@ contains
                                                               error, noise=1.0e-15_wp)
         if (allocated(error)) return
         call depth_nodes(average, [0.0_wp, e%panel_edges()])
-        allocate (average%shear, source=e%value(average%z))
-        allocate (average%poisson, source=nu%value(average%z))
+        ! Above the first sample, depth*2^-40, both are constant: a polynomial must not be continued beyond its panel.
+        allocate (average%shear, source=e%value(max(average%z, e%lower())))
+        allocate (average%poisson, source=nu%value(max(average%z, nu%lower())))
+        ! An incompressible body's 1/2 comes back from the interpolation with its rounding error.
+        where (abs(average%poisson - 0.5_wp) < function_tolerance) average%poisson = 0.5_wp
         do i = 1, size(average%z)
             call check_positive(error, "E at z = "//to_text(average%z(i)), average%shear(i))
             call check_poisson(error, "nu at z = "//to_text(average%z(i)), average%poisson(i))
         end do
         if (allocated(error)) return
         average%shear = 0.5_wp*average%shear/(1.0_wp + average%poisson)
-        call finish(self, average, young%value(0.0_wp), poisson%value(0.0_wp), e%value(depth), nu%value(depth), options, error)
+        top_young = young%value(0.0_wp)
+        top_poisson = poisson%value(0.0_wp)
+        if (allocated(young%error)) then
+            error = young%error
+        else if (allocated(poisson%error)) then
+            error = poisson%error
+        end if
+        if (allocated(error)) return
+        call finish(self, average, top_young, top_poisson, e%value(depth), nu%value(depth), options, error)
     end subroutine new_graded_from_functions
 
     !> Samples E_eff(a) over all radii at which it varies.

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# From a bare Debian or Ubuntu machine to force-depth curves of real coated bodies: ./quickstart.sh
+# Installs what is missing (asks for sudo if need be), makes .venv with the package, computes examples/problems/*.toml.
+# Run again at any time; what is up to date is left alone.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+log_dir=output/logs
+source tools/messages.sh
+source tools/system_packages.sh
+source tools/python_environment.sh
+
+say "1/3 System packages"
+install_system_packages
+say "2/3 Python package in .venv"
+install_python_package all
+
+say "3/3 Contact of three coated bodies"
+for problem in examples/problems/*.toml; do
+    name=$(basename "$problem" .toml)
+    note "$problem"
+    .venv/bin/mdrcontact curve "$problem" --csv "output/$name.csv" --plot "output/$name.png"
+    .venv/bin/mdrcontact compare "$problem" --plot "output/$name-models.png"
+done
+
+say "Done in $SECONDS s. Plots and tables:"
+for file in output/*.png output/*.csv; do
+    note "$PWD/$file"
+done
+say "Next"
+note "source .venv/bin/activate"
+note "mdrcontact curve --help                          what a problem file may hold"
+note "cp $problem mine.toml      your own indenter and coating; then"
+note "mdrcontact curve mine.toml --plot mine.png"
+note "./runtests.sh                                    every test, in Fortran, C and Python"

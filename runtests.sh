@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every test in every language and every example: ./runtests.sh
+# Same set-up as quickstart.sh, plus the tools of the tests. Status 0 only if all passed and every suite ran tests.
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
+log_dir=build/logs
+source tools/messages.sh
+source tools/system_packages.sh
+source tools/python_environment.sh
+
+build=build/tests
+results=build/results
+jobs=$(nproc 2> /dev/null || echo 2)
+rm -rf "$results"
+mkdir -p "$results" "$log_dir"
+
+# check NAME COMMAND...: a check that either passes or fails as a whole.
+check() {
+    local name=$1
+    shift
+    if "$@"; then
+        echo passed > "$results/$name.check"
+    else
+        echo failed > "$results/$name.check"
+        note "FAILED: $name"
+    fi
+}
+
+say "1/5 System packages"
+install_system_packages valgrind:valgrind g++:g++
+say "2/5 Python package in .venv"
+install_python_package test fortitude-lint ruff
+
+say "3/5 Linters"
+existing=()
+for folder in src tests examples python; do
+    [[ -d $folder ]] && existing+=("$folder")
+done
+check fortitude .venv/bin/fortitude check "${existing[@]}"
+if grep -q '^\[tool\.ruff' pyproject.toml; then
+    check ruff .venv/bin/ruff check python tests
+fi
+if grep -q '^\[tool\.mypy\]' pyproject.toml; then
+    check mypy .venv/bin/python -m mypy
+fi
+
+say "4/5 Library, examples, Fortran and C tests (ctest)"
+build_all() {
+    with_progress "$log_dir/configure.log" cmake -S . -B "$build" -G Ninja -DMDRCONTACT_WARNINGS_AS_ERRORS=ON \
+        -DPython3_EXECUTABLE="$PWD/.venv/bin/python" -DPython_EXECUTABLE="$PWD/.venv/bin/python" &&
+        with_progress "$log_dir/build.log" cmake --build "$build" --parallel "$jobs"
+}
+check build build_all
+ctest --test-dir "$build" --parallel "$jobs" --output-on-failure --no-tests=error \
+    --test-output-size-passed 1000000 --test-output-size-failed 1000000 --output-junit "$PWD/$results/ctest.xml"
+
+say "5/5 Python tests (pytest)"
+.venv/bin/python -m pytest --junitxml="$results/pytest.xml" -o junit_family=xunit2
+
+say "Summary, after $SECONDS s"
+.venv/bin/python tools/summarize_tests.py "$results" ctest pytest

@@ -1,0 +1,227 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A full cycle of approach and retraction under depth control, force control, or through a spring such as an AFM cantilever:
+!> jump-in, adhesive contact, pull-off, and the energy that is lost (theory 5).
+module mdrcontact_loop
+    use mdrcontact_branch, only: control_t, stretch_t
+    use mdrcontact_contact, only: contact_t, on_loading
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_positive, count_text, error_invalid, error_t, error_unreachable, raise
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: loop_t, new_loop, spring_control
+
+    !> The path of a cycle. A jump is two neighbouring points with the same position.
+    type :: loop_t
+        !> what the machine controls: depth [length], force [modulus length^2], or the far end of the spring [length]
+        real(wp), allocatable :: position(:)
+        type(contact_state_t), allocatable :: state(:)
+        !> index of the last point of the approach
+        integer :: turning_point = 0
+        !> indices of the points just before each jump
+        integer, allocatable :: jumps(:)
+        !> energy lost in the cycle, the area of the loop [modulus length^3]
+        real(wp) :: dissipated_energy = 0.0_wp
+    end type loop_t
+
+    !> How far before pull-off a drawn loop begins, relative to the pull-off position.
+    real(wp), parameter :: margin = 1.25_wp
+
+contains
+
+    !> The far end of a spring that presses the indenter: position = d + F/stiffness.
+    subroutine spring_control(control, stiffness, error)
+        type(control_t), intent(out) :: control
+        !> of the spring, > 0 [modulus length]
+        real(wp), intent(in) :: stiffness
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_positive(error, "spring_stiffness", stiffness)
+        if (.not. allocated(error)) control = control_t(1.0_wp, 1.0_wp/stiffness)
+    end subroutine spring_control
+
+    !> Approaches from afar to `largest` and retracts until the bodies are apart again.
+    subroutine new_loop(self, contact, control, largest, count, error)
+        type(loop_t), intent(out) :: self
+        type(contact_t), intent(in) :: contact
+        type(control_t), intent(in) :: control
+        !> the position where the motion turns back, > 0
+        real(wp), intent(in) :: largest
+        !> number of points on each way, at least 2; jumps and their ends come on top
+        integer, intent(in) :: count
+        type(error_t), allocatable, intent(out) :: error
+        type(stretch_t), allocatable :: list(:)
+        real(wp) :: start
+        integer :: current
+
+        call check_positive(error, "largest", largest)
+        if (count < 2) call raise(error, error_invalid, "count = "//count_text(count)//" is not allowed: at least 2 points")
+        if (allocated(error)) return
+        allocate (self%position(0), self%state(0), self%jumps(0))
+        if (.not. contact%is_adhesive()) then
+            call elastic_way(self, contact, control, largest, count, error)
+            return
+        end if
+        call contact%stable_stretches(control, list, error)
+        if (allocated(error)) return
+        current = findloc(list%lowest <= 0.0_wp .and. 0.0_wp <= list%highest, .true., dim=1)
+        if (current == 0) then
+            call raise(error, error_unreachable, "the bodies do not stick when they touch: there is no stable "// &
+                       "contact at position 0")
+            return
+        end if
+        start = margin*min(minval(list%lowest), 0.0_wp)
+        call add_apart(self, control, start)
+        call add_apart(self, control, 0.0_wp)
+        call load(self, contact, control, list, current, largest, count, error)
+        if (allocated(error)) return
+        self%turning_point = size(self%position)
+        call unload(self, contact, control, list, current, largest, count, error)
+        if (allocated(error)) return
+        call add_jump(self)
+        call add_apart(self, control, self%position(size(self%position)))
+        call add_apart(self, control, start)
+    end subroutine new_loop
+
+    subroutine load(self, contact, control, list, current, largest, count, error)
+        type(loop_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        type(control_t), intent(in) :: control
+        type(stretch_t), intent(in) :: list(:)
+        integer, intent(inout) :: current
+        real(wp), intent(in) :: largest
+        integer, intent(in) :: count
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: from, to
+        integer :: step
+
+        from = 0.0_wp
+        do
+            call add_jump(self)
+            to = min(largest, list(current)%highest)
+            call follow(self, contact, control, list(current), from, to, share(from, to, largest, count), error)
+            if (allocated(error) .or. to >= largest) return
+            from = to
+            step = findloc(list(current + 1:)%lowest <= from .and. from <= list(current + 1:)%highest, .true., dim=1)
+            if (step == 0) then
+                call raise(error, error_unreachable, "the position where the motion turns back cannot be reached: the indenter "// &
+                           "or the medium ends before")
+                return
+            end if
+            current = current + step
+        end do
+    end subroutine load
+
+    subroutine unload(self, contact, control, list, current, largest, count, error)
+        type(loop_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        type(control_t), intent(in) :: control
+        type(stretch_t), intent(in) :: list(:)
+        integer, intent(inout) :: current
+        real(wp), intent(in) :: largest
+        integer, intent(in) :: count
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: from, to
+        integer :: next
+
+        from = largest
+        do
+            to = list(current)%lowest
+            call follow(self, contact, control, list(current), from, to, share(from, to, largest, count), error)
+            if (allocated(error)) return
+            next = findloc(list(:current - 1)%lowest <= to .and. to <= list(:current - 1)%highest, .true., dim=1, back=.true.)
+            if (next == 0) return
+            call add_jump(self)
+            from = to
+            current = next
+        end do
+    end subroutine unload
+
+    !> Points along one stable stretch, and the work done on the way.
+    subroutine follow(self, contact, control, stretch, from, to, count, error)
+        type(loop_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        type(control_t), intent(in) :: control
+        type(stretch_t), intent(in) :: stretch
+        real(wp), intent(in) :: from, to
+        integer, intent(in) :: count
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: first, state
+        real(wp) :: s
+        integer :: i
+
+        do i = 0, count - 1
+            s = from + (to - from)*(real(i, wp)/(count - 1))
+            if (i == count - 1) s = to
+            call contact%state_on_stretch(control, stretch, s, state, error)
+            if (allocated(error)) return
+            if (i == 0) then
+                first = state
+                ! Under a prescribed force the load does work while the contact jumps.
+                if (control%depth_weight == 0.0_wp) self%dissipated_energy = self%dissipated_energy &
+                    + self%state(size(self%state))%force*(state%depth - self%state(size(self%state))%depth)
+            end if
+            call add(self, s, state)
+        end do
+        self%dissipated_energy = self%dissipated_energy + contact%work_between(first, state)
+        if (control%depth_weight > 0.0_wp) self%dissipated_energy = self%dissipated_energy &
+            + 0.5_wp*control%force_weight*(state%force**2 - first%force**2)
+    end subroutine follow
+
+    !> Without adhesion the way back is the way in, and nothing is lost.
+    subroutine elastic_way(self, contact, control, largest, count, error)
+        type(loop_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: largest
+        integer, intent(in) :: count
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: state
+        integer :: i
+
+        do i = 0, 2*(count - 1)
+            associate (s => largest*(real(min(i, 2*(count - 1) - i), wp)/(count - 1)))
+                call contact%at_control(control, "position", s, state, error, on_loading)
+                if (allocated(error)) return
+                call add(self, s, state)
+            end associate
+        end do
+        self%turning_point = count
+    end subroutine elastic_way
+
+    !> The bodies apart: no force, and the depth that the machine leaves them.
+    subroutine add_apart(self, control, position)
+        type(loop_t), intent(inout) :: self
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: position
+        type(contact_state_t) :: apart
+
+        if (control%depth_weight > 0.0_wp) apart%depth = position/control%depth_weight
+        call add(self, position, apart)
+    end subroutine add_apart
+
+    subroutine add_jump(self)
+        type(loop_t), intent(inout) :: self
+
+        self%jumps = [self%jumps, size(self%position)]
+    end subroutine add_jump
+
+    subroutine add(self, position, state)
+        type(loop_t), intent(inout) :: self
+        real(wp), intent(in) :: position
+        type(contact_state_t), intent(in) :: state
+
+        self%position = [self%position, position]
+        self%state = [self%state, state]
+    end subroutine add
+
+    !> Points for a part of the way, in proportion to its length.
+    pure function share(from, to, whole, count) result(points)
+        real(wp), intent(in) :: from, to, whole
+        integer, intent(in) :: count
+        integer :: points
+
+        points = max(2, nint(count*min(abs(to - from)/whole, 1.0_wp)))
+    end function share
+
+end module mdrcontact_loop

@@ -1,0 +1,44 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The LAPACK and BLAS calls that the library uses, as explicit interfaces and nothing more.
+module mdrcontact_lapack
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: dgemm, dpotrf, dpotrs, dsymv
+
+    interface
+        subroutine dpotrf(uplo, n, a, lda, info)
+            import :: wp
+            character(len=1), intent(in) :: uplo
+            integer, intent(in) :: n, lda
+            real(wp), intent(inout) :: a(lda, *)
+            integer, intent(out) :: info
+        end subroutine dpotrf
+
+        subroutine dpotrs(uplo, n, nrhs, a, lda, b, ldb, info)
+            import :: wp
+            character(len=1), intent(in) :: uplo
+            integer, intent(in) :: n, nrhs, lda, ldb
+            real(wp), intent(in) :: a(lda, *)
+            real(wp), intent(inout) :: b(ldb, *)
+            integer, intent(out) :: info
+        end subroutine dpotrs
+
+        subroutine dsymv(uplo, n, alpha, a, lda, x, incx, beta, y, incy)
+            import :: wp
+            character(len=1), intent(in) :: uplo
+            integer, intent(in) :: n, lda, incx, incy
+            real(wp), intent(in) :: alpha, beta, a(lda, *), x(*)
+            real(wp), intent(inout) :: y(*)
+        end subroutine dsymv
+
+        subroutine dgemm(transa, transb, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc)
+            import :: wp
+            character(len=1), intent(in) :: transa, transb
+            integer, intent(in) :: m, n, k, lda, ldb, ldc
+            real(wp), intent(in) :: alpha, beta, a(lda, *), b(ldb, *)
+            real(wp), intent(inout) :: c(ldc, *)
+        end subroutine dgemm
+    end interface
+
+end module mdrcontact_lapack

@@ -1,0 +1,304 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The exact layered medium (theory 6): no approximation in contact radius, depth or stiffness.
+!>
+!> Once made, the medium holds its kernel; a contact radius then costs a small symmetric positive definite system. Results meet the stated
+!> relative tolerance, or an error says that they do not.
+module mdrcontact_layered_exact
+    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
+    use mdrcontact_gsl, only: disable_gsl_abort
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_layered_converge, only: make_rules, solve_to_tolerance
+    use mdrcontact_layered_fields, only: displacement_beyond, new_smooth_load, smooth_load_t, smooth_pressure, smooth_value
+    use mdrcontact_layered_indenter, only: load_t, new_load
+    use mdrcontact_layered_kernel, only: kernel_t
+    use mdrcontact_layered_rule, only: rule_t
+    use mdrcontact_layered_solve, only: solution_t
+    use mdrcontact_layered_stack, only: new_stack, stack_t
+    use mdrcontact_layered_surface, only: surface_t
+    use mdrcontact_layered_tabulate, only: tabulate_kernel
+    use mdrcontact_material, only: material_t
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: layered_exact_t, new_layered_exact, new_exact_from_surface
+
+    real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
+
+    !> A layered or graded half-space, solved exactly.
+    type, extends(medium_t) :: layered_exact_t
+        private
+        type(kernel_t) :: kernel
+        type(rule_t), allocatable :: rules(:)
+        !> a half-space of the surface material, and its contact modulus E0* [modulus]
+        type(homogeneous_t) :: surface
+        real(wp) :: surface_modulus = 0.0_wp
+        real(wp) :: tolerance = default_tolerance
+    contains
+        procedure :: modulus
+        procedure :: modulus_slope
+        procedure :: depth_and_force
+        procedure :: line_load
+        procedure :: pressure
+        procedure :: displacement_outside
+        procedure :: response
+        procedure :: edge_is_exact
+        procedure :: zeta
+        procedure :: edge_modulus
+    end type layered_exact_t
+
+contains
+
+    !> A stack of bonded layers on an elastic half-space or a rigid base.
+    subroutine new_layered_exact(self, layers, thickness, substrate, error, tolerance, rigid_base)
+        type(layered_exact_t), intent(out) :: self
+        !> materials from the surface down
+        type(material_t), intent(in) :: layers(:)
+        !> their thicknesses > 0, same size [length]
+        real(wp), intent(in) :: thickness(:)
+        !> the half-space below them; an infinite E makes it a rigid base
+        type(material_t), intent(in) :: substrate
+        type(error_t), allocatable, intent(out) :: error
+        !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
+        real(wp), intent(in), optional :: tolerance
+        !> a rigid base instead of the substrate, which is then ignored; default false
+        logical, intent(in), optional :: rigid_base
+        type(stack_t) :: stack
+        logical :: rigid
+
+        rigid = substrate%young > huge(1.0_wp)
+        if (present(rigid_base)) rigid = rigid .or. rigid_base
+        call new_stack(stack, layers, thickness, substrate, error, rigid)
+        if (allocated(error)) return
+        call new_exact_from_surface(self, stack, error, tolerance)
+    end subroutine new_layered_exact
+
+    !> Any body whose surface compliance is known.
+    subroutine new_exact_from_surface(self, surface, error, tolerance)
+        type(layered_exact_t), intent(out) :: self
+        class(surface_t), intent(in) :: surface
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), intent(in), optional :: tolerance
+
+        call disable_gsl_abort()
+        if (present(tolerance)) then
+            if (.not. (tolerance >= smallest_tolerance .and. tolerance <= largest_tolerance)) then
+                call raise(error, error_invalid, "tolerance = "//to_text(tolerance)//" is not allowed: it must be at least "// &
+                           to_text(smallest_tolerance)//" and at most "//to_text(largest_tolerance))
+                return
+            end if
+            self%tolerance = tolerance
+        end if
+        self%surface_modulus = surface%surface_modulus()
+        call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
+        if (allocated(error)) return
+        call tabulate_kernel(self%kernel, surface, error)
+        if (allocated(error)) return
+        allocate (self%rules, source=make_rules())
+    end subroutine new_exact_from_surface
+
+    !> E_eff(a), the stiffness of a flat punch over 2 a.
+    subroutine modulus(self, a, values, error)
+        class(layered_exact_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(solution_t) :: solution
+        integer :: i
+
+        do i = 1, size(a)
+            call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a(i)/self%kernel%unit, solution, error)
+            if (allocated(error)) return
+            values(i) = self%surface_modulus*solution%modulus
+        end do
+    end subroutine modulus
+
+    !> E_eff'(a) = (E0* q_1(a; a)^2 - E_eff(a))/a.
+    subroutine modulus_slope(self, a, values, error)
+        class(layered_exact_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(solution_t) :: solution
+        integer :: i
+
+        do i = 1, size(a)
+            call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a(i)/self%kernel%unit, solution, error)
+            if (allocated(error)) return
+            values(i) = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a(i)
+        end do
+    end subroutine modulus_slope
+
+    !> The load per unit depth that a flat punch puts on the spring at its edge, E0* q_1(a; a) [modulus]: at an adhesive edge
+    !> the excess depth -sqrt(2 pi a gamma E0*)/edge_modulus makes q(a) = -sqrt(2 pi a gamma E0*).
+    subroutine edge_modulus(self, a, values, error)
+        class(layered_exact_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(solution_t) :: solution
+        integer :: i
+
+        do i = 1, size(a)
+            call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a(i)/self%kernel%unit, solution, error)
+            if (allocated(error)) return
+            values(i) = self%surface_modulus*solution%punch_edge
+        end do
+    end subroutine edge_modulus
+
+    !> First touch: the depth at which the edge spring is just unloaded, and the springs' total force.
+    subroutine depth_and_force(self, profile, a, depth, force, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force
+        type(error_t), allocatable, intent(out) :: error
+        type(solution_t) :: solution
+
+        depth = 0.0_wp
+        force = 0.0_wp
+        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        if (allocated(error)) return
+        depth = solution%depth
+        force = self%surface_modulus*solution%force
+    end subroutine depth_and_force
+
+    !> Depth, force, E_eff and its slope from one solution.
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force, modulus, modulus_slope
+        type(error_t), allocatable, intent(out) :: error
+        type(solution_t) :: solution
+
+        depth = 0.0_wp
+        force = 0.0_wp
+        modulus = 0.0_wp
+        modulus_slope = 0.0_wp
+        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        if (allocated(error)) return
+        depth = solution%depth
+        force = self%surface_modulus*solution%force
+        modulus = self%surface_modulus*solution%modulus
+        modulus_slope = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a
+    end subroutine response
+
+    pure function edge_is_exact(self) result(answer)
+        class(layered_exact_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .true.
+    end function edge_is_exact
+
+    !> zeta(a) = d/g(a), equation (9): what the depth is to that of a homogeneous body at the same contact radius.
+    subroutine zeta(self, profile, a, values, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        !> contact radii beyond the flat end of the profile [length]
+        real(wp), intent(in) :: a(:)
+        !> same size as a
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: force
+        integer :: i
+
+        do i = 1, size(a)
+            call self%depth_and_force(profile, a(i), values(i), force, error)
+            if (allocated(error)) return
+            values(i) = values(i)/profile%mdr(a(i))
+        end do
+    end subroutine zeta
+
+    !> q(x; a) = E0* (d q_1 - g - v).
+    subroutine line_load(self, profile, a, excess, r, values, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(solution_t) :: solution
+        type(smooth_load_t) :: smooth
+        real(wp) :: depth, slope
+        integer :: i
+
+        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        if (allocated(error)) return
+        depth = solution%depth + excess
+        smooth = new_smooth_load(solution, self%rules(level_of(self, solution)), depth)
+        do i = 1, size(r)
+            call smooth_value(smooth, r(i)/self%kernel%unit, values(i), slope)
+            values(i) = self%surface_modulus*(depth - profile%mdr(r(i)) + values(i))
+        end do
+    end subroutine line_load
+
+    !> p(r) by equation (6): the half-space of the surface material under d - g, and what the layers below it add.
+    subroutine pressure(self, profile, a, excess, r, values, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(solution_t) :: solution
+        type(smooth_load_t) :: smooth
+        integer :: i
+
+        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        if (allocated(error)) return
+        call self%surface%pressure(profile, a, 0.0_wp, r, values, error)
+        if (allocated(error)) return
+        smooth = new_smooth_load(solution, self%rules(level_of(self, solution)), solution%depth + excess)
+        do i = 1, size(r)
+            values(i) = values(i) + self%surface_modulus/self%kernel%unit &
+                        *smooth_pressure(smooth, self%rules(size(self%rules)), min(r(i)/self%kernel%unit, solution%a))
+            if (excess == 0.0_wp) cycle
+            if (r(i) < a) then
+                values(i) = values(i) + self%surface_modulus*solution%punch_edge*excess/(pi*sqrt((a - r(i))*(a + r(i))))
+            else
+                values(i) = sign(ieee_value(1.0_wp, ieee_positive_inf), excess)
+            end if
+        end do
+    end subroutine pressure
+
+    !> u(r) = (2/pi) int_0^r w(x)/sqrt(r^2 - x^2) dx with the springs' displacement w, which is d - g inside the contact.
+    subroutine displacement_outside(self, profile, a, excess, r, values, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(solution_t) :: solution
+        type(load_t) :: load
+        real(wp) :: depth
+        integer :: i
+
+        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        if (allocated(error)) return
+        depth = solution%depth + excess
+        call self%surface%displacement_outside(profile, a, depth - profile%mdr(a), r, values, error)
+        if (allocated(error) .or. self%kernel%vanishes) return
+        call new_load(self%kernel, profile, solution%grid, self%rules(level_of(self, solution)), load)
+        do i = 1, size(r)
+            values(i) = values(i) + displacement_beyond(self%kernel, self%rules(size(self%rules)), solution, load, depth, &
+                                                        r(i)/self%kernel%unit)
+        end do
+    end subroutine displacement_outside
+
+    pure function level_of(self, solution) result(level)
+        class(layered_exact_t), intent(in) :: self
+        type(solution_t), intent(in) :: solution
+        integer :: level
+
+        do level = 1, size(self%rules) - 1
+            if (self%rules(level)%n == solution%grid%order) exit
+        end do
+    end function level_of
+
+end module mdrcontact_layered_exact

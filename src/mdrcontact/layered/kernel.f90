@@ -1,0 +1,107 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The kernel X(y) = int_0^inf chi(k) cos(ky) dk of the one-dimensional springs (theory 6), tabulated once per medium.
+!>
+!> X belongs to the body alone, not to contact radius or indenter. It is tabulated on [0, unit] as a polynomial in y^2 and on half octaves
+!> [unit 2^j, unit 2^(j+1)] up to where it has become its own tail, -c/y^2: any ratio of lengths takes the same few panels.
+!> Lengths in this module are in units of `unit`, X in units of 1/unit.
+module mdrcontact_layered_kernel
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: kernel_t, degree
+
+    !> Degree of the polynomials: a panel's nearest singularity (y = 0, or 2 h i with h the first layer's thickness)
+    !> lies five half lengths from its centre or farther.
+    integer, parameter :: degree = 15
+    integer(int64), parameter :: mantissa = int(z'000FFFFFFFFFFFFF', int64), exponent_of_one = int(z'3FF0000000000000', int64)
+    !> Points evaluated together, so that the compiler interleaves their Horner schemes.
+    integer, parameter :: block_size = 32
+
+    !> The table. Made by tabulate_kernel.
+    type :: kernel_t
+        !> length unit of the table: the thickness of the first layer [length]
+        real(wp) :: unit = 1.0_wp
+        !> X is zero: a homogeneous body
+        logical :: vanishes = .true.
+        !> coefficients(:, 0): powers of 2 y^2 - 1 on [0, 1]; (:, 1 + 2 j + i): powers of the local variable in [-1, 1] on half i of octave j
+        real(wp), allocatable :: coefficients(:, :)
+        !> y^2 X(y) beyond the last octave
+        real(wp) :: tail = 0.0_wp
+        !> chi(0) - (2/pi) int_0^inf X dy, which would be 0: a local spring that makes up for the table's rounding
+        real(wp) :: defect = 0.0_wp
+    contains
+        procedure :: octaves
+        procedure :: evaluate
+    end type kernel_t
+
+contains
+
+    !> Number of octaves in the table: the tail begins at 2^octaves.
+    pure function octaves(self) result(count)
+        class(kernel_t), intent(in) :: self
+        integer :: count
+
+        count = 0
+        if (allocated(self%coefficients)) count = ubound(self%coefficients, 2)/2
+    end function octaves
+
+    !> X at y >= 0, any number of points.
+    pure subroutine evaluate(self, y, x)
+        class(kernel_t), intent(in) :: self
+        real(wp), intent(in) :: y(:)
+        !> same size as y
+        real(wp), intent(out) :: x(:)
+        integer :: first, count
+
+        if (self%vanishes) then
+            x = 0.0_wp
+            return
+        end if
+        do first = 1, size(y), block_size
+            count = min(block_size, size(y) - first + 1)
+            call evaluate_block(count, y(first:first + count - 1), self%coefficients, self%octaves(), self%tail, &
+                                x(first:first + count - 1))
+        end do
+    end subroutine evaluate
+
+    pure subroutine evaluate_block(n, y, coefficients, octaves, tail, x)
+        integer, intent(in) :: n, octaves
+        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail
+        real(wp), intent(out) :: x(n)
+        integer(int64) :: bits
+        integer :: i, j, octave, half, panel(block_size)
+        real(wp) :: u(block_size)
+        logical :: has_tail
+
+        has_tail = .false.
+        do i = 1, n
+            bits = transfer(y(i), bits)
+            octave = int(shiftr(bits, 52)) - 1023
+            half = int(iand(shiftr(bits, 51), 1_int64))
+            u(i) = 4.0_wp*transfer(ior(iand(bits, mantissa), exponent_of_one), 1.0_wp) - real(5 + 2*half, wp)
+            panel(i) = 1 + 2*octave + half
+            if (octave < 0) then
+                panel(i) = 0
+                u(i) = 2.0_wp*y(i)**2 - 1.0_wp
+            else if (octave >= octaves) then
+                panel(i) = 0
+                u(i) = 0.0_wp
+                has_tail = .true.
+            end if
+        end do
+        do i = 1, n
+            x(i) = coefficients(degree, panel(i))
+        end do
+        do j = degree - 1, 0, -1
+            do i = 1, n
+                x(i) = x(i)*u(i) + coefficients(j, panel(i))
+            end do
+        end do
+        if (.not. has_tail) return
+        do i = 1, n
+            if (y(i) >= scale(1.0_wp, octaves)) x(i) = tail/y(i)**2
+        end do
+    end subroutine evaluate_block
+
+end module mdrcontact_layered_kernel

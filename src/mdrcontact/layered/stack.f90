@@ -1,0 +1,162 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A stack of bonded isotropic layers on an elastic half-space or a rigid base, as a surface compliance (theory 6).
+module mdrcontact_layered_stack
+    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_modes, only: compliance_above, half_space_compliance, layer_modes_t, new_layer_modes, reflected_part
+    use mdrcontact_layered_surface, only: surface_t
+    use mdrcontact_material, only: material_t
+    implicit none (type, external)
+    private
+    public :: stack_t, new_stack
+
+    !> What lies deeper than this, in units of 1/k below the first interface, changes chi by less than rounding.
+    real(wp), parameter :: deepest = 25.0_wp
+
+    type, extends(surface_t) :: stack_t
+        private
+        type(layer_modes_t), allocatable :: modes(:)
+        !> layer thicknesses [length] and shear moduli relative to the first layer's, from the surface down
+        real(wp), allocatable :: thickness(:), shear(:)
+        !> compliance of the base relative to 1/(2 G) of the first layer; 0 if rigid
+        real(wp) :: base(2, 2) = 0.0_wp
+        real(wp) :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
+    contains
+        procedure :: response
+        procedure :: surface_modulus
+        procedure :: long_wave_limit
+        procedure :: first_depth
+    end type stack_t
+
+contains
+
+    !> A stack of layers. Neighbours of one material are joined: a stack of equal layers is a homogeneous body.
+    pure subroutine new_stack(self, layers, thickness, substrate, error, rigid_base)
+        type(stack_t), intent(out) :: self
+        !> materials from the surface down, as made by new_material
+        type(material_t), intent(in) :: layers(:)
+        !> thicknesses, same size, > 0 [length]
+        real(wp), intent(in) :: thickness(:)
+        !> the half-space below; ignored if rigid_base
+        type(material_t), intent(in) :: substrate
+        type(error_t), allocatable, intent(out) :: error
+        !> bonded to a rigid base instead of an elastic substrate; default false. At least one layer then.
+        logical, intent(in), optional :: rigid_base
+        type(material_t) :: kept(size(layers)), surface
+        real(wp) :: kept_thickness(size(layers))
+        logical :: rigid
+        integer :: i, count
+
+        rigid = .false.
+        if (present(rigid_base)) rigid = rigid_base
+        if (size(layers) /= size(thickness)) then
+            call raise(error, error_invalid, "thickness must have as many values as there are layers, "// &
+                       to_text(real(size(layers), wp))//", not "//to_text(real(size(thickness), wp)))
+        else if (rigid .and. size(layers) == 0) then
+            call raise(error, error_invalid, "layers is empty: a rigid base must carry at least one layer")
+        end if
+        if (allocated(error)) return
+        count = 0
+        do i = 1, size(layers)
+            call check_positive(error, "thickness", thickness(i))
+            call check_positive(error, "E of a layer", layers(i)%young)
+            if (allocated(error)) return
+            if (count > 0) then
+                if (same(layers(i), kept(count))) then
+                    kept_thickness(count) = kept_thickness(count) + thickness(i)
+                    cycle
+                end if
+            end if
+            count = count + 1
+            kept(count) = layers(i)
+            kept_thickness(count) = thickness(i)
+        end do
+        if (.not. rigid) then
+            call check_positive(error, "E of the substrate", substrate%young)
+            if (allocated(error)) return
+            if (count > 0) then
+                if (same(substrate, kept(count))) count = count - 1
+            end if
+        end if
+
+        surface = substrate
+        if (count > 0) surface = kept(1)
+        self%contact_modulus = surface%contact()
+        self%thickness = kept_thickness(:count)
+        self%shear = kept(:count)%shear()/surface%shear()
+        allocate (self%modes(count))
+        do i = 1, count
+            self%modes(i) = new_layer_modes(kept(i)%poisson)
+        end do
+        if (rigid) return
+        self%base = half_space_compliance(substrate%poisson)*(surface%shear()/substrate%shear())
+        self%sigma_zero = surface%contact()/substrate%contact()
+    end subroutine new_stack
+
+    pure function same(one, other) result(answer)
+        type(material_t), intent(in) :: one, other
+        logical :: answer
+
+        answer = one%young == other%young .and. one%poisson == other%poisson
+    end function same
+
+    !> Carries the compliance from the deepest layer that matters at this k up to the surface.
+    pure subroutine response(self, k, sigma, chi)
+        class(stack_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: sigma, chi
+        complex(wp) :: compliance(2, 2), t
+        real(wp) :: depth, scale
+        integer :: i, last
+
+        sigma = 1.0_wp
+        chi = 0.0_wp
+        if (size(self%thickness) == 0) return
+        compliance = self%base
+        depth = 0.0_wp
+        do last = 1, size(self%thickness)
+            if (last > 1) depth = depth + self%thickness(last)*real(k, wp)
+            if (depth > deepest .and. last < size(self%thickness)) then
+                compliance = self%modes(last)%half_space/self%shear(last)
+                exit
+            end if
+        end do
+        do i = min(last, size(self%thickness) + 1) - 1, 2, -1
+            compliance = compliance_above(self%modes(i), k*self%thickness(i), self%shear(i)*compliance)/self%shear(i)
+        end do
+        t = k*self%thickness(1)
+        scale = real(self%modes(1)%half_space(2, 2), wp)
+        if (abs(t) < 1.0_wp) then
+            compliance = compliance_above(self%modes(1), t, compliance)
+            sigma = compliance(2, 2)/scale
+            chi = sigma - 1.0_wp
+        else
+            compliance = reflected_part(self%modes(1), t, compliance)
+            chi = compliance(2, 2)/scale
+            sigma = 1.0_wp + chi
+        end if
+    end subroutine response
+
+    pure function surface_modulus(self) result(value)
+        class(stack_t), intent(in) :: self
+        real(wp) :: value
+
+        value = self%contact_modulus
+    end function surface_modulus
+
+    pure function long_wave_limit(self) result(value)
+        class(stack_t), intent(in) :: self
+        real(wp) :: value
+
+        value = self%sigma_zero
+    end function long_wave_limit
+
+    pure function first_depth(self) result(value)
+        class(stack_t), intent(in) :: self
+        real(wp) :: value
+
+        value = 0.0_wp
+        if (size(self%thickness) > 0) value = self%thickness(1)
+    end function first_depth
+
+end module mdrcontact_layered_stack

@@ -1,0 +1,41 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The surface of an elastic body in Hankel space (theory 6): u(k) = C(k) p(k), k C(k) = (2/E0*) sigma(k), sigma = 1 + chi.
+!>
+!> sigma is the body's compliance relative to a half-space of its surface material; chi vanishes for short waves, which
+!> do not reach beyond that material. Both are analytic in a sector around the positive k axis and are needed there.
+module mdrcontact_layered_surface
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: surface_t
+
+    !> The surface compliance of a layered or graded body.
+    type, abstract :: surface_t
+    contains
+        !> sigma(k) and chi(k) = sigma(k) - 1, each to full relative precision as far as it is known
+        procedure(response_at), deferred :: response
+        !> E0*, the contact modulus of the surface material [modulus]
+        procedure(number), deferred :: surface_modulus
+        !> sigma(0) = E0*/E1* with the contact modulus E1* of the substrate; 0 on a rigid base [1]
+        procedure(number), deferred :: long_wave_limit
+        !> depth of the first interface [length]; 0 if the body is homogeneous
+        procedure(number), deferred :: first_depth
+    end type surface_t
+
+    abstract interface
+        pure subroutine response_at(self, k, sigma, chi)
+            import :: surface_t, wp
+            class(surface_t), intent(in) :: self
+            !> wavenumber, real part > 0, argument within the sector of analyticity [1/length]
+            complex(wp), intent(in) :: k
+            complex(wp), intent(out) :: sigma, chi
+        end subroutine response_at
+
+        pure function number(self) result(value)
+            import :: surface_t, wp
+            class(surface_t), intent(in) :: self
+            real(wp) :: value
+        end function number
+    end interface
+
+end module mdrcontact_layered_surface

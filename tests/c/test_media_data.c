@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Layered, graded, tabulated and user-defined media: refusals, then media whose modulus is known. */
+#include "check.h"
+
+static const double pi = 3.14159265358979323846;
+
+static void layered_refuses(void)
+{
+    const double E[2] = {2.0, 3.0}, nu[2] = {0.3, 0.2}, h[2] = {0.1, 0.2};
+    const double bad_E[2] = {2.0, -3.0}, bad_nu[2] = {0.3, 0.6}, bad_h[2] = {0.1, 0.0}, bad_first[2] = {NAN, 1.0};
+    mdr_medium *m = NULL;
+    mdr_medium_options options;
+
+    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_layered(2, NULL, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "E is NULL");
+    CHECK_STATUS(mdr_medium_layered(2, E, NULL, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "nu is NULL");
+    CHECK_STATUS(mdr_medium_layered(2, E, nu, NULL, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "thickness is NULL");
+    CHECK_STATUS(mdr_medium_layered(-2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "n = -2");
+    CHECK_STATUS(mdr_medium_layered(0, NULL, NULL, NULL, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "at least one");
+    CHECK_STATUS(mdr_medium_layered(2, bad_E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 2 E = -3");
+    CHECK_STATUS(mdr_medium_layered(2, bad_first, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 1 E = NaN");
+    CHECK_STATUS(mdr_medium_layered(2, E, bad_nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 2 nu = 0.6");
+    CHECK_STATUS(mdr_medium_layered(2, E, nu, bad_h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 2 of thickness = 0");
+    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 0.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate E = 0");
+    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, NAN, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate nu = NaN");
+    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_WAVE, NULL, &m), MDR_EINVALID, "model = 3");
+    mdr_medium_options_init(&options);
+    options.weight_nu_choice = -1;
+    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "weight_nu_choice = -1");
+    CHECK_TRUE(m == NULL);
+}
+
+static void graded_refuses(void)
+{
+    const double z[3] = {0.0, 1.0, 2.0}, E[3] = {2.0, 1.5, 1.0}, nu[3] = {0.3, 0.3, 0.3};
+    const double late[3] = {0.1, 1.0, 2.0}, repeated[3] = {0.0, 1.0, 1.0}, bad_E[3] = {2.0, 0.0, 1.0}, bad_nu[3] = {0.3, 0.3, 0.7};
+    mdr_medium *m = NULL;
+
+    CHECK_STATUS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_graded(3, NULL, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "z is NULL");
+    CHECK_STATUS(mdr_medium_graded(3, z, NULL, nu, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "E is NULL");
+    CHECK_STATUS(mdr_medium_graded(3, z, E, NULL, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "nu is NULL");
+    CHECK_STATUS(mdr_medium_graded(-1, z, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_medium_graded(1, z, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "too short");
+    CHECK_STATUS(mdr_medium_graded(3, late, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 1 of z = 0.1");
+    CHECK_STATUS(mdr_medium_graded(3, repeated, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 3 of z = 1");
+    CHECK_STATUS(mdr_medium_graded(3, z, bad_E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 2 of E = 0");
+    CHECK_STATUS(mdr_medium_graded(3, z, E, bad_nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 3 of nu = 0.7");
+    CHECK_STATUS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_BEC, NULL, &m), MDR_EINVALID, "model = 6");
+    CHECK_TRUE(m == NULL);
+}
+
+static int constant(double x, double *y, void *value)
+{
+    (void)x;
+    *y = *(double *)value;
+    return 0;
+}
+
+static int fails(double x, double *y, void *context)
+{
+    (void)x, (void)y, (void)context;
+    return 7;
+}
+
+static int gives_nan(double x, double *y, void *context)
+{
+    (void)x, (void)context;
+    *y = NAN;
+    return 0;
+}
+
+static int fails_at_the_surface(double z, double *y, void *context)
+{
+    (void)context;
+    *y = 0.3;
+    return z > 0 ? 0 : 9;
+}
+
+static void callbacks_refuse(void)
+{
+    double number = 0.3, negative = -1.0;
+    mdr_medium *m = NULL;
+
+    CHECK_STATUS(mdr_medium_graded_callback(constant, constant, &number, 1.0, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_graded_callback(NULL, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "E is NULL");
+    CHECK_STATUS(mdr_medium_graded_callback(constant, NULL, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "nu is NULL");
+    CHECK_STATUS(mdr_medium_graded_callback(constant, constant, &number, 0.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "depth = 0");
+    CHECK_STATUS(mdr_medium_graded_callback(constant, constant, &number, 1.0, 99, NULL, &m), MDR_EINVALID, "model = 99");
+    CHECK_STATUS(mdr_medium_graded_callback(fails, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
+                 "the function E reported failure 7 at x = ");
+    CHECK_STATUS(mdr_medium_graded_callback(constant, fails_at_the_surface, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
+                 "the function nu reported failure 9 at x = 0");
+    CHECK_STATUS(mdr_medium_graded_callback(constant, gives_nan, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
+                 "the function nu gave NaN at x = ");
+    CHECK_STATUS(mdr_medium_graded_callback(constant, constant, &negative, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "E at ");
+
+    CHECK_STATUS(mdr_medium_callback(constant, &number, 0.1, 1.0, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_callback(NULL, &number, 0.1, 1.0, &m), MDR_ENULL, "modulus is NULL");
+    CHECK_STATUS(mdr_medium_callback(constant, &number, 0.0, 1.0, &m), MDR_EINVALID, "smallest_radius = 0");
+    CHECK_STATUS(mdr_medium_callback(constant, &number, 0.1, NAN, &m), MDR_EINVALID, "largest_radius = NaN");
+    CHECK_STATUS(mdr_medium_callback(constant, &number, 1.0, 0.5, &m), MDR_EINVALID, "largest_radius = 0.5");
+    CHECK_STATUS(mdr_medium_callback(fails, &number, 0.1, 1.0, &m), MDR_ECALLBACK, "reported failure 7 at x = ");
+    CHECK_STATUS(mdr_medium_callback(gives_nan, &number, 0.1, 1.0, &m), MDR_ECALLBACK, "gave NaN at x = ");
+    CHECK_STATUS(mdr_medium_callback(constant, &negative, 0.1, 1.0, &m), MDR_ECALLBACK, "-1");
+    CHECK_TRUE(m == NULL);
+}
+
+static void table_and_power_refuse(void)
+{
+    const double a[3] = {0.1, 1.0, 10.0}, E[3] = {2.0, 1.5, 1.0};
+    const double zero[3] = {0.0, 1.0, 10.0}, repeated[3] = {0.1, 0.1, 10.0}, bad_E[3] = {2.0, -1.0, 1.0};
+    mdr_medium *m = NULL;
+
+    CHECK_STATUS(mdr_medium_table(3, a, E, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_table(3, NULL, E, &m), MDR_ENULL, "a is NULL");
+    CHECK_STATUS(mdr_medium_table(3, a, NULL, &m), MDR_ENULL, "modulus is NULL");
+    CHECK_STATUS(mdr_medium_table(-3, a, E, &m), MDR_EINVALID, "n = -3");
+    CHECK_STATUS(mdr_medium_table(2, a, E, &m), MDR_EINVALID, "too short");
+    CHECK_STATUS(mdr_medium_table(3, zero, E, &m), MDR_EINVALID, "entry 1 of a = 0");
+    CHECK_STATUS(mdr_medium_table(3, repeated, E, &m), MDR_EINVALID, "entry 2 of a = 0.1");
+    CHECK_STATUS(mdr_medium_table(3, a, bad_E, &m), MDR_EINVALID, "entry 2 of modulus = -1");
+
+    CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, 0.5, 0.3, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_power_graded(0.0, 1.0, 0.5, 0.3, &m), MDR_EINVALID, "E0 = 0");
+    CHECK_STATUS(mdr_medium_power_graded(1.0, -1.0, 0.5, 0.3, &m), MDR_EINVALID, "z0 = -1");
+    CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, 1.0, 0.3, &m), MDR_EINVALID, "exponent = 1");
+    CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, -1.0, 0.3, &m), MDR_EINVALID, "exponent = -1");
+    CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, NAN, 0.3, &m), MDR_EINVALID, "exponent = NaN");
+    CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, 0.5, 0.6, &m), MDR_EINVALID, "nu = 0.6");
+    CHECK_TRUE(m == NULL);
+}
+
+/* The moduli of two media at radii from far below to far above 1; frees both. */
+static void same_modulus(mdr_medium *m, mdr_medium *expected, double tolerance)
+{
+    const double a[5] = {0.02, 0.2, 0.7, 3.0, 30.0};
+    double found[5], wanted[5];
+    CHECK_SUCCESS(mdr_medium_modulus(m, 5, a, found));
+    CHECK_SUCCESS(mdr_medium_modulus(expected, 5, a, wanted));
+    for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], wanted[i], tolerance);
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_medium_free(&expected));
+}
+
+static void layers(void)
+{
+    for (int model = MDR_MODEL_GAO; model <= MDR_MODEL_GAO_SERIES; model++) {
+        const double one_E[1] = {4.0}, one_nu[1] = {0.2}, one_h[1] = {0.6};
+        const double same_E[3] = {4.0, 4.0, 4.0}, same_nu[3] = {0.2, 0.2, 0.2}, parts[3] = {0.1, 0.2, 0.3};
+        mdr_medium *m = NULL, *expected = NULL;
+        CHECK_SUCCESS(mdr_medium_layered(1, one_E, one_nu, one_h, 1.0, 0.35, model, NULL, &m));
+        CHECK_SUCCESS(mdr_medium_coated(4.0, 0.2, 0.6, 1.0, 0.35, model, NULL, &expected));
+        same_modulus(m, expected, 1e-14);
+        CHECK_SUCCESS(mdr_medium_layered(3, same_E, same_nu, parts, 1.0, 0.35, model, NULL, &m));
+        CHECK_SUCCESS(mdr_medium_coated(4.0, 0.2, 0.6, 1.0, 0.35, model, NULL, &expected));
+        same_modulus(m, expected, 1e-13);
+        CHECK_SUCCESS(mdr_medium_layered(3, same_E, same_nu, parts, 4.0, 0.2, model, NULL, &m));
+        CHECK_SUCCESS(mdr_medium_homogeneous(4.0, 0.2, &expected));
+        same_modulus(m, expected, 1e-13);
+    }
+}
+
+/* E(z) = 3 G, incompressible, G falling linearly from G0 to G1 over the depth H: with (17) the effective modulus is
+ * 4 [G1 + (G0 - G1) (a/H) int_0^(H/a) I0(xi) dxi], the integral being
+ * X (2/pi) atan X - (3/(2 pi)) ln(1 + X^2). */
+static double linear_gradient(double a, double G0, double G1, double H)
+{
+    const double X = H / a;
+    return 4 * (G1 + (G0 - G1) / X * (2 / pi * X * atan(X) - 1.5 / pi * log1p(X * X)));
+}
+
+static int falling_E(double z, double *E, void *context)
+{
+    (void)context;
+    *E = 3 * (5.0 - 4.0 * z / 2.0);
+    return 0;
+}
+
+static int half(double z, double *nu, void *context)
+{
+    (void)z, (void)context;
+    *nu = 0.5;
+    return 0;
+}
+
+static void gradients(void)
+{
+    const double z[2] = {0.0, 2.0}, E[2] = {15.0, 3.0}, nu[2] = {0.5, 0.5}, a[5] = {0.02, 0.2, 0.7, 3.0, 30.0};
+    double found[5];
+    mdr_medium *m = NULL;
+
+    CHECK_SUCCESS(mdr_medium_graded(2, z, E, nu, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_modulus(m, 5, a, found));
+    for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], linear_gradient(a[i], 5.0, 1.0, 2.0), 1e-10);
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_medium_graded_callback(falling_E, half, NULL, 2.0, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_modulus(m, 5, a, found));
+    for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], linear_gradient(a[i], 5.0, 1.0, 2.0), 1e-10);
+    CHECK_SUCCESS(mdr_medium_free(&m));
+}
+
+/* A gradient of exponent 0 is homogeneous; a table of a power law of the radius, straight in ln a, is met at its points. */
+static void power_and_table(void)
+{
+    const double a[4] = {0.1, 1.0, 5.0, 10.0}, E[4] = {1.0, 2.0, 2.5, 3.0};
+    double found[4];
+    mdr_medium *m = NULL, *expected = NULL;
+
+    CHECK_SUCCESS(mdr_medium_power_graded(4.0, 1.0, 0.0, 0.2, &m));
+    CHECK_SUCCESS(mdr_medium_homogeneous(4.0, 0.2, &expected));
+    same_modulus(m, expected, 1e-13);
+    CHECK_SUCCESS(mdr_medium_table(4, a, E, &m));
+    CHECK_SUCCESS(mdr_medium_modulus(m, 4, a, found));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], E[i], 1e-13);
+    fill_untouched(4, found);
+    CHECK_STATUS(mdr_medium_modulus(m, 1, (const double[]){11.0}, found), MDR_EDOMAIN, "up to 10");
+    CHECK_UNTOUCHED(4, found);
+    CHECK_SUCCESS(mdr_medium_free(&m));
+}
+
+static int doerner_nix(double a, double *E, void *calls)
+{
+    ++*(int *)calls;
+    *E = 1 / (1 - exp(-1 / a) + 0.25 * exp(-1 / a));
+    return 0;
+}
+
+static void own_function(void)
+{
+    const double a[4] = {0.1, 0.9, 4.0, 30.0};
+    double found[4];
+    int calls = 0;
+    mdr_medium *m = NULL;
+
+    CHECK_SUCCESS(mdr_medium_callback(doerner_nix, &calls, 0.05, 50.0, &m));
+    CHECK_TRUE(calls > 0);
+    const int calls_of_creation = calls;
+    CHECK_SUCCESS(mdr_medium_modulus(m, 4, a, found));
+    CHECK_INT(calls, calls_of_creation);
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], 1 / (1 - 0.75 * exp(-1 / a[i])), 1e-11);
+    CHECK_SUCCESS(mdr_medium_free(&m));
+}
+
+int main(void)
+{
+    layered_refuses();
+    graded_refuses();
+    callbacks_refuse();
+    table_and_power_refuse();
+    layers();
+    gradients();
+    power_and_table();
+    own_function();
+    return check_report("media_data");
+}

@@ -1,0 +1,61 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Integrals for the tests by the double exponential (tanh-sinh) rule: a way of its own beside the library's quadrature.
+module reference_quadrature
+    use mdrcontact_kinds, only: half_pi, wp
+    implicit none (type, external)
+    private
+    public :: integrand_t, integral
+
+    !> A function to be integrated; extensions hold its parameters.
+    type, abstract :: integrand_t
+    contains
+        procedure(value_at), deferred :: at
+    end type integrand_t
+
+    abstract interface
+        function value_at(self, x) result(y)
+            import :: integrand_t, wp
+            implicit none (type, external)
+            class(integrand_t), intent(in) :: self
+            real(wp), intent(in) :: x
+            real(wp) :: y
+        end function value_at
+    end interface
+
+    real(wp), parameter :: step = 1.0_wp/48.0_wp, last = 3.7_wp
+
+contains
+
+    !> The integral over [edges(1), edges(size(edges))]; f is analytic between the edges and may be singular,
+    !> but integrable, at them.
+    function integral(f, edges) result(total)
+        class(integrand_t), intent(in) :: f
+        real(wp), intent(in) :: edges(:)
+        real(wp) :: total
+        integer :: i
+
+        total = 0.0_wp
+        do i = 1, size(edges) - 1
+            if (edges(i + 1) > edges(i)) total = total + panel(f, edges(i), edges(i + 1))
+        end do
+    end function integral
+
+    function panel(f, lower, upper) result(total)
+        class(integrand_t), intent(in) :: f
+        real(wp), intent(in) :: lower, upper
+        real(wp) :: total, t, distance, weight, x
+        integer :: i, nodes
+
+        total = 0.0_wp
+        nodes = int(last/step)
+        do i = -nodes, nodes
+            t = i*step
+            ! distance from the nearer end as a fraction of the length, without cancellation
+            distance = 1.0_wp/(1.0_wp + exp(2.0_wp*half_pi*sinh(abs(t))))
+            weight = half_pi*cosh(t)/cosh(half_pi*sinh(t))**2*0.5_wp*(upper - lower)*step
+            x = merge(lower + distance*(upper - lower), upper - distance*(upper - lower), t < 0.0_wp)
+            if (x > lower .and. x < upper) total = total + weight*f%at(x)
+        end do
+    end function panel
+
+end module reference_quadrature
