@@ -51,7 +51,7 @@ def test_units_in_the_key_say_the_same(tmp_path):
     one, two = _load(tmp_path, GOOD), _load(tmp_path, other)
     assert two.indenter.radius == pytest.approx(one.indenter.radius, rel=1e-15)
     assert two.medium.thickness == pytest.approx(one.medium.thickness, rel=1e-15)
-    assert two.medium.coating.E == pytest.approx(one.medium.coating.E, rel=1e-15)
+    assert pytest.approx(one.medium.coating.E, rel=1e-15) == two.medium.coating.E
     assert two.control.values == pytest.approx(one.control.values, rel=1e-15)
 
 

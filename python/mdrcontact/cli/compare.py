@@ -142,7 +142,7 @@ def spread_text(values: Array) -> str:
 
 def reference(answers: Sequence[Answer], values: Array) -> tuple[str, Array]:
     """What the models are measured by: the exact one, without it their median; `values` has one row for each answer."""
-    for answer, row in zip(answers, values):
+    for answer, row in zip(answers, values, strict=True):
         if answer.model == "exact":
             return "exact", row
     median: Array = np.exp(np.median(np.log(values), axis=0))
@@ -156,7 +156,7 @@ def _side_by_side(problem: Problem, answers: list[Answer], name: str, values: li
     unit, given = practical(dimension, np.concatenate(values)), practical(control.dimension, control.values)
     at = [f"{number(float(given.of(control.values[i])))} {given.name}" for i in picked]
     head = [f"{name} [{unit.name}] at {control.name}", *at]
-    rows = [[a.model, *(number(float(unit.of(v[i]))) for i in picked)] for a, v in zip(answers, values)]
+    rows = [[a.model, *(number(float(unit.of(v[i]))) for i in picked)] for a, v in zip(answers, values, strict=True)]
     last = ["spread", *(spread_text(np.array([v[i] for v in values])) for i in picked)]
     return aligned([head, *rows, last], left=1)
 
@@ -165,9 +165,9 @@ def _long_csv(answers: list[Answer]) -> bytes:
     """All models below each other, in common units."""
     tables = [columns(a.curve, a.medium) for a in answers]
     labels = [a.model for a in answers for _ in a.curve.depth]
-    dimensions = dict(zip(("depth", "radius", "force"), (LENGTH, LENGTH, FORCE)))
+    dimensions = {"depth": LENGTH, "radius": LENGTH, "force": FORCE}
     stacked = []
-    for parts in zip(*tables):
+    for parts in zip(*tables, strict=True):
         values = np.concatenate([part.values for part in parts])
         unit = practical(dimensions[parts[0].name], values) if parts[0].name in dimensions else parts[0].unit
         stacked.append(Column(parts[0].name, values, unit))
