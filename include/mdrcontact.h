@@ -125,13 +125,31 @@ typedef struct mdr_contact_options {
     int zeta_count;                    /* 0: d = g(a); else size of the table zeta(a) of (9), d = zeta(a) g(a) */
     const double *zeta_radius;         /* [zeta_count] ascending */
     const double *zeta;                /* [zeta_count] */
+    double work_of_adhesion;           /* gamma >= 0 [modulus length], default 0: no adhesion */
+    int adhesion_rule;                 /* enum mdr_adhesion_rule, default MDR_ADHESION_AUTOMATIC */
 } mdr_contact_options;
+enum mdr_adhesion_rule {
+    MDR_ADHESION_AUTOMATIC = 0,        /* the energy balance where the medium is exact, the paper's rule elsewhere */
+    MDR_ADHESION_PAPER = 1,            /* (28): dl = sqrt(2 pi a gamma/E_eff) */
+    MDR_ADHESION_ENERGY = 2            /* balance of energy: dl = sqrt(2 pi a gamma/(E_eff + a E_eff')) */
+};
+enum mdr_branch {                      /* which stable state of an adhesive contact */
+    MDR_ON_LOADING = 1,                /* the smallest contact, met on approach */
+    MDR_ON_UNLOADING = 2               /* the largest contact, kept on retraction: what from_depth and from_force give */
+};
+enum mdr_control {
+    MDR_CONTROL_FORCE = 0,
+    MDR_CONTROL_DEPTH = 1,
+    MDR_CONTROL_SPRING = 2             /* the far end of a spring; loops only */
+};
 void mdr_contact_options_init(mdr_contact_options *options);
 
 int mdr_contact_new(const mdr_profile *profile, const mdr_medium *medium, const mdr_contact_options *options, mdr_contact **out);
 int mdr_contact_from_depth(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
 int mdr_contact_from_force(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
 int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+int mdr_contact_from_depth_on(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[], double F[], double k[]);
+int mdr_contact_from_force_on(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[], double F[], double k[]);
 int mdr_contact_pressure(const mdr_contact *c, double a, int n, const double r[], double out[]);
 int mdr_contact_displacement(const mdr_contact *c, double a, int n, const double r[], double out[]);
 int mdr_contact_line_load(const mdr_contact *c, double a, int n, const double x[], double out[]);
@@ -140,6 +158,21 @@ int mdr_contact_pressure_at_depth(const mdr_contact *c, double d, int n, const d
 int mdr_contact_displacement_at_depth(const mdr_contact *c, double d, int n, const double r[], double out[]);
 int mdr_contact_line_load_at_depth(const mdr_contact *c, double d, int n, const double x[], double out[]);
 int mdr_contact_free(mdr_contact **c);
+
+/* ---- adhesion (theory 5) ------------------------------------------------------------------------------------- */
+/* where the contact breaks: lowest force or depth of the whole branch; all 0 without adhesion; NULL outputs are skipped */
+int mdr_contact_pull_off(const mdr_contact *c, int control, double *d, double *a, double *F);
+/* all ends of stable stretches: the global one first, then the others by radius; *count is their full number, at most capacity are written */
+int mdr_contact_pull_offs(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count);
+
+typedef struct mdr_loop mdr_loop;
+/* a cycle of approach to position `largest` and retraction, about `points` points each way; spring_stiffness for MDR_CONTROL_SPRING only */
+int mdr_loop_new(const mdr_contact *c, int control, double spring_stiffness, double largest, int points, mdr_loop **out);
+int mdr_loop_size(const mdr_loop *l, int *points, int *turning_point, int *jumps);  /* turning_point: index of the last point of the approach */
+int mdr_loop_path(const mdr_loop *l, int n, double position[], double d[], double a[], double F[]);  /* the first n points */
+int mdr_loop_jumps(const mdr_loop *l, int n, int index[]);                           /* indices of the points just before each jump */
+int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy);                   /* [modulus length^3] */
+int mdr_loop_free(mdr_loop **l);
 
 #ifdef __cplusplus
 }

@@ -3,8 +3,10 @@
 module mdrcontact_api_coated
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use mdrcontact_api_exact, only: deliver_exact
     use mdrcontact_api_handles, only: deliver_medium
     use mdrcontact_api_medium_options, only: gao_options, medium_options_t, model_bec, model_dimitriadis, model_doerner_nix, &
+                                             model_exact, &
                                              model_gao, model_gao_series, model_garcia, model_hay_crawford, &
                                              model_mencik_exponential, model_mencik_reciprocal, model_perriot_barthel, &
                                              model_wave, options_or_defaults, raise_model
@@ -36,6 +38,10 @@ contains
         type(error_t), allocatable :: error
 
         call new_material(coating, coating_e, coating_nu, error, "coating")
+        if (model == model_exact) then
+            status = deliver_exact([coating], [thickness], substrate_e, substrate_nu, options, out, error)
+            return
+        end if
         if (.not. allocated(error)) then
             if (model == model_dimitriadis .or. model == model_garcia) then
                 call check_rigid(error, substrate_e)

@@ -13,6 +13,7 @@ module mdrcontact_api_handles
     implicit none (type, external)
     private
     public :: open_profile, open_medium, open_contact
+    public :: check_handle, holds_handle
     public :: deliver_profile, deliver_medium, deliver_contact
     public :: mdr_profile_free, mdr_medium_free, mdr_contact_free
 

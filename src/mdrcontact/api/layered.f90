@@ -4,8 +4,10 @@ module mdrcontact_api_layered
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_callback, only: c_function_t, new_c_function
+    use mdrcontact_api_exact, only: deliver_exact
     use mdrcontact_api_handles, only: deliver_medium
-    use mdrcontact_api_medium_options, only: gao_options, medium_options_t, model_gao, model_gao_series, raise_model
+    use mdrcontact_api_medium_options, only: gao_options, medium_options_t, model_exact, model_gao, &
+                                             model_gao_series, raise_model
     use mdrcontact_api_status, only: check_memory
     use mdrcontact_error, only: count_text, error_t
     use mdrcontact_material, only: material_t, new_material
@@ -35,8 +37,12 @@ contains
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))
         call check_array(error, "thickness", n, present(thickness))
-        call check_model(error, model)
+        if (model /= model_exact) call check_model(error, model, "MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT")
         if (.not. allocated(error)) call new_layers(layers, e(:n), nu(:n), error)
+        if (model == model_exact .and. .not. allocated(error)) then
+            status = deliver_exact(layers, thickness(:n), substrate_e, substrate_nu, options, out, error)
+            return
+        end if
         if (.not. allocated(error)) call new_material(substrate, substrate_e, substrate_nu, error, "substrate")
         if (.not. allocated(error)) then
             call new_gao_layered(medium, layers, thickness(:n), substrate, error, gao_options(model, options))
@@ -58,7 +64,7 @@ contains
         call check_array(error, "z", n, present(z))
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))
-        call check_model(error, model)
+        call check_model(error, model, "MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES")
         if (.not. allocated(error)) call new_graded(medium, z(:n), e(:n), nu(:n), error, gao_options(model, options))
         status = deliver_medium(medium, out, error)
     end function mdr_medium_graded
@@ -77,7 +83,7 @@ contains
 
         call new_c_function(young, "E", e, context, error)
         call new_c_function(poisson, "nu", nu, context, error)
-        call check_model(error, model)
+        call check_model(error, model, "MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES")
         if (.not. allocated(error)) then
             call new_graded_from_functions(medium, young, poisson, depth, error, gao_options(model, options))
         end if
@@ -109,12 +115,13 @@ contains
         end do
     end subroutine new_layers
 
-    pure subroutine check_model(error, model)
+    pure subroutine check_model(error, model, allowed)
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int), intent(in) :: model
+        character(len=*), intent(in) :: allowed
 
         if (model == model_gao .or. model == model_gao_series) return
-        call raise_model(error, model, "MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES")
+        call raise_model(error, model, allowed)
     end subroutine check_model
 
 end module mdrcontact_api_layered

@@ -9,13 +9,13 @@ module mdrcontact_api_medium_options
     private
     public :: medium_options_t, options_or_defaults, gao_options, raise_model, mdr_medium_options_init
     public :: model_gao, model_gao_series, model_doerner_nix, model_wave, model_mencik_exponential, model_mencik_reciprocal, &
-              model_bec, model_perriot_barthel, model_hay_crawford, model_dimitriadis, model_garcia
+              model_bec, model_perriot_barthel, model_hay_crawford, model_dimitriadis, model_garcia, model_exact
 
     !> enum mdr_model
     integer(c_int), parameter :: model_gao = 0_c_int, model_gao_series = 1_c_int, model_doerner_nix = 2_c_int, &
                                  model_wave = 3_c_int, model_mencik_exponential = 4_c_int, model_mencik_reciprocal = 5_c_int, &
                                  model_bec = 6_c_int, model_perriot_barthel = 7_c_int, model_hay_crawford = 8_c_int, &
-                                 model_dimitriadis = 9_c_int, model_garcia = 10_c_int
+                                 model_dimitriadis = 9_c_int, model_garcia = 10_c_int, model_exact = 11_c_int
 
     !> struct mdr_medium_options; the order of the components is that of the header.
     type, bind(C) :: medium_options_t

@@ -1,0 +1,226 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Pull-off and loops of adhesive contacts, for C.
+module mdrcontact_api_adhesion
+    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count
+    use mdrcontact_api_handles, only: check_handle, holds_handle, open_contact
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_branch, only: control_t, depth_control, force_control
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_loop, only: loop_t, new_loop, spring_control
+    implicit none (type, external)
+    private
+    public :: mdr_contact_pull_off, mdr_contact_pull_offs
+    public :: mdr_loop_new, mdr_loop_size, mdr_loop_path, mdr_loop_jumps, mdr_loop_dissipated_energy, mdr_loop_free
+
+    !> enum mdr_control
+    integer(c_int), parameter :: by_force = 0_c_int, by_depth = 1_c_int, by_spring = 2_c_int
+
+    integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, loop_tag = 7239381865347100004_c_int64_t
+
+    type :: loop_handle_t
+        integer(c_int64_t) :: tag = loop_tag
+        type(loop_t) :: object
+    end type loop_handle_t
+
+contains
+
+    function mdr_contact_pull_off(c, control, d, a, f) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: control
+        real(c_double), intent(inout), optional :: d, a, f
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        type(control_t) :: chosen
+        type(contact_state_t) :: state
+        type(error_t), allocatable :: error
+
+        call open_contact(c, "c", contact, error)
+        call choose_control(chosen, control, 0.0_c_double, .false., error)
+        if (.not. allocated(error)) call contact%pull_off(chosen, state, error)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(d)) d = state%depth
+        if (present(a)) a = state%radius
+        if (present(f)) f = state%force
+    end function mdr_contact_pull_off
+
+    function mdr_contact_pull_offs(c, control, capacity, d, a, f, count) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: control, capacity
+        real(c_double), intent(inout), optional :: d(*), a(*), f(*)
+        integer(c_int), intent(inout), optional :: count
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        type(control_t) :: chosen
+        type(contact_state_t) :: state
+        type(contact_state_t), allocatable :: all_states(:), others(:)
+        type(error_t), allocatable :: error
+        integer :: n
+
+        call open_contact(c, "c", contact, error)
+        if (capacity < 0) call raise(error, error_invalid, "capacity = "//count_text(int(capacity))// &
+                                     " is not allowed: it must be at least 0")
+        call check_given(error, "count", present(count))
+        call choose_control(chosen, control, 0.0_c_double, .false., error)
+        if (.not. allocated(error)) call contact%pull_off(chosen, state, error, others)
+        status = status_of(error)
+        if (allocated(error)) return
+        allocate (all_states(0))
+        if (contact%is_adhesive()) all_states = [state, others]
+        count = size(all_states, kind=c_int)
+        n = min(size(all_states), int(capacity))
+        if (present(d)) d(:n) = all_states(:n)%depth
+        if (present(a)) a(:n) = all_states(:n)%radius
+        if (present(f)) f(:n) = all_states(:n)%force
+    end function mdr_contact_pull_offs
+
+    function mdr_loop_new(c, control, spring_stiffness, largest, points, out) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: control, points
+        real(c_double), value :: spring_stiffness, largest
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        type(control_t) :: chosen
+        type(loop_handle_t), pointer :: inside
+        type(loop_t) :: loop
+        type(error_t), allocatable :: error
+        integer :: stat
+
+        call open_contact(c, "c", contact, error)
+        call check_given(error, "out", present(out))
+        call choose_control(chosen, control, spring_stiffness, .true., error)
+        if (.not. allocated(error)) call new_loop(loop, contact, chosen, largest, int(points), error)
+        if (.not. allocated(error)) then
+            allocate (inside, stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) then
+            inside%object = loop
+            out = c_loc(inside)
+        end if
+        status = status_of(error)
+    end function mdr_loop_new
+
+    function mdr_loop_size(l, points, turning_point, jumps) result(status) bind(C)
+        type(c_ptr), value :: l
+        integer(c_int), intent(inout), optional :: points, turning_point, jumps
+        integer(c_int) :: status
+        type(loop_t), pointer :: loop
+        type(error_t), allocatable :: error
+
+        call open_loop(l, loop, error)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(points)) points = size(loop%position, kind=c_int)
+        if (present(turning_point)) turning_point = int(loop%turning_point - 1, c_int)
+        if (present(jumps)) jumps = size(loop%jumps, kind=c_int)
+    end function mdr_loop_size
+
+    function mdr_loop_path(l, n, position, d, a, f) result(status) bind(C)
+        type(c_ptr), value :: l
+        integer(c_int), value :: n
+        real(c_double), intent(inout), optional :: position(*), d(*), a(*), f(*)
+        integer(c_int) :: status
+        type(loop_t), pointer :: loop
+        type(error_t), allocatable :: error
+        integer :: m
+
+        call open_loop(l, loop, error)
+        call check_count(error, n)
+        status = status_of(error)
+        if (allocated(error)) return
+        m = min(int(n), size(loop%position))
+        if (present(position)) position(:m) = loop%position(:m)
+        if (present(d)) d(:m) = loop%state(:m)%depth
+        if (present(a)) a(:m) = loop%state(:m)%radius
+        if (present(f)) f(:m) = loop%state(:m)%force
+    end function mdr_loop_path
+
+    function mdr_loop_jumps(l, n, index) result(status) bind(C)
+        type(c_ptr), value :: l
+        integer(c_int), value :: n
+        integer(c_int), intent(inout), optional :: index(*)
+        integer(c_int) :: status
+        type(loop_t), pointer :: loop
+        type(error_t), allocatable :: error
+        integer :: m
+
+        call open_loop(l, loop, error)
+        call check_count(error, n)
+        call check_array(error, "index", n, present(index))
+        status = status_of(error)
+        if (allocated(error)) return
+        m = min(int(n), size(loop%jumps))
+        if (m > 0) index(:m) = int(loop%jumps(:m) - 1, c_int)
+    end function mdr_loop_jumps
+
+    function mdr_loop_dissipated_energy(l, energy) result(status) bind(C)
+        type(c_ptr), value :: l
+        real(c_double), intent(inout), optional :: energy
+        integer(c_int) :: status
+        type(loop_t), pointer :: loop
+        type(error_t), allocatable :: error
+
+        call open_loop(l, loop, error)
+        call check_given(error, "energy", present(energy))
+        status = status_of(error)
+        if (allocated(error)) return
+        energy = loop%dissipated_energy
+    end function mdr_loop_dissipated_energy
+
+    function mdr_loop_free(l) result(status) bind(C)
+        type(c_ptr), intent(inout), optional :: l
+        integer(c_int) :: status
+        type(loop_handle_t), pointer :: inside
+        type(error_t), allocatable :: error
+
+        if (holds_handle(l, "mdr_loop", loop_tag, error)) then
+            call c_f_pointer(l, inside)
+            inside%tag = no_tag
+            deallocate (inside)
+            l = c_null_ptr
+        end if
+        status = status_of(error)
+    end function mdr_loop_free
+
+    subroutine open_loop(handle, loop, error)
+        type(c_ptr), intent(in) :: handle
+        type(loop_t), pointer, intent(out) :: loop
+        type(error_t), allocatable, intent(inout) :: error
+        type(loop_handle_t), pointer :: inside
+
+        nullify (loop)
+        call check_handle(error, handle, "l", "mdr_loop", loop_tag)
+        if (allocated(error)) return
+        call c_f_pointer(handle, inside)
+        loop => inside%object
+    end subroutine open_loop
+
+    !> The control behind its code. A spring is allowed for loops only.
+    subroutine choose_control(chosen, control, spring_stiffness, spring_allowed, error)
+        type(control_t), intent(out) :: chosen
+        integer(c_int), intent(in) :: control
+        real(c_double), intent(in) :: spring_stiffness
+        logical, intent(in) :: spring_allowed
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=:), allocatable :: allowed
+
+        if (allocated(error)) return
+        if (control == by_force) then
+            chosen = force_control
+        else if (control == by_depth) then
+            chosen = depth_control
+        else if (control == by_spring .and. spring_allowed) then
+            call spring_control(chosen, spring_stiffness, error)
+        else
+            allowed = "MDR_CONTROL_FORCE (0) or MDR_CONTROL_DEPTH (1)"
+            if (spring_allowed) allowed = "MDR_CONTROL_FORCE (0), MDR_CONTROL_DEPTH (1) or MDR_CONTROL_SPRING (2)"
+            call raise(error, error_invalid, "control = "//count_text(int(control))//" is not allowed: it must be "//allowed)
+        end if
+    end subroutine choose_control
+
+end module mdrcontact_api_adhesion
