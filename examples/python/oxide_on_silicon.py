@@ -31,10 +31,10 @@ def main() -> None:
         right.plot(r / 1e-9, contact.pressure(r, radius=THICKNESS) / 1e9, dashes, label=model)
     for material, name in ((OXIDE, "oxide"), (SILICON, "silicon")):
         left.axhline(material.contact_modulus / 1e9, color="0.6", linewidth=0.8)
-        left.annotate(name, (1e-2, material.contact_modulus / 1e9), xytext=(2, 3), textcoords="offset points", color="0.4")
+        left.annotate(name, (1e-2, material.contact_modulus / 1e9), xytext=(2, -11), textcoords="offset points", color="0.4")
     left.set(xlabel="a/h", ylabel=r"effective modulus $E_\mathrm{eff}$ [GPa]", ylim=(60, 185))
     right.set(xlabel="r [nm]", ylabel="contact pressure p [GPa] at a = h", ylim=(0, None), xlim=(0, None))
-    left.legend(loc="center right")
+    left.legend(loc="lower right", bbox_to_anchor=(1.0, 0.12))
     figure.suptitle("500 nm SiO2 on silicon")
     figure.savefig("oxide_on_silicon.png", dpi=150)
     print("written: oxide_on_silicon.png")

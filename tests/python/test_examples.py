@@ -8,9 +8,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ELASTIC_MODELS, ROOT
 
+import mdrcontact as mdr
 from mdrcontact.problem import load
 
 SCRIPTS = sorted((ROOT / "examples" / "python").glob("*.py"))
@@ -56,6 +58,20 @@ def test_readme_problem_file(tmp_path):
     (tmp_path / "problem.toml").write_text(_block("toml"), encoding="utf-8")
     problem = load(tmp_path / "problem.toml")
     assert problem.contact().at_depth(problem.control.values[-1]).force == pytest.approx(FORCE * 1e-3, rel=3e-4)
+
+
+def test_readme_table_of_errors():
+    table = re.findall(r"^\| `([\w-]+)` \|[^|]*\| ([-+]\d+) % \| ([-+]\d+) % \| ([-+]\d+) % \| ([-+]\d+) % \|$", README, flags=re.MULTILINE)
+    assert sorted(row[0] for row in table) == sorted(ELASTIC_MODELS)
+    a_over_h = np.array([0.1, 0.5, 1.0, 3.0, 10.0])
+    for model, *printed in table:
+        for words, ratio in zip(printed, (0.1, 0.5, 2.0, 10.0), strict=True):
+            errors = []
+            for nu0, nu1 in ((0.2, 0.45), (0.3, 0.3), (0.5, 0.5)):
+                # E = 2 G (1 + nu), G0/G1 = ratio, h = 1
+                body = mdr.Coated(mdr.Elastic(2 * ratio * (1 + nu0), nu0), 1.0, mdr.Elastic(2 * (1 + nu1), nu1), model)
+                errors += list(body.modulus(a_over_h) / body.with_model("exact").modulus(a_over_h) - 1)
+            assert 100 * max(errors, key=abs) == pytest.approx(float(words), abs=0.501), (model, ratio)
 
 
 @pytest.fixture(scope="module")
