@@ -243,7 +243,7 @@ typedef struct mdr_medium_options {
     double wave_factor;   /**< Wave: q a > 0 [1]; default pi/2. */
     int weight_nu_choice; /**< Gao: one of enum mdr_weight_nu; default MDR_WEIGHT_NU_SURFACE. */
     double weight_nu;     /**< Gao: the number for MDR_WEIGHT_NU_GIVEN, -1 < nu <= 1/2; default 1/2. */
-    double tolerance;     /**< Exact: relative tolerance; default 1e-10. */
+    double tolerance;     /**< Exact: relative tolerance, 1e-12 to 1e-2; default 1e-10. */
 } mdr_medium_options;
 
 /** Sets all options to their defaults. options = NULL is allowed. Never fails. */
@@ -492,7 +492,7 @@ int mdr_contact_free(mdr_contact **c);
  *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_ENOCONVERGENCE */
 int mdr_contact_pull_off(const mdr_contact *c, int control, double *d, double *a, double *F);
 
-/** Where each stable stretch of an adhesive contact ends: that of mdr_contact_pull_off() first, then the others by ascending radius.
+/** Where each stable stretch of an adhesive contact ends: first that of mdr_contact_pull_off(), then the others by radius.
  *  A coated body can have several. Outputs d, a, F that are NULL are skipped.
  *  @param c         contact
  *  @param control   MDR_CONTROL_FORCE or MDR_CONTROL_DEPTH
