@@ -27,6 +27,9 @@ module mdrcontact_layered_exact
 
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 
+    !> Contact radii up to this many kernel widths are offered.
+    real(wp), parameter :: largest_ratio = 1.0e6_wp
+
     !> A layered or graded half-space, solved exactly.
     type, extends(medium_t) :: layered_exact_t
         private
@@ -45,8 +48,8 @@ module mdrcontact_layered_exact
         procedure :: displacement_outside
         procedure :: response
         procedure :: edge_is_exact
+        procedure :: largest_radius
         procedure :: zeta
-        procedure :: edge_modulus
     end type layered_exact_t
 
 contains
@@ -131,23 +134,6 @@ contains
         end do
     end subroutine modulus_slope
 
-    !> The load per unit depth that a flat punch puts on the spring at its edge, E0* q_1(a; a) [modulus]: at an adhesive edge
-    !> the excess depth -sqrt(2 pi a gamma E0*)/edge_modulus makes q(a) = -sqrt(2 pi a gamma E0*).
-    subroutine edge_modulus(self, a, values, error)
-        class(layered_exact_t), intent(in) :: self
-        real(wp), intent(in) :: a(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        type(solution_t) :: solution
-        integer :: i
-
-        do i = 1, size(a)
-            call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a(i)/self%kernel%unit, solution, error)
-            if (allocated(error)) return
-            values(i) = self%surface_modulus*solution%punch_edge
-        end do
-    end subroutine edge_modulus
-
     !> First touch: the depth at which the edge spring is just unloaded, and the springs' total force.
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(layered_exact_t), intent(in) :: self
@@ -165,7 +151,7 @@ contains
         force = self%surface_modulus*solution%force
     end subroutine depth_and_force
 
-    !> Depth, force, E_eff and its slope from one solution.
+    !> All of them from one solution.
     subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -186,6 +172,7 @@ contains
         modulus_slope = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a
     end subroutine response
 
+    !> Yes: k'(a) = 2 E0* q_1(a; a)^2, so that the energy balance hangs the edge spring by q(a) = -sqrt(2 pi a gamma E0*).
     pure function edge_is_exact(self) result(answer)
         class(layered_exact_t), intent(in) :: self
         logical :: answer
@@ -194,6 +181,13 @@ contains
         end associate
         answer = .true.
     end function edge_is_exact
+
+    pure function largest_radius(self) result(radius)
+        class(layered_exact_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = largest_ratio*self%kernel%unit
+    end function largest_radius
 
     !> zeta(a) = d/g(a), equation (9): what the depth is to that of a homogeneous body at the same contact radius.
     subroutine zeta(self, profile, a, values, error)

@@ -7,7 +7,7 @@
 !> exp(iky) serves all pairs of octaves.
 module mdrcontact_layered_tabulate
     use mdrcontact_error, only: error_no_convergence, error_t, raise
-    use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_kinds, only: half_pi, long, pi, wp
     use mdrcontact_layered_kernel, only: degree, kernel_t
     use mdrcontact_layered_surface, only: surface_t
     use mdrcontact_quadrature, only: gauss_legendre
@@ -15,8 +15,6 @@ module mdrcontact_layered_tabulate
     private
     public :: tabulate_kernel
 
-    !> At least three digits more than working precision: the x87 format where there is one.
-    integer, parameter :: long = selected_real_kind(18)
     !> Nodes in a panel of wavenumbers.
     integer, parameter :: panel_nodes = 20
     !> exp(iky) is 1 to rounding below octave `lowest` of k y; octaves below `negligible` of it contribute nothing.
@@ -41,6 +39,8 @@ module mdrcontact_layered_tabulate
         real(wp) :: chi_zero = 0.0_wp
         !> largest relative size of the highest Legendre coefficients of chi - chi(0) in a panel
         real(wp) :: roughness = 0.0_wp
+        !> largest |chi| on the real axis
+        real(wp) :: largest = 0.0_wp
     end type ray_t
 
 contains
@@ -63,7 +63,7 @@ contains
             if (.not. holds) cycle
             call fill_table(kernel, ray, surface)
             kernel%defect = defect_of(kernel, surface%long_wave_limit())
-            if (ray%roughness < 1.0e-8_wp .and. abs(kernel%defect) < 1.0e-12_wp*(1.0_wp + abs(ray%chi_zero))) return
+            if (ray%roughness < 3.0e-8_wp .and. abs(kernel%defect) < 1.0e-10_wp*(1.0_wp + ray%largest)) return
         end do
         call raise(error, error_no_convergence, "the surface compliance of this body could not be integrated over all wavelengths")
     end subroutine tabulate_kernel
@@ -158,12 +158,12 @@ contains
                 roughness = max(roughness, abs(sum(last(:, 1)*on_panel)), abs(sum(last(:, 2)*on_panel)))
             end associate
         end do
-        roughness = roughness/max(maxval(abs(values)), 1.0e-6_wp*sigma_zero, tiny(1.0_wp))
+        roughness = roughness/max(maxval(abs(values)), 1.0e-4_wp*sigma_zero, tiny(1.0_wp))
     end function roughness_of
 
     !> Whether the integral of chi along the ray equals that along the real axis: no pole lies between them.
     subroutine check_path(ray, surface, unit, holds)
-        type(ray_t), intent(in) :: ray
+        type(ray_t), intent(inout) :: ray
         class(surface_t), intent(in) :: surface
         real(wp), intent(in) :: unit
         logical, intent(out) :: holds
@@ -181,9 +181,10 @@ contains
                 term = scale(ray%weights(i), octave)*real(chi, wp)
                 along_axis = along_axis + term
                 magnitude = magnitude + abs(term)
+                ray%largest = max(ray%largest, abs(real(chi, wp)))
             end do
         end do
-        holds = abs(along_ray - along_axis) <= 1.0e-12_wp*magnitude
+        holds = abs(along_ray - along_axis) <= 1.0e-12_wp*magnitude + 1.0e-13_wp
     end subroutine check_path
 
     subroutine fill_table(kernel, ray, surface)
@@ -214,7 +215,7 @@ contains
             level = sum(x)/real(size(x), wp)
             spread = maxval(abs(x - level))
             kernel%tail = level*scale(1.0_wp, 2*octave)
-            if (spread <= 1.0e-13_wp*abs(level) .or. spread <= 1.0e-15_wp*scale(surface%long_wave_limit(), -octave)) exit
+            if (spread <= 1.0e-13_wp*abs(level) .or. spread <= 1.0e-14_wp*scale(surface%long_wave_limit(), -octave)) exit
         end do
         octave = min(octave, most_octaves - 1)
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)
