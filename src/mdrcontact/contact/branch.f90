@@ -82,7 +82,8 @@ module mdrcontact_branch
 
     !> The branch is sampled from this far below the radius where d0 = dl (in ln a) to where dl/d0 has fallen to `adhesion_over`.
     real(wp), parameter :: decades_below = 21.0_wp
-    real(wp), parameter :: adhesion_over = 1.0e-3_wp
+    !> An extremum of d or F needs dl/d0 of at least n/4 for a shape r^n, since k dl grows with a^4 at most.
+    real(wp), parameter :: adhesion_over = 0.05_wp
     real(wp), parameter :: coarse_tolerance = 1.0e-9_wp
     !> Half width of the interval around an extremum on which s is sampled again to find it to full precision.
     real(wp), parameter :: extremum_width = 0.05_wp
@@ -217,6 +218,9 @@ contains
         call equilibrium%at(equilibrium%last_radius, end_state, error)
         wall%lowest = control%of(end_state%depth, end_state%force)
         wall%highest = huge(1.0_wp)
+        if (size(list) > 0) then
+            if (list(size(list))%last >= wall%first) list(size(list))%highest = wall%lowest
+        end if
         list = [list, wall]
     end subroutine stretches
 

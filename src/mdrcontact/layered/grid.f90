@@ -90,13 +90,13 @@ contains
         end do
     end function distance
 
-    !> Whether the kernel between two panels a `gap` apart varies too fast for their own nodes.
-    pure function is_near(one, other, gap) result(answer)
-        !> lengths of the panels and the gap between them
-        real(wp), intent(in) :: one, other, gap
+    !> Whether the kernel between two panels varies too fast for their own nodes.
+    pure function is_near(length, gap) result(answer)
+        !> length of the longer panel and the gap between them
+        real(wp), intent(in) :: length, gap
         logical :: answer
 
-        answer = max(one, other) > 1.01_wp*(2.0_wp*longest_panel + gap)
+        answer = length > 1.01_wp*(2.0_wp*longest_panel + gap)
     end function is_near
 
 end module mdrcontact_layered_grid

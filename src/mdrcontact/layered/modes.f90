@@ -85,8 +85,10 @@ contains
         complex(wp) :: above(2, 2)
         complex(wp) :: displacement(2, 2), traction(2, 2)
 
-        displacement = times(p(1:2, 1:2), below) + p(1:2, 3:4)
-        traction = times(p(3:4, 1:2), below) + p(3:4, 3:4)
+        displacement = p(1:2, 1:2)
+        traction = p(3:4, 1:2)
+        displacement = times(displacement, below) + p(1:2, 3:4)
+        traction = times(traction, below) + p(3:4, 3:4)
         above = times(displacement, inverse(traction))
     end function transferred
 

@@ -7,7 +7,7 @@
 !> exp(iky) serves all pairs of octaves.
 module mdrcontact_layered_tabulate
     use mdrcontact_error, only: error_no_convergence, error_t, raise
-    use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_kinds, only: half_pi, long, pi, wp
     use mdrcontact_layered_kernel, only: degree, kernel_t
     use mdrcontact_layered_surface, only: surface_t
     use mdrcontact_quadrature, only: gauss_legendre
@@ -15,8 +15,6 @@ module mdrcontact_layered_tabulate
     private
     public :: tabulate_kernel
 
-    !> At least three digits more than working precision: the x87 format where there is one.
-    integer, parameter :: long = selected_real_kind(18)
     !> Nodes in a panel of wavenumbers.
     integer, parameter :: panel_nodes = 20
     !> exp(iky) is 1 to rounding below octave `lowest` of k y; octaves below `negligible` of it contribute nothing.
@@ -186,7 +184,7 @@ contains
                 ray%largest = max(ray%largest, abs(real(chi, wp)))
             end do
         end do
-        holds = abs(along_ray - along_axis) <= 1.0e-12_wp*magnitude
+        holds = abs(along_ray - along_axis) <= 1.0e-12_wp*magnitude + 1.0e-13_wp
     end subroutine check_path
 
     subroutine fill_table(kernel, ray, surface)
