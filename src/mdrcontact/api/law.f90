@@ -12,6 +12,7 @@ module mdrcontact_api_law
     use mdrcontact_law_evaluate, only: point_at, value_at
     implicit none (type, external)
     private
+    public :: c_law_options_t, c_law_facts_t
     public :: mdr_law_options_init, mdr_law_new, mdr_law_force, mdr_law_follow, mdr_law_info, mdr_law_description, c_text
 
     !> struct mdr_law_options
