@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-! Compiled contact laws, flat for f2py. Texts travel as rows of bytes.
+! Compiled contact laws, flat for f2py. Texts travel as rows of the numbers of their bytes: f2py knows no kind for a byte.
 
 !> See mdr_law_new; description ends with a zero.
 subroutine law_new(contact, largest_depth, smallest_depth, tolerance, n, description, handle, status)
-    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr, c_signed_char
+    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_pointer
     use mdrcontact_api_law, only: c_law_options_t, mdr_law_new
     implicit none (type, external)
@@ -11,16 +11,18 @@ subroutine law_new(contact, largest_depth, smallest_depth, tolerance, n, descrip
     integer(c_int64_t), intent(in) :: contact
     real(c_double), intent(in) :: largest_depth, smallest_depth, tolerance
     integer(c_int), intent(in) :: n
-    integer(c_signed_char), intent(in), target :: description(n)
+    integer(c_int), intent(in) :: description(n)
     integer(c_int64_t), intent(out) :: handle
     integer(c_int), intent(out) :: status
     type(c_law_options_t) :: options
     type(c_ptr) :: object
+    character(kind=c_char), target :: text(n)
 
+    text = achar(description)
     object = c_null_ptr
     options%smallest_depth = smallest_depth
     options%tolerance = tolerance
-    options%description = c_loc(description)
+    options%description = c_loc(text)
     status = mdr_law_new(to_pointer(contact), largest_depth, options, object)
     handle = to_address(object)
 end subroutine law_new
@@ -91,19 +93,19 @@ end subroutine law_info
 
 !> See mdr_law_description.
 subroutine law_description(handle, n, buffer, status)
-    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_signed_char
+    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
     use mdrcontact_api_law, only: mdr_law_description
     implicit none (type, external)
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
-    integer(c_signed_char), intent(out) :: buffer(n)
+    integer(c_int), intent(out) :: buffer(n)
     integer(c_int), intent(out) :: status
     character(kind=c_char) :: text(n)
 
     text = " "
     status = mdr_law_description(to_pointer(handle), text, n)
-    buffer = transfer(text, buffer)
+    buffer = iachar(text)
 end subroutine law_description
 
 !> See mdr_law_write: the length alone.
@@ -121,13 +123,13 @@ end subroutine law_length
 
 !> See mdr_law_write.
 subroutine law_write(handle, n, buffer, status)
-    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_signed_char
+    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
     use mdrcontact_api_law_file, only: mdr_law_write
     implicit none (type, external)
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
-    integer(c_signed_char), intent(out) :: buffer(n)
+    integer(c_int), intent(out) :: buffer(n)
     integer(c_int), intent(out) :: status
     character(kind=c_char), allocatable :: text(:)
     integer(c_int) :: length
@@ -135,23 +137,26 @@ subroutine law_write(handle, n, buffer, status)
     allocate (text(n))
     text = " "
     status = mdr_law_write(to_pointer(handle), text, n, length)
-    buffer = transfer(text, buffer)
+    buffer = iachar(text)
 end subroutine law_write
 
 !> See mdr_law_read.
 subroutine law_read(n, buffer, handle, status)
-    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_loc, c_null_ptr, c_ptr, c_signed_char
+    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
     use mdrcontact_api_law_file, only: mdr_law_read
     implicit none (type, external)
     integer(c_int), intent(in) :: n
-    integer(c_signed_char), intent(in), target :: buffer(n)
+    integer(c_int), intent(in) :: buffer(n)
     integer(c_int64_t), intent(out) :: handle
     integer(c_int), intent(out) :: status
     type(c_ptr) :: object
+    character(kind=c_char), allocatable, target :: text(:)
 
+    allocate (text(n))
+    text = achar(buffer)
     object = c_null_ptr
-    status = mdr_law_read(c_loc(buffer), n, object)
+    status = mdr_law_read(c_loc(text), n, object)
     handle = to_address(object)
 end subroutine law_read
 
