@@ -138,7 +138,7 @@ class ContactLaw:
         length = int(self._counts[3])
         buffer, status = _native.law_description(self._handle.address, length + 1)
         check(status)
-        return buffer[:length].astype(np.uint8).tobytes().decode()
+        return str(bytes(buffer[:length].astype(np.uint8)), "utf-8")
 
     def to_bytes(self) -> bytes:
         """The content of a law's file: version, description, numbers, checksum."""

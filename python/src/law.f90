@@ -93,7 +93,7 @@ end subroutine law_info
 
 !> See mdr_law_description.
 subroutine law_description(handle, n, buffer, status)
-    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t
+    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_loc
     use mdrcontact_address, only: to_pointer
     use mdrcontact_api_law, only: mdr_law_description
     implicit none (type, external)
@@ -101,16 +101,16 @@ subroutine law_description(handle, n, buffer, status)
     integer(c_int), intent(in) :: n
     integer(c_int), intent(out) :: buffer(n)
     integer(c_int), intent(out) :: status
-    character(kind=c_char) :: text(n)
+    character(kind=c_char), target :: text(n)
 
     text = " "
-    status = mdr_law_description(to_pointer(handle), text, n)
+    status = mdr_law_description(to_pointer(handle), c_loc(text), n)
     buffer = iachar(text)
 end subroutine law_description
 
 !> See mdr_law_write: the length alone.
 subroutine law_length(handle, length, status)
-    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t
+    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_null_ptr
     use mdrcontact_address, only: to_pointer
     use mdrcontact_api_law_file, only: mdr_law_write
     implicit none (type, external)
@@ -118,12 +118,12 @@ subroutine law_length(handle, length, status)
     integer(c_int), intent(out) :: length, status
 
     length = 0
-    status = mdr_law_write(to_pointer(handle), length=0_c_int, full_length=length)
+    status = mdr_law_write(to_pointer(handle), c_null_ptr, 0_c_int, length)
 end subroutine law_length
 
 !> See mdr_law_write.
 subroutine law_write(handle, n, buffer, status)
-    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t
+    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_loc
     use mdrcontact_address, only: to_pointer
     use mdrcontact_api_law_file, only: mdr_law_write
     implicit none (type, external)
@@ -131,12 +131,12 @@ subroutine law_write(handle, n, buffer, status)
     integer(c_int), intent(in) :: n
     integer(c_int), intent(out) :: buffer(n)
     integer(c_int), intent(out) :: status
-    character(kind=c_char), allocatable :: text(:)
+    character(kind=c_char), allocatable, target :: text(:)
     integer(c_int) :: length
 
     allocate (text(n))
     text = " "
-    status = mdr_law_write(to_pointer(handle), text, n, length)
+    status = mdr_law_write(to_pointer(handle), c_loc(text), n, length)
     buffer = iachar(text)
 end subroutine law_write
 

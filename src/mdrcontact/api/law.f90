@@ -156,23 +156,24 @@ contains
     end function mdr_law_info
 
     function mdr_law_description(law, buffer, length) result(status) bind(C)
-        type(c_ptr), value :: law
-        character(kind=c_char), intent(inout), optional :: buffer(*)
+        type(c_ptr), value :: law, buffer
         integer(c_int), value :: length
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
+        character(kind=c_char), pointer :: characters(:)
         type(error_t), allocatable :: error
         integer :: i, copied
 
         call open_law(law, inside, error)
-        call check_given(error, "buffer", present(buffer) .or. length < 1)
+        call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
         status = status_of(error)
         if (allocated(error) .or. length < 1) return
+        call c_f_pointer(buffer, characters, [length])
         copied = min(len(inside%description), int(length) - 1)
         do i = 1, copied
-            buffer(i) = inside%description(i:i)
+            characters(i) = inside%description(i:i)
         end do
-        buffer(copied + 1) = c_null_char
+        characters(copied + 1) = c_null_char
     end function mdr_law_description
 
 end module mdrcontact_api_law

@@ -40,26 +40,27 @@ contains
 
     !> Writes nothing but the length where the buffer is too short.
     function mdr_law_write(law, buffer, length, full_length) result(status) bind(C)
-        type(c_ptr), value :: law
-        character(kind=c_char), intent(inout), optional :: buffer(*)
+        type(c_ptr), value :: law, buffer
         integer(c_int), value :: length
         integer(c_int), intent(inout), optional :: full_length
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
+        character(kind=c_char), pointer :: characters(:)
         character(len=:), allocatable :: text
         type(error_t), allocatable :: error
         integer :: i
 
         call open_law(law, inside, error)
-        call check_given(error, "buffer", present(buffer) .or. length < 1)
+        call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
         call check_given(error, "full_length", present(full_length))
         status = status_of(error)
         if (allocated(error)) return
         text = law_to_text(inside)
         full_length = len(text, kind=c_int)
         if (length < full_length) return
+        call c_f_pointer(buffer, characters, [length])
         do i = 1, len(text)
-            buffer(i) = text(i:i)
+            characters(i) = text(i:i)
         end do
     end function mdr_law_write
 

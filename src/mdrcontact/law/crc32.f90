@@ -29,7 +29,7 @@ contains
         do i = 1, len(text)
             remainder = ieor(shiftr(remainder, 8), table(iand(ieor(remainder, int(iachar(text(i:i)), int32)), 255_int32)))
         end do
-        write (digits, '(z8.8)') not(remainder)
+        write (digits, "(z8.8)") not(remainder)
     end function crc32_text
 
 end module mdrcontact_law_crc32

@@ -78,7 +78,7 @@ contains
         start = len(text)
         text = text//repeat(" ", word_length*size(words))
         do i = 1, size(words)
-            write (text(start + 1:start + word_length), '(z16.16, a)') words(i), merge(new_line_character, " ", modulo(i, 8) == 0)
+            write (text(start + 1:start + word_length), "(z16.16, a)") words(i), merge(new_line_character, " ", modulo(i, 8) == 0)
             start = start + word_length
         end do
         text = text//new_line_character
@@ -156,7 +156,7 @@ contains
         if (stat == 0) allocate (words(count), stat=stat)
         if (stat == 0) then
             do i = 1, count
-                read (text(start:start + 15), '(z16)', iostat=stat) words(i)
+                read (text(start:start + 15), "(z16)", iostat=stat) words(i)
                 if (stat /= 0) exit
                 start = start + word_length
             end do
