@@ -5,7 +5,7 @@
 subroutine profile_area_function(n, coefficients, min_height, max_height, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_area_function
+    use mdrcontact_api_profile_data, only: mdr_profile_area_function
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -25,7 +25,7 @@ end subroutine profile_area_function
 subroutine profile_table(n, r, f, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_table
+    use mdrcontact_api_profile_data, only: mdr_profile_table
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -44,7 +44,7 @@ end subroutine profile_table
 subroutine profile_from_mdr_table(n, x, g, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_from_mdr_table
+    use mdrcontact_api_profile_data, only: mdr_profile_from_mdr_table
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -63,7 +63,7 @@ end subroutine profile_from_mdr_table
 subroutine profile_callback(height, largest_radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_function
-    use mdrcontact_c_profile, only: mdr_profile_callback
+    use mdrcontact_api_profile_data, only: mdr_profile_callback
     implicit none (type, external)
     integer(c_int64_t), intent(in) :: height
     real(c_double), intent(in) :: largest_radius
@@ -81,7 +81,7 @@ end subroutine profile_callback
 subroutine profile_sum(n, terms, handle, status)
     use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_pointer
-    use mdrcontact_c_profile, only: mdr_profile_sum
+    use mdrcontact_api_profile_data, only: mdr_profile_sum
     implicit none (type, external)
     integer(c_int), intent(in) :: n
     integer(c_int64_t), intent(in) :: terms(n)

@@ -5,7 +5,7 @@
 subroutine profile_paraboloid(radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_paraboloid
+    use mdrcontact_api_profile, only: mdr_profile_paraboloid
     implicit none (type, external)
     real(c_double), intent(in) :: radius
     integer(c_int64_t), intent(out) :: handle
@@ -22,7 +22,7 @@ end subroutine profile_paraboloid
 subroutine profile_sphere(radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_sphere
+    use mdrcontact_api_profile, only: mdr_profile_sphere
     implicit none (type, external)
     real(c_double), intent(in) :: radius
     integer(c_int64_t), intent(out) :: handle
@@ -39,7 +39,7 @@ end subroutine profile_sphere
 subroutine profile_cone(inclination, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_cone
+    use mdrcontact_api_profile, only: mdr_profile_cone
     implicit none (type, external)
     real(c_double), intent(in) :: inclination
     integer(c_int64_t), intent(out) :: handle
@@ -56,7 +56,7 @@ end subroutine profile_cone
 subroutine profile_power(exponent, coefficient, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_power
+    use mdrcontact_api_profile, only: mdr_profile_power
     implicit none (type, external)
     real(c_double), intent(in) :: exponent, coefficient
     integer(c_int64_t), intent(out) :: handle
@@ -73,7 +73,7 @@ end subroutine profile_power
 subroutine profile_flat_punch(radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_flat_punch
+    use mdrcontact_api_profile, only: mdr_profile_flat_punch
     implicit none (type, external)
     real(c_double), intent(in) :: radius
     integer(c_int64_t), intent(out) :: handle
@@ -90,7 +90,7 @@ end subroutine profile_flat_punch
 subroutine profile_flat_cone(end_radius, inclination, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_flat_cone
+    use mdrcontact_api_profile, only: mdr_profile_flat_cone
     implicit none (type, external)
     real(c_double), intent(in) :: end_radius, inclination
     integer(c_int64_t), intent(out) :: handle
@@ -107,7 +107,7 @@ end subroutine profile_flat_cone
 subroutine profile_flat_paraboloid(end_radius, radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_flat_paraboloid
+    use mdrcontact_api_profile, only: mdr_profile_flat_paraboloid
     implicit none (type, external)
     real(c_double), intent(in) :: end_radius, radius
     integer(c_int64_t), intent(out) :: handle
@@ -124,7 +124,7 @@ end subroutine profile_flat_paraboloid
 subroutine profile_rounded_cone(blend_radius, inclination, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_rounded_cone
+    use mdrcontact_api_profile, only: mdr_profile_rounded_cone
     implicit none (type, external)
     real(c_double), intent(in) :: blend_radius, inclination
     integer(c_int64_t), intent(out) :: handle

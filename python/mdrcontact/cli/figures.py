@@ -62,7 +62,7 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
             ("contact radius a", curve.radius, LENGTH),
             ("contact stiffness k", curve.stiffness, STIFFNESS),
         )
-        for axis, (name, values, dimension) in zip(axes.flat, panels):
+        for axis, (name, values, dimension) in zip(axes.flat[:3], panels, strict=True):
             unit = practical(dimension, values)
             axis.plot(depth.of(curve.depth), unit.of(values), color=COLOURS[0], label=_model_name(problem))
             if name.startswith("force"):
@@ -92,7 +92,7 @@ def compare_figure(problem: Problem, answers: Sequence[Answer], form: str) -> by
         x = given.of(problem.control.values)
         basis, base = reference(answers, values)
         lines = []
-        for i, (answer, value) in enumerate(zip(answers, values)):
+        for i, (answer, value) in enumerate(zip(answers, values, strict=True)):
             look = {"color": COLOURS[i % len(COLOURS)], "linestyle": DASHES[i // len(COLOURS) % len(DASHES)]}
             lines += axes[0].plot(x, unit.of(value), **look)
             axes[1].plot(answer.curve.radius / h if h else radius.of(answer.curve.radius), modulus.of(answer.curve.modulus), **look)

@@ -27,6 +27,9 @@ module mdrcontact_layered_exact
 
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 
+    !> Contact radii up to this many kernel widths are offered.
+    real(wp), parameter :: largest_ratio = 1.0e6_wp
+
     !> A layered or graded half-space, solved exactly.
     type, extends(medium_t) :: layered_exact_t
         private
@@ -45,6 +48,7 @@ module mdrcontact_layered_exact
         procedure :: displacement_outside
         procedure :: response
         procedure :: edge_is_exact
+        procedure :: largest_radius
         procedure :: zeta
     end type layered_exact_t
 
@@ -177,6 +181,13 @@ contains
         end associate
         answer = .true.
     end function edge_is_exact
+
+    pure function largest_radius(self) result(radius)
+        class(layered_exact_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = largest_ratio*self%kernel%unit
+    end function largest_radius
 
     !> zeta(a) = d/g(a), equation (9): what the depth is to that of a homogeneous body at the same contact radius.
     subroutine zeta(self, profile, a, values, error)
