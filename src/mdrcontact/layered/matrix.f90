@@ -17,7 +17,7 @@ module mdrcontact_layered_matrix
 
     integer, parameter :: rp = wp
     !> The kernel on an octave is resolved by the rule's fine nodes.
-    integer, parameter :: pieces = 1
+    integer, parameter :: parts_of_octave = 1
 
 contains
 

@@ -12,7 +12,7 @@ module mdrcontact_layered_matrix_long
 
     integer, parameter :: rp = long
     !> On half an octave the kernel's table is one polynomial, which the rule's fine nodes integrate exactly.
-    integer, parameter :: pieces = 2
+    integer, parameter :: parts_of_octave = 2
 
 contains
 
