@@ -280,7 +280,8 @@ contains
         if (allocated(error) .or. self%kernel%vanishes) return
         call new_load(self%kernel, profile, solution%grid, self%rules(level_of(self, solution)), load)
         do i = 1, size(r)
-            values(i) = values(i) + displacement_beyond(self%kernel, self%rules(size(self%rules)), solution, load, depth, &
+            values(i) = values(i) + displacement_beyond(self%kernel, self%rules(size(self%rules)), solution, &
+                                                        self%rules(level_of(self, solution)), load, depth, &
                                                         r(i)/self%kernel%unit)
         end do
     end subroutine displacement_outside

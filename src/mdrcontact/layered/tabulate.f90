@@ -22,7 +22,7 @@ module mdrcontact_layered_tabulate
     !> |exp(iky)| beyond which nothing is left: exp(-faded).
     real(wp), parameter :: faded = 45.0_wp
     !> Octaves of y at most.
-    integer, parameter :: most_octaves = 64
+    integer, parameter :: most_octaves = 128
     !> Rays tried in turn, pi/denominator, and panels in an octave of wavenumbers on each.
     integer, parameter :: ray_denominator(*) = [6, 6, 12, 24], ray_panels(*) = [1, 2, 3, 6]
 
