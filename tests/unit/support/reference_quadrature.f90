@@ -22,7 +22,7 @@ module reference_quadrature
         end function value_at
     end interface
 
-    real(wp), parameter :: step = 1.0_wp/48.0_wp, last = 3.7_wp
+    real(wp), parameter :: step = 1.0_wp/20.0_wp, last = 3.6_wp
 
 contains
 
