@@ -22,8 +22,8 @@ module reference_quadrature
         end function value_at
     end interface
 
-    real(wp), parameter :: step = 1.0_wp/40.0_wp
-    integer, parameter :: last = 146
+    real(wp), parameter :: step = 1.0_wp/24.0_wp
+    integer, parameter :: last = 87
 
 contains
 
