@@ -9,6 +9,7 @@ module mdrcontact
     use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_exact, only: layered_exact_t, new_graded_exact, new_graded_exact_from_functions, new_layered_exact
     use mdrcontact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
