@@ -16,7 +16,7 @@ import mdrcontact as mdr
 OXIDE = mdr.Elastic(72e9, 0.17)
 SILICON = mdr.Elastic(163e9, 0.22)
 THICKNESS = 500e-9
-MODELS = {"gao": "-", "gao-series": "--", "hay-crawford": "-.", "doerner-nix": ":"}
+MODELS = {"exact": "k-", "gao": "-", "gao-series": "--", "hay-crawford": "-.", "doerner-nix": ":"}
 
 
 def main() -> None:

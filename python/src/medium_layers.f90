@@ -21,7 +21,6 @@ subroutine medium_coated(coating_E, coating_nu, thickness, substrate_E, substrat
     options = medium_options_t(alpha, wave_factor, weight_nu_choice, weight_nu, tolerance)
     object = c_null_ptr
     status = mdr_medium_coated(coating_E, coating_nu, thickness, substrate_E, substrate_nu, model, options, object)
-    
     handle = to_address(object)
 end subroutine medium_coated
 
@@ -47,7 +46,6 @@ subroutine medium_layered(n, E, nu, thickness, substrate_E, substrate_nu, model,
     options = medium_options_t(alpha, wave_factor, weight_nu_choice, weight_nu, tolerance)
     object = c_null_ptr
     status = mdr_medium_layered(n, E, nu, thickness, substrate_E, substrate_nu, model, options, object)
-    
     handle = to_address(object)
 end subroutine medium_layered
 
@@ -71,7 +69,6 @@ subroutine medium_graded(n, z, E, nu, model, alpha, wave_factor, weight_nu_choic
     options = medium_options_t(alpha, wave_factor, weight_nu_choice, weight_nu, tolerance)
     object = c_null_ptr
     status = mdr_medium_graded(n, z, E, nu, model, options, object)
-    
     handle = to_address(object)
 end subroutine medium_graded
 
@@ -94,6 +91,5 @@ subroutine medium_graded_callback(E, nu, depth, model, alpha, wave_factor, weigh
     options = medium_options_t(alpha, wave_factor, weight_nu_choice, weight_nu, tolerance)
     object = c_null_ptr
     status = mdr_medium_graded_callback(to_function(E), to_function(nu), c_null_ptr, depth, model, options, object)
-    
     handle = to_address(object)
 end subroutine medium_graded_callback

@@ -14,7 +14,6 @@ subroutine medium_homogeneous(E, nu, handle, status)
 
     object = c_null_ptr
     status = mdr_medium_homogeneous(E, nu, object)
-    
     handle = to_address(object)
 end subroutine medium_homogeneous
 
@@ -31,7 +30,6 @@ subroutine medium_contact_modulus(contact_modulus, handle, status)
 
     object = c_null_ptr
     status = mdr_medium_contact_modulus(contact_modulus, object)
-    
     handle = to_address(object)
 end subroutine medium_contact_modulus
 
@@ -48,7 +46,6 @@ subroutine medium_power_graded(E0, z0, exponent, nu, handle, status)
 
     object = c_null_ptr
     status = mdr_medium_power_graded(E0, z0, exponent, nu, object)
-    
     handle = to_address(object)
 end subroutine medium_power_graded
 
@@ -67,7 +64,6 @@ subroutine medium_table(n, a, modulus, handle, status)
 
     object = c_null_ptr
     status = mdr_medium_table(n, a, modulus, object)
-    
     handle = to_address(object)
 end subroutine medium_table
 
@@ -85,6 +81,5 @@ subroutine medium_callback(modulus, smallest_radius, largest_radius, handle, sta
 
     object = c_null_ptr
     status = mdr_medium_callback(to_function(modulus), c_null_ptr, smallest_radius, largest_radius, object)
-    
     handle = to_address(object)
 end subroutine medium_callback

@@ -17,7 +17,6 @@ subroutine profile_area_function(n, coefficients, min_height, max_height, handle
 
     object = c_null_ptr
     status = mdr_profile_area_function(n, coefficients, min_height, max_height, object)
-    
     handle = to_address(object)
 end subroutine profile_area_function
 
@@ -36,7 +35,6 @@ subroutine profile_table(n, r, f, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_table(n, r, f, object)
-    
     handle = to_address(object)
 end subroutine profile_table
 
@@ -55,7 +53,6 @@ subroutine profile_from_mdr_table(n, x, g, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_from_mdr_table(n, x, g, object)
-    
     handle = to_address(object)
 end subroutine profile_from_mdr_table
 
@@ -73,7 +70,6 @@ subroutine profile_callback(height, largest_radius, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_callback(to_function(height), c_null_ptr, largest_radius, object)
-    
     handle = to_address(object)
 end subroutine profile_callback
 
@@ -93,6 +89,5 @@ subroutine profile_sum(n, terms, handle, status)
     pointers = to_pointer(terms)
     object = c_null_ptr
     status = mdr_profile_sum(n, pointers, object)
-    
     handle = to_address(object)
 end subroutine profile_sum

@@ -14,7 +14,6 @@ subroutine profile_paraboloid(radius, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_paraboloid(radius, object)
-    
     handle = to_address(object)
 end subroutine profile_paraboloid
 
@@ -31,7 +30,6 @@ subroutine profile_sphere(radius, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_sphere(radius, object)
-    
     handle = to_address(object)
 end subroutine profile_sphere
 
@@ -48,7 +46,6 @@ subroutine profile_cone(inclination, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_cone(inclination, object)
-    
     handle = to_address(object)
 end subroutine profile_cone
 
@@ -65,7 +62,6 @@ subroutine profile_power(exponent, coefficient, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_power(exponent, coefficient, object)
-    
     handle = to_address(object)
 end subroutine profile_power
 
@@ -82,7 +78,6 @@ subroutine profile_flat_punch(radius, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_flat_punch(radius, object)
-    
     handle = to_address(object)
 end subroutine profile_flat_punch
 
@@ -99,7 +94,6 @@ subroutine profile_flat_cone(end_radius, inclination, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_flat_cone(end_radius, inclination, object)
-    
     handle = to_address(object)
 end subroutine profile_flat_cone
 
@@ -116,7 +110,6 @@ subroutine profile_flat_paraboloid(end_radius, radius, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_flat_paraboloid(end_radius, radius, object)
-    
     handle = to_address(object)
 end subroutine profile_flat_paraboloid
 
@@ -133,6 +126,5 @@ subroutine profile_rounded_cone(blend_radius, inclination, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_rounded_cone(blend_radius, inclination, object)
-    
     handle = to_address(object)
 end subroutine profile_rounded_cone

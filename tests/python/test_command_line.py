@@ -122,7 +122,10 @@ SHAPES = {
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("compute", ['max_depth = "50 nm"\npoints = 5', 'max_force = "1 mN"\npoints = 5', 'forces = ["1 mN"]', 'depths = ["1 nm", "2 nm"]'])
+@pytest.mark.parametrize(
+    "compute",
+    ['max_depth = "50 nm"\npoints = 5', 'max_force = "1 mN"\npoints = 5', 'forces = ["1 mN"]', 'depths = ["1 nm", "2 nm"]'],
+)
 def test_sharp_and_flat_indenters_draw_too(problem, shape, compute):
     text = GOOD.replace('"sphere"\nradius = "10 um"', SHAPES[shape]).replace('max_depth = "100 nm"\npoints = 4', compute)
     with open(problem, "w", encoding="utf-8") as file:
