@@ -9,7 +9,12 @@ function runs in a plain loop over the chunks.
 """
 
 import sys
+from pathlib import Path
 
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
 import numpy as np
 
 import mdrcontact as mdr
@@ -47,6 +52,18 @@ def main() -> None:
         chunks = dask.compute(*[dask.delayed(largest_force)(row, law) for row in rows])
     forces = np.concatenate(chunks)
     print(f"{forces.size} curves of {POINTS} depths: largest force {forces.min():.4e} to {forces.max():.4e} N")
+    draw(forces)
+
+
+def draw(forces: np.ndarray) -> None:
+    """The map of the largest forces."""
+    figure, axes = plt.subplots(figsize=(6, 4.5), layout="constrained")
+    image = axes.imshow(1e6 * forces, origin="lower")
+    axes.set(xlabel="pixel", ylabel="pixel", title="Largest force of each curve of a tilted film")
+    figure.colorbar(image, label="F [uN]")
+    path = Path(f"{Path(__file__).stem}.png")
+    figure.savefig(path, dpi=120)
+    print(f"written: {path}")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from conftest import OXIDE, SILICON
+from conftest import OXIDE, ROOT, SILICON
 
 import mdrcontact as mdr
 
@@ -99,3 +99,11 @@ def test_wrong_kinds(law):
         mdr.ContactLaw("contact", 1.0)
     with pytest.raises(TypeError, match="threads"):
         law.force(1e-8, threads=1.5)
+
+
+def test_document_runs(tmp_path, monkeypatch, capsys):
+    text = (ROOT / "docs" / "laws.md").read_text(encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    exec(text.split("```python\n")[1].split("```")[0], {})
+    force, slope, error, solutions = map(float, capsys.readouterr().out.split())
+    assert force > 0 and slope > 0 and error < 1e-9 and solutions <= 200
