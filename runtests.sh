@@ -12,6 +12,7 @@ source tools/python_environment.sh
 build=build/tests
 results=build/results
 jobs=$(nproc 2> /dev/null || echo 2)
+export CMAKE_GENERATOR=Ninja # for the projects that the tests configure, too: a bare machine has no make
 rm -rf "$results"
 mkdir -p "$results" "$log_dir"
 
