@@ -249,7 +249,7 @@ contains
             do probe = 1, probes_per_panel
                 x = edges(panel) + (edges(panel + 1) - edges(panel))*(real(probe, wp)/probes_per_panel)
                 slope = control%of(self%depth%slope(x), self%force%slope(x))
-                if (slope*slope_before < 0.0_wp) then
+                if (opposite(slope, slope_before)) then
                     turns = [turns, refined_extremum(equilibrium, control, x_before, x, error)]
                     if (allocated(error)) return
                 end if
@@ -288,8 +288,16 @@ contains
         call new_sampled_function(near, quantity, [from, to], [.false.], coarse_tolerance, error)
         if (allocated(error)) return
         slope%sampled => near
-        if (near%slope(from)*near%slope(to) < 0.0_wp) call find_root(slope, from, to, x, error)
+        if (opposite(near%slope(from), near%slope(to))) call find_root(slope, from, to, x, error)
     end function refined_extremum
+
+    !> Whether two numbers have opposite signs; their product may underflow.
+    pure function opposite(x, y) result(answer)
+        real(wp), intent(in) :: x, y
+        logical :: answer
+
+        answer = (x < 0.0_wp .and. y > 0.0_wp) .or. (x > 0.0_wp .and. y < 0.0_wp)
+    end function opposite
 
     subroutine value_on(equilibrium, control, x, s, error)
         type(equilibrium_t), intent(in) :: equilibrium
