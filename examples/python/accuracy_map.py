@@ -24,14 +24,14 @@ def main() -> None:
     rows = (("error of $E_\\mathrm{eff}$", result.modulus_error), ("error of $F$ at given $a$", result.force_error))
     figure, axes = plt.subplots(2, len(MODELS), figsize=(14.0, 5.6), sharex=True, sharey=True, layout="constrained")
     colours = plt.get_cmap("RdBu_r")(np.linspace(0.02, 0.98, len(LEVELS) + 1))
-    for line, (name, errors) in zip(axes, rows, strict=True):
+    for row, (line, (name, errors)) in enumerate(zip(axes, rows, strict=True)):
         for axis, model, error in zip(line, result.models, errors, strict=True):
             shown = axis.contourf(
                 result.radius_ratio, result.modulus_ratio, 100.0 * error, LEVELS, colors=colours, extend="both"
             )
             axis.contour(result.radius_ratio, result.modulus_ratio, 100.0 * error, (-2, 2), colors="#404040", linewidths=0.6)
             axis.set(xscale="log", yscale="log")
-            if line is axes[0]:
+            if row == 0:
                 axis.set_title(model)
             else:
                 axis.set_xlabel("$a/h$")

@@ -20,6 +20,10 @@ module mdrcontact_layered_converge
     !> Where to begin: contacts small against the kernel's width, and others.
     integer, parameter :: first_small = 1, first_large = 2
     real(wp), parameter :: small = 0.3_wp
+    !> Where the kernel is much narrower than the contact, the edge is resolved to a fraction of it that shrinks by so many
+    !> octaves from
+    !> one grid to the next: what varies there matters little, and the comparison tells when it does.
+    integer, parameter :: finest_octave = 5
     !> Rounding of the matrix relative to 1, as its smooth modes see it: measured, with a factor to spare.
     real(wp), parameter :: rounding_per_entry = 8.0_wp*epsilon(1.0_wp)
     real(wp), parameter :: long_rounding = real(64.0_long*epsilon(1.0_long), wp)
@@ -48,7 +52,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         class(profile_t), intent(in), optional :: profile
         type(solution_t) :: coarse
-        real(wp) :: difference
+        real(wp) :: difference, width
         !> working precision loses too many digits; even longer numbers do
         logical :: lost, hopeless
         integer :: level, first
@@ -57,10 +61,11 @@ contains
         difference = huge(1.0_wp)
         lost = .false.
         do level = first, size(rules)
-            call solve_on_level(kernel, rules(level), a, lost, solution, profile)
+            width = max(1.0_wp, scale(a, -finest_octave*(level - first + 2)))
+            call solve_on_level(kernel, rules(level), a, width, lost, solution, profile)
             if (.not. lost .and. solution%solved) then
                 lost = .not. digits_suffice(kernel, solution, rounding_per_entry, tolerance)
-                if (lost) call solve_on_level(kernel, rules(level), a, lost, solution, profile)
+                if (lost) call solve_on_level(kernel, rules(level), a, width, lost, solution, profile)
             end if
             if (coarse%solved .and. solution%solved) then
                 difference = max(relative(coarse%modulus, solution%modulus), relative(coarse%depth, solution%depth), &
@@ -77,18 +82,18 @@ contains
     end subroutine solve_to_tolerance
 
     !> With or without longer numbers.
-    subroutine solve_on_level(kernel, rule, a, precisely, solution, profile)
+    subroutine solve_on_level(kernel, rule, a, width, precisely, solution, profile)
         type(kernel_t), intent(in) :: kernel
         type(rule_t), intent(in) :: rule
-        real(wp), intent(in) :: a
+        real(wp), intent(in) :: a, width
         logical, intent(in) :: precisely
         type(solution_t), intent(out) :: solution
         class(profile_t), intent(in), optional :: profile
 
         if (precisely) then
-            call solve_on_grid(kernel, rule, a, solution, profile, new_long_rule(rule%n))
+            call solve_on_grid(kernel, rule, a, width, solution, profile, new_long_rule(rule%n))
         else
-            call solve_on_grid(kernel, rule, a, solution, profile)
+            call solve_on_grid(kernel, rule, a, width, solution, profile)
         end if
     end subroutine solve_on_level
 

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The exact layered medium (theory 6): no approximation in contact radius, depth or stiffness.
 !>
-!> Once made, the medium holds its kernel; a contact radius then costs a small symmetric positive definite system. Results meet the stated
+!> Once made, the medium holds its kernel; a contact radius then costs a small symmetric positive definite system. Results
+!> meet the stated
 !> relative tolerance, or an error says that they do not.
 module mdrcontact_layered_exact
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
@@ -10,6 +11,7 @@ module mdrcontact_layered_exact
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_converge, only: make_rules, solve_to_tolerance
     use mdrcontact_layered_fields, only: displacement_beyond, new_smooth_load, smooth_load_t, smooth_pressure, smooth_value
+    use mdrcontact_layered_graded, only: graded_surface_t, new_graded_surface, new_graded_surface_from_functions
     use mdrcontact_layered_indenter, only: load_t, new_load
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_rule, only: rule_t
@@ -21,9 +23,10 @@ module mdrcontact_layered_exact
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: layered_exact_t, new_layered_exact, new_exact_from_surface
+    public :: layered_exact_t, new_layered_exact, new_graded_exact, new_graded_exact_from_functions, new_exact_from_surface
 
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 
@@ -77,6 +80,40 @@ contains
         if (allocated(error)) return
         call new_exact_from_surface(self, stack, error, tolerance)
     end subroutine new_layered_exact
+
+    !> E and nu at given depths, linear between them, constant below the last.
+    subroutine new_graded_exact(self, z, young, poisson, error, tolerance)
+        type(layered_exact_t), intent(out) :: self
+        !> ascending depths from z(1) = 0, at least 2; a thin interval makes a step [length]
+        real(wp), intent(in) :: z(:)
+        !> E > 0 [modulus] and -1 < nu <= 1/2, same size as z
+        real(wp), intent(in) :: young(:), poisson(:)
+        type(error_t), allocatable, intent(out) :: error
+        !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
+        real(wp), intent(in), optional :: tolerance
+        type(graded_surface_t) :: graded
+
+        call new_graded_surface(graded, z, young, poisson, error)
+        if (allocated(error)) return
+        call new_exact_from_surface(self, graded, error, tolerance)
+    end subroutine new_graded_exact
+
+    !> E(z) and nu(z) as functions on [0, depth], constant below. They are called here and never again.
+    subroutine new_graded_exact_from_functions(self, young, poisson, depth, error, tolerance)
+        type(layered_exact_t), intent(out) :: self
+        !> E(z) > 0 [modulus] and -1 < nu(z) <= 1/2, smooth
+        class(scalar_function_t), intent(inout) :: young, poisson
+        !> depth below which the body is homogeneous, > 0 [length]
+        real(wp), intent(in) :: depth
+        type(error_t), allocatable, intent(out) :: error
+        !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
+        real(wp), intent(in), optional :: tolerance
+        type(graded_surface_t) :: graded
+
+        call new_graded_surface_from_functions(graded, young, poisson, depth, error)
+        if (allocated(error)) return
+        call new_exact_from_surface(self, graded, error, tolerance)
+    end subroutine new_graded_exact_from_functions
 
     !> Any body whose surface compliance is known.
     subroutine new_exact_from_surface(self, surface, error, tolerance)
@@ -280,7 +317,8 @@ contains
         if (allocated(error) .or. self%kernel%vanishes) return
         call new_load(self%kernel, profile, solution%grid, self%rules(level_of(self, solution)), load)
         do i = 1, size(r)
-            values(i) = values(i) + displacement_beyond(self%kernel, self%rules(size(self%rules)), solution, load, depth, &
+            values(i) = values(i) + displacement_beyond(self%kernel, self%rules(size(self%rules)), solution, &
+                                                        self%rules(level_of(self, solution)), load, depth, &
                                                         r(i)/self%kernel%unit)
         end do
     end subroutine displacement_outside

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Panels of the contact [0, a]: short against the kernel's width or against the distance from where the line load varies at that width.
+!> Panels of the contact [0, a]: short against the kernel's width or against the distance from where the line load varies at
+!> that width.
 !>
 !> For a >> h the line load is smooth in the interior and only a layer of width ~h is not: at the edge of the contact, and where the
 !> indenter's profile is not smooth. Panels are halved towards these radii, which takes log2(a/h) of them.
@@ -8,7 +9,7 @@ module mdrcontact_layered_grid
     use mdrcontact_layered_rule, only: rule_t
     implicit none (type, external)
     private
-    public :: grid_t, new_grid, split_panels, longest_panel, is_near
+    public :: grid_t, new_grid, split_panels, longest_panel
 
     !> Longest panel that need not be split, in units of the kernel's width.
     real(wp), parameter :: longest_panel = 1.5_wp
@@ -44,9 +45,9 @@ contains
         end do
     end function new_grid
 
-    !> Edges of panels on [0, a], each at most longest_panel + the distance from the nearest of `singular`.
-    pure subroutine split_panels(a, singular, edges)
-        real(wp), intent(in) :: a, singular(:)
+    !> Edges of panels on [0, a], each at most longest_panel*width + the distance from the nearest of `singular`.
+    pure subroutine split_panels(a, width, singular, edges)
+        real(wp), intent(in) :: a, width, singular(:)
         real(wp), allocatable, intent(out) :: edges(:)
         real(wp) :: pending(most_halvings + 1), low, high
         real(wp), allocatable :: longer(:)
@@ -61,7 +62,7 @@ contains
         waiting = 1
         do while (waiting > 0)
             high = pending(waiting)
-            if (waiting <= most_halvings .and. high - low > longest_panel + distance(low, high, singular)) then
+            if (waiting <= most_halvings .and. high - low > longest_panel*width + distance(low, high, singular)) then
                 waiting = waiting + 1
                 pending(waiting) = low + 0.5_wp*(high - low)
                 cycle
@@ -89,14 +90,5 @@ contains
             nearest = min(nearest, max(low - points(i), points(i) - high, 0.0_wp))
         end do
     end function distance
-
-    !> Whether the kernel between two panels varies too fast for their own nodes.
-    pure function is_near(length, gap) result(answer)
-        !> length of the longer panel and the gap between them
-        real(wp), intent(in) :: length, gap
-        logical :: answer
-
-        answer = length > 1.01_wp*(2.0_wp*longest_panel + gap)
-    end function is_near
 
 end module mdrcontact_layered_grid

@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The same matrix as in mdrcontact_layered_matrix in longer numbers, for residuals: where the springs nearly cancel, as in a thin soft film,
+!> The same matrix as in mdrcontact_layered_matrix in longer numbers, for residuals: where the springs nearly cancel, as in a
+!> thin soft film,
 !> its smallest eigenvalues are of the order of the rounding of its entries.
 module mdrcontact_layered_matrix_long
     use mdrcontact_kinds, only: long, wp
-    use mdrcontact_layered_grid, only: grid_t, is_near
+    use mdrcontact_layered_grid, only: grid_t, longest_panel
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_rule_long, only: legendre, rule_t
     implicit none (type, external)
@@ -12,7 +13,9 @@ module mdrcontact_layered_matrix_long
 
     integer, parameter :: rp = long
     !> On half an octave the kernel's table is one polynomial, which the rule's fine nodes integrate exactly.
-    integer, parameter :: pieces = 2
+    !> Panels nearer to each other than their length over this are integrated; the kernel is smooth on the scale of the gap.
+    real(wp), parameter :: nearest = 1.0_wp
+    integer, parameter :: parts_of_octave = 2
 
 contains
 

@@ -1,14 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The springs' equation at one contact radius, on one grid (theory 6): q + (1/pi) int [X(x-s) + X(x+s)] q ds = E0* (d - g).
 !>
-!> Two right-hand sides give everything: q_1 for d = 1 (the flat punch) and v for g, with q = E0* (d q_1 - g - v). In the kernel's unit of length.
+!> Two right-hand sides give everything: q_1 for d = 1 (the flat punch) and v for g, with q = E0* (d q_1 - g - v). In the
+!> kernel's unit of length.
 module mdrcontact_layered_solve
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dpotrf, dpotrs
     use mdrcontact_layered_grid, only: grid_t, new_grid, split_panels
     use mdrcontact_layered_indenter, only: add_fine_interaction, choose_panels, load_t, new_load
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_matrix, only: interaction_at, interaction_matrix
+    use mdrcontact_layered_matrix, only: interaction_matrix, interaction_row
     use mdrcontact_layered_refine, only: refine
     use mdrcontact_layered_rule, only: rule_t
     use mdrcontact_layered_rule_long, only: long_rule_t => rule_t
@@ -37,10 +38,11 @@ module mdrcontact_layered_solve
 contains
 
     !> Solves at contact radius a [unit]; without a profile for the flat punch alone.
-    subroutine solve_on_grid(kernel, rule, a, solution, profile, long_rule)
+    subroutine solve_on_grid(kernel, rule, a, width, solution, profile, long_rule)
         type(kernel_t), intent(in) :: kernel
         type(rule_t), intent(in) :: rule
-        real(wp), intent(in) :: a
+        !> contact radius, and the width at its edge that panels need not resolve
+        real(wp), intent(in) :: a, width
         type(solution_t), intent(out) :: solution
         class(profile_t), intent(in), optional :: profile
         !> the rule in longer numbers: refine with residuals in them
@@ -52,9 +54,9 @@ contains
 
         solution%a = a
         if (present(profile)) then
-            call choose_panels(kernel, profile, a, rule, edges)
+            call choose_panels(kernel, profile, a, width, rule, edges)
         else
-            call split_panels(a, [a], edges)
+            call split_panels(a, width, [a], edges)
         end if
         solution%grid = new_grid(edges, rule)
         n = size(solution%grid%x)
@@ -82,8 +84,7 @@ contains
         if (present(long_rule)) call refine(kernel, solution%grid, long_rule, matrix, rhs, z, solution%solved)
 
         solution%punch = z(:, 1)/root
-        call interaction_at(kernel, a, solution%grid%x, row)
-        row = row*solution%grid%w
+        call interaction_row(kernel, solution%grid, rule, a, row)
         solution%punch_edge = 1.0_wp - sum(row*solution%punch)
         total = sum(solution%grid%w*solution%punch)
         solution%modulus = total/a

@@ -1,8 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Tabulates the kernel X(y) from the surface compliance chi(k).
 !>
-!> X(y) = Re int chi(k) exp(iky) dk along a ray k = t exp(i theta) in the sector where chi is analytic: the integrand decays and hardly
-!> oscillates, at every y. For y > 0 the constant chi(0) contributes nothing, so that chi(k) - chi(0) may stand for chi(k): X keeps its
+!> X(y) = Re int chi(k) exp(iky) dk along a ray k = t exp(i theta) in the sector where chi is analytic: the integrand decays
+!> and hardly
+!> oscillates, at every y. For y > 0 the constant chi(0) contributes nothing, so that chi(k) - chi(0) may stand for chi(k): X
+!> keeps its
 !> relative precision in its tail. Wavenumbers and positions both run in octaves, so one small table of
 !> exp(iky) serves all pairs of octaves.
 module mdrcontact_layered_tabulate
@@ -22,7 +24,7 @@ module mdrcontact_layered_tabulate
     !> |exp(iky)| beyond which nothing is left: exp(-faded).
     real(wp), parameter :: faded = 45.0_wp
     !> Octaves of y at most.
-    integer, parameter :: most_octaves = 64
+    integer, parameter :: most_octaves = 128
     !> Rays tried in turn, pi/denominator, and panels in an octave of wavenumbers on each.
     integer, parameter :: ray_denominator(*) = [6, 6, 12, 24], ray_panels(*) = [1, 2, 3, 6]
 
@@ -122,7 +124,8 @@ contains
         ray%bottom = min(ray%bottom, bottom)
     end subroutine extend_ray
 
-    !> The two highest Legendre polynomials that the panels' nodes resolve, times weights and normalisation: what takes values on a panel
+    !> The two highest Legendre polynomials that the panels' nodes resolve, times weights and normalisation: what takes
+    !> values on a panel
     !> to its two last Legendre coefficients.
     pure subroutine last_coefficients(nodes, weights, matrix)
         !> on [0, 1]
@@ -193,7 +196,7 @@ contains
         class(surface_t), intent(in) :: surface
         integer, parameter :: n = degree + 1
         real(wp) :: chebyshev(n), y(2*n), x(2*n), coefficients(0:degree, 0:2*most_octaves)
-        complex(wp), allocatable :: waves(:, :, :)
+        real(wp), allocatable :: waves(:, :, :, :)
         integer :: i, octave, highest
         real(wp) :: level, spread
 
@@ -228,9 +231,9 @@ contains
         type(ray_t), intent(in) :: ray
         real(wp), intent(in) :: y(:)
         real(wp) :: x(size(y))
+        real(wp) :: waves(size(y), 2)
         complex(wp) :: rest
-        real(wp) :: k
-        integer :: i, j, octave
+        integer :: i, octave
 
         rest = ray%chi_zero*scale(1.0_wp, negligible)*ray%direction
         do octave = negligible, lowest - 1
@@ -239,10 +242,8 @@ contains
         x = real(rest, wp)
         do octave = lowest, ray%top
             do i = 1, size(ray%nodes)
-                k = scale(ray%nodes(i), octave)
-                do j = 1, size(y)
-                    x(j) = x(j) + real(ray%weighted_chi(i, octave)*wave(ray%direction, k*y(j)), wp)
-                end do
+                call waves_at(ray%direction, scale(ray%nodes(i), octave)*y, waves)
+                x = x + real(ray%weighted_chi(i, octave), wp)*waves(:, 1) - aimag(ray%weighted_chi(i, octave))*waves(:, 2)
             end do
         end do
     end function near_values
@@ -252,16 +253,14 @@ contains
         type(ray_t), intent(in) :: ray
         real(wp), intent(in) :: y(:)
         integer, intent(in) :: highest
-        !> (position, wavenumber, octave of k y)
-        complex(wp), allocatable, intent(out) :: waves(:, :, :)
-        integer :: i, j, octave
+        !> (position, real and imaginary part, wavenumber, octave of k y)
+        real(wp), allocatable, intent(out) :: waves(:, :, :, :)
+        integer :: i, octave
 
-        allocate (waves(size(y), size(ray%nodes), lowest:highest))
+        allocate (waves(size(y), 2, size(ray%nodes), lowest:highest))
         do octave = lowest, highest
             do i = 1, size(ray%nodes)
-                do j = 1, size(y)
-                    waves(j, i, octave) = wave(ray%direction, scale(ray%nodes(i)*y(j), octave))
-                end do
+                call waves_at(ray%direction, scale(ray%nodes(i), octave)*y, waves(:, :, i, octave))
             end do
         end do
     end subroutine tabulate_waves
@@ -270,10 +269,10 @@ contains
     pure subroutine far_values(ray, octave, highest, waves, x)
         type(ray_t), intent(in) :: ray
         integer, intent(in) :: octave, highest
-        complex(wp), intent(in) :: waves(:, :, lowest:)
+        real(wp), intent(in) :: waves(:, :, :, lowest:)
         real(wp), intent(out) :: x(:)
         complex(wp) :: factor, rest
-        integer :: i, j, m
+        integer :: i, m
 
         rest = 0.0_wp
         do m = negligible, lowest - 1
@@ -287,23 +286,41 @@ contains
                 else
                     factor = ray%weighted_change(i, m - octave)
                 end if
-                do j = 1, size(x)
-                    x(j) = x(j) + real(factor, wp)*real(waves(j, i, m), wp) - aimag(factor)*aimag(waves(j, i, m))
-                end do
+                x = x + real(factor, wp)*waves(:, 1, i, m) - aimag(factor)*waves(:, 2, i, m)
             end do
         end do
     end subroutine far_values
 
-    !> exp(i t exp(i theta))
-    elemental function wave(direction, t) result(value)
+    !> Real and imaginary parts of exp(i t exp(i theta)); by its power series where all t are small.
+    pure subroutine waves_at(direction, t, waves)
         complex(wp), intent(in) :: direction
-        real(wp), intent(in) :: t
-        complex(wp) :: value
+        real(wp), intent(in) :: t(:)
+        !> (size(t), 2)
+        real(wp), intent(out) :: waves(:, :)
+        integer, parameter :: order = 7
+        complex(wp) :: power(0:order)
+        integer :: n
 
-        value = exp(-t*aimag(direction))*cmplx(cos(t*real(direction, wp)), sin(t*real(direction, wp)), wp)
-    end function wave
+        if (maxval(t) < 1.0_wp/64.0_wp) then
+            power(0) = 1.0_wp
+            do n = 1, order
+                power(n) = power(n - 1)*direction*(0.0_wp, 1.0_wp)/real(n, wp)
+            end do
+            waves(:, 1) = real(power(order), wp)
+            waves(:, 2) = aimag(power(order))
+            do n = order - 1, 0, -1
+                waves(:, 1) = waves(:, 1)*t + real(power(n), wp)
+                waves(:, 2) = waves(:, 2)*t + aimag(power(n))
+            end do
+        else
+            waves(:, 1) = exp(-t*aimag(direction))
+            waves(:, 2) = waves(:, 1)*sin(t*real(direction, wp))
+            waves(:, 1) = waves(:, 1)*cos(t*real(direction, wp))
+        end if
+    end subroutine waves_at
 
-    !> Coefficients of powers of u from values at the Chebyshev points. By way of Chebyshev coefficients: those of high degree are small,
+    !> Coefficients of powers of u from values at the Chebyshev points. By way of Chebyshev coefficients: those of high
+    !> degree are small,
     !> and so are the rounding errors of the powers that they make.
     pure function powers_from_values(values) result(powers)
         real(wp), intent(in) :: values(0:)
