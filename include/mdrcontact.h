@@ -546,7 +546,6 @@ int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy);
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *l is not a loop */
 int mdr_loop_free(mdr_loop **l);
 
-<<<<<<< HEAD
 /* ---- closed forms: paraboloid and cone on an incompressible coating (nu = 1/2), (24), (27), (29), (31), (32) ------- */
 
 /** F(a) of a paraboloid without adhesion, equation (24), xi = h/a:
@@ -589,7 +588,7 @@ int mdr_adhesive_depth_scale(double radius, double substrate_shear, double work_
  *  @param reduced_thickness  ht = h/a_c > 0 [1]
  *  @param out                [n] d/d_c [1] */
 int mdr_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness, double out[]);
-=======
+
 /* ---- laterally heterogeneous structures (theory 7) ----------------------------------------------------------- */
 typedef struct mdr_structure mdr_structure;   /* made by mdr_structure_{shapes,voxels,callback}, ended by mdr_structure_free;
                                                  never changes: any number of threads may share it */
@@ -638,7 +637,6 @@ int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx
                       double shear[], double poisson[]);
 /* a rule for smooth structures: 6 order^3 points (x, y, z) in units of a and their weights (shear, poisson) */
 int mdr_lateral_rule(int order, double nu, double points[/* n*3 */], double weights[/* n*2 */]);
->>>>>>> main
 
 #ifdef __cplusplus
 }

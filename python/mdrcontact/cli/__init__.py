@@ -10,21 +10,13 @@ from collections.abc import Sequence
 from .. import __version__
 from ..errors import MDRError
 from ..problem import ProblemError
-<<<<<<< HEAD
 from . import adhesion, compare, curve, example
-=======
-from . import compare, curve, example
 from . import map as map_
->>>>>>> main
 from .files import OutputError
 
 __all__ = ["main"]
 
-<<<<<<< HEAD
-COMMANDS = (curve, compare, adhesion, example)
-=======
-COMMANDS = (curve, compare, example, map_)
->>>>>>> main
+COMMANDS = (curve, compare, adhesion, example, map_)
 """Each command is a module with `add(subparsers)`, which sets its `run(arguments)`."""
 
 _DESCRIPTION = """\
