@@ -4,6 +4,7 @@
 import csv
 import math
 import pickle
+import re
 from pathlib import Path
 
 import numpy as np
@@ -252,3 +253,19 @@ def test_wrong_problem_files(change, words, tmp_path, capsys):
 def test_command_needs_adhesion(capsys):
     assert main(["adhesion", str(ROOT / "examples" / "problems" / "sio2_on_si.toml")]) == 2
     assert "[adhesion] is missing" in capsys.readouterr().err
+
+
+def test_documentation(tmp_path, capsys):
+    text = (ROOT / "docs" / "adhesion.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```python\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
+    assert len(blocks) >= 6
+    space: dict = {}
+    for block in blocks:
+        exec(compile(block, "docs/adhesion.md", "exec"), space)
+    out = capsys.readouterr().out
+    # what its comments say
+    assert f"{space['cone'].at_force(0.0, 'loading').radius:.2f} and {space['cone'].at_force(0.0).radius:.2f}" in text
+    assert "-0.8181" in out
+    assert main(["example", "afm_on_pdms"]) == 0
+    (tmp_path / "problem.toml").write_text(capsys.readouterr().out, encoding="utf-8")
+    assert main(["adhesion", str(tmp_path / "problem.toml")]) == 0
