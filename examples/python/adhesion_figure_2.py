@@ -60,7 +60,7 @@ def main() -> None:
             axis.spines[side].set_visible(False)
     axes[0].set_ylabel("indentation depth $d/d_c$")
     axes[0].legend(frameon=False, fontsize=8, loc="upper left")
-    figure.suptitle(r"Adhesive paraboloid on an incompressible coating, $G_0/G_1 = 2$; dots: pull-off under prescribed displacement")
+    figure.suptitle(r"Adhesive paraboloid on an incompressible coating, $G_0/G_1 = 2$; dots: pull-off at given displacement")
     figure.savefig("adhesion_figure_2.png", dpi=150)
     print("written: adhesion_figure_2.png")
 

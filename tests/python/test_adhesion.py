@@ -118,7 +118,9 @@ def test_two_stable_states():
         assert contact.pressure(0.3 * state.radius, force=0.0, branch=branch) == pytest.approx(expected, rel=1e-8)
 
 
-@pytest.mark.parametrize(("control", "largest", "spring"), [("displacement", 0.3, None), ("spring", 0.6, 0.2), ("force", 0.4, None)])
+@pytest.mark.parametrize(
+    ("control", "largest", "spring"), [("displacement", 0.3, None), ("spring", 0.6, 0.2), ("force", 0.4, None)]
+)
 def test_loops(control, largest, spring):
     contact = mdr.Contact(mdr.Paraboloid(5.0), FILM, GAMMA, "energy")
     loop = contact.loop(control, largest, 400, spring_stiffness=spring)
@@ -129,7 +131,8 @@ def test_loops(control, largest, spring):
     assert loop.dissipated_energy > 0.0
     if control != "force":
         # the area of the loop; under force control the bodies fly apart without end
-        assert loop.dissipated_energy == pytest.approx(np.sum(0.5 * (loop.force[1:] + loop.force[:-1]) * np.diff(loop.position)), rel=1e-3)
+        area = np.sum(0.5 * (loop.force[1:] + loop.force[:-1]) * np.diff(loop.position))
+        assert loop.dissipated_energy == pytest.approx(area, rel=1e-3)
     inside = loop.radius > 0
     states = contact.at_radius(loop.radius[inside])
     np.testing.assert_allclose(loop.force[inside], states.force, rtol=1e-9, atol=1e-12)
