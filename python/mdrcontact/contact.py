@@ -99,7 +99,8 @@ class Contact(Described):
     def pull_off(self, control: str = "force") -> PullOff:
         """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "displacement".
 
-        It is the global minimum over the whole branch; `.others` are the ends of the other stable stretches. All 0 without adhesion.
+        It is the global minimum over the whole branch; `.others` are the ends of the other stable stretches. All 0 without
+        adhesion.
         """
         return adhesion.pull_offs(self, control)
 
@@ -182,10 +183,10 @@ class Contact(Described):
         elif depth is not None and (self.work_of_adhesion > 0.0 or branch != "unloading"):
             radius, depth = self._by_radius_or_depth(self.at_depth(number("depth", depth), branch))
         if depth is not None:
-            return evaluate(
-                getattr(_native, f"contact_{field}_at_depth"), self._handle.address, number("depth", depth), name=name, values=points
-            )
-        return evaluate(getattr(_native, f"contact_{field}"), self._handle.address, number("radius", radius), name=name, values=points)
+            function, at = getattr(_native, f"contact_{field}_at_depth"), number("depth", depth)
+        else:
+            function, at = getattr(_native, f"contact_{field}"), number("radius", radius)
+        return evaluate(function, self._handle.address, at, name=name, values=points)
 
     def _by_radius_or_depth(self, state: State) -> tuple[float | None, float | None]:
         """What determines a state: its depth where the largest contact of this depth is meant, else its radius."""
