@@ -3,6 +3,12 @@
 
 Prints a Markdown table. Direct summation is timed for a few points and scaled to 100: (a) as Structure.modulus does it, with the
 weights of all cells computed for each point; (b) the sum alone, with all weights ready in memory, one radius at a time.
+
+Measured on two cores that five others kept busy as well (load 7), 256 x 256 x 128 voxels, 8 radii; the ratios are what counts:
+
+    boundary   map [s]   100 points [s]   ratio   sums alone, 100 points [s]   stated [MiB]   peak of the process [MiB]
+    periodic      32.8             8297     253                         49.6             38                         212
+    padded        36.2             2351      65                         30.1             90                         246
 """
 
 from __future__ import annotations
