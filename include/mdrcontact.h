@@ -546,6 +546,142 @@ int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy);
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *l is not a loop */
 int mdr_loop_free(mdr_loop **l);
 
+/* ---- closed forms: paraboloid and cone on an incompressible coating (nu = 1/2), (24), (27), (29), (31), (32) ------- */
+
+/** F(a) of a paraboloid without adhesion, equation (24), xi = h/a:
+ *  (16 a^3/(3R)) [G1 + (G0 - G1)/(2 pi) (4 arctan xi + xi^3 ln(1 + xi^-2) - xi)].
+ *  @param n                number of radii
+ *  @param a                [n] contact radii > 0 [length]
+ *  @param radius           R > 0 [length]
+ *  @param coating_shear    shear modulus G0 > 0 [modulus]
+ *  @param substrate_shear  shear modulus G1 > 0 [modulus]
+ *  @param thickness        h > 0 [length]
+ *  @param out              [n] forces [modulus length^2] */
+int mdr_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+                                double thickness, double out[]);
+
+/** F(a) of a cone without adhesion, equation (27): 2 pi a^2 tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
+ *  @param inclination  phi, 0 < phi < pi/2 [radian]; otherwise as mdr_coated_paraboloid_force() */
+int mdr_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
+                          double thickness, double out[]);
+
+/** d(a) of an adhesive paraboloid by the source's rule, equation (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)).
+ *  @param work_of_adhesion  gamma >= 0 [modulus length]
+ *  @param out               [n] indentation depths [length]; otherwise as mdr_coated_paraboloid_force() */
+int mdr_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+                                         double thickness, double work_of_adhesion, double out[]);
+
+/** a_c = (pi gamma R^2/(32 G1))^(1/3), the contact radius at which an uncoated contact breaks under depth control, equation (31).
+ *  @param radius            R > 0 [length]
+ *  @param substrate_shear   G1 > 0 [modulus]
+ *  @param work_of_adhesion  gamma > 0 [modulus length]
+ *  @param out               receives a_c [length] */
+int mdr_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
+
+/** d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3), minus the depth there, equation (31). Arguments as mdr_adhesive_radius_scale(). */
+int mdr_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
+
+/** d/d_c at a/a_c, equation (32): at^2/3 - (4/3) sqrt(at) [1 + (tau - 1) I0(ht/at; nu = 1/2)]^(-1/2).
+ *  @param n                  number of radii
+ *  @param reduced_radius     [n] at = a/a_c > 0 [1]
+ *  @param shear_ratio        tau = G0/G1 > 0 [1]
+ *  @param reduced_thickness  ht = h/a_c > 0 [1]
+ *  @param out                [n] d/d_c [1] */
+int mdr_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness, double out[]);
+
+/* ---- laterally heterogeneous structures (theory 7) ----------------------------------------------------------- */
+typedef struct mdr_structure mdr_structure;   /* made by mdr_structure_{shapes,voxels,callback}, ended by mdr_structure_free;
+                                                 never changes: any number of threads may share it */
+/* E [modulus] > 0 and nu, -1 < nu <= 1/2, at a point of the half-space z > 0. Returns 0, or another value to report failure.
+   Kept by the structure and called in every evaluation, from the calling thread. */
+typedef int (*mdr_field)(double x, double y, double z, double *E, double *nu, void *context);
+
+enum mdr_shape {                       /* 7 parameters for each shape, those not named here are ignored; lengths */
+    MDR_SHAPE_LAYER = 0,               /* z_top, z_bottom (INFINITY is allowed) */
+    MDR_SHAPE_HALF_SPACE = 1,          /* point x, y, z on the interface; normal x, y, z into the material */
+    MDR_SHAPE_SPHERE = 2,              /* centre x, y, z; radius */
+    MDR_SHAPE_FIBRE = 3,               /* point x, y, z on the axis; direction x, y, z; radius: endless round cylinder */
+    MDR_SHAPE_PILLAR = 4,              /* axis x, y; radius; z_top, z_bottom (INFINITY is allowed): upright round cylinder */
+    MDR_SHAPE_BOX = 5                  /* x_low, x_high, y_low, y_high, z_top, z_bottom */
+};
+typedef struct mdr_structure_options {
+    double reference_nu;               /* Poisson's ratio of the weights; NAN (default): the background's, or the mean over all voxels */
+    double tolerance;                  /* shapes: relative error of G_eff and nu_eff, 1e-10 ... 0.1, default 1e-5 */
+    int padded;                        /* voxels: 0 (default) the array repeats itself in x and y, else beside_E, beside_nu lie beside it */
+    int images;                        /* voxels that repeat: periods that count cell by cell, default 1 */
+    double beside_E, beside_nu;
+    double origin[2];                  /* voxels: x and y of the array's lower corner, default 0 [length] */
+} mdr_structure_options;
+void mdr_structure_options_init(mdr_structure_options *options);
+
+/* n bodies in a background; where they overlap, the later one is there */
+int mdr_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[/* n*7 */],
+                         const double shape_E[], const double shape_nu[], const mdr_structure_options *options, mdr_structure **out);
+/* cell (i, j, k) has the phase labels[(k*size[1] + j)*size[0] + i], 0 ... phases-1, and fills the depths k*spacing[2] ... (k+1)*spacing[2];
+   a half-space of below_E, below_nu lies under the array */
+int mdr_structure_voxels(const int size[3], const int labels[], int phases, const double E[], const double nu[], const double spacing[3],
+                         double below_E, double below_nu, const mdr_structure_options *options, mdr_structure **out);
+int mdr_structure_callback(mdr_field field, void *context, double reference_nu, double tolerance, mdr_structure **out);
+/* E_eff(a, x, y) = 2 G_eff/(1 - nu_eff), equation (33), for contacts of radius a[i] at (x[i], y[i]): points, lines, many radii [modulus] */
+int mdr_structure_modulus(const mdr_structure *s, int n, const double x[], const double y[], const double a[], double out[]);
+/* the medium an indenter meets at (x, y): E_eff at so many radii, evenly spaced in ln a; the structure may be freed afterwards */
+int mdr_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius, int points,
+                         mdr_medium **out);
+int mdr_structure_free(mdr_structure **s);
+
+/* weights of G (shear) and of nu (poisson), densities with integral 1 over the half-space, at distances rho and depths z in units of a */
+int mdr_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[]);
+/* their integrals over the cells between lines x[0 ... nx], y[0 ... ny] (ascending, relative to the contact's axis) and depths
+   z_top ... z_bottom: shear[j*nx + i], poisson[j*nx + i] */
+int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx, const double x[], int ny, const double y[],
+                      double shear[], double poisson[]);
+/* a rule for smooth structures: 6 order^3 points (x, y, z) in units of a and their weights (shear, poisson) */
+int mdr_lateral_rule(int order, double nu, double points[/* n*3 */], double weights[/* n*2 */]);
+/* ---- compiled laws (docs/laws.md) -------------------------------------------------------------- */
+/** F(d), a(d), k(d) and their inverses over a range of depths, verified, for the price of a short polynomial. It never
+ *  changes: any number of threads may evaluate one law. The caller frees it with mdr_law_free; the contact may be freed before. */
+typedef struct mdr_law mdr_law;
+typedef struct mdr_law_options {
+    double smallest_depth;             /* without adhesion: the tolerance holds from here on [length]; 0: 1e-4 of the largest */
+    double tolerance;                  /* relative, 1e-12 to 1e-2, default 1e-9 */
+    const char *description;           /* the problem in words, kept in the file; NULL: none */
+} mdr_law_options;
+void mdr_law_options_init(mdr_law_options *options);
+int mdr_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_options *options, mdr_law **out);
+
+/** F and dF/dd, the derivative along the branch [modulus length], at one depth; NULL outputs are skipped. branch: enum mdr_branch.
+ *  Any d up to the largest one: where the bodies are apart (d below 0, with adhesion on unloading below pull-off) all is 0. */
+int mdr_law_force(const mdr_law *law, int branch, double d, double *F, double *slope);
+/** The same with a history: *stretch is 0 before the first call (open), and stays where the contact is. An open contact closes at
+ *  d >= 0, a closed one stays on its branch until that ends (pull-off, or the jump to another stable state). */
+int mdr_law_follow(const mdr_law *law, double d, int *stretch, double *F, double *slope, double *a, double *k);
+/** Arrays of n points, on threads (at least 1; 0: as many as OpenMP offers) where there are enough of them; within a
+ *  parallel region of the caller always on the calling thread. NULL outputs are skipped; with an error nothing is written. */
+int mdr_law_from_depth(const mdr_law *law, int branch, int n, const double d[], double F[], double slope[], double a[], double k[],
+                       int threads);
+int mdr_law_from_force(const mdr_law *law, int branch, int n, const double F[], double d[], double compliance[], double a[],
+                       double k[], int threads);
+
+typedef struct mdr_law_facts {
+    double lowest_depth, highest_depth;   /* compiled range; lowest: pull-off with adhesion */
+    double lowest_force, highest_force;
+    double tolerance, error;              /* asked for; the largest found on verification against the contact */
+    int solutions;                        /* contact states computed to make and verify the law */
+    int adhesive;                         /* 1 with adhesion */
+    int stretches;                        /* stable stretches under depth control */
+    int description_length;               /* without the final zero */
+} mdr_law_facts;
+int mdr_law_info(const mdr_law *law, mdr_law_facts *facts);
+int mdr_law_description(const mdr_law *law, char *buffer, int length);
+
+/** A file with version, description and checksum; a damaged or foreign file is refused with MDR_EFILE and its reason. */
+int mdr_law_save(const mdr_law *law, const char *path);
+int mdr_law_load(const char *path, mdr_law **out);
+/** The same content in memory: *full_length bytes, written only if they fit into `length`. */
+int mdr_law_write(const mdr_law *law, char *buffer, int length, int *full_length);
+int mdr_law_read(const char *buffer, int length, mdr_law **out);
+int mdr_law_free(mdr_law **law);
+
 #ifdef __cplusplus
 }
 #endif

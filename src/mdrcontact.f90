@@ -9,6 +9,16 @@ module mdrcontact
     use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_lateral_density, only: deviatoric_weight, lateral_density, volumetric_weight
+    use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
+    use mdrcontact_lateral_medium, only: new_lateral_medium
+    use mdrcontact_lateral_shape, only: new_shape, shape_box, shape_fibre, shape_half_space, shape_layer, shape_pillar, &
+                                        shape_sphere, shape_t
+    use mdrcontact_lateral_shapes, only: new_shapes, shapes_t
+    use mdrcontact_lateral_structure, only: structure_t
+    use mdrcontact_lateral_voxels, only: new_voxels, voxels_t
+    use mdrcontact_law, only: contact_law_t, law_options_t, law_point_t, new_contact_law
+    use mdrcontact_law_file, only: load_law, save_law
     use mdrcontact_layered_exact, only: layered_exact_t, new_graded_exact, new_graded_exact_from_functions, new_layered_exact
     use mdrcontact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material

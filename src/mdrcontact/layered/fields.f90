@@ -2,8 +2,8 @@
 !> Line load, pressure and surface displacement from a solution of the springs' equation.
 !>
 !> q = E0* (d - g + s) with s = d (q_1 - 1) - v smooth: the part d - g belongs to a half-space of the surface material and is
-!> left to it; this module adds what s does. s is kept as Legendre series on the panels, on the first one in x^2 since it is
-!> even.
+!> left to it; this module adds
+!> what s does. s is kept as Legendre series on the panels, on the first one in x^2 since it is even.
 module mdrcontact_layered_fields
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_grid, only: longest_panel

@@ -2,8 +2,8 @@
 !> The indenter's profile g(x) on the panels of a contact, in the kernel's units.
 !>
 !> The springs' load is q = E0* (d - g - v) with v smooth at the kernel's width whatever g is: g itself is not interpolated.
-!> Panels on which their own nodes do not resolve g (a break of the profile, a fractional power at the tip) integrate it by a
-!> finer, graded rule.
+!> Panels on which their
+!> own nodes do not resolve g (a break of the profile, a fractional power at the tip) integrate it by a finer, graded rule.
 module mdrcontact_layered_indenter
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_grid, only: grid_t, longest_panel, split_panels
