@@ -16,7 +16,7 @@ module mdrcontact_layered_indenter
     private
     public :: load_t, choose_panels, new_load, add_fine_interaction
 
-    !> Relative size of the last Legendre coefficients of g on a panel that count as resolved.
+    !> Size of the last Legendre coefficients of g on a panel that count as resolved, relative to g at the edge of the contact.
     real(wp), parameter :: resolved = 1.0e-13_wp
     integer, parameter :: most_splits = 40
 
@@ -38,23 +38,30 @@ contains
         real(wp), intent(in) :: a, width
         type(rule_t), intent(in) :: rule
         real(wp), allocatable, intent(out) :: edges(:)
-        real(wp), allocatable :: breaks(:), singular(:)
-        integer :: i, split, before
+        real(wp), allocatable :: breaks(:), singular(:), halved(:)
+        integer :: i, split
+        logical :: resolved_all
 
         allocate (breaks, source=profile%break_radii()/kernel%unit)
         allocate (singular, source=[a, pack(breaks, breaks < a)])
         call split_panels(a, width, singular, edges)
         if (size(edges) == 2) return
-        if (.not. is_even(kernel, profile, edges(2), rule)) singular = [singular, 0.0_wp]
+        if (.not. is_even(kernel, profile, edges(2), profile%mdr(a*kernel%unit), rule)) singular = [singular, 0.0_wp]
+        call split_panels(a, width, singular, edges)
         do split = 1, most_splits
-            call split_panels(a, width, singular, edges)
-            before = size(singular)
+            resolved_all = .true.
+            halved = [edges(1)]
             do i = 1, size(edges) - 1
-                if (edges(i + 1) - edges(i) <= longest_panel*width) cycle
-                if (resolves(kernel, profile, edges(i), edges(i + 1), rule)) cycle
-                singular = [singular, 0.5_wp*(edges(i) + edges(i + 1))]
+                if (edges(i + 1) - edges(i) > longest_panel*width) then
+                    if (.not. resolves(kernel, profile, edges(i), edges(i + 1), profile%mdr(a*kernel%unit), rule)) then
+                        halved = [halved, 0.5_wp*(edges(i) + edges(i + 1))]
+                        resolved_all = .false.
+                    end if
+                end if
+                halved = [halved, edges(i + 1)]
             end do
-            if (size(singular) == before) exit
+            if (resolved_all) exit
+            edges = halved
         end do
     end subroutine choose_panels
 
@@ -66,17 +73,18 @@ contains
         type(rule_t), intent(in) :: rule
         type(load_t), intent(out) :: load
         real(wp), allocatable :: breaks(:), s(:), ds(:)
-        real(wp) :: low, high, lowest
+        real(wp) :: low, high, lowest, largest
         integer :: i, first, last
 
         allocate (load%values(size(grid%x)), load%fine_x(0), load%fine_gw(0))
         load%values = profile%mdr(grid%x*kernel%unit)
         allocate (breaks, source=profile%break_radii())
+        largest = profile%mdr(grid%edges(size(grid%edges))*kernel%unit)
         do i = 1, size(grid%edges) - 1
             low = grid%edges(i)*kernel%unit
             high = grid%edges(i + 1)*kernel%unit
             if (.not. any(breaks > low .and. breaks < high)) then
-                if (resolves(kernel, profile, grid%edges(i), grid%edges(i + 1), rule)) cycle
+                if (resolves(kernel, profile, grid%edges(i), grid%edges(i + 1), largest, rule)) cycle
             end if
             first = (i - 1)*rule%n + 1
             last = i*rule%n
@@ -107,29 +115,30 @@ contains
     end subroutine add_fine_interaction
 
     !> Whether the panel's nodes resolve g.
-    function resolves(kernel, profile, low, high, rule) result(answer)
+    function resolves(kernel, profile, low, high, largest, rule) result(answer)
         type(kernel_t), intent(in) :: kernel
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: low, high
+        !> ends of the panel [unit]; g(a), of which the last coefficients must be a negligible part [length]
+        real(wp), intent(in) :: low, high, largest
         type(rule_t), intent(in) :: rule
         logical :: answer
         real(wp) :: values(rule%n)
 
         values = profile%mdr((low + (high - low)*rule%nodes)*kernel%unit)
-        answer = maxval(abs(matmul(rule%to_legendre(rule%n - 1:, :), values))) <= resolved*maxval(abs(values))
+        answer = maxval(abs(matmul(rule%to_legendre(rule%n - 1:, :), values))) <= resolved*largest
     end function resolves
 
     !> Whether g is a smooth even function at the tip: resolved as a polynomial in x^2 on [0, high].
-    function is_even(kernel, profile, high, rule) result(answer)
+    function is_even(kernel, profile, high, largest, rule) result(answer)
         type(kernel_t), intent(in) :: kernel
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: high
+        real(wp), intent(in) :: high, largest
         type(rule_t), intent(in) :: rule
         logical :: answer
         real(wp) :: values(rule%n)
 
         values = profile%mdr(high*sqrt(rule%nodes)*kernel%unit)
-        answer = maxval(abs(matmul(rule%to_legendre(rule%n - 1:, :), values))) <= resolved*maxval(abs(values))
+        answer = maxval(abs(matmul(rule%to_legendre(rule%n - 1:, :), values))) <= resolved*largest
     end function is_even
 
 end module mdrcontact_layered_indenter
