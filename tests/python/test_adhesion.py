@@ -230,7 +230,7 @@ def test_command(tmp_path, capsys):
         line = next(line for line in out.splitlines() if line.startswith(f"pull-off, {control} prescribed"))
         assert float(line.split()[-1]) == pytest.approx(contact.pull_off(control).force * 1e9, rel=1e-4)
     assert "energy lost in the cycle: 726.9 fJ" in out
-    rows = list(csv.reader(table.open(encoding="utf-8")))
+    rows = list(csv.reader(table.read_text(encoding="utf-8").splitlines()))
     assert rows[0] == ["way", "position [um]", "depth [um]", "radius [um]", "force [nN]"]
     assert {row[0] for row in rows[1:]} == {"approach", "retraction"}
     assert figure.read_bytes()[:4] == b"\x89PNG"
