@@ -82,6 +82,7 @@ contains
         type(layered_exact_t) :: coated
         type(power_law_t) :: bead
         type(contact_t) :: contact
+        type(contact_options_t) :: options
 
         call new_material(pdms, 2.0e6_wp, 0.49_wp, error)
         call stop_on(error)
@@ -91,7 +92,8 @@ contains
         call stop_on(error)
         call new_paraboloid(bead, radius, error)
         call stop_on(error)
-        call new_contact(contact, bead, coated, error, contact_options_t(work_of_adhesion=work_of_adhesion))
+        options%work_of_adhesion = work_of_adhesion
+        call new_contact(contact, bead, coated, error, options)
         call stop_on(error)
         call new_contact_law(law, contact, 10.0e-6_wp, error)
         call stop_on(error)

@@ -13,7 +13,7 @@ module mdrcontact_api_law
     implicit none (type, external)
     private
     public :: c_law_options_t, c_law_facts_t
-    public :: mdr_law_options_init, mdr_law_new, mdr_law_force, mdr_law_follow, mdr_law_info, mdr_law_description, c_text
+    public :: mdr_law_options_init, mdr_law_new, mdr_law_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_text
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
@@ -56,32 +56,31 @@ contains
         if (present(options)) then
             chosen%smallest_depth = options%smallest_depth
             chosen%tolerance = options%tolerance
-            chosen%description = c_text(options%description)
+            call read_text(options%description, chosen%description)
         end if
         if (.not. allocated(error)) call new_contact_law(law, inside, largest_depth, error, chosen)
         status = deliver_law(law, out, error)
     end function mdr_law_new
 
     !> The text at a C pointer; empty for null.
-    function c_text(pointer) result(text)
+    subroutine read_text(pointer, text)
         type(c_ptr), intent(in) :: pointer
-        character(len=:), allocatable :: text
+        character(len=:), allocatable, intent(out) :: text
         character(kind=c_char), pointer :: characters(:)
         integer :: length, i
 
-        text = ""
-        if (.not. c_associated(pointer)) return
-        call c_f_pointer(pointer, characters, [huge(1)])
         length = 0
-        do while (characters(length + 1) /= c_null_char)
-            length = length + 1
-        end do
-        deallocate (text)
+        if (c_associated(pointer)) then
+            call c_f_pointer(pointer, characters, [huge(1)])
+            do while (characters(length + 1) /= c_null_char)
+                length = length + 1
+            end do
+        end if
         allocate (character(len=length) :: text)
         do i = 1, length
             text(i:i) = characters(i)
         end do
-    end function c_text
+    end subroutine read_text
 
     !> The inner loop's call: no allocation, no lock, one polynomial.
     function mdr_law_force(law, branch, d, f, slope) result(status) bind(C)

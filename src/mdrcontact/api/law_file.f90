@@ -2,7 +2,7 @@
 !> Compiled contact laws for C: files, and the same content in memory.
 module mdrcontact_api_law_file
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_ptr
-    use mdrcontact_api_law, only: c_text
+    use mdrcontact_api_law, only: read_text
     use mdrcontact_api_law_handle, only: deliver_law, open_law
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
@@ -18,11 +18,15 @@ contains
         type(c_ptr), value :: law, path
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
+        character(len=:), allocatable :: name
         type(error_t), allocatable :: error
 
         call open_law(law, inside, error)
         call check_given(error, "path", c_associated(path))
-        if (.not. allocated(error)) call save_law(inside, c_text(path), error)
+        if (.not. allocated(error)) then
+            call read_text(path, name)
+            call save_law(inside, name, error)
+        end if
         status = status_of(error)
     end function mdr_law_save
 
@@ -31,10 +35,14 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(contact_law_t) :: law
+        character(len=:), allocatable :: name
         type(error_t), allocatable :: error
 
         call check_given(error, "path", c_associated(path))
-        if (.not. allocated(error)) call load_law(law, c_text(path), error)
+        if (.not. allocated(error)) then
+            call read_text(path, name)
+            call load_law(law, name, error)
+        end if
         status = deliver_law(law, out, error)
     end function mdr_law_load
 
@@ -55,7 +63,7 @@ contains
         call check_given(error, "full_length", present(full_length))
         status = status_of(error)
         if (allocated(error)) return
-        text = law_to_text(inside)
+        call law_to_text(inside, text)
         full_length = len(text, kind=c_int)
         if (length < full_length) return
         call c_f_pointer(buffer, characters, [length])

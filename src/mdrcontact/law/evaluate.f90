@@ -25,7 +25,7 @@ module mdrcontact_law_evaluate
     end type law_point_t
 
     !> Points that a thread takes at a time, and the number of points below which one thread does them all.
-    integer, parameter :: block_size = 512, smallest_parallel = 16*block_size
+    integer, parameter :: block_size = 512, smallest_parallel = 128*block_size
 
 contains
 

@@ -24,13 +24,15 @@ contains
         type(contact_law_t), intent(in) :: law
         character(len=*), intent(in) :: path
         type(error_t), allocatable, intent(out) :: error
+        character(len=:), allocatable :: text
         character(len=256) :: reason
         integer :: unit, stat
 
+        call law_to_text(law, text)
         open (newunit=unit, file=path, access="stream", form="unformatted", action="write", status="replace", iostat=stat, &
               iomsg=reason)
         if (stat == 0) then
-            write (unit, iostat=stat, iomsg=reason) law_to_text(law)
+            write (unit, iostat=stat, iomsg=reason) text
             if (stat == 0) then
                 close (unit, iostat=stat, iomsg=reason)
             else
@@ -65,9 +67,9 @@ contains
     end subroutine load_law
 
     !> The content of a law's file.
-    pure function law_to_text(law) result(text)
+    pure subroutine law_to_text(law, text)
         type(contact_law_t), intent(in) :: law
-        character(len=:), allocatable :: text
+        character(len=:), allocatable, intent(out) :: text
         integer(int64), allocatable :: words(:)
         integer :: i, start
 
@@ -83,7 +85,7 @@ contains
         end do
         text = text//new_line_character
         text = text//checksum_name//crc32_text(text)//new_line_character
-    end function law_to_text
+    end subroutine law_to_text
 
     !> The law in a file's content.
     subroutine law_from_text(law, text, error)
