@@ -15,12 +15,15 @@ install_system_packages
 say "2/3 Python package in .venv"
 install_python_package all
 
-say "3/3 Contact of three coated bodies"
+say "3/3 Contact of coated bodies"
 for problem in examples/problems/*.toml; do
     name=$(basename "$problem" .toml)
     note "$problem"
     .venv/bin/mdrcontact curve "$problem" --csv "output/$name.csv" --plot "output/$name.png" --force
     .venv/bin/mdrcontact compare "$problem" --plot "output/$name-models.png" --force
+    if grep -q '^\[adhesion\]' "$problem"; then
+        .venv/bin/mdrcontact adhesion "$problem" --csv "output/$name-loop.csv" --plot "output/$name-loop.png" --force
+    fi
 done
 
 say "Done in $SECONDS s. Plots and tables:"

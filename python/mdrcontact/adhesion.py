@@ -106,7 +106,7 @@ def pull_offs(contact: Any, control: str) -> PullOff:
     if not count:
         return PullOff(0.0, 0.0, 0.0, 0.0)
     k = np.asarray(contact.medium.stiffness(a[:count]))
-    states = [PullOff(*(float(values[i]) for values in (d, a, F, k))) for i in range(count)]
+    states = [PullOff(float(d[i]), float(a[i]), float(F[i]), float(k[i])) for i in range(count)]
     return states[0]._replace(others=tuple(states[1:]))
 
 

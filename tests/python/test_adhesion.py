@@ -230,7 +230,7 @@ def test_command(tmp_path, capsys):
         line = next(line for line in out.splitlines() if line.startswith(f"pull-off, {control} prescribed"))
         assert float(line.split()[-1]) == pytest.approx(contact.pull_off(control).force * 1e9, rel=1e-4)
     assert "energy lost in the cycle: 726.9 fJ" in out
-    rows = list(csv.reader(table.open(encoding="utf-8")))
+    rows = list(csv.reader(table.read_text(encoding="utf-8").splitlines()))
     assert rows[0] == ["way", "position [um]", "depth [um]", "radius [um]", "force [nN]"]
     assert {row[0] for row in rows[1:]} == {"approach", "retraction"}
     assert figure.read_bytes()[:4] == b"\x89PNG"
@@ -272,3 +272,15 @@ def test_documentation(tmp_path, capsys):
     assert main(["example", "afm_on_pdms"]) == 0
     (tmp_path / "problem.toml").write_text(capsys.readouterr().out, encoding="utf-8")
     assert main(["adhesion", str(tmp_path / "problem.toml")]) == 0
+
+
+def test_readme_says_how_good_models_are():
+    """The largest errors over 0.1 <= E0/E1 <= 10, 0.03 <= a/h <= 30; on fewer points than the example has."""
+    text = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    models = ("gao", "gao-series", "hay-crawford", "perriot-barthel")
+    result = mdr.accuracy_map([0.1, 10.0], np.geomspace(0.03, 30.0, 31), models)
+    for model, modulus, force in zip(result.models, result.modulus_error, result.force_error, strict=True):
+        found = re.search(rf"(\d+) % and (\d+) % for `{model}`", text)
+        assert found
+        assert 100 * np.abs(modulus).max() == pytest.approx(float(found[1]), abs=0.6)
+        assert 100 * np.abs(force).max() == pytest.approx(float(found[2]), abs=0.6)

@@ -130,8 +130,8 @@ def loop_figure(problem: Problem, loop: Loop, pull_offs: Sequence[tuple[str, Pul
         radius = practical(LENGTH, loop.radius)
         shown = loop._replace(position=length.of(loop.position), depth=length.of(loop.depth), force=force.of(loop.force))
         turn = loop.turning_point
-        approach = shown._replace(**_part(shown, slice(0, turn + 1)), jumps=loop.jumps[loop.jumps < turn])
-        retract = shown._replace(**_part(shown, slice(turn, None)), jumps=loop.jumps[loop.jumps >= turn] - turn)
+        approach = _part(shown, slice(0, turn + 1), loop.jumps[loop.jumps < turn])
+        retract = _part(shown, slice(turn, None), loop.jumps[loop.jumps >= turn] - turn)
         for part, colour, name, width in ((approach, COLOURS[1], "approach", 3.2), (retract, COLOURS[0], "retraction", 1.6)):
             part.plot(axes[0], color=colour, label=name, linewidth=width)
             part._replace(force=radius.of(part.radius)).plot(axes[1], color=colour, linewidth=width)
@@ -146,8 +146,10 @@ def loop_figure(problem: Problem, loop: Loop, pull_offs: Sequence[tuple[str, Pul
         return _render(figure, form)
 
 
-def _part(loop: Loop, part: slice) -> dict[str, Array]:
-    return {name: getattr(loop, name)[part] for name in ("position", "depth", "radius", "force")}
+def _part(loop: Loop, part: slice, jumps: Any) -> Loop:
+    return loop._replace(
+        position=loop.position[part], depth=loop.depth[part], radius=loop.radius[part], force=loop.force[part], jumps=jumps
+    )
 
 
 def _model_name(problem: Problem) -> str:
