@@ -13,10 +13,11 @@ Any consistent units. Numbers give floats, arrays give arrays of the same shape.
 their constructor arguments, and may be shared between threads. Errors are `MDRError` and its subclasses.
 """
 
-from . import contact, errors, material, medium, profile, weights
+from . import contact, errors, fitting, material, medium, profile, weights
 from ._native import version as _version
 from .contact import *  # noqa: F403
 from .errors import *  # noqa: F403
+from .fitting import *  # noqa: F403
 from .material import *  # noqa: F403
 from .medium import *  # noqa: F403
 from .profile import *  # noqa: F403
@@ -25,6 +26,7 @@ from .weights import *  # noqa: F403
 __all__ = [
     *contact.__all__,
     *errors.__all__,
+    *fitting.__all__,
     *material.__all__,
     *medium.__all__,
     *profile.__all__,

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is fitted to what: the numbers of indenter, medium and instrument, and the measured data.
 module mdrcontact_fit_problem
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
     use mdrcontact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_invalid, error_t, &
                                 raise, to_text
@@ -9,7 +9,7 @@ module mdrcontact_fit_problem
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, parameter_count
+    public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, check_points, parameter_count
     public :: data_force_depth, data_stiffness_depth, data_modulus_radius, data_stiffness_radius
     public :: loss_linear, loss_huber, loss_cauchy
     public :: at_work_of_adhesion, at_depth_offset, at_force_offset, at_frame_compliance, at_indenter_modulus, &
@@ -133,12 +133,37 @@ contains
         end if
     end subroutine check_parameter
 
-    !> Raises unless the data are numbers, enough of them, and not all the same.
+    !> Raises unless the data are numbers, enough of them for a fit, and not all the same.
     subroutine check_data(self, problem, error)
         type(fit_data_t), intent(in) :: self
         type(fit_problem_t), intent(in) :: problem
         type(error_t), allocatable, intent(out) :: error
-        integer :: i, free, priors
+        integer :: free, priors
+
+        call check_points(self, problem, error)
+        if (allocated(error)) return
+        free = count(problem%parameters%is_free)
+        priors = count(problem%parameters%is_free .and. problem%parameters%prior_sd > 0.0_wp)
+        if (free == 0) then
+            call raise(error, error_invalid, "no parameter is free: there is nothing to fit")
+        else if (size(self%x) < free + 1 - min(priors, free - 1)) then
+            call raise(error, error_invalid, "too few points: "//count_text(size(self%x))//" for "//count_text(free)// &
+                       " free parameters, of which "//count_text(priors)//" have priors; at least "// &
+                       count_text(free + 1 - min(priors, free - 1))//" are needed")
+        else if (maxval(self%x) <= minval(self%x)) then
+            call raise(error, error_invalid, "all points have the same x, "//to_text(self%x(1))//": they determine no curve")
+        else if (maxval(self%y) <= minval(self%y)) then
+            call raise(error, error_invalid, "all points have the same y, "//to_text(self%y(1))//": data without variance "// &
+                       "determine no curve")
+        end if
+    end subroutine check_data
+
+    !> Raises unless each point is a point.
+    subroutine check_points(self, problem, error)
+        type(fit_data_t), intent(in) :: self
+        type(fit_problem_t), intent(in) :: problem
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i
 
         if (.not. (allocated(self%x) .and. allocated(self%y))) then
             call raise(error, error_invalid, "the data are missing")
@@ -154,23 +179,9 @@ contains
             end if
         end if
         if (allocated(error)) return
-        free = count(problem%parameters%is_free)
-        priors = count(problem%parameters%is_free .and. problem%parameters%prior_sd > 0.0_wp)
-        if (free == 0) then
-            call raise(error, error_invalid, "no parameter is free: there is nothing to fit")
-        else if (size(self%x) < free + 1 - min(priors, free - 1)) then
-            call raise(error, error_invalid, "too few points: "//count_text(size(self%x))//" for "//count_text(free)// &
-                       " free parameters, of which "//count_text(priors)//" have priors; at least "// &
-                       count_text(free + 1 - min(priors, free - 1))//" are needed")
-        end if
-        if (allocated(error)) return
         do i = 1, size(self%x)
-            if (ieee_is_finite(self%x(i)) .and. ieee_is_finite(self%y(i))) cycle
             call check_finite(error, entry_name("x", i), self%x(i))
             call check_finite(error, entry_name("y", i), self%y(i))
-            return
-        end do
-        do i = 1, size(self%x)
             if (problem%data_kind >= data_modulus_radius) call check_positive(error, entry_name("radius", i), self%x(i))
             if (allocated(self%sd)) call check_positive(error, entry_name("sd", i), self%sd(i))
             if (problem%data_kind == data_stiffness_depth) then
@@ -179,13 +190,7 @@ contains
             end if
             if (allocated(error)) return
         end do
-        if (maxval(self%x) == minval(self%x)) then
-            call raise(error, error_invalid, "all points have the same x, "//to_text(self%x(1))//": they determine no curve")
-        else if (maxval(self%y) == minval(self%y)) then
-            call raise(error, error_invalid, "all points have the same y, "//to_text(self%y(1))//": data without variance "// &
-                       "determine no curve")
-        end if
-    end subroutine check_data
+    end subroutine check_points
 
     pure subroutine check_column(values, name, expected, error)
         real(wp), intent(in) :: values(:)
