@@ -255,10 +255,10 @@ typedef struct mdr_fit_summary {
 int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
 /* n points; force[] for MDR_FIT_STIFFNESS_DEPTH only; sd NULL: equal and unknown. Every output may be NULL. m = parameter_count:
    values[m]; covariance[m*m], 0 for fixed numbers; at_bound[m]: -1, 0 or 1; weakest_direction[m]: the change of all free numbers that
-   the data notice least; fitted[n]: the model at the data */
+   the data notice least; fitted[n]: the model at the data; residuals[n]: (y - model)/standard deviation */
 int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[], const double sd[],
                   double values[], double covariance[], int at_bound[], double weakest_direction[], double fitted[],
-                  mdr_fit_summary *summary);
+                  double residuals[], mdr_fit_summary *summary);
 /* what the instrument reads where the numbers are the `value`s; y is used where the frame gives way or contact depths follow from it */
 int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
                     double fitted[]);

@@ -22,6 +22,8 @@ module mdrcontact_fit
     !> Median of |z| of a normal distribution.
     real(wp), parameter :: normal_median = 0.6744897501960817_wp
     integer, parameter :: most_releases = 5
+    !> Searches with the errors of readings that enter the model propagated at the point found before.
+    integer, parameter :: propagation_rounds = 3
     real(wp), parameter :: wrong_units = 300.0_wp
 
     type :: fit_result_t
@@ -108,14 +110,19 @@ contains
         type(fit_result_t), intent(inout) :: fit
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: noise
-        logical :: known
+        logical :: known, propagates
         integer :: round
 
         known = allocated(residuals%data%sd) .and. residuals%problem%sd_is_absolute
         if (.not. known) residuals%noise = 0.01_wp*norm2(residuals%data%y/residuals%sd)/sqrt(real(size(residuals%sd), wp))
+        propagates = residuals%readings_enter_model()
         do round = 1, most_rounds
+            if (propagates .and. round <= propagation_rounds) call residuals%propagate_readings(u, error)
+            if (allocated(error)) return
             call search(residuals, u, outcome, fit, error)
-            if (allocated(error) .or. known) return
+            if (allocated(error)) return
+            if (propagates .and. round < propagation_rounds) cycle
+            if (known) return
             noise = noise_of(residuals, u, outcome)
             if (.not. noise > 0.0_wp) return
             if (abs(noise - residuals%noise) <= noise_tolerance*residuals%noise) return

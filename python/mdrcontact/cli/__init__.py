@@ -10,12 +10,12 @@ from collections.abc import Sequence
 from .. import __version__
 from ..errors import MDRError
 from ..problem import ProblemError
-from . import compare, curve, example
+from . import compare, curve, example, fit
 from .files import OutputError
 
 __all__ = ["main"]
 
-COMMANDS = (curve, compare, example)
+COMMANDS = (curve, compare, fit, example)
 """Each command is a module with `add(subparsers)`, which sets its `run(arguments)`."""
 
 _DESCRIPTION = """\

@@ -38,7 +38,8 @@ class FitResult:
     standard_errors : by name, from the covariance
     covariance, correlation : arrays, in the order of `names`
     indenter, medium, instrument : the objects with the best values, for further computing
-    fitted, residuals : the model at the data, and (data - model) in standard deviations
+    fitted, residuals : the model at the data, and (data - model) in its standard deviations, into which the error of a reading enters
+        twice where the model is computed from it too (contact depths, frame compliance)
     noise : factor of the standard deviations of the data: 1 if they are known, else estimated; without `sd` the standard deviation
     chi_square, degrees_of_freedom, log_likelihood, aic, bic, runs_probability
     converged, iterations, evaluations, warnings
@@ -52,6 +53,7 @@ class FitResult:
         at_bound: NDArray[np.int32],
         weakest_direction: Array,
         fitted: Array,
+        residuals: Array,
         numbers: Array,
     ) -> None:
         self.problem = problem
@@ -70,8 +72,7 @@ class FitResult:
         self.iterations, self.evaluations = int(numbers[1]), int(numbers[2])
         self.chi_square, self.prior_chi_square, self.degrees_of_freedom = (float(v) for v in numbers[3:6])
         self.noise, self.log_likelihood, self.runs_probability, self.weakest = (float(v) for v in numbers[6:10])
-        sd = np.ones_like(self.fitted) if self.data.sd is None else self.data.sd
-        self.residuals: Array = (self.data.y - self.fitted) / (sd * self.noise)
+        self.residuals: Array = np.asarray(residuals)
         self.warnings: list[str] = []
         self._values = np.asarray(values)
 

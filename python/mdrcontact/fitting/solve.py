@@ -158,8 +158,7 @@ def solve(problem: Problem, *, quietly: bool = False) -> FitResult:
         check(status)
     except MDRError as refusal:
         raise type(refusal)(_named(str(refusal), problem)) from None
-    values, covariance, at_bound, weakest_direction, fitted, numbers = answer
-    result = FitResult(problem, values, covariance, at_bound, weakest_direction, fitted, numbers)
+    result = FitResult(problem, *answer)
     if not quietly:
         result.warnings = advice(result)
     return result

@@ -55,7 +55,8 @@ module mdrcontact_c_fit
 
     interface
 
-        function mdr_fit_solve(problem, n, x, y, force, sd, values, covariance, at_bound, weakest_direction, fitted, summary) &
+        function mdr_fit_solve(problem, n, x, y, force, sd, values, covariance, at_bound, weakest_direction, fitted, residuals, &
+            summary) &
             result(status) bind(C)
             import :: c_double, c_int, c_ptr, fit_problem_t, fit_summary_t
             implicit none (type, external)
@@ -63,7 +64,7 @@ module mdrcontact_c_fit
             integer(c_int), value :: n
             real(c_double), intent(in) :: x(*), y(*), force(*)
             type(c_ptr), value :: sd
-            real(c_double), intent(inout) :: values(*), covariance(*), weakest_direction(*), fitted(*)
+            real(c_double), intent(inout) :: values(*), covariance(*), weakest_direction(*), fitted(*), residuals(*)
             integer(c_int), intent(inout) :: at_bound(*)
             type(fit_summary_t), intent(inout) :: summary
             integer(c_int) :: status

@@ -29,12 +29,13 @@ module mdrcontact_api_fit
 
 contains
 
-    function mdr_fit_solve(problem, n, x, y, force, sd, values, covariance, at_bound, weakest_direction, fitted, summary) &
+    function mdr_fit_solve(problem, n, x, y, force, sd, values, covariance, at_bound, weakest_direction, fitted, residuals, &
+                           summary) &
         result(status) bind(C)
         type(c_fit_problem_t), intent(in), optional :: problem
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
-        real(c_double), intent(inout), optional :: values(*), covariance(*), weakest_direction(*), fitted(*)
+        real(c_double), intent(inout), optional :: values(*), covariance(*), weakest_direction(*), fitted(*), residuals(*)
         integer(c_int), intent(inout), optional :: at_bound(*)
         type(c_fit_summary_t), intent(inout), optional :: summary
         integer(c_int) :: status
@@ -52,6 +53,7 @@ contains
         m = size(fit%values)
         if (present(values)) values(:m) = fit%values
         if (present(fitted)) fitted(:n) = fit%fitted
+        if (present(residuals)) residuals(:n) = fit%residuals
         if (present(at_bound)) then
             at_bound(:m) = 0_c_int
             at_bound(fit%free) = int(fit%at_bound, c_int)

@@ -27,7 +27,13 @@ contains
         integer :: i
 
         first = 0.0_wp
-        last = guess(equilibrium, largest)
+        last = 0.0_wp
+        if (.not. (abs(smallest) + abs(largest) <= huge(1.0_wp) .and. max(abs(smallest), largest) > 0.0_wp)) then
+            call raise(error, error_unreachable, "depths from "//to_text(smallest)//" to "//to_text(largest)//" make no curve")
+            return
+        end if
+        ! an adhesive contact may lie below depth 0 altogether
+        last = guess(equilibrium, max(largest, abs(smallest)))
         call depth_at(equilibrium, last, d, error)
         if (allocated(error)) return
         step = first_step

@@ -4,12 +4,17 @@ module mdrcontact_fit_residuals
     use mdrcontact_error, only: error_t
     use mdrcontact_fit_least_squares, only: residuals_t
     use mdrcontact_fit_predict, only: predict
-    use mdrcontact_fit_problem, only: fit_data_t, fit_problem_t, loss_cauchy, loss_huber, loss_linear
+    use mdrcontact_fit_body, only: indenter_count, medium_count
+    use mdrcontact_fit_problem, only: at_frame_compliance, data_stiffness_depth, fit_data_t, fit_problem_t, loss_cauchy, &
+                                      loss_huber, loss_linear
     use mdrcontact_fit_variables, only: variables_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: fit_residuals_t, new_fit_residuals, bent, bend_slope
+
+    !> Relative step of a reading for the difference quotient, and the least share of its error that is left in a residual.
+    real(wp), parameter :: reading_step = 1.0e-4_wp, smallest_share = 0.1_wp
 
     type, extends(residuals_t) :: fit_residuals_t
         type(fit_problem_t) :: problem
@@ -27,6 +32,8 @@ module mdrcontact_fit_residuals
         procedure :: neighbours
         procedure :: values_at
         procedure :: fitted
+        procedure :: readings_enter_model
+        procedure :: propagate_readings
     end type fit_residuals_t
 
 contains
@@ -70,6 +77,40 @@ contains
 
         call predict(self%problem, self%values_at(u), self%data, y, error)
     end subroutine fitted
+
+    !> Whether the model is computed from the readings y too: contact depths from stiffnesses, the give of the frame from forces.
+    pure function readings_enter_model(self) result(answer)
+        class(fit_residuals_t), intent(in) :: self
+        logical :: answer
+        integer :: i
+
+        i = indenter_count(self%problem%body) + medium_count(self%problem%body) + at_frame_compliance
+        answer = self%problem%data_kind == data_stiffness_depth &
+                 .or. (self%problem%parameters(i)%is_free .or. self%problem%parameters(i)%value /= 0.0_wp)
+    end function readings_enter_model
+
+    !> Standard deviations of y - model where the model is computed from y too: a reading that is off by e moves the residual by
+    !> e (1 - d model/dy).
+    subroutine propagate_readings(self, u, error)
+        class(fit_residuals_t), intent(inout) :: self
+        real(wp), intent(in) :: u(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(fit_data_t) :: shifted
+        real(wp) :: below(size(self%data%x)), above(size(self%data%x)), step(size(self%data%x))
+
+        shifted = self%data
+        step = reading_step*maxval(abs(self%data%y))
+        if (self%problem%data_kind == data_stiffness_depth) step = reading_step*self%data%y
+        shifted%y = self%data%y - step
+        call predict(self%problem, self%values_at(u), shifted, below, error)
+        if (allocated(error)) return
+        shifted%y = self%data%y + step
+        call predict(self%problem, self%values_at(u), shifted, above, error)
+        if (allocated(error)) return
+        self%sd = 1.0_wp
+        if (allocated(self%data%sd)) self%sd = self%data%sd
+        self%sd = self%sd*max(abs(1.0_wp - (above - below)/(2.0_wp*step)), smallest_share)
+    end subroutine propagate_readings
 
     subroutine evaluate(self, u, r)
         class(fit_residuals_t), intent(inout) :: self

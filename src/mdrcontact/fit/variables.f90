@@ -17,7 +17,7 @@ module mdrcontact_fit_variables
     integer, parameter :: positive = 1, poisson = 2, signed = 3
     real(wp), parameter :: smallest_poisson = -0.999_wp, largest_poisson = 0.5_wp
     !> ln of the largest ratio to the start that is tried
-    real(wp), parameter :: widest_logarithm = 60.0_wp
+    real(wp), parameter :: widest_logarithm = 9.0_wp
 
     type :: variables_t
         !> positions of the free numbers among all
@@ -142,7 +142,7 @@ contains
         if (self%scale(i) > 0.0_wp) then
             u = 1.0_wp + (p - self%start(i))/self%scale(i)
         else
-            u = 1.0_wp + log(max(p/self%start(i), exp(-widest_logarithm)))
+            u = 1.0_wp + log(max(p/self%start(i), tiny(1.0_wp)))
         end if
     end function unknown_of
 
