@@ -19,8 +19,8 @@ say "3/3 Contact of three coated bodies"
 for problem in examples/problems/*.toml; do
     name=$(basename "$problem" .toml)
     note "$problem"
-    .venv/bin/mdrcontact curve "$problem" --csv "output/$name.csv" --plot "output/$name.png"
-    .venv/bin/mdrcontact compare "$problem" --plot "output/$name-models.png"
+    .venv/bin/mdrcontact curve "$problem" --csv "output/$name.csv" --plot "output/$name.png" --force
+    .venv/bin/mdrcontact compare "$problem" --plot "output/$name-models.png" --force
 done
 
 say "Done in $SECONDS s. Plots and tables:"

@@ -1,7 +1,41 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file mdrcontact.h
- * Contact of real, coated, layered and graded bodies, computed in one dimension.
+ * Contact of real, coated, layered and graded bodies, computed in one dimension: the C interface and its manual.
+ *
+ * A rigid axisymmetric indenter (mdr_profile) is pressed into an elastic half-space (mdr_medium); the two make a contact
+ * (mdr_contact), which gives indentation depth d, contact radius a, normal force F and stiffness k from any one of
+ * the first three, and the pressure, line load and surface displacement. Equation numbers are those of V. L. Popov,
+ * "Method of dimensionality reduction in contact mechanics and tribology. Heterogeneous media", Physical
+ * Mesomechanics 17 (2014) 50-57.
+ *
+ * @par Units
+ * Any consistent set: choose a unit of length and one of modulus (pressure); forces are then in modulus length^2, stiffnesses
+ * and line loads in modulus length, works of adhesion in modulus length. SI (m, Pa, N) is one choice, (um, MPa, uN) and
+ * (nm, GPa, nN) are others. In the comments the unit of each number stands in brackets; [1] has none. Angles are in radian.
+ *
+ * @par Signs
+ * Depth, force and surface displacement are positive into the medium, pressure in compression.
+ *
+ * @par Status
+ * Every function that can fail returns MDR_SUCCESS (0) or another value of enum mdr_status; mdr_last_error() then says in
+ * words which argument was wrong, what it was and what is allowed. A failed call writes no output and loses no memory.
+ * Every function can return MDR_ENULL for a missing pointer, MDR_EINVALID for NaN, infinity, a negative n, a handle of another kind
+ * or a value out of its range, and MDR_ENOMEMORY; only further codes are listed with the functions.
+ *
+ * @par Arrays
+ * `n` is the number of elements of all arrays of the call; n = 0 is allowed, and then the arrays may be NULL. An
+ * output array may be the input array itself; otherwise arrays must not overlap. Error messages count entries from 1.
+ *
+ * @par Handles and who frees them
+ * mdr_profile, mdr_medium, mdr_contact and mdr_loop are made by the functions with an `out` argument, belong to the caller, and
+ * are freed by mdr_profile_free() and so on, which also set the caller's pointer to NULL. What a handle was made from
+ * may be freed at once: it holds copies. A handle never changes after its creation.
+ *
+ * @par Threads
+ * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
+ * Only freeing a handle needs the certainty that no other thread uses it. GSL's error handler, which would end the program, is
+ * switched off for the process when an object is made; a program with a GSL handler of its own sets it again afterwards.
  */
 #ifndef MDRCONTACT_H
 #define MDRCONTACT_H
@@ -10,168 +44,506 @@
 extern "C" {
 #endif
 
+/** @name Version of this header; mdr_version() gives that of the library. */
+/** @{ */
 #define MDR_VERSION_MAJOR 0
 #define MDR_VERSION_MINOR 1
 #define MDR_VERSION_PATCH 0
+/** @} */
 
 /* ---- status ------------------------------------------------------------------------------------------------- */
+
+/** What a call has to say. */
 enum mdr_status {
-    MDR_SUCCESS = 0,
-    MDR_ENULL = 1,
-    MDR_EINVALID = 2,
-    MDR_EDOMAIN = 3,
-    MDR_EUNREACHABLE = 4,
-    MDR_ENOCONVERGENCE = 5,
-    MDR_ENOMEMORY = 6,
-    MDR_ECALLBACK = 7,
-    MDR_EFILE = 8
+    MDR_SUCCESS = 0,        /**< The call did what it says. */
+    MDR_ENULL = 1,          /**< A required pointer or handle is NULL. */
+    MDR_EINVALID = 2,       /**< An argument has a value that is never allowed (NaN, E <= 0, a table that is not ascending). */
+    MDR_EDOMAIN = 3,        /**< A point lies where the object is not defined (r > a, beyond the end of a table). */
+    MDR_EUNREACHABLE = 4,   /**< No contact state has the requested depth, force or radius. */
+    MDR_ENOCONVERGENCE = 5, /**< An iteration or refinement ended before it met its tolerance, or a result left the number range. */
+    MDR_ENOMEMORY = 6,      /**< Memory could not be allocated. */
+    MDR_ECALLBACK = 7,      /**< A user function reported a failure or gave NaN or infinity. */
+    MDR_EFILE = 8           /**< A file could not be read or written, or is damaged. */
 };
 
-int mdr_version(void);                                   /* 10000 major + 100 minor + patch */
+/** The library's version, 10000 major + 100 minor + patch. Never fails. */
+int mdr_version(void);
+
+/** The name of a status code, "MDR_EINVALID" for instance; "unknown status" for any other number. A constant: never freed. */
 const char *mdr_status_name(int status);
-int mdr_last_error(char *buffer, int length);            /* thread-local text; returns its full length */
 
+/**
+ * The text of the calling thread's last failure. Successful calls leave it as it is; it is empty before the first failure.
+ *
+ * Writes at most `length` characters, the closing zero included; what does not fit is cut off.
+ * @param buffer  receives the text; NULL to ask for the length only
+ * @param length  size of buffer; nothing is written if it is less than 1
+ * @return        the full length of the text without its closing zero, at most 1023: length + 1 characters hold all of it
+ */
+int mdr_last_error(char *buffer, int length);
+
+/** An indenter. Made by mdr_profile_..., freed by mdr_profile_free(). */
 typedef struct mdr_profile mdr_profile;
+/** An elastic half-space. Made by mdr_medium_..., freed by mdr_medium_free(). */
 typedef struct mdr_medium mdr_medium;
+/** An indenter on a medium. Made by mdr_contact_new(), freed by mdr_contact_free(). */
 typedef struct mdr_contact mdr_contact;
+/** A cycle of approach and retraction. Made by mdr_loop_new(), freed by mdr_loop_free(). */
+typedef struct mdr_loop mdr_loop;
 
-/** A user function y = f(x): writes *y and returns 0, or returns another value to report failure. Called during creation only. */
+/**
+ * A user function y = f(x). It is called only while the object it describes is made, in the thread that makes it.
+ * @param x        where
+ * @param y        receives the value, which must be finite
+ * @param context  the pointer given with the function
+ * @return         0, or any other number to report a failure: the creation then ends with MDR_ECALLBACK
+ */
 typedef int (*mdr_function)(double x, double *y, void *context);
 
-/* ---- profiles (theory 1) ------------------------------------------------------------------------------------- */
+/* ---- indenters: f(r), f(0) = 0, and the one-dimensional g(x), equations (3) and (4) ----------------------------- */
+
+/** Paraboloid f = r^2/(2R), g = x^2/R: a sphere as long as a is small against R.
+ *  @param radius  R > 0 [length]
+ *  @param out     receives the handle */
 int mdr_profile_paraboloid(double radius, mdr_profile **out);
+
+/** Sphere f = R - sqrt(R^2 - r^2), g = (x/2) ln((R + x)/(R - x)). Defined for r <= R; contacts reach a < R.
+ *  @param radius  R > 0 [length]
+ *  @param out     receives the handle */
 int mdr_profile_sphere(double radius, mdr_profile **out);
+
+/** Cone f = r tan(phi), g = (pi/2) x tan(phi). A Berkovich or Vickers tip has the equivalent half-angle 70.30 degrees, a cube
+ *  corner 42.28 degrees.
+ *  @param inclination  phi, the angle between the face and the surface, pi/2 minus the half-angle, 0 < phi < pi/2 [radian]
+ *  @param out          receives the handle */
 int mdr_profile_cone(double inclination, mdr_profile **out);
+
+/** Power law f = c r^n, g = kappa_n c x^n with kappa_n = (sqrt(pi)/2) n Gamma(n/2)/Gamma((n+1)/2).
+ *  @param exponent     n, 0 < n <= 100 [1]
+ *  @param coefficient  c > 0 [length^(1-n)]
+ *  @param out          receives the handle */
 int mdr_profile_power(double exponent, double coefficient, mdr_profile **out);
+
+/** Flat cylindrical punch: f = g = 0 up to its radius, where it ends in a vertical wall. The contact radius is that radius
+ *  at every depth: ask for states by depth or force, and for fields by the ..._at_depth functions.
+ *  @param radius  b > 0 [length]
+ *  @param out     receives the handle */
 int mdr_profile_flat_punch(double radius, mdr_profile **out);
+
+/** Cone with a flat end: f = (r - b) tan(phi), g = x tan(phi) arccos(b/x) for r, x > b, 0 below.
+ *  @param end_radius   b > 0 [length]
+ *  @param inclination  phi, 0 < phi < pi/2 [radian]
+ *  @param out          receives the handle */
 int mdr_profile_flat_cone(double end_radius, double inclination, mdr_profile **out);
+
+/** Paraboloid with a flat end: f = (r^2 - b^2)/(2R), g = (x/R) sqrt(x^2 - b^2) for r, x > b, 0 below.
+ *  @param end_radius  b > 0 [length]
+ *  @param radius      R > 0, radius of curvature at the apex that is cut off [length]
+ *  @param out         receives the handle */
 int mdr_profile_flat_paraboloid(double end_radius, double radius, mdr_profile **out);
+
+/** Cone with a rounded tip, a paraboloid that passes into the cone at b without a kink: f = r^2 tan(phi)/(2b) for r <= b,
+ *  (r - b/2) tan(phi) beyond.
+ *  @param blend_radius  b > 0; the radius of curvature at the tip is b/tan(phi) [length]
+ *  @param inclination   phi, 0 < phi < pi/2 [radian]
+ *  @param out           receives the handle */
 int mdr_profile_rounded_cone(double blend_radius, double inclination, mdr_profile **out);
-/* A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., up to height max_height; below min_height (0: none) A is continued linearly to 0 */
+
+/** Calibrated nanoindenter tip by its area function A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., A = pi r^2
+ *  (Oliver, Pharr, J. Mater. Res. 7 (1992) 1564). A must grow from min_height (from 0 without one) to max_height.
+ *  @param n             number of coefficients, at least 1
+ *  @param coefficients  [n] C0 [1], C1 [length], C2 [length^(3/2)], C3 [length^(7/4)], ...
+ *  @param min_height    f below which the fitted A is not to be trusted, 0 if there is none; below it the tip is a paraboloid
+ *                       that meets A there [length]
+ *  @param max_height    f up to which the tip is used, > min_height [length]
+ *  @param out           receives the handle */
 int mdr_profile_area_function(int n, const double coefficients[], double min_height, double max_height, mdr_profile **out);
+
+/** Indenter through the points (r, f), interpolated without overshoot; leading zeros of f are a flat end.
+ *  @param n    number of points, at least 3
+ *  @param r    [n] strictly ascending from r[0] = 0; contacts reach a <= r[n-1] [length]
+ *  @param f    [n] from f[0] = 0, never decreasing, not all 0 [length]
+ *  @param out  receives the handle */
 int mdr_profile_table(int n, const double r[], const double f[], mdr_profile **out);
+
+/** Indenter from a function f(r), smooth but for a power of r at the axis. It is sampled when the handle is made. Written without
+ *  cancellation, r^2/(R + sqrt(R^2 - r^2)) rather than R - sqrt(R^2 - r^2), it keeps its relative accuracy near the axis.
+ *  @param height          f(r) on [0, largest_radius], f(0) = 0, never decreasing [length]
+ *  @param context         passed on to height, may be NULL
+ *  @param largest_radius  > 0, up to where contacts reach [length]
+ *  @param out             receives the handle
+ *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if f is not smooth enough to be sampled */
 int mdr_profile_callback(mdr_function height, void *context, double largest_radius, mdr_profile **out);
+
+/** Sum of indenters, f = f1 + f2 + ...: their g add too. It is defined as far as the first of them ends.
+ *  @param n      number of terms, at least 1
+ *  @param terms  [n] handles; copied
+ *  @param out    receives the handle */
 int mdr_profile_sum(int n, const mdr_profile *const terms[], mdr_profile **out);
 
-int mdr_profile_height(const mdr_profile *p, int n, const double r[], double out[]);
-int mdr_profile_slope(const mdr_profile *p, int n, const double r[], double out[]);
-int mdr_profile_mdr(const mdr_profile *p, int n, const double x[], double out[]);
-int mdr_profile_mdr_slope(const mdr_profile *p, int n, const double x[], double out[]);
-/* f from sampled g, theory 1, second formula: the profile whose MDR profile is the table g(x) */
+/** Indenter whose one-dimensional profile goes through the points (x, g); its f follows from (4).
+ *  @param n    number of points, at least 3
+ *  @param x    [n] strictly ascending from x[0] = 0 [length]
+ *  @param g    [n] from g[0] = 0, never decreasing, not all 0 [length]
+ *  @param out  receives the handle */
 int mdr_profile_from_mdr_table(int n, const double x[], const double g[], mdr_profile **out);
+
+/** f(r), the height of the indenter's surface above its lowest point [length].
+ *  @param p    indenter
+ *  @param n    number of radii
+ *  @param r    [n] radii >= 0 [length]
+ *  @param out  [n] heights [length]
+ *  @return also MDR_EDOMAIN beyond the end of the profile */
+int mdr_profile_height(const mdr_profile *p, int n, const double r[], double out[]);
+
+/** f'(r) [1]; infinite at the equator of a sphere. Arguments and errors as mdr_profile_height(). */
+int mdr_profile_slope(const mdr_profile *p, int n, const double r[], double out[]);
+
+/** g(x), the one-dimensional profile, equation (3) [length]; infinite at the equator of a sphere. Arguments and errors as
+ *  mdr_profile_height(), with x [length] in place of r. */
+int mdr_profile_mdr(const mdr_profile *p, int n, const double x[], double out[]);
+
+/** g'(x) [1]. Arguments and errors as mdr_profile_mdr(). */
+int mdr_profile_mdr_slope(const mdr_profile *p, int n, const double x[], double out[]);
+
+/** Frees an indenter and sets *p to NULL. p = NULL and *p = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *p is not an indenter */
 int mdr_profile_free(mdr_profile **p);
 
-/* ---- media (theory 3) ---------------------------------------------------------------------------------------- */
+/* ---- media: effective contact modulus E_eff(a), stiffness k = 2 a E_eff(a), equation (10) ----------------------- */
+
+/** Models of a coated, layered or graded half-space. h is the thickness, x = a/h, xi = h/a, index 0 the coating, 1 the substrate,
+ *  E* = E/(1 - nu^2). */
 enum mdr_model {
-    MDR_MODEL_GAO = 0,                 /* Gao weights, moduli in parallel: the source's (12)-(15) */
-    MDR_MODEL_GAO_SERIES = 1,          /* Gao weights, compliances in series */
-    MDR_MODEL_DOERNER_NIX = 2,
-    MDR_MODEL_WAVE = 3,
-    MDR_MODEL_MENCIK_EXPONENTIAL = 4,
-    MDR_MODEL_MENCIK_RECIPROCAL = 5,
-    MDR_MODEL_BEC = 6,
-    MDR_MODEL_PERRIOT_BARTHEL = 7,
-    MDR_MODEL_HAY_CRAWFORD = 8,
-    MDR_MODEL_DIMITRIADIS = 9,         /* rigid base, nu = 1/2, paraboloid */
-    MDR_MODEL_GARCIA = 10,             /* rigid base, nu = 1/2, paraboloid */
-    MDR_MODEL_EXACT = 11
+    MDR_MODEL_GAO = 0,                /**< Gao's weights, moduli in parallel, equations (12)-(16): the source's model. */
+    MDR_MODEL_GAO_SERIES = 1,         /**< Gao's weights, 1/G in series: far closer to the exact solution at large contrast. */
+    MDR_MODEL_DOERNER_NIX = 2,        /**< 1/E_eff = (1 - e^(-alpha xi))/E*0 + e^(-alpha xi)/E*1, equation (11). */
+    MDR_MODEL_WAVE = 3,               /**< Response to a wave of wavenumber q = wave_factor/a, equations (19), (20). */
+    MDR_MODEL_MENCIK_EXPONENTIAL = 4, /**< E_eff = E*1 + (E*0 - E*1) e^(-alpha x). */
+    MDR_MODEL_MENCIK_RECIPROCAL = 5,  /**< 1/E_eff = 1/E*1 + (1/E*0 - 1/E*1) e^(-alpha x). */
+    MDR_MODEL_BEC = 6,                /**< Bec et al. 2006: film and substrate as springs in series. */
+    MDR_MODEL_PERRIOT_BARTHEL = 7,    /**< Perriot, Barthel 2004: a fit to their exact solution. */
+    MDR_MODEL_HAY_CRAWFORD = 8,       /**< Hay, Crawford 2011: Gao's weights with the film also acting in parallel. */
+    MDR_MODEL_DIMITRIADIS = 9,        /**< Dimitriadis et al. 2002: layer with nu = 1/2 on a rigid base, for a paraboloid. */
+    MDR_MODEL_GARCIA = 10,            /**< Garcia, Garcia 2018: the same with their coefficients. */
+    MDR_MODEL_EXACT = 11              /**< The exact solution of the layered half-space. */
 };
-enum mdr_weight_nu {                   /* which Poisson's ratio enters I0 of the Gao weights */
-    MDR_WEIGHT_NU_SURFACE = 0,
-    MDR_WEIGHT_NU_SUBSTRATE = 1,
-    MDR_WEIGHT_NU_EFFECTIVE = 2,
-    MDR_WEIGHT_NU_GIVEN = 3
+
+/** Which Poisson's ratio enters I0 of Gao's weights, which the source leaves open. */
+enum mdr_weight_nu {
+    MDR_WEIGHT_NU_SURFACE = 0,   /**< That of the surface: the most accurate on average, and the default. */
+    MDR_WEIGHT_NU_SUBSTRATE = 1, /**< That of the substrate. */
+    MDR_WEIGHT_NU_EFFECTIVE = 2, /**< The effective one at the same a. */
+    MDR_WEIGHT_NU_GIVEN = 3      /**< The number weight_nu. */
 };
+
+/** What a model leaves to choose. Set by mdr_medium_options_init(), then changed; a model looks only at what concerns it. */
 typedef struct mdr_medium_options {
-    double alpha;                      /* Doerner-Nix, Mencik exponentials: decay constant, default 1 */
-    double wave_factor;                /* wave: q = wave_factor/a, default pi/2 */
-    int weight_nu_choice;              /* Gao: enum mdr_weight_nu, default MDR_WEIGHT_NU_SURFACE */
-    double weight_nu;                  /* Gao: the number for MDR_WEIGHT_NU_GIVEN */
-    double tolerance;                  /* exact and sampled media: relative tolerance, default 1e-10 */
+    double alpha;         /**< Doerner-Nix, Mencik: decay constant > 0 [1]; default 1. */
+    double wave_factor;   /**< Wave: q a > 0 [1]; default pi/2. */
+    int weight_nu_choice; /**< Gao: one of enum mdr_weight_nu; default MDR_WEIGHT_NU_SURFACE. */
+    double weight_nu;     /**< Gao: the number for MDR_WEIGHT_NU_GIVEN, -1 < nu <= 1/2; default 1/2. */
+    double tolerance;     /**< Exact: relative tolerance, 1e-12 to 1e-2; default 1e-10. */
 } mdr_medium_options;
+
+/** Sets all options to their defaults. options = NULL is allowed. Never fails. */
 void mdr_medium_options_init(mdr_medium_options *options);
 
+/** Homogeneous half-space of one material, equations (1)-(8); E_eff = E/(1 - nu^2).
+ *  @param E    Young's modulus > 0 [modulus]
+ *  @param nu   Poisson's ratio, -1 < nu <= 1/2 [1]
+ *  @param out  receives the handle */
 int mdr_medium_homogeneous(double E, double nu, mdr_medium **out);
+
+/** Homogeneous half-space of given contact modulus: 1/E* = 1/E*_1 + 1/E*_2 stands for two elastic bodies, equation (2).
+ *  @param contact_modulus  E* > 0 [modulus]
+ *  @param out              receives the handle */
 int mdr_medium_contact_modulus(double contact_modulus, mdr_medium **out);
-/* substrate_E = INFINITY is a rigid base: MDR_MODEL_EXACT, DIMITRIADIS, GARCIA only */
+
+/** Half-space with one coating.
+ *  @param coating_E     E0 > 0 [modulus]
+ *  @param coating_nu    -1 < nu0 <= 1/2 [1]; 1/2 for MDR_MODEL_DIMITRIADIS and MDR_MODEL_GARCIA
+ *  @param thickness     h > 0 [length]
+ *  @param substrate_E   E1 > 0 [modulus]; INFINITY is a rigid base, which MDR_MODEL_DIMITRIADIS and MDR_MODEL_GARCIA
+ *                       demand, MDR_MODEL_EXACT allows, and the others refuse
+ *  @param substrate_nu  -1 < nu1 <= 1/2 [1]; not looked at for a rigid base
+ *  @param model         one of enum mdr_model
+ *  @param options       NULL for the defaults
+ *  @param out           receives the handle */
 int mdr_medium_coated(double coating_E, double coating_nu, double thickness, double substrate_E, double substrate_nu,
                       int model, const mdr_medium_options *options, mdr_medium **out);
-/* layers from the surface down; model GAO, GAO_SERIES or EXACT */
+
+/** Stack of layers on a substrate, equation (16) for piecewise constant moduli.
+ *  @param n             number of layers, at least 1
+ *  @param E             [n] Young's moduli > 0 from the surface down [modulus]
+ *  @param nu            [n] Poisson's ratios, -1 < nu <= 1/2 [1]
+ *  @param thickness     [n] thicknesses > 0 [length]
+ *  @param substrate_E   > 0 [modulus]; INFINITY is a rigid base, MDR_MODEL_EXACT only
+ *  @param substrate_nu  -1 < nu <= 1/2 [1]; not looked at for a rigid base
+ *  @param model         MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT
+ *  @param options       NULL for the defaults
+ *  @param out           receives the handle */
 int mdr_medium_layered(int n, const double E[], const double nu[], const double thickness[],
                        double substrate_E, double substrate_nu, int model, const mdr_medium_options *options, mdr_medium **out);
-/* E and nu at ascending depths z[0] = 0 ... z[n-1], linear between them, constant below; model GAO, GAO_SERIES or EXACT */
+
+/** Graded half-space, equation (16): E and nu are linear between the given depths and constant below the last one. A thin
+ *  interval makes a step.
+ *  @param n        number of depths, at least 2
+ *  @param z        [n] depths, strictly ascending from z[0] = 0 [length]
+ *  @param E        [n] Young's moduli > 0 [modulus]
+ *  @param nu       [n] Poisson's ratios, -1 < nu <= 1/2 [1]
+ *  @param model    MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES
+ *  @param options  NULL for the defaults
+ *  @param out      receives the handle */
 int mdr_medium_graded(int n, const double z[], const double E[], const double nu[], int model,
                       const mdr_medium_options *options, mdr_medium **out);
-/* E(z) and nu(z) as functions on [0, depth], constant below */
+
+/** Graded half-space from smooth functions, equation (16).
+ *  @param E        Young's modulus E(z) > 0 on [0, depth] [modulus]
+ *  @param nu       Poisson's ratio nu(z), -1 < nu <= 1/2 [1]
+ *  @param context  passed on to both, may be NULL
+ *  @param depth    > 0, below which the body is homogeneous [length]
+ *  @param model    MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES
+ *  @param options  NULL for the defaults
+ *  @param out      receives the handle
+ *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if a function is not smooth enough to be sampled */
 int mdr_medium_graded_callback(mdr_function E, mdr_function nu, void *context, double depth, int model,
                                const mdr_medium_options *options, mdr_medium **out);
+
+/** Half-space with E(z) = E0 (z/z0)^m and constant nu, exactly (Hess, Int. J. Eng. Sci. 104 (2016) 20).
+ *  @param E0        Young's modulus at depth z0, > 0 [modulus]
+ *  @param z0        > 0 [length]
+ *  @param exponent  m, -1 < m < 1 [1]
+ *  @param nu        -1 < nu <= 1/2 [1]
+ *  @param out       receives the handle */
 int mdr_medium_power_graded(double E0, double z0, double exponent, double nu, mdr_medium **out);
+
+/** Medium whose effective modulus is a table, interpolated in ln a without overshoot. States are offered from a[0] to a[n-1];
+ *  below a[0] the modulus is taken as constant when forces are integrated.
+ *  @param n        number of radii, at least 3
+ *  @param a        [n] contact radii > 0, strictly ascending [length]
+ *  @param modulus  [n] E_eff(a) > 0 [modulus]
+ *  @param out      receives the handle */
 int mdr_medium_table(int n, const double a[], const double modulus[], mdr_medium **out);
+
+/** Medium whose effective modulus is a smooth function. It is sampled when the handle is made.
+ *  @param modulus          E_eff(a) > 0 [modulus]
+ *  @param context          passed on to modulus, may be NULL
+ *  @param smallest_radius  > 0; below it the modulus is taken as constant when forces are integrated [length]
+ *  @param largest_radius   > smallest_radius [length]; states are offered between the two
+ *  @param out              receives the handle
+ *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if the function is not smooth enough to be sampled */
 int mdr_medium_callback(mdr_function modulus, void *context, double smallest_radius, double largest_radius, mdr_medium **out);
 
+/** E_eff(a), the effective contact modulus, equation (10).
+ *  @param m    medium
+ *  @param n    number of radii
+ *  @param a    [n] contact radii > 0 [length]
+ *  @param out  [n] E_eff [modulus]
+ *  @return also MDR_EDOMAIN where a tabulated or sampled medium is not defined */
 int mdr_medium_modulus(const mdr_medium *m, int n, const double a[], double out[]);
+
+/** k = 2 a E_eff(a), the stiffness of a flat punch of radius a, equation (10) [modulus length]. Arguments and errors as
+ *  mdr_medium_modulus(). */
 int mdr_medium_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
+
+/** Frees a medium and sets *m to NULL. m = NULL and *m = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *m is not a medium */
 int mdr_medium_free(mdr_medium **m);
 
-/* ---- weights (theory 3); xi = z/a >= 0; nu enters phi, i0 and j0 only ---------------------------------------- */
-int mdr_weight_phi(int n, const double xi[], double nu, double out[]);   /* dI0/dxi; (18) at nu = 1/2 */
+/* ---- Gao's weights of a depth z, xi = z/a, equations (13)-(15), (18) -------------------------------------------- */
+
+/** Phi(xi) = dI0/dxi, the weight of the depth a xi itself; equation (18) at nu = 1/2.
+ *  @param n    number of depths
+ *  @param xi   [n] z/a >= 0 [1]
+ *  @param nu   Poisson's ratio, -1 < nu <= 1/2 [1]
+ *  @param out  [n] weights [1] */
+int mdr_weight_phi(int n, const double xi[], double nu, double out[]);
+
+/** I0(xi), the weight of the shear modulus above the depth a xi, equation (14). Arguments as mdr_weight_phi(). */
 int mdr_weight_i0(int n, const double xi[], double nu, double out[]);
+
+/** I1(xi), the weight of Poisson's ratio above the depth a xi, equation (15). Arguments as mdr_weight_phi(); nu is
+ *  checked but does not enter. */
 int mdr_weight_i1(int n, const double xi[], double nu, double out[]);
-int mdr_weight_j0(int n, const double xi[], double nu, double out[]);    /* 1 - I0 to full relative precision */
+
+/** J0 = 1 - I0, the weight of what lies below, to full relative precision. Arguments as mdr_weight_phi(). */
+int mdr_weight_j0(int n, const double xi[], double nu, double out[]);
+
+/** J1 = 1 - I1, to full relative precision. Arguments as mdr_weight_i1(). */
 int mdr_weight_j1(int n, const double xi[], double nu, double out[]);
 
-/* ---- contact (theory 4) -------------------------------------------------------------------------------------- */
-typedef struct mdr_contact_options {
-    int zeta_count;                    /* 0: d = g(a); else size of the table zeta(a) of (9), d = zeta(a) g(a) */
-    const double *zeta_radius;         /* [zeta_count] ascending */
-    const double *zeta;                /* [zeta_count] */
-    double work_of_adhesion;           /* gamma >= 0 [modulus length], default 0: no adhesion */
-    int adhesion_rule;                 /* enum mdr_adhesion_rule, default MDR_ADHESION_AUTOMATIC */
-} mdr_contact_options;
+/* ---- contacts (2)-(10), (21)-(32) ------------------------------------------------------------------------------ */
+
+/** How far the edge springs of an adhesive contact hang. */
 enum mdr_adhesion_rule {
-    MDR_ADHESION_AUTOMATIC = 0,        /* the energy balance where the medium is exact, the paper's rule elsewhere */
-    MDR_ADHESION_PAPER = 1,            /* (28): dl = sqrt(2 pi a gamma/E_eff) */
-    MDR_ADHESION_ENERGY = 2            /* balance of energy: dl = sqrt(2 pi a gamma/(E_eff + a E_eff')) */
+    MDR_ADHESION_AUTOMATIC = 0, /**< Energy where the medium meets the balance exactly, the source's rule elsewhere. */
+    MDR_ADHESION_PAPER = 1,     /**< dl = sqrt(2 pi a gamma/E_eff), equation (28). */
+    MDR_ADHESION_ENERGY = 2     /**< dl = sqrt(4 pi a gamma/k'(a)), the balance of energy. */
 };
-enum mdr_branch {                      /* which stable state of an adhesive contact */
-    MDR_ON_LOADING = 1,                /* the smallest contact, met on approach */
-    MDR_ON_UNLOADING = 2               /* the largest contact, kept on retraction: what from_depth and from_force give */
+
+/** Which stable state is meant where an adhesive contact has several. */
+enum mdr_branch {
+    MDR_ON_LOADING = 1,  /**< The smallest contact, met when the bodies approach. */
+    MDR_ON_UNLOADING = 2 /**< The largest contact, kept when they are drawn apart: what from_depth and from_force give. */
 };
+
+/** What the machine prescribes. */
 enum mdr_control {
-    MDR_CONTROL_FORCE = 0,
-    MDR_CONTROL_DEPTH = 1,
-    MDR_CONTROL_SPRING = 2             /* the far end of a spring; loops only */
+    MDR_CONTROL_FORCE = 0, /**< The normal force. */
+    MDR_CONTROL_DEPTH = 1, /**< The indentation depth. */
+    MDR_CONTROL_SPRING = 2 /**< The far end of a spring that presses the indenter, d + F/stiffness; loops only. */
 };
+
+/** What a contact can have beyond indenter and medium. Set by mdr_contact_options_init(), then changed. The arrays are
+ *  copied by mdr_contact_new(). */
+typedef struct mdr_contact_options {
+    int zeta_count;            /**< Size of the table of zeta in (9), d = zeta(a) g(a), at least 3; default 0: zeta = 1. */
+    const double *zeta_radius; /**< [zeta_count] contact radii > 0, strictly ascending; contacts reach the last one [length]. */
+    const double *zeta;        /**< [zeta_count] zeta > 0 [1]; zeta(a) g(a) must not decrease. */
+    double work_of_adhesion;   /**< gamma >= 0 [modulus length]; default 0. */
+    int adhesion_rule;         /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
+} mdr_contact_options;
+
+/** Sets all options to their defaults. options = NULL is allowed. Never fails. */
 void mdr_contact_options_init(mdr_contact_options *options);
 
+/** The contact of an indenter with a medium, both of which are copied.
+ *  @param profile  indenter
+ *  @param medium   medium
+ *  @param options  NULL for the defaults
+ *  @param out      receives the handle
+ *  @return also MDR_EDOMAIN if the indenter's flat end is larger than the medium's largest contact radius */
 int mdr_contact_new(const mdr_profile *profile, const mdr_medium *medium, const mdr_contact_options *options, mdr_contact **out);
+
+/** States from indentation depths. Outputs that are NULL are skipped.
+ *
+ *  Without adhesion depth 0 is first touch, with F = 0. With adhesion it is the state kept on unloading.
+ *  @param c    contact
+ *  @param n    number of states
+ *  @param in   [n] depths >= 0, with adhesion down to the pull-off depth [length]
+ *  @param d    [n] or NULL: indentation depths [length]
+ *  @param a    [n] or NULL: contact radii [length]
+ *  @param F    [n] or NULL: normal forces [modulus length^2]
+ *  @param k    [n] or NULL: stiffnesses dF/dd at constant a, 2 a E_eff(a) [modulus length]
+ *  @return also MDR_EUNREACHABLE if no state has such a depth, MDR_ENOCONVERGENCE */
 int mdr_contact_from_depth(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+
+/** States from normal forces: `in` are forces >= 0, with adhesion down to the pull-off force [modulus length^2].
+ *  Otherwise as mdr_contact_from_depth(). */
 int mdr_contact_from_force(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+
+/** States from contact radii: `in` are radii >= 0, at least that of the indenter's flat end, below its vertical wall [length].
+ *  With adhesion the state may be unstable under given depth or force. Otherwise as mdr_contact_from_depth().
+ *  @return also MDR_EDOMAIN beyond the end of the indenter or the medium */
 int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
-int mdr_contact_from_depth_on(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[], double F[], double k[]);
-int mdr_contact_from_force_on(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[], double F[], double k[]);
+
+/** As mdr_contact_from_depth(), on a branch of an adhesive contact.
+ *  @param branch  one of enum mdr_branch */
+int mdr_contact_from_depth_on(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[], double F[],
+                              double k[]);
+
+/** As mdr_contact_from_force(), on a branch of an adhesive contact.
+ *  @param branch  one of enum mdr_branch */
+int mdr_contact_from_force_on(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[], double F[],
+                              double k[]);
+
+/** p(r), the contact pressure, equation (6), in the state of contact radius a. Infinite where theory says so: at the
+ *  edge of a flat punch or of an adhesive contact, at the apex of a cone.
+ *  @param c    contact
+ *  @param a    contact radius > 0, as for mdr_contact_from_radius() [length]
+ *  @param n    number of positions
+ *  @param r    [n] 0 <= r <= a [length]
+ *  @param out  [n] pressures [modulus]
+ *  @return also MDR_EDOMAIN if r > a or a is too large, MDR_EUNREACHABLE if no state has this radius, or more than one has
+ *          it (flat punch), MDR_ENOCONVERGENCE */
 int mdr_contact_pressure(const mdr_contact *c, double a, int n, const double r[], double out[]);
+
+/** u(r), the displacement of the surface [length]: d - f(r) for r <= a, the free surface beyond. Arguments and errors as
+ *  mdr_contact_pressure(), with any r >= 0 (inside the contact f(r) must be defined). */
 int mdr_contact_displacement(const mdr_contact *c, double a, int n, const double r[], double out[]);
+
+/** q(x), the line load of the one-dimensional springs, equations (5), (21) [modulus length]. Arguments and errors as
+ *  mdr_contact_pressure(), with 0 <= x <= a [length] in place of r. */
 int mdr_contact_line_load(const mdr_contact *c, double a, int n, const double x[], double out[]);
-/* the same at a depth, for indenters whose radius does not determine the state (flat punch) */
+
+/** @name The same in the state of indentation depth d [length]
+ *  For indenters whose radius does not determine the state (flat punch), and where the depth is what is known. Depths as for
+ *  mdr_contact_from_depth(), at which there must be contact; otherwise as the functions above. */
+/** @{ */
 int mdr_contact_pressure_at_depth(const mdr_contact *c, double d, int n, const double r[], double out[]);
 int mdr_contact_displacement_at_depth(const mdr_contact *c, double d, int n, const double r[], double out[]);
 int mdr_contact_line_load_at_depth(const mdr_contact *c, double d, int n, const double x[], double out[]);
+/** @} */
+
+/** Frees a contact and sets *c to NULL. c = NULL and *c = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *c is not a contact */
 int mdr_contact_free(mdr_contact **c);
 
-/* ---- adhesion (theory 5) ------------------------------------------------------------------------------------- */
-/* where the contact breaks: lowest force or depth of the whole branch; all 0 without adhesion; NULL outputs are skipped */
+/* ---- adhesion: pull-off and loops, (28)-(32) --------------------------------------------------------------------- */
+
+/** Where an adhesive contact breaks: the lowest force, or depth, of all its stable states. All 0 without adhesion. Outputs
+ *  that are NULL are skipped.
+ *  @param c        contact
+ *  @param control  MDR_CONTROL_FORCE or MDR_CONTROL_DEPTH
+ *  @param d        or NULL: indentation depth [length]
+ *  @param a        or NULL: contact radius [length]
+ *  @param F        or NULL: normal force [modulus length^2]
+ *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_ENOCONVERGENCE */
 int mdr_contact_pull_off(const mdr_contact *c, int control, double *d, double *a, double *F);
-/* all ends of stable stretches: the global one first, then the others by radius; *count is their full number, at most capacity are written */
+
+/** Where each stable stretch of an adhesive contact ends: first that of mdr_contact_pull_off(), then the others by radius.
+ *  A coated body can have several. Outputs d, a, F that are NULL are skipped.
+ *  @param c         contact
+ *  @param control   MDR_CONTROL_FORCE or MDR_CONTROL_DEPTH
+ *  @param capacity  size of the arrays, >= 0: at most so many are written
+ *  @param d         [capacity] or NULL: indentation depths [length]
+ *  @param a         [capacity] or NULL: contact radii [length]
+ *  @param F         [capacity] or NULL: normal forces [modulus length^2]
+ *  @param count     receives how many there are, 0 without adhesion
+ *  @return as mdr_contact_pull_off() */
 int mdr_contact_pull_offs(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count);
 
-typedef struct mdr_loop mdr_loop;
-/* a cycle of approach to position `largest` and retraction, about `points` points each way; spring_stiffness for MDR_CONTROL_SPRING only */
+/** A cycle: approach from afar, jump into contact, press to `largest`, retract until the bodies are apart again.
+ *  @param c                 contact
+ *  @param control           one of enum mdr_control: what the positions of the loop are
+ *  @param spring_stiffness  > 0 for MDR_CONTROL_SPRING [modulus length], not looked at otherwise
+ *  @param largest           position where the motion turns back, > 0 [length, or modulus length^2 under force control]
+ *  @param points            points on each way, at least 2; jumps and their ends come on top
+ *  @param out               receives the handle
+ *  @return also MDR_EUNREACHABLE if `largest` cannot be reached or the bodies do not stick when they touch,
+ *          MDR_ENOCONVERGENCE */
 int mdr_loop_new(const mdr_contact *c, int control, double spring_stiffness, double largest, int points, mdr_loop **out);
-int mdr_loop_size(const mdr_loop *l, int *points, int *turning_point, int *jumps);  /* turning_point: index of the last point of the approach */
-int mdr_loop_path(const mdr_loop *l, int n, double position[], double d[], double a[], double F[]);  /* the first n points */
-int mdr_loop_jumps(const mdr_loop *l, int n, int index[]);                           /* indices of the points just before each jump */
-int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy);                   /* [modulus length^3] */
+
+/** The sizes of a loop. Outputs that are NULL are skipped.
+ *  @param l              loop
+ *  @param points         or NULL: number of points of the path
+ *  @param turning_point  or NULL: index, from 0, of the last point of the approach
+ *  @param jumps          or NULL: number of jumps */
+int mdr_loop_size(const mdr_loop *l, int *points, int *turning_point, int *jumps);
+
+/** The first n points of the path, or all if there are fewer. Outputs that are NULL are skipped.
+ *  @param l         loop
+ *  @param n         size of the arrays
+ *  @param position  [n] or NULL: what is prescribed, see mdr_loop_new()
+ *  @param d         [n] or NULL: indentation depths, negative where the bodies are apart [length]
+ *  @param a         [n] or NULL: contact radii, 0 where they are apart [length]
+ *  @param F         [n] or NULL: normal forces [modulus length^2] */
+int mdr_loop_path(const mdr_loop *l, int n, double position[], double d[], double a[], double F[]);
+
+/** Where the path jumps.
+ *  @param l      loop
+ *  @param n      size of the array; at most so many are written
+ *  @param index  [n] indices, from 0, of the points just before each jump */
+int mdr_loop_jumps(const mdr_loop *l, int n, int index[]);
+
+/** The energy lost in the cycle, the area of the loop.
+ *  @param l       loop
+ *  @param energy  receives it [modulus length^3] */
+int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy);
+
+/** Frees a loop and sets *l to NULL. l = NULL and *l = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *l is not a loop */
 int mdr_loop_free(mdr_loop **l);
 
 /* ---- fit: from measured data to the numbers of indenter, medium and instrument --------------------------------- */

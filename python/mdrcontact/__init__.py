@@ -33,4 +33,4 @@ __all__ = [
     *weights.__all__,
 ]
 
-__version__ = "{}.{}.{}".format(_version() // 10000, _version() // 100 % 100, _version() % 100)
+__version__ = f"{_version() // 10000}.{_version() // 100 % 100}.{_version() % 100}"

@@ -37,7 +37,7 @@ class Contact(Described):
     indenter : a profile: Sphere(...), Cone(...), ...
     medium : Coated(...), Homogeneous(...), ...
     zeta : ratio d/g(a) of equation (9), the correction of the contact radius; None: 1, the source's approximation.
-        Else a table (radii, values): radii > 0 ascending [length], values > 0
+        Else a table (radii, values): at least 3 radii > 0 ascending [length], values > 0
     """
 
     indenter: Profile

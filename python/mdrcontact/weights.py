@@ -10,6 +10,8 @@ from ._boundary import FloatOrArray, evaluate, number
 
 __all__ = ["weight_phi", "weight_i0", "weight_i1", "weight_j0", "weight_j1"]
 
+_NO_NU = 0.5  # the library takes a Poisson's ratio for all weights; I1 does not depend on it
+
 
 def weight_phi(xi: ArrayLike, nu: float = 0.5) -> FloatOrArray:
     """Phi(xi) = dI0/dxi, equation (18) at nu = 1/2; xi = z/a >= 0, any shape."""
@@ -23,7 +25,7 @@ def weight_i0(xi: ArrayLike, nu: float = 0.5) -> FloatOrArray:
 
 def weight_i1(xi: ArrayLike) -> FloatOrArray:
     """I1(xi), equation (14): the share of Poisson's ratio above the depth z = xi a; xi >= 0, any shape."""
-    return evaluate(_native.weight_i1, name="xi", values=xi)
+    return evaluate(_native.weight_i1, _NO_NU, name="xi", values=xi)
 
 
 def weight_j0(xi: ArrayLike, nu: float = 0.5) -> FloatOrArray:
@@ -33,4 +35,4 @@ def weight_j0(xi: ArrayLike, nu: float = 0.5) -> FloatOrArray:
 
 def weight_j1(xi: ArrayLike) -> FloatOrArray:
     """1 - I1(xi) to full relative precision, however close to 1 I1 is; xi >= 0, any shape."""
-    return evaluate(_native.weight_j1, name="xi", values=xi)
+    return evaluate(_native.weight_j1, _NO_NU, name="xi", values=xi)

@@ -5,7 +5,7 @@
 subroutine contact_new(profile, medium, zeta_count, n, zeta_radius, zeta, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_pointer
-    use mdrcontact_c_contact, only: contact_options_t, mdr_contact_new, mdr_contact_options_init
+    use mdrcontact_api_contact, only: c_contact_options_t, mdr_contact_new
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: zeta_count, n
@@ -13,13 +13,15 @@ subroutine contact_new(profile, medium, zeta_count, n, zeta_radius, zeta, handle
     real(c_double), intent(in), target :: zeta_radius(n), zeta(n)
     integer(c_int64_t), intent(out) :: handle
     integer(c_int), intent(out) :: status
-    type(contact_options_t) :: options
+    type(c_contact_options_t) :: options
     type(c_ptr) :: object
 
     object = c_null_ptr
-    options = contact_options_t(0_c_int, c_null_ptr, c_null_ptr)
-    call mdr_contact_options_init(options)
-    if (zeta_count > 0) options = contact_options_t(zeta_count, c_loc(zeta_radius), c_loc(zeta))
+    if (zeta_count > 0) then
+        options%zeta_count = zeta_count
+        options%zeta_radius = c_loc(zeta_radius)
+        options%zeta = c_loc(zeta)
+    end if
     status = mdr_contact_new(to_pointer(profile), to_pointer(medium), options, object)
     handle = to_address(object)
 end subroutine contact_new
@@ -28,7 +30,7 @@ end subroutine contact_new
 subroutine contact_from_depth(n, handle, given, d, a, F, k, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_contact, only: mdr_contact_from_depth
+    use mdrcontact_api_contact, only: mdr_contact_from_depth
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -44,7 +46,7 @@ end subroutine contact_from_depth
 subroutine contact_from_force(n, handle, given, d, a, F, k, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_contact, only: mdr_contact_from_force
+    use mdrcontact_api_contact, only: mdr_contact_from_force
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -60,7 +62,7 @@ end subroutine contact_from_force
 subroutine contact_from_radius(n, handle, given, d, a, F, k, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_contact, only: mdr_contact_from_radius
+    use mdrcontact_api_contact, only: mdr_contact_from_radius
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -76,7 +78,7 @@ end subroutine contact_from_radius
 subroutine contact_free(handle, status)
     use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_ptr
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_contact, only: mdr_contact_free
+    use mdrcontact_api_handles, only: mdr_contact_free
     implicit none (type, external)
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(out) :: status

@@ -5,7 +5,7 @@
 subroutine contact_pressure(n, handle, a, r, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_contact, only: mdr_contact_pressure
+    use mdrcontact_api_fields, only: mdr_contact_pressure
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -22,7 +22,7 @@ end subroutine contact_pressure
 subroutine contact_displacement(n, handle, a, r, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_contact, only: mdr_contact_displacement
+    use mdrcontact_api_fields, only: mdr_contact_displacement
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -39,7 +39,7 @@ end subroutine contact_displacement
 subroutine contact_line_load(n, handle, a, r, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_contact, only: mdr_contact_line_load
+    use mdrcontact_api_fields, only: mdr_contact_line_load
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -56,7 +56,7 @@ end subroutine contact_line_load
 subroutine contact_pressure_at_depth(n, handle, d, r, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_contact, only: mdr_contact_pressure_at_depth
+    use mdrcontact_api_fields, only: mdr_contact_pressure_at_depth
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -73,7 +73,7 @@ end subroutine contact_pressure_at_depth
 subroutine contact_displacement_at_depth(n, handle, d, r, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_contact, only: mdr_contact_displacement_at_depth
+    use mdrcontact_api_fields, only: mdr_contact_displacement_at_depth
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -90,7 +90,7 @@ end subroutine contact_displacement_at_depth
 subroutine contact_line_load_at_depth(n, handle, d, r, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_contact, only: mdr_contact_line_load_at_depth
+    use mdrcontact_api_fields, only: mdr_contact_line_load_at_depth
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n

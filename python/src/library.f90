@@ -4,7 +4,7 @@
 !> 10000 major + 100 minor + patch. See mdr_version.
 subroutine version(number)
     use, intrinsic :: iso_c_binding, only: c_int
-    use mdrcontact_c_library, only: mdr_version
+    use mdrcontact_api_version, only: mdr_version
     implicit none (type, external)
     integer(c_int), intent(out) :: number
 
@@ -14,7 +14,7 @@ end subroutine version
 !> The words of the last failure in this thread, ended by a null character. See mdr_last_error.
 subroutine last_error(text)
     use, intrinsic :: iso_c_binding, only: c_int
-    use mdrcontact_c_library, only: mdr_last_error
+    use mdrcontact_last_error, only: mdr_last_error
     implicit none (type, external)
     character(len=2000), intent(out) :: text
     integer(c_int) :: full_length

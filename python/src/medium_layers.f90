@@ -6,7 +6,8 @@ subroutine medium_coated(coating_E, coating_nu, thickness, substrate_E, substrat
     weight_nu_choice, weight_nu, tolerance, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_medium, only: mdr_medium_coated, medium_options_t
+    use mdrcontact_api_coated, only: mdr_medium_coated
+    use mdrcontact_api_medium_options, only: medium_options_t
     implicit none (type, external)
     !f2py threadsafe
     real(c_double), intent(in) :: coating_E, coating_nu, thickness, substrate_E, substrate_nu
@@ -20,7 +21,6 @@ subroutine medium_coated(coating_E, coating_nu, thickness, substrate_E, substrat
     options = medium_options_t(alpha, wave_factor, weight_nu_choice, weight_nu, tolerance)
     object = c_null_ptr
     status = mdr_medium_coated(coating_E, coating_nu, thickness, substrate_E, substrate_nu, model, options, object)
-    
     handle = to_address(object)
 end subroutine medium_coated
 
@@ -29,7 +29,8 @@ subroutine medium_layered(n, E, nu, thickness, substrate_E, substrate_nu, model,
     weight_nu_choice, weight_nu, tolerance, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_medium, only: mdr_medium_layered, medium_options_t
+    use mdrcontact_api_layered, only: mdr_medium_layered
+    use mdrcontact_api_medium_options, only: medium_options_t
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -45,7 +46,6 @@ subroutine medium_layered(n, E, nu, thickness, substrate_E, substrate_nu, model,
     options = medium_options_t(alpha, wave_factor, weight_nu_choice, weight_nu, tolerance)
     object = c_null_ptr
     status = mdr_medium_layered(n, E, nu, thickness, substrate_E, substrate_nu, model, options, object)
-    
     handle = to_address(object)
 end subroutine medium_layered
 
@@ -53,7 +53,8 @@ end subroutine medium_layered
 subroutine medium_graded(n, z, E, nu, model, alpha, wave_factor, weight_nu_choice, weight_nu, tolerance, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_medium, only: mdr_medium_graded, medium_options_t
+    use mdrcontact_api_layered, only: mdr_medium_graded
+    use mdrcontact_api_medium_options, only: medium_options_t
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -68,7 +69,6 @@ subroutine medium_graded(n, z, E, nu, model, alpha, wave_factor, weight_nu_choic
     options = medium_options_t(alpha, wave_factor, weight_nu_choice, weight_nu, tolerance)
     object = c_null_ptr
     status = mdr_medium_graded(n, z, E, nu, model, options, object)
-    
     handle = to_address(object)
 end subroutine medium_graded
 
@@ -77,7 +77,8 @@ subroutine medium_graded_callback(E, nu, depth, model, alpha, wave_factor, weigh
     handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_function
-    use mdrcontact_c_medium, only: mdr_medium_graded_callback, medium_options_t
+    use mdrcontact_api_layered, only: mdr_medium_graded_callback
+    use mdrcontact_api_medium_options, only: medium_options_t
     implicit none (type, external)
     integer(c_int64_t), intent(in) :: E, nu
     real(c_double), intent(in) :: depth, alpha, wave_factor, weight_nu, tolerance
@@ -90,6 +91,5 @@ subroutine medium_graded_callback(E, nu, depth, model, alpha, wave_factor, weigh
     options = medium_options_t(alpha, wave_factor, weight_nu_choice, weight_nu, tolerance)
     object = c_null_ptr
     status = mdr_medium_graded_callback(to_function(E), to_function(nu), c_null_ptr, depth, model, options, object)
-    
     handle = to_address(object)
 end subroutine medium_graded_callback

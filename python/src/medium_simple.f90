@@ -5,7 +5,7 @@
 subroutine medium_homogeneous(E, nu, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_medium, only: mdr_medium_homogeneous
+    use mdrcontact_api_medium, only: mdr_medium_homogeneous
     implicit none (type, external)
     real(c_double), intent(in) :: E, nu
     integer(c_int64_t), intent(out) :: handle
@@ -14,7 +14,6 @@ subroutine medium_homogeneous(E, nu, handle, status)
 
     object = c_null_ptr
     status = mdr_medium_homogeneous(E, nu, object)
-    
     handle = to_address(object)
 end subroutine medium_homogeneous
 
@@ -22,7 +21,7 @@ end subroutine medium_homogeneous
 subroutine medium_contact_modulus(contact_modulus, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_medium, only: mdr_medium_contact_modulus
+    use mdrcontact_api_medium, only: mdr_medium_contact_modulus
     implicit none (type, external)
     real(c_double), intent(in) :: contact_modulus
     integer(c_int64_t), intent(out) :: handle
@@ -31,7 +30,6 @@ subroutine medium_contact_modulus(contact_modulus, handle, status)
 
     object = c_null_ptr
     status = mdr_medium_contact_modulus(contact_modulus, object)
-    
     handle = to_address(object)
 end subroutine medium_contact_modulus
 
@@ -39,7 +37,7 @@ end subroutine medium_contact_modulus
 subroutine medium_power_graded(E0, z0, exponent, nu, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_medium, only: mdr_medium_power_graded
+    use mdrcontact_api_layered, only: mdr_medium_power_graded
     implicit none (type, external)
     real(c_double), intent(in) :: E0, z0, exponent, nu
     integer(c_int64_t), intent(out) :: handle
@@ -48,7 +46,6 @@ subroutine medium_power_graded(E0, z0, exponent, nu, handle, status)
 
     object = c_null_ptr
     status = mdr_medium_power_graded(E0, z0, exponent, nu, object)
-    
     handle = to_address(object)
 end subroutine medium_power_graded
 
@@ -56,7 +53,7 @@ end subroutine medium_power_graded
 subroutine medium_table(n, a, modulus, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_medium, only: mdr_medium_table
+    use mdrcontact_api_medium_data, only: mdr_medium_table
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -67,7 +64,6 @@ subroutine medium_table(n, a, modulus, handle, status)
 
     object = c_null_ptr
     status = mdr_medium_table(n, a, modulus, object)
-    
     handle = to_address(object)
 end subroutine medium_table
 
@@ -75,7 +71,7 @@ end subroutine medium_table
 subroutine medium_callback(modulus, smallest_radius, largest_radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_function
-    use mdrcontact_c_medium, only: mdr_medium_callback
+    use mdrcontact_api_medium_data, only: mdr_medium_callback
     implicit none (type, external)
     integer(c_int64_t), intent(in) :: modulus
     real(c_double), intent(in) :: smallest_radius, largest_radius
@@ -85,6 +81,5 @@ subroutine medium_callback(modulus, smallest_radius, largest_radius, handle, sta
 
     object = c_null_ptr
     status = mdr_medium_callback(to_function(modulus), c_null_ptr, smallest_radius, largest_radius, object)
-    
     handle = to_address(object)
 end subroutine medium_callback

@@ -4,14 +4,13 @@
 !> The defaults that mdr_medium_options_init sets.
 subroutine medium_default_options(alpha, wave_factor, weight_nu_choice, weight_nu, tolerance)
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_c_medium, only: mdr_medium_options_init, medium_options_t
+    use mdrcontact_api_medium_options, only: mdr_medium_options_init, medium_options_t
     implicit none (type, external)
     real(c_double), intent(out) :: alpha, wave_factor
     integer(c_int), intent(out) :: weight_nu_choice
     real(c_double), intent(out) :: weight_nu, tolerance
     type(medium_options_t) :: options
 
-    options = medium_options_t(0.0_c_double, 0.0_c_double, 0_c_int, 0.0_c_double, 0.0_c_double)
     call mdr_medium_options_init(options)
     alpha = options%alpha
     wave_factor = options%wave_factor
@@ -24,7 +23,7 @@ end subroutine medium_default_options
 subroutine medium_modulus(n, handle, a, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_medium, only: mdr_medium_modulus
+    use mdrcontact_api_medium, only: mdr_medium_modulus
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -40,7 +39,7 @@ end subroutine medium_modulus
 subroutine medium_stiffness(n, handle, a, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_medium, only: mdr_medium_stiffness
+    use mdrcontact_api_medium, only: mdr_medium_stiffness
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -56,7 +55,7 @@ end subroutine medium_stiffness
 subroutine medium_free(handle, status)
     use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_ptr
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_medium, only: mdr_medium_free
+    use mdrcontact_api_handles, only: mdr_medium_free
     implicit none (type, external)
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(out) :: status

@@ -5,7 +5,7 @@
 subroutine profile_area_function(n, coefficients, min_height, max_height, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_area_function
+    use mdrcontact_api_profile_data, only: mdr_profile_area_function
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -17,7 +17,6 @@ subroutine profile_area_function(n, coefficients, min_height, max_height, handle
 
     object = c_null_ptr
     status = mdr_profile_area_function(n, coefficients, min_height, max_height, object)
-    
     handle = to_address(object)
 end subroutine profile_area_function
 
@@ -25,7 +24,7 @@ end subroutine profile_area_function
 subroutine profile_table(n, r, f, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_table
+    use mdrcontact_api_profile_data, only: mdr_profile_table
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -36,7 +35,6 @@ subroutine profile_table(n, r, f, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_table(n, r, f, object)
-    
     handle = to_address(object)
 end subroutine profile_table
 
@@ -44,7 +42,7 @@ end subroutine profile_table
 subroutine profile_from_mdr_table(n, x, g, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_from_mdr_table
+    use mdrcontact_api_profile_data, only: mdr_profile_from_mdr_table
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -55,7 +53,6 @@ subroutine profile_from_mdr_table(n, x, g, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_from_mdr_table(n, x, g, object)
-    
     handle = to_address(object)
 end subroutine profile_from_mdr_table
 
@@ -63,7 +60,7 @@ end subroutine profile_from_mdr_table
 subroutine profile_callback(height, largest_radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_function
-    use mdrcontact_c_profile, only: mdr_profile_callback
+    use mdrcontact_api_profile_data, only: mdr_profile_callback
     implicit none (type, external)
     integer(c_int64_t), intent(in) :: height
     real(c_double), intent(in) :: largest_radius
@@ -73,7 +70,6 @@ subroutine profile_callback(height, largest_radius, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_callback(to_function(height), c_null_ptr, largest_radius, object)
-    
     handle = to_address(object)
 end subroutine profile_callback
 
@@ -81,7 +77,7 @@ end subroutine profile_callback
 subroutine profile_sum(n, terms, handle, status)
     use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_pointer
-    use mdrcontact_c_profile, only: mdr_profile_sum
+    use mdrcontact_api_profile_data, only: mdr_profile_sum
     implicit none (type, external)
     integer(c_int), intent(in) :: n
     integer(c_int64_t), intent(in) :: terms(n)
@@ -93,6 +89,5 @@ subroutine profile_sum(n, terms, handle, status)
     pointers = to_pointer(terms)
     object = c_null_ptr
     status = mdr_profile_sum(n, pointers, object)
-    
     handle = to_address(object)
 end subroutine profile_sum

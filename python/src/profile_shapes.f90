@@ -5,7 +5,7 @@
 subroutine profile_paraboloid(radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_paraboloid
+    use mdrcontact_api_profile, only: mdr_profile_paraboloid
     implicit none (type, external)
     real(c_double), intent(in) :: radius
     integer(c_int64_t), intent(out) :: handle
@@ -14,7 +14,6 @@ subroutine profile_paraboloid(radius, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_paraboloid(radius, object)
-    
     handle = to_address(object)
 end subroutine profile_paraboloid
 
@@ -22,7 +21,7 @@ end subroutine profile_paraboloid
 subroutine profile_sphere(radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_sphere
+    use mdrcontact_api_profile, only: mdr_profile_sphere
     implicit none (type, external)
     real(c_double), intent(in) :: radius
     integer(c_int64_t), intent(out) :: handle
@@ -31,7 +30,6 @@ subroutine profile_sphere(radius, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_sphere(radius, object)
-    
     handle = to_address(object)
 end subroutine profile_sphere
 
@@ -39,7 +37,7 @@ end subroutine profile_sphere
 subroutine profile_cone(inclination, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_cone
+    use mdrcontact_api_profile, only: mdr_profile_cone
     implicit none (type, external)
     real(c_double), intent(in) :: inclination
     integer(c_int64_t), intent(out) :: handle
@@ -48,7 +46,6 @@ subroutine profile_cone(inclination, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_cone(inclination, object)
-    
     handle = to_address(object)
 end subroutine profile_cone
 
@@ -56,7 +53,7 @@ end subroutine profile_cone
 subroutine profile_power(exponent, coefficient, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_power
+    use mdrcontact_api_profile, only: mdr_profile_power
     implicit none (type, external)
     real(c_double), intent(in) :: exponent, coefficient
     integer(c_int64_t), intent(out) :: handle
@@ -65,7 +62,6 @@ subroutine profile_power(exponent, coefficient, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_power(exponent, coefficient, object)
-    
     handle = to_address(object)
 end subroutine profile_power
 
@@ -73,7 +69,7 @@ end subroutine profile_power
 subroutine profile_flat_punch(radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_flat_punch
+    use mdrcontact_api_profile, only: mdr_profile_flat_punch
     implicit none (type, external)
     real(c_double), intent(in) :: radius
     integer(c_int64_t), intent(out) :: handle
@@ -82,7 +78,6 @@ subroutine profile_flat_punch(radius, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_flat_punch(radius, object)
-    
     handle = to_address(object)
 end subroutine profile_flat_punch
 
@@ -90,7 +85,7 @@ end subroutine profile_flat_punch
 subroutine profile_flat_cone(end_radius, inclination, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_flat_cone
+    use mdrcontact_api_profile, only: mdr_profile_flat_cone
     implicit none (type, external)
     real(c_double), intent(in) :: end_radius, inclination
     integer(c_int64_t), intent(out) :: handle
@@ -99,7 +94,6 @@ subroutine profile_flat_cone(end_radius, inclination, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_flat_cone(end_radius, inclination, object)
-    
     handle = to_address(object)
 end subroutine profile_flat_cone
 
@@ -107,7 +101,7 @@ end subroutine profile_flat_cone
 subroutine profile_flat_paraboloid(end_radius, radius, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_flat_paraboloid
+    use mdrcontact_api_profile, only: mdr_profile_flat_paraboloid
     implicit none (type, external)
     real(c_double), intent(in) :: end_radius, radius
     integer(c_int64_t), intent(out) :: handle
@@ -116,7 +110,6 @@ subroutine profile_flat_paraboloid(end_radius, radius, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_flat_paraboloid(end_radius, radius, object)
-    
     handle = to_address(object)
 end subroutine profile_flat_paraboloid
 
@@ -124,7 +117,7 @@ end subroutine profile_flat_paraboloid
 subroutine profile_rounded_cone(blend_radius, inclination, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address
-    use mdrcontact_c_profile, only: mdr_profile_rounded_cone
+    use mdrcontact_api_profile, only: mdr_profile_rounded_cone
     implicit none (type, external)
     real(c_double), intent(in) :: blend_radius, inclination
     integer(c_int64_t), intent(out) :: handle
@@ -133,6 +126,5 @@ subroutine profile_rounded_cone(blend_radius, inclination, handle, status)
 
     object = c_null_ptr
     status = mdr_profile_rounded_cone(blend_radius, inclination, object)
-    
     handle = to_address(object)
 end subroutine profile_rounded_cone

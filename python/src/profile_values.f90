@@ -5,7 +5,7 @@
 subroutine profile_height(n, handle, x, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_profile, only: mdr_profile_height
+    use mdrcontact_api_profile_values, only: mdr_profile_height
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -21,7 +21,7 @@ end subroutine profile_height
 subroutine profile_slope(n, handle, x, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_profile, only: mdr_profile_slope
+    use mdrcontact_api_profile_values, only: mdr_profile_slope
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -37,7 +37,7 @@ end subroutine profile_slope
 subroutine profile_mdr(n, handle, x, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_profile, only: mdr_profile_mdr
+    use mdrcontact_api_profile_values, only: mdr_profile_mdr
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -53,7 +53,7 @@ end subroutine profile_mdr
 subroutine profile_mdr_slope(n, handle, x, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_profile, only: mdr_profile_mdr_slope
+    use mdrcontact_api_profile_values, only: mdr_profile_mdr_slope
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -69,7 +69,7 @@ end subroutine profile_mdr_slope
 subroutine profile_free(handle, status)
     use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_ptr
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_profile, only: mdr_profile_free
+    use mdrcontact_api_handles, only: mdr_profile_free
     implicit none (type, external)
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(out) :: status

@@ -4,7 +4,7 @@
 !> See mdr_weight_phi.
 subroutine weight_phi(n, nu, xi, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_c_weights, only: mdr_weight_phi
+    use mdrcontact_api_weights, only: mdr_weight_phi
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -19,7 +19,7 @@ end subroutine weight_phi
 !> See mdr_weight_i0.
 subroutine weight_i0(n, nu, xi, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_c_weights, only: mdr_weight_i0
+    use mdrcontact_api_weights, only: mdr_weight_i0
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -34,7 +34,7 @@ end subroutine weight_i0
 !> See mdr_weight_i1.
 subroutine weight_i1(n, nu, xi, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_c_weights, only: mdr_weight_i1
+    use mdrcontact_api_weights, only: mdr_weight_i1
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -49,7 +49,7 @@ end subroutine weight_i1
 !> See mdr_weight_j0.
 subroutine weight_j0(n, nu, xi, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_c_weights, only: mdr_weight_j0
+    use mdrcontact_api_weights, only: mdr_weight_j0
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n
@@ -64,7 +64,7 @@ end subroutine weight_j0
 !> See mdr_weight_j1.
 subroutine weight_j1(n, nu, xi, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_c_weights, only: mdr_weight_j1
+    use mdrcontact_api_weights, only: mdr_weight_j1
     implicit none (type, external)
     !f2py threadsafe
     integer(c_int), intent(in) :: n

@@ -12,7 +12,7 @@ module mdrcontact_contact
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_radius_law, only: radius_law_t
-    use mdrcontact_roots, only: solve_increasing
+    use mdrcontact_roots, only: guess_from_below, solve_increasing
     use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
@@ -66,6 +66,8 @@ module mdrcontact_contact
 
     !> ln of the smallest contact radius searched: its cube is still a normal number.
     real(wp), parameter :: smallest_log = -230.0_wp
+    !> ln of the contact radius at which the search for a radius begins.
+    real(wp), parameter :: first_guess = -35.0_wp
 
 contains
 
@@ -448,7 +450,7 @@ contains
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
         type(mismatch_t) :: mismatch
-        real(wp) :: first, guess, root
+        real(wp) :: first, last, guess, slope, root
 
         mismatch%equilibrium => equilibrium
         mismatch%control = control
@@ -457,13 +459,21 @@ contains
         if (equilibrium%medium%smallest_radius() > equilibrium%profile%end_radius()) then
             first = equilibrium%coordinate_of(equilibrium%medium%smallest_radius())
         end if
-        guess = 0.0_wp
-        if (control%depth_weight > 0.0_wp) then
-            radius = equilibrium%profile%radius_from_mdr(s/control%depth_weight)
-            if (radius > equilibrium%profile%end_radius()) guess = equilibrium%coordinate_of(radius)
+        last = equilibrium%coordinate_of(equilibrium%last_radius)
+        radius = -1.0_wp
+        if (control%depth_weight > 0.0_wp) radius = equilibrium%profile%radius_from_mdr(s/control%depth_weight)
+        if (radius > equilibrium%profile%end_radius()) then
+            guess = equilibrium%coordinate_of(radius)
+            slope = 2.0_wp
+        else
+            call guess_from_below(mismatch, min(max(first, first_guess), last - 1.0_wp), 0.0_wp, guess, slope)
+            if (allocated(mismatch%error)) then
+                found = .false.
+                error = mismatch%error
+                return
+            end if
         end if
-        call solve_increasing(mismatch, guess, 2.0_wp, first, equilibrium%coordinate_of(equilibrium%last_radius), root, found, &
-                              error)
+        call solve_increasing(mismatch, guess, slope, first, last, root, found, error)
         radius = equilibrium%radius_of(root)
     end subroutine radius_with
 

@@ -30,15 +30,17 @@ static void coated_refuses(void)
     mdr_medium_options_init(&options);
     CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
     for (size_t i = 0; i < SIZE(bad_moduli); i++) {
-        CHECK_STATUS(mdr_medium_coated(bad_moduli[i], 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "coating E = ");
-        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, bad_moduli[i], 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "thickness = ");
-        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, bad_moduli[i], 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate E = ");
+        const double bad = bad_moduli[i];
+        CHECK_STATUS(mdr_medium_coated(bad, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "coating E = ");
+        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, bad, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "thickness = ");
+        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, bad, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate E = ");
     }
     for (size_t i = 0; i < SIZE(bad_poisson); i++) {
-        CHECK_STATUS(mdr_medium_coated(2.0, bad_poisson[i], 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "coating nu = ");
-        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, bad_poisson[i], MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate nu = ");
+        const double bad = bad_poisson[i];
+        CHECK_STATUS(mdr_medium_coated(2.0, bad, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "coating nu = ");
+        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, bad, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate nu = ");
         options.weight_nu_choice = MDR_WEIGHT_NU_GIVEN;
-        options.weight_nu = bad_poisson[i];
+        options.weight_nu = bad;
         CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "weight_nu = ");
     }
     options.weight_nu_choice = 17;
@@ -261,7 +263,8 @@ static void options_of_published_models(void)
 /* An incompressible layer on a rigid base gives back the published force of a paraboloid. */
 static void bottom_effect(void)
 {
-    const double E = 2.0, h = 0.5, R = 3.0, chi = 0.8, series[2][5] = {{1, 1.133, 1.283, 0.769, 0.0975}, {1, 1.133, 1.497, 1.469, 0.755}};
+    const double E = 2.0, h = 0.5, R = 3.0, chi = 0.8;
+    const double series[2][5] = {{1, 1.133, 1.283, 0.769, 0.0975}, {1, 1.133, 1.497, 1.469, 0.755}};
     const double depth[1] = {(chi * h) * (chi * h) / R};
     const double hertz = 4.0 / 3.0 * E / 0.75 * sqrt(R) * pow(depth[0], 1.5);
 

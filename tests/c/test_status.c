@@ -72,15 +72,20 @@ static void success_leaves_the_text(void)
 
 static void options_have_defaults(void)
 {
-    mdr_medium_options medium;
-    mdr_contact_options contact;
+    struct { mdr_medium_options options; unsigned char guard[64]; } m;
+    struct { mdr_contact_options options; unsigned char guard[64]; } c;
 
     mdr_medium_options_init(NULL);
     mdr_contact_options_init(NULL);
-    memset(&medium, 0x5a, sizeof medium);
-    memset(&contact, 0x5a, sizeof contact);
-    mdr_medium_options_init(&medium);
-    mdr_contact_options_init(&contact);
+    memset(&m, 0x5a, sizeof m);
+    memset(&c, 0x5a, sizeof c);
+    mdr_medium_options_init(&m.options);
+    mdr_contact_options_init(&c.options);
+    /* the struct is as large in Fortran as in the header */
+    for (size_t i = 0; i < sizeof m.guard; i++) CHECK_INT(m.guard[i], 0x5a);
+    for (size_t i = 0; i < sizeof c.guard; i++) CHECK_INT(c.guard[i], 0x5a);
+    const mdr_medium_options medium = m.options;
+    const mdr_contact_options contact = c.options;
     CHECK_CLOSE(medium.alpha, 1.0, 0.0);
     CHECK_CLOSE(medium.wave_factor, 1.5707963267948966, 0.0);
     CHECK_INT(medium.weight_nu_choice, MDR_WEIGHT_NU_SURFACE);
@@ -88,6 +93,8 @@ static void options_have_defaults(void)
     CHECK_CLOSE(medium.tolerance, 1e-10, 0.0);
     CHECK_INT(contact.zeta_count, 0);
     CHECK_TRUE(contact.zeta_radius == NULL && contact.zeta == NULL);
+    CHECK_CLOSE(contact.work_of_adhesion, 0.0, 0.0);
+    CHECK_INT(contact.adhesion_rule, MDR_ADHESION_AUTOMATIC);
 }
 
 int main(void)

@@ -2,7 +2,8 @@
 # Runs each of `programs` under `valgrind`; any error or lost block is a failure.
 foreach(program IN LISTS programs)
   execute_process(
-    COMMAND "${valgrind}" --quiet --leak-check=full --show-leak-kinds=all --errors-for-leak-kinds=all --error-exitcode=99 "${program}"
+    COMMAND "${valgrind}" --quiet --leak-check=full --show-leak-kinds=all --errors-for-leak-kinds=all --error-exitcode=99
+      "${program}"
     RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${program} under valgrind: ${result}")

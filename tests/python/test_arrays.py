@@ -32,7 +32,8 @@ def test_a_number_gives_a_float(value):
 def test_values_do_not_depend_on_memory_layout(coated):
     depth = np.arange(1.0, 13.0).reshape(3, 4) * 1e-8
     expected = np.array([[coated.at_depth(d).force for d in row] for row in depth])
-    for same in (depth.tolist(), np.asfortranarray(depth), depth[::-1][::-1], depth.astype(">f8"), np.repeat(depth, 2, axis=1)[:, ::2]):
+    strided = np.repeat(depth, 2, axis=1)[:, ::2]
+    for same in (depth.tolist(), np.asfortranarray(depth), depth[::-1][::-1], depth.astype(">f8"), strided):
         assert np.array_equal(coated.at_depth(same).force, expected)
 
 
@@ -46,7 +47,10 @@ def test_input_is_left_alone(coated):
     assert coated.at_depth(depth).force[0] > 0.0
 
 
-@pytest.mark.parametrize("wrong", ["1e-8", b"1", None, 1e-8 + 0j, [1e-8, None], ["1e-8"], True, [True], Fraction(1, 2), {1: 2}, [[1.0], [1.0, 2.0]]])
+WRONG = ["1e-8", b"1", None, 1e-8 + 0j, [1e-8, None], ["1e-8"], True, [True], Fraction(1, 2), {1: 2}, [[1.0], [1.0, 2.0]]]
+
+
+@pytest.mark.parametrize("wrong", WRONG)
 def test_what_is_not_a_real_number_is_refused(coated, wrong):
     for function in (coated.at_depth, coated.medium.modulus, coated.indenter.height, mdr.weight_i1):
         with pytest.raises(mdr.ArgumentTypeError) as caught:

@@ -78,30 +78,29 @@ def test_weights_are_derivative_and_complement():
     assert mdr.weight_i1(xi) + mdr.weight_j1(xi) == pytest.approx(np.ones(13), rel=CLOSED)
 
 
-@pytest.mark.parametrize("model", ELASTIC_MODELS)
+# the formula of Hay and Crawford as published does not return the substrate where coating and substrate are the same
+@pytest.mark.parametrize("model", [model for model in ELASTIC_MODELS if model != "hay-crawford"])
 @pytest.mark.parametrize("profile", every_profile(), ids=lambda p: type(p).__name__)
 def test_coating_like_the_substrate_is_homogeneous(model, profile):
     depth = np.array([1e-9, 1e-8, 3e-8])
-    # two published formulas are not even exact where coating and substrate are the same
-    if model in ("bec", "hay-crawford"):
-        pytest.skip("not a property of this published formula")
     same = mdr.Contact(profile, mdr.Coated(OXIDE, 500e-9, OXIDE, model)).at_depth(depth)
     plain = mdr.Contact(profile, mdr.Homogeneous(OXIDE)).at_depth(depth)
-    for found, expected in zip(same, plain):
+    for found, expected in zip(same, plain, strict=True):
         assert found == pytest.approx(expected, rel=QUADRATURE)
 
 
 @pytest.mark.parametrize("medium", every_medium(), ids=lambda m: f"{type(m).__name__}-{getattr(m, 'model', '')}")
 def test_force_is_the_integral_of_stiffness_over_depth(medium):
     contact = mdr.Contact(mdr.Paraboloid(1e-5), medium)
-    force, _ = quad(lambda d: contact.at_depth(d).stiffness, 0.0, 5e-8, epsrel=1e-9)
-    assert contact.at_depth(5e-8).force == pytest.approx(force, rel=1e-7)
+    # from 5 nm on, where the radius is within the range of the tabulated media
+    force, _ = quad(lambda d: contact.at_depth(d).stiffness, 5e-9, 5e-8, epsrel=1e-10)
+    assert contact.at_depth(5e-8).force - contact.at_depth(5e-9).force == pytest.approx(force, rel=1e-8)
 
 
 @pytest.mark.parametrize("medium", every_medium(), ids=lambda m: f"{type(m).__name__}-{getattr(m, 'model', '')}")
 def test_round_trip_depth_force_radius(medium):
     contact = mdr.Contact(mdr.Paraboloid(1e-5), medium)
-    depth = np.geomspace(1e-10, 1e-7, 7)
+    depth = np.geomspace(5e-9, 1e-7, 7)
     state = contact.at_depth(depth)
     assert contact.at_force(state.force).depth == pytest.approx(depth, rel=1e-10)
     assert contact.at_radius(state.radius).depth == pytest.approx(depth, rel=1e-10)
@@ -112,8 +111,12 @@ def test_round_trip_depth_force_radius(medium):
 def test_pressure_and_line_load_integrate_to_the_force(coated):
     state = coated.at_depth(80e-9)
     a = state.radius * (1 - 1e-12)
+
     # r = a sin t takes the square root at the edge away
-    p, _ = quad(lambda t: 2 * math.pi * coated.pressure(a * math.sin(t), depth=80e-9) * a * a * math.sin(t) * math.cos(t), 0, math.pi / 2)
+    def ring(t):
+        return 2 * math.pi * a * math.sin(t) * coated.pressure(a * math.sin(t), depth=80e-9) * a * math.cos(t)
+
+    p, _ = quad(ring, 0, math.pi / 2)
     q, _ = quad(lambda x: 2 * coated.line_load(x, depth=80e-9), 0, a)
     assert p == pytest.approx(state.force, rel=1e-8)
     assert q == pytest.approx(state.force, rel=1e-8)

@@ -27,14 +27,9 @@ def _name(thing):
     return f"{type(thing).__name__}-{getattr(thing, 'model', '')}"
 
 
-def _holds_function(thing):
-    return "<function" in repr(thing)
-
-
-@pytest.mark.parametrize("thing", OBJECTS, ids=_name)
+# a function has no text that rebuilds it
+@pytest.mark.parametrize("thing", [thing for thing in OBJECTS if "<function" not in repr(thing)], ids=_name)
 def test_repr_rebuilds(thing):
-    if _holds_function(thing):
-        pytest.skip("a function has no text that rebuilds it")
     names = {}
     exec("from mdrcontact import *", names)
     assert eval(repr(thing), names) == thing
@@ -106,25 +101,25 @@ def test_no_memory_is_lost():
 
     def work(count):
         for _ in range(count):
-            contact = mdr.Contact(mdr.Sphere(1e-5), mdr.TabulatedMedium([1e-7, 1e-6], [1e9, 2e9]))
+            contact = mdr.Contact(mdr.Sphere(1e-5), mdr.TabulatedMedium([1e-8, 1e-7, 1e-5], [1e9, 2e9, 3e9]))
             contact.at_depth(np.full(10, 1e-8))
             with pytest.raises(mdr.MDRError):
                 contact.at_depth(np.nan)
 
     work(200)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    work(3000)
+    work(2000)
     after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     # [KiB]; one lost table handle a time would be several MiB
     assert after - before < 1500
 
 
 def test_threads_share_objects(coated):
-    depths = [np.linspace(1e-9, 1e-7, 300) * (1 + i / 50) for i in range(24)]
+    depths = [np.linspace(1e-9, 1e-7, 60) * (1 + i / 50) for i in range(24)]
     expected = [coated.at_depth(d) for d in depths]
     with ThreadPoolExecutor(8) as pool:
-        for found, wanted in zip(pool.map(coated.at_depth, depths), expected):
-            assert all(np.array_equal(f, w) for f, w in zip(found, wanted))
+        for found, wanted in zip(pool.map(coated.at_depth, depths), expected, strict=True):
+            assert all(np.array_equal(f, w) for f, w in zip(found, wanted, strict=True))
 
 
 def test_threads_get_their_own_errors(coated):

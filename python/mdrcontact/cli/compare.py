@@ -29,7 +29,7 @@ are apart. That is the uncertainty of the result as far as the choice of the mod
     mdrcontact compare problem.toml --csv compare.csv --plot compare.png
 
 The spread is largest/smallest over the models: "14 %" means that the largest is 14 % above the smallest. Models that refuse the
-problem are listed with their reason. The figure draws ratios to the exact model or, without it, to the median of the models.
+problem are listed with their reason. The models are measured by the exact one or, where it refuses, by the median of all.
 """
 
 NEARLY_RIGID = 1000.0
@@ -73,6 +73,8 @@ def run(arguments: argparse.Namespace) -> None:
     print(_side_by_side(problem, answers, name, [response(a.curve) for a in answers], dimension))
     print()
     print(_side_by_side(problem, answers, "effective modulus", [a.curve.modulus for a in answers], MODULUS))
+    print()
+    print(_measured(problem, answers, name, np.array([response(a.curve) for a in answers])))
     for model, words in refusals:
         print(f"\nleft out: {model}: {words}", end="")
     print("\n" if refusals else "")
@@ -142,7 +144,7 @@ def spread_text(values: Array) -> str:
 
 def reference(answers: Sequence[Answer], values: Array) -> tuple[str, Array]:
     """What the models are measured by: the exact one, without it their median; `values` has one row for each answer."""
-    for answer, row in zip(answers, values):
+    for answer, row in zip(answers, values, strict=True):
         if answer.model == "exact":
             return "exact", row
     median: Array = np.exp(np.median(np.log(values), axis=0))
@@ -156,18 +158,36 @@ def _side_by_side(problem: Problem, answers: list[Answer], name: str, values: li
     unit, given = practical(dimension, np.concatenate(values)), practical(control.dimension, control.values)
     at = [f"{number(float(given.of(control.values[i])))} {given.name}" for i in picked]
     head = [f"{name} [{unit.name}] at {control.name}", *at]
-    rows = [[a.model, *(number(float(unit.of(v[i]))) for i in picked)] for a, v in zip(answers, values)]
+    rows = [[a.model, *(number(float(unit.of(v[i]))) for i in picked)] for a, v in zip(answers, values, strict=True)]
     last = ["spread", *(spread_text(np.array([v[i] for v in values])) for i in picked)]
     return aligned([head, *rows, last], left=1)
+
+
+def _measured(problem: Problem, answers: list[Answer], name: str, values: Array) -> str:
+    """How far every model is from the exact one or, without it, from the median."""
+    basis, base = reference(answers, values)
+    picked = spread_over(len(problem.control.values), _SHOWN)
+    given = practical(problem.control.dimension, problem.control.values)
+    at = [f"{number(float(given.of(problem.control.values[i])))} {given.name}" for i in picked]
+    rows = [[f"{name} against {basis}, at {problem.control.name}", *at]]
+    for answer, row in zip(answers, values, strict=True):
+        if answer.model != basis:
+            rows.append([answer.model, *(deviation_text(float(row[i] / base[i])) for i in picked)])
+    return aligned(rows, left=1)
+
+
+def deviation_text(ratio: float) -> str:
+    """A ratio as a deviation in percent, or as a factor where percents say little."""
+    return f"{100.0 * (ratio - 1.0):+.1f} %" if 0.1 < ratio < 3.0 else f"factor {ratio:.3g}"
 
 
 def _long_csv(answers: list[Answer]) -> bytes:
     """All models below each other, in common units."""
     tables = [columns(a.curve, a.medium) for a in answers]
     labels = [a.model for a in answers for _ in a.curve.depth]
-    dimensions = dict(zip(("depth", "radius", "force"), (LENGTH, LENGTH, FORCE)))
+    dimensions = {"depth": LENGTH, "radius": LENGTH, "force": FORCE}
     stacked = []
-    for parts in zip(*tables):
+    for parts in zip(*tables, strict=True):
         values = np.concatenate([part.values for part in parts])
         unit = practical(dimensions[parts[0].name], values) if parts[0].name in dimensions else parts[0].unit
         stacked.append(Column(parts[0].name, values, unit))

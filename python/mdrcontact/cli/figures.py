@@ -22,8 +22,9 @@ if TYPE_CHECKING:
     from .compare import Answer
 
 # Okabe and Ito's colours: told apart by all eyes. Dashes tell apart what colours no longer do.
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 DASHES = ("-", (0, (5, 2)), (0, (1, 1.2)))
+_EXACT = {"color": "#000000", "linewidth": 2.6, "zorder": 1.5}
 _GREY = "#707070"
 _STYLE: dict[Any, Any] = {
     "font.size": 9,
@@ -31,6 +32,7 @@ _STYLE: dict[Any, Any] = {
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
+    "axes.axisbelow": True,
     "grid.color": "#e6e6e6",
     "legend.frameon": False,
     "lines.linewidth": 1.6,
@@ -62,7 +64,7 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
             ("contact radius a", curve.radius, LENGTH),
             ("contact stiffness k", curve.stiffness, STIFFNESS),
         )
-        for axis, (name, values, dimension) in zip(axes.flat, panels):
+        for axis, (name, values, dimension) in zip(axes.flat[:3], panels, strict=True):
             unit = practical(dimension, values)
             axis.plot(depth.of(curve.depth), unit.of(values), color=COLOURS[0], label=_model_name(problem))
             if name.startswith("force"):
@@ -92,8 +94,10 @@ def compare_figure(problem: Problem, answers: Sequence[Answer], form: str) -> by
         x = given.of(problem.control.values)
         basis, base = reference(answers, values)
         lines = []
-        for i, (answer, value) in enumerate(zip(answers, values)):
-            look = {"color": COLOURS[i % len(COLOURS)], "linestyle": DASHES[i // len(COLOURS) % len(DASHES)]}
+        for i, (answer, value) in enumerate(zip(answers, values, strict=True)):
+            look: dict[str, Any] = {"color": COLOURS[i % len(COLOURS)], "linestyle": DASHES[i // len(COLOURS) % len(DASHES)]}
+            if answer.model == "exact":
+                look = _EXACT
             lines += axes[0].plot(x, unit.of(value), **look)
             axes[1].plot(answer.curve.radius / h if h else radius.of(answer.curve.radius), modulus.of(answer.curve.modulus), **look)
             axes[2].plot(x, value / base, **look)

@@ -58,14 +58,15 @@ def write(contents: Mapping[Path, bytes], force: bool) -> None:
 
 def _replace(path: Path, content: bytes) -> None:
     with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
+        beside = Path(file.name)
         try:
             file.write(content)
             file.close()
             # a temporary file is private; the result gets the permissions of any new file
             mask = os.umask(0)
             os.umask(mask)
-            os.chmod(file.name, 0o666 & ~mask)
-            os.replace(file.name, path)
+            beside.chmod(0o666 & ~mask)
+            beside.replace(path)
         except BaseException:
-            os.unlink(file.name)
+            beside.unlink()
             raise

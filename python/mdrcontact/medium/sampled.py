@@ -17,8 +17,9 @@ from .base import Medium
 class TabulatedMedium(Medium):
     """A medium known by a table of its effective contact modulus.
 
-    a : contact radii > 0, ascending [length]
-    modulus : E_eff there, > 0 [pressure]; constant outside the table's range
+    a : contact radii > 0, ascending, at least 3 [length]. States are offered between the first and the last; below the first, where
+        every contact begins, the modulus is taken as constant
+    modulus : E_eff there, > 0 [pressure]; interpolated in ln a without overshoot
     """
 
     a: tuple[float, ...]
@@ -35,7 +36,7 @@ class CallableMedium(Medium):
 
     function : takes a contact radius and returns the effective contact modulus > 0 [pressure]. It is called while the object is
         made and never later; what it raises is raised to the caller
-    smallest_radius, largest_radius : the range of contact radii to sample, 0 < smallest < largest [length]
+    smallest_radius, largest_radius : the range of contact radii, 0 < smallest < largest [length]; as in `TabulatedMedium`
 
     Pickles if the function does (a function of a module does, a lambda does not).
     """

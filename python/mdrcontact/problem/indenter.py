@@ -53,8 +53,9 @@ def _power_law(section: Section) -> profile.Profile:
 
 def _area_function(section: Section) -> profile.Profile:
     unit = _length_unit(section)
-    exponents = [2.0, *(0.5**k for k in range(60))]
-    terms = [c * unit ** (2.0 - e) for c, e in zip(section.numbers("coefficients"), exponents)]
+    # C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ...
+    given = section.numbers("coefficients")
+    terms = [c * unit ** (2.0 - (2.0 if k == 0 else 0.5 ** (k - 1))) for k, c in enumerate(given)]
     min_height = section.quantity("min_height") if "min_height" in section else 0.0
     return profile.AreaFunction(terms, section.quantity("max_height"), min_height)
 

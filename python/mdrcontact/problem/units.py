@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import functools
+import math
 import re
 from collections.abc import Iterable
+from decimal import Decimal
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -37,26 +39,30 @@ STIFFNESS = Dimension(
 ANGLE = Dimension("an angle", "rad", "20 deg", (("rad", 1.0),), ("deg",))
 RATIO = Dimension("a number", "", "1", (("", 1.0),))
 
-_QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S.*?)?\s*")
+_QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\W\d_].*?)?\s*")
 
 
 @functools.cache
 def _registry() -> Any:
-    return pint.UnitRegistry()
+    # decimal arithmetic: 10 um is then 1e-5 m to the last digit
+    return pint.UnitRegistry(non_int_type=Decimal)
 
 
-def to_si(value: float, unit: str, dimension: Dimension) -> float:
+def to_si(value: float | str, unit: str, dimension: Dimension) -> float:
     """`value` in `unit` as a number in the SI unit of `dimension`."""
+    of_another_kind = UnitError(f'{unit!r} is not a unit of {dimension.name}: write it as in "{dimension.example}"')
+    if not math.isfinite(float(value)):
+        return float(value)
     try:
-        factor_and_unit = _registry().Unit(unit)
-        if dimension is ANGLE and factor_and_unit not in (_registry().degree, _registry().radian):
-            raise UnitError(f"{unit!r} is not a unit of {dimension.name}: write it as in \"{dimension.example}\"")
-        return float(_registry().Quantity(value, factor_and_unit).to(dimension.si).magnitude)
+        parsed = _registry().Unit(unit)
+        if dimension is ANGLE and parsed not in (_registry().degree, _registry().radian):
+            raise of_another_kind
+        return float(_registry().Quantity(Decimal(str(value)), parsed).to(dimension.si).magnitude)
+    except UnitError:
+        raise
     except pint.DimensionalityError:
-        raise UnitError(f"{unit!r} is not a unit of {dimension.name}: write it as in \"{dimension.example}\"") from None
-    except (pint.UndefinedUnitError, pint.DefinitionSyntaxError, ValueError, TypeError, AttributeError, AssertionError) as problem:
-        if isinstance(problem, UnitError):
-            raise
+        raise of_another_kind from None
+    except Exception:  # noqa: BLE001 - what is no unit makes pint raise almost anything, down to tokenizer errors
         known = [name for name, _ in dimension.practical] + list(dimension.others)
         raise UnitError(f"there is no unit {unit!r}: {nearest(unit, known)}") from None
 
@@ -68,7 +74,7 @@ def parse(text: str, dimension: Dimension) -> float:
         raise UnitError(f"{text!r} is not {dimension.name}: write it as in \"{dimension.example}\"")
     if match[2] is None:
         raise UnitError(f"{text!r} has no unit: write {dimension.name} as in \"{dimension.example}\"")
-    return to_si(float(match[1]), match[2], dimension)
+    return to_si(match[1], match[2], dimension)
 
 
 class Unit(NamedTuple):

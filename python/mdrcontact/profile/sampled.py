@@ -24,7 +24,7 @@ def _pair(x_name: str, x: ArrayLike, y_name: str, y: ArrayLike) -> tuple[tuple[f
 class TabulatedProfile(Profile):
     """A profile from a table, interpolated smoothly and without overshoot between the points.
 
-    r : radii, r[0] = 0, ascending [length]
+    r : radii, r[0] = 0, ascending, at least 3 [length]
     f : heights, f[0] = 0, same length [length]
     """
 
@@ -39,7 +39,7 @@ class TabulatedProfile(Profile):
 class TabulatedMDRProfile(Profile):
     """The profile f(r) whose one-dimensional profile is the table g(x): the inverse transform, equation (4).
 
-    x : positions, x[0] = 0, ascending [length]
+    x : positions, x[0] = 0, ascending, at least 3 [length]
     g : values, g[0] = 0, same length [length]
     """
 

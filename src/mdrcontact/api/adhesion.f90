@@ -90,9 +90,12 @@ contains
         type(error_t), allocatable :: error
         integer :: stat
 
+        nullify (inside)
         call open_contact(c, "c", contact, error)
         call check_given(error, "out", present(out))
         call choose_control(chosen, control, spring_stiffness, .true., error)
+        if (points < 2) call raise(error, error_invalid, "points = "//count_text(int(points))//" is not allowed: it must be "// &
+                                   "at least 2")
         if (.not. allocated(error)) call new_loop(loop, contact, chosen, largest, int(points), error)
         if (.not. allocated(error)) then
             allocate (inside, stat=stat)

@@ -14,7 +14,7 @@ module mdrcontact_api_contact
     use mdrcontact_radius_law, only: new_radius_law_from_table, radius_law_t
     implicit none (type, external)
     private
-    public :: mdr_contact_options_init, mdr_contact_new
+    public :: c_contact_options_t, mdr_contact_options_init, mdr_contact_new
     public :: mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius
     public :: mdr_contact_from_depth_on, mdr_contact_from_force_on
 

@@ -2,14 +2,14 @@
 !> Layered and graded half-spaces, for C.
 module mdrcontact_api_layered
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_exact, only: deliver_exact
     use mdrcontact_api_handles, only: deliver_medium
     use mdrcontact_api_medium_options, only: gao_options, medium_options_t, model_exact, model_gao, &
                                              model_gao_series, raise_model
     use mdrcontact_api_status, only: check_memory
-    use mdrcontact_error, only: count_text, error_t
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium_gao, only: gao_t, new_gao_layered
     use mdrcontact_medium_graded, only: graded_t, new_graded, new_graded_from_functions
@@ -34,11 +34,13 @@ contains
         type(error_t), allocatable :: error
 
         call check_count(error, n)
+        if (n == 0) call raise(error, error_invalid, "n = 0 is not allowed: there must be at least one layer")
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))
         call check_array(error, "thickness", n, present(thickness))
         if (model /= model_exact) call check_model(error, model, "MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT")
         if (.not. allocated(error)) call new_layers(layers, e(:n), nu(:n), error)
+        if (.not. allocated(error)) call check_each_positive(error, "thickness", thickness(:n))
         if (model == model_exact .and. .not. allocated(error)) then
             status = deliver_exact(layers, thickness(:n), substrate_e, substrate_nu, options, out, error)
             return

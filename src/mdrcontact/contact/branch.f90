@@ -6,9 +6,9 @@
 module mdrcontact_branch
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_equilibrium, only: equilibrium_t
-    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_roots, only: find_root, solve_increasing
+    use mdrcontact_roots, only: find_root, guess_from_below, solve_increasing
     use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -82,12 +82,13 @@ module mdrcontact_branch
 
     !> The branch is sampled from this far below the radius where d0 = dl (in ln a) to where dl/d0 has fallen to `adhesion_over`.
     real(wp), parameter :: decades_below = 21.0_wp
-    real(wp), parameter :: adhesion_over = 1.0e-3_wp
+    !> An extremum of d or F needs dl/d0 of at least n/4 for a shape r^n, since k dl grows with a^4 at most.
+    real(wp), parameter :: adhesion_over = 0.05_wp
     real(wp), parameter :: coarse_tolerance = 1.0e-9_wp
     !> Half width of the interval around an extremum on which s is sampled again to find it to full precision.
     real(wp), parameter :: extremum_width = 0.05_wp
     integer, parameter :: probes_per_panel = 24
-    real(wp), parameter :: smallest_log = -200.0_wp
+    real(wp), parameter :: smallest_log = -200.0_wp, first_guess = -35.0_wp
 
 contains
 
@@ -144,7 +145,7 @@ contains
         real(wp), allocatable, intent(out) :: edges(:)
         type(error_t), allocatable, intent(out) :: error
         type(handover_t) :: handover
-        real(wp) :: smallest, largest, equal, over
+        real(wp) :: smallest, largest, equal, over, guess, slope
         integer :: i, count
         logical :: found
 
@@ -154,10 +155,15 @@ contains
         if (equilibrium%medium%smallest_radius() > equilibrium%profile%end_radius()) then
             smallest = equilibrium%coordinate_of(equilibrium%medium%smallest_radius())
         end if
-        call solve_increasing(handover, 0.0_wp, 1.5_wp, smallest, largest, equal, found, error)
+        call guess_from_below(handover, min(max(smallest, first_guess), largest - 1.0_wp), 0.0_wp, guess, slope)
+        if (allocated(handover%error)) then
+            error = handover%error
+            return
+        end if
+        call solve_increasing(handover, guess, slope, smallest, largest, equal, found, error)
         if (allocated(error)) return
         handover%ratio = 1.0_wp/adhesion_over
-        call solve_increasing(handover, equal, 1.5_wp, smallest, largest, over, found, error)
+        call solve_increasing(handover, equal, slope, smallest, largest, over, found, error)
         if (allocated(error)) return
         smallest = max(smallest, min(equal, over - 1.0_wp) - decades_below)
         over = max(over, min(smallest + 1.0_wp, largest))
@@ -177,9 +183,7 @@ contains
         real(wp), allocatable :: turns(:), s(:)
         type(contact_state_t) :: end_state
         type(stretch_t) :: wall
-        !> allocated where the last radius is so large that the state there is not a number
-        type(error_t), allocatable :: unlimited
-        real(wp) :: end_coordinate, end_value
+        real(wp) :: end_coordinate
         integer :: i, n
 
         if (allocated(self%depth_stretches) .and. control%force_weight == 0.0_wp) then
@@ -190,9 +194,6 @@ contains
             return
         end if
         allocate (list(0))
-        call equilibrium%at(equilibrium%last_radius, end_state, unlimited)
-        end_value = huge(1.0_wp)
-        if (.not. allocated(unlimited)) end_value = control%of(end_state%depth, end_state%force)
         if (self%has_range) then
             call turning_points(self, equilibrium, control, turns, s, error)
             if (allocated(error)) return
@@ -203,8 +204,9 @@ contains
             end_coordinate = equilibrium%coordinate_of(equilibrium%last_radius)
             if (size(list) > 0) then
                 if (list(size(list))%last >= turns(n) .and. end_coordinate > turns(n)) then
+                    ! Beyond the samples s goes on to grow, to the end of the indenter or medium if there is one.
                     list(size(list))%last = end_coordinate
-                    list(size(list))%highest = max(end_value, s(n))
+                    list(size(list))%highest = huge(1.0_wp)
                 end if
             end if
         end if
@@ -213,8 +215,12 @@ contains
         wall%at_wall = .true.
         wall%first = equilibrium%coordinate_of(equilibrium%last_radius)
         wall%last = wall%first
-        wall%lowest = end_value
+        call equilibrium%at(equilibrium%last_radius, end_state, error)
+        wall%lowest = control%of(end_state%depth, end_state%force)
         wall%highest = huge(1.0_wp)
+        if (size(list) > 0) then
+            if (list(size(list))%last >= wall%first) list(size(list))%highest = wall%lowest
+        end if
         list = [list, wall]
     end subroutine stretches
 
@@ -324,8 +330,8 @@ contains
             call find_coordinate(self, quantity, control, stretch, x, found, error)
             if (allocated(error)) return
             if (.not. found) then
-                call raise(error, error_no_convergence, "no state found on the adhesive branch near radius = "// &
-                           to_text(equilibrium%radius_of(x)))
+                call raise(error, error_unreachable, "no state found up to radius = "//to_text(equilibrium%radius_of(x))// &
+                           ", where the indenter or the medium ends")
                 return
             end if
         end if

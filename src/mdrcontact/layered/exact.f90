@@ -10,6 +10,7 @@ module mdrcontact_layered_exact
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_converge, only: make_rules, solve_to_tolerance
     use mdrcontact_layered_fields, only: displacement_beyond, new_smooth_load, smooth_load_t, smooth_pressure, smooth_value
+    use mdrcontact_layered_graded, only: graded_surface_t, new_graded_surface, new_graded_surface_from_functions
     use mdrcontact_layered_indenter, only: load_t, new_load
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_rule, only: rule_t
@@ -21,11 +22,15 @@ module mdrcontact_layered_exact
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: layered_exact_t, new_layered_exact, new_exact_from_surface
+    public :: layered_exact_t, new_layered_exact, new_graded_exact, new_graded_exact_from_functions, new_exact_from_surface
 
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
+
+    !> Contact radii up to this many kernel widths are offered.
+    real(wp), parameter :: largest_ratio = 1.0e6_wp
 
     !> A layered or graded half-space, solved exactly.
     type, extends(medium_t) :: layered_exact_t
@@ -45,8 +50,8 @@ module mdrcontact_layered_exact
         procedure :: displacement_outside
         procedure :: response
         procedure :: edge_is_exact
+        procedure :: largest_radius
         procedure :: zeta
-        procedure :: edge_modulus
     end type layered_exact_t
 
 contains
@@ -74,6 +79,40 @@ contains
         if (allocated(error)) return
         call new_exact_from_surface(self, stack, error, tolerance)
     end subroutine new_layered_exact
+
+    !> E and nu at given depths, linear between them, constant below the last.
+    subroutine new_graded_exact(self, z, young, poisson, error, tolerance)
+        type(layered_exact_t), intent(out) :: self
+        !> ascending depths from z(1) = 0, at least 2; a thin interval makes a step [length]
+        real(wp), intent(in) :: z(:)
+        !> E > 0 [modulus] and -1 < nu <= 1/2, same size as z
+        real(wp), intent(in) :: young(:), poisson(:)
+        type(error_t), allocatable, intent(out) :: error
+        !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
+        real(wp), intent(in), optional :: tolerance
+        type(graded_surface_t) :: graded
+
+        call new_graded_surface(graded, z, young, poisson, error)
+        if (allocated(error)) return
+        call new_exact_from_surface(self, graded, error, tolerance)
+    end subroutine new_graded_exact
+
+    !> E(z) and nu(z) as functions on [0, depth], constant below. They are called here and never again.
+    subroutine new_graded_exact_from_functions(self, young, poisson, depth, error, tolerance)
+        type(layered_exact_t), intent(out) :: self
+        !> E(z) > 0 [modulus] and -1 < nu(z) <= 1/2, smooth
+        class(scalar_function_t), intent(inout) :: young, poisson
+        !> depth below which the body is homogeneous, > 0 [length]
+        real(wp), intent(in) :: depth
+        type(error_t), allocatable, intent(out) :: error
+        !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
+        real(wp), intent(in), optional :: tolerance
+        type(graded_surface_t) :: graded
+
+        call new_graded_surface_from_functions(graded, young, poisson, depth, error)
+        if (allocated(error)) return
+        call new_exact_from_surface(self, graded, error, tolerance)
+    end subroutine new_graded_exact_from_functions
 
     !> Any body whose surface compliance is known.
     subroutine new_exact_from_surface(self, surface, error, tolerance)
@@ -131,23 +170,6 @@ contains
         end do
     end subroutine modulus_slope
 
-    !> The load per unit depth that a flat punch puts on the spring at its edge, E0* q_1(a; a) [modulus]: at an adhesive edge
-    !> the excess depth -sqrt(2 pi a gamma E0*)/edge_modulus makes q(a) = -sqrt(2 pi a gamma E0*).
-    subroutine edge_modulus(self, a, values, error)
-        class(layered_exact_t), intent(in) :: self
-        real(wp), intent(in) :: a(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        type(solution_t) :: solution
-        integer :: i
-
-        do i = 1, size(a)
-            call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a(i)/self%kernel%unit, solution, error)
-            if (allocated(error)) return
-            values(i) = self%surface_modulus*solution%punch_edge
-        end do
-    end subroutine edge_modulus
-
     !> First touch: the depth at which the edge spring is just unloaded, and the springs' total force.
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(layered_exact_t), intent(in) :: self
@@ -165,7 +187,7 @@ contains
         force = self%surface_modulus*solution%force
     end subroutine depth_and_force
 
-    !> Depth, force, E_eff and its slope from one solution.
+    !> All of them from one solution.
     subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -186,6 +208,7 @@ contains
         modulus_slope = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a
     end subroutine response
 
+    !> Yes: k'(a) = 2 E0* q_1(a; a)^2, so that the energy balance hangs the edge spring by q(a) = -sqrt(2 pi a gamma E0*).
     pure function edge_is_exact(self) result(answer)
         class(layered_exact_t), intent(in) :: self
         logical :: answer
@@ -194,6 +217,13 @@ contains
         end associate
         answer = .true.
     end function edge_is_exact
+
+    pure function largest_radius(self) result(radius)
+        class(layered_exact_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = largest_ratio*self%kernel%unit
+    end function largest_radius
 
     !> zeta(a) = d/g(a), equation (9): what the depth is to that of a homogeneous body at the same contact radius.
     subroutine zeta(self, profile, a, values, error)
@@ -286,7 +316,8 @@ contains
         if (allocated(error) .or. self%kernel%vanishes) return
         call new_load(self%kernel, profile, solution%grid, self%rules(level_of(self, solution)), load)
         do i = 1, size(r)
-            values(i) = values(i) + displacement_beyond(self%kernel, self%rules(size(self%rules)), solution, load, depth, &
+            values(i) = values(i) + displacement_beyond(self%kernel, self%rules(size(self%rules)), solution, &
+                                                        self%rules(level_of(self, solution)), load, depth, &
                                                         r(i)/self%kernel%unit)
         end do
     end subroutine displacement_outside

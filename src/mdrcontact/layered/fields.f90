@@ -8,7 +8,7 @@ module mdrcontact_layered_fields
     use mdrcontact_layered_grid, only: longest_panel
     use mdrcontact_layered_indenter, only: add_fine_interaction, load_t
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_matrix, only: interaction_at
+    use mdrcontact_layered_matrix, only: interaction_row
     use mdrcontact_layered_rule, only: legendre, rule_t
     use mdrcontact_layered_solve, only: solution_t
     implicit none (type, external)
@@ -143,11 +143,13 @@ contains
     end function smooth_pressure
 
     !> (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx [length], with w(x) = (1/pi) int_0^a [X(x-s) + X(x+s)] q(s)/E0* ds the springs' displacement beyond the contact.
-    function displacement_beyond(kernel, rule, solution, load, depth, r) result(u)
+    function displacement_beyond(kernel, rule, solution, grid_rule, load, depth, r) result(u)
         type(kernel_t), intent(in) :: kernel
         !> any rule of high order
         type(rule_t), intent(in) :: rule
         type(solution_t), intent(in) :: solution
+        !> the rule of the solution's grid
+        type(rule_t), intent(in) :: grid_rule
         type(load_t), intent(in) :: load
         !> d [length] and r > a [unit]
         real(wp), intent(in) :: depth, r
@@ -167,11 +169,12 @@ contains
             do i = 1, rule%n
                 if (last) then
                     x = r - length*rule%nodes(i)**2
-                    part = part + 2.0_wp*rule%weights(i)*sqrt(length/(r + x))*spring_displacement(kernel, solution, load, depth, x)
+                    part = part + 2.0_wp*rule%weights(i)*sqrt(length/(r + x)) &
+                           *spring_displacement(kernel, solution, grid_rule, load, depth, x)
                 else
                     x = here + length*rule%nodes(i)
                     part = part + length*rule%weights(i)/sqrt((r - x)*(r + x)) &
-                           *spring_displacement(kernel, solution, load, depth, x)
+                           *spring_displacement(kernel, solution, grid_rule, load, depth, x)
                 end if
             end do
             u = u + part
@@ -180,18 +183,20 @@ contains
         u = (2.0_wp/pi)*u
     end function displacement_beyond
 
-    function spring_displacement(kernel, solution, load, depth, x) result(w)
+    function spring_displacement(kernel, solution, grid_rule, load, depth, x) result(w)
         type(kernel_t), intent(in) :: kernel
         type(solution_t), intent(in) :: solution
+        !> the rule of the solution's grid
+        type(rule_t), intent(in) :: grid_rule
         type(load_t), intent(in) :: load
         real(wp), intent(in) :: depth, x
         real(wp) :: w
         real(wp) :: row(size(solution%grid%x)), fine
 
-        call interaction_at(kernel, x, solution%grid%x, row)
+        call interaction_row(kernel, solution%grid, grid_rule, x, row)
         fine = 0.0_wp
         call add_fine_interaction(kernel, load, x, fine)
-        w = sum(row*solution%grid%w*(depth*solution%punch - solution%v - load%values)) - fine
+        w = sum(row*(depth*solution%punch - solution%v - load%values)) - fine
     end function spring_displacement
 
 end module mdrcontact_layered_fields

@@ -8,7 +8,7 @@ module mdrcontact_layered_grid
     use mdrcontact_layered_rule, only: rule_t
     implicit none (type, external)
     private
-    public :: grid_t, new_grid, split_panels, longest_panel, is_near
+    public :: grid_t, new_grid, split_panels, longest_panel
 
     !> Longest panel that need not be split, in units of the kernel's width.
     real(wp), parameter :: longest_panel = 1.5_wp
@@ -44,9 +44,9 @@ contains
         end do
     end function new_grid
 
-    !> Edges of panels on [0, a], each at most longest_panel + the distance from the nearest of `singular`.
-    pure subroutine split_panels(a, singular, edges)
-        real(wp), intent(in) :: a, singular(:)
+    !> Edges of panels on [0, a], each at most longest_panel*width + the distance from the nearest of `singular`.
+    pure subroutine split_panels(a, width, singular, edges)
+        real(wp), intent(in) :: a, width, singular(:)
         real(wp), allocatable, intent(out) :: edges(:)
         real(wp) :: pending(most_halvings + 1), low, high
         real(wp), allocatable :: longer(:)
@@ -61,7 +61,7 @@ contains
         waiting = 1
         do while (waiting > 0)
             high = pending(waiting)
-            if (waiting <= most_halvings .and. high - low > longest_panel + distance(low, high, singular)) then
+            if (waiting <= most_halvings .and. high - low > longest_panel*width + distance(low, high, singular)) then
                 waiting = waiting + 1
                 pending(waiting) = low + 0.5_wp*(high - low)
                 cycle
@@ -89,14 +89,5 @@ contains
             nearest = min(nearest, max(low - points(i), points(i) - high, 0.0_wp))
         end do
     end function distance
-
-    !> Whether the kernel between two panels a `gap` apart varies too fast for their own nodes.
-    pure function is_near(one, other, gap) result(answer)
-        !> lengths of the panels and the gap between them
-        real(wp), intent(in) :: one, other, gap
-        logical :: answer
-
-        answer = max(one, other) > 1.01_wp*(2.0_wp*longest_panel + gap)
-    end function is_near
 
 end module mdrcontact_layered_grid

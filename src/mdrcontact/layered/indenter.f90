@@ -30,10 +30,11 @@ module mdrcontact_layered_indenter
 contains
 
     !> Edges of the panels [unit] for contact radius a [unit].
-    subroutine choose_panels(kernel, profile, a, rule, edges)
+    subroutine choose_panels(kernel, profile, a, width, rule, edges)
         type(kernel_t), intent(in) :: kernel
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a
+        !> contact radius, and the width that panels need not resolve
+        real(wp), intent(in) :: a, width
         type(rule_t), intent(in) :: rule
         real(wp), allocatable, intent(out) :: edges(:)
         real(wp), allocatable :: breaks(:), singular(:)
@@ -41,14 +42,14 @@ contains
 
         allocate (breaks, source=profile%break_radii()/kernel%unit)
         allocate (singular, source=[a, pack(breaks, breaks < a)])
-        call split_panels(a, singular, edges)
+        call split_panels(a, width, singular, edges)
         if (size(edges) == 2) return
         if (.not. is_even(kernel, profile, edges(2), rule)) singular = [singular, 0.0_wp]
         do split = 1, most_splits
-            call split_panels(a, singular, edges)
+            call split_panels(a, width, singular, edges)
             before = size(singular)
             do i = 1, size(edges) - 1
-                if (edges(i + 1) - edges(i) <= longest_panel) cycle
+                if (edges(i + 1) - edges(i) <= longest_panel*width) cycle
                 if (resolves(kernel, profile, edges(i), edges(i + 1), rule)) cycle
                 singular = [singular, 0.5_wp*(edges(i) + edges(i + 1))]
             end do

@@ -6,7 +6,7 @@
 !> Lengths in this module are in units of `unit`, X in units of 1/unit.
 module mdrcontact_layered_kernel
     use, intrinsic :: iso_fortran_env, only: int64
-    use mdrcontact_kinds, only: wp
+    use mdrcontact_kinds, only: long, wp
     implicit none (type, external)
     private
     public :: kernel_t, degree
@@ -32,7 +32,9 @@ module mdrcontact_layered_kernel
         real(wp) :: defect = 0.0_wp
     contains
         procedure :: octaves
-        procedure :: evaluate
+        procedure, private :: evaluate_fast, evaluate_long
+        !> X at y >= 0, any number of points: evaluate(y, x), in working precision or in longer numbers
+        generic :: evaluate => evaluate_fast, evaluate_long
     end type kernel_t
 
 contains
@@ -46,8 +48,7 @@ contains
         if (allocated(self%coefficients)) count = ubound(self%coefficients, 2)/2
     end function octaves
 
-    !> X at y >= 0, any number of points.
-    pure subroutine evaluate(self, y, x)
+    pure subroutine evaluate_fast(self, y, x)
         class(kernel_t), intent(in) :: self
         real(wp), intent(in) :: y(:)
         !> same size as y
@@ -63,7 +64,38 @@ contains
             call evaluate_block(count, y(first:first + count - 1), self%coefficients, self%octaves(), self%tail, &
                                 x(first:first + count - 1))
         end do
-    end subroutine evaluate
+    end subroutine evaluate_fast
+
+    pure subroutine evaluate_long(self, y, x)
+        class(kernel_t), intent(in) :: self
+        real(long), intent(in) :: y(:)
+        !> same size as y
+        real(long), intent(out) :: x(:)
+        real(long) :: u
+        integer :: i, j, octave, half, panel
+
+        x = 0.0_long
+        if (self%vanishes) return
+        do i = 1, size(y)
+            octave = exponent(y(i)) - 1
+            if (y(i) < 1.0_long) then
+                panel = 0
+                u = 2.0_long*y(i)**2 - 1.0_long
+            else if (octave >= self%octaves()) then
+                x(i) = self%tail/y(i)**2
+                cycle
+            else
+                u = 2.0_long*fraction(y(i))
+                half = merge(1, 0, u >= 1.5_long)
+                u = 4.0_long*u - real(5 + 2*half, long)
+                panel = 1 + 2*octave + half
+            end if
+            x(i) = self%coefficients(degree, panel)
+            do j = degree - 1, 0, -1
+                x(i) = x(i)*u + self%coefficients(j, panel)
+            end do
+        end do
+    end subroutine evaluate_long
 
     pure subroutine evaluate_block(n, y, coefficients, octaves, tail, x)
         integer, intent(in) :: n, octaves

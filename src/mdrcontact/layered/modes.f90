@@ -10,7 +10,8 @@ module mdrcontact_layered_modes
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: layer_modes_t, new_layer_modes, half_space_compliance, compliance_above, reflected_part
+    public :: layer_modes_t, new_layer_modes, half_space_compliance, compliance_above, reflected_part, &
+              transferred, series_product
 
     !> Layers thinner than this, in units of 1/|k|, are carried by the transfer matrix.
     real(wp), parameter :: thin = 0.5_wp
@@ -70,17 +71,52 @@ contains
         type(layer_modes_t), intent(in) :: layer
         complex(wp), intent(in) :: t, below(2, 2)
         complex(wp) :: above(2, 2)
-        complex(wp) :: p(4, 4), displacement(2, 2), traction(2, 2)
 
         if (abs(t) < thin) then
-            p = transfer_matrix(layer, t)
-            displacement = times(p(1:2, 1:2), below) + p(1:2, 3:4)
-            traction = times(p(3:4, 1:2), below) + p(3:4, 3:4)
-            above = times(displacement, inverse(traction))
+            above = transferred(transfer_matrix(layer, t), below)
         else
             above = layer%half_space + reflected_part(layer, t, below)
         end if
     end function compliance_above
+
+    !> The compliance above what has the transfer matrix p.
+    pure function transferred(p, below) result(above)
+        complex(wp), intent(in) :: p(4, 4), below(2, 2)
+        complex(wp) :: above(2, 2)
+        complex(wp) :: displacement(2, 2), traction(2, 2)
+
+        displacement = p(1:2, 1:2)
+        traction = p(3:4, 1:2)
+        displacement = times(displacement, below) + p(1:2, 3:4)
+        traction = times(traction, below) + p(3:4, 3:4)
+        above = times(displacement, inverse(traction))
+    end function transferred
+
+    !> Multiplies a power series in k of transfer matrices (4, 4, 0:n) from the right by that of one more layer, exp(-k h A), with
+    !> tractions relative to 2 G k of a material whose shear modulus is 1/shear times the layer's.
+    pure subroutine series_product(layer, thickness, shear, series)
+        type(layer_modes_t), intent(in) :: layer
+        real(wp), intent(in) :: thickness, shear
+        real(wp), intent(inout) :: series(:, :, 0:)
+        real(wp) :: step(4, 4), power(4, 4), product(4, 4, 0:ubound(series, 3))
+        integer :: i, n
+
+        step = -thickness*layer%rate
+        step(1:2, 3:4) = step(1:2, 3:4)/shear
+        step(3:4, 1:2) = step(3:4, 1:2)*shear
+        product = series
+        power = 0.0_wp
+        do i = 1, 4
+            power(i, i) = 1.0_wp
+        end do
+        do n = 1, ubound(series, 3)
+            power = matmul(power, step)/real(n, wp)
+            do i = n, ubound(series, 3)
+                product(:, :, i) = product(:, :, i) + matmul(series(:, :, i - n), power)
+            end do
+        end do
+        series = product
+    end subroutine series_product
 
     !> What the layer's bottom adds to the compliance of a half-space of its material; exponentially small in t, to full relative precision.
     pure function reflected_part(layer, t, below) result(part)

@@ -8,8 +8,10 @@ module mdrcontact_layered_solve
     use mdrcontact_layered_grid, only: grid_t, new_grid, split_panels
     use mdrcontact_layered_indenter, only: add_fine_interaction, choose_panels, load_t, new_load
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_matrix, only: interaction_at, interaction_matrix
+    use mdrcontact_layered_matrix, only: interaction_matrix, interaction_row
+    use mdrcontact_layered_refine, only: refine
     use mdrcontact_layered_rule, only: rule_t
+    use mdrcontact_layered_rule_long, only: long_rule_t => rule_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -35,22 +37,25 @@ module mdrcontact_layered_solve
 contains
 
     !> Solves at contact radius a [unit]; without a profile for the flat punch alone.
-    subroutine solve_on_grid(kernel, rule, a, solution, profile)
+    subroutine solve_on_grid(kernel, rule, a, width, solution, profile, long_rule)
         type(kernel_t), intent(in) :: kernel
         type(rule_t), intent(in) :: rule
-        real(wp), intent(in) :: a
+        !> contact radius, and the width at its edge that panels need not resolve
+        real(wp), intent(in) :: a, width
         type(solution_t), intent(out) :: solution
         class(profile_t), intent(in), optional :: profile
-        real(wp), allocatable :: edges(:), matrix(:, :), rhs(:, :), root(:), row(:)
+        !> the rule in longer numbers: refine with residuals in them
+        type(long_rule_t), intent(in), optional :: long_rule
+        real(wp), allocatable :: edges(:), matrix(:, :), rhs(:, :), z(:, :), root(:), row(:)
         type(load_t) :: load
         integer :: i, n, sides, info
         real(wp) :: interaction, total
 
         solution%a = a
         if (present(profile)) then
-            call choose_panels(kernel, profile, a, rule, edges)
+            call choose_panels(kernel, profile, a, width, rule, edges)
         else
-            call split_panels(a, [a], edges)
+            call split_panels(a, width, [a], edges)
         end if
         solution%grid = new_grid(edges, rule)
         n = size(solution%grid%x)
@@ -71,27 +76,28 @@ contains
             matrix(i, i) = matrix(i, i) + (1.0_wp + kernel%defect)
         end do
         call dpotrf("L", n, matrix, n, info)
-        if (info == 0) call dpotrs("L", n, sides, matrix, n, rhs, n, info)
         solution%solved = info == 0
         if (.not. solution%solved) return
+        allocate (z, source=rhs)
+        call dpotrs("L", n, sides, matrix, n, z, n, info)
+        if (present(long_rule)) call refine(kernel, solution%grid, long_rule, matrix, rhs, z, solution%solved)
 
-        solution%punch = rhs(:, 1)/root
-        call interaction_at(kernel, a, solution%grid%x, row)
-        row = row*solution%grid%w
+        solution%punch = z(:, 1)/root
+        call interaction_row(kernel, solution%grid, rule, a, row)
         solution%punch_edge = 1.0_wp - sum(row*solution%punch)
         total = sum(solution%grid%w*solution%punch)
         solution%modulus = total/a
         solution%amplification = sum(solution%grid%w*solution%punch**2)/total
         if (.not. present(profile)) return
 
-        rhs(:, 2) = rhs(:, 2)/root
-        solution%v = rhs(:, 2) - load%values
-        interaction = sum(row*rhs(:, 2))
+        z(:, 2) = z(:, 2)/root
+        solution%v = z(:, 2) - load%values
+        interaction = sum(row*z(:, 2))
         call add_fine_interaction(kernel, load, a, interaction)
         solution%v_edge = -interaction
         ! q(a) = 0, and F = 2 E0* int_0^a (d q_1 - q_g) dx
         solution%depth = (profile%mdr(a*kernel%unit) - interaction)/solution%punch_edge
-        solution%force = 2.0_wp*kernel%unit*(solution%depth*total - sum(solution%grid%w*rhs(:, 2)) - sum(load%fine_gw))
+        solution%force = 2.0_wp*kernel%unit*(solution%depth*total - sum(solution%grid%w*z(:, 2)) - sum(load%fine_gw))
     end subroutine solve_on_grid
 
 end module mdrcontact_layered_solve

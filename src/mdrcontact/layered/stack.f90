@@ -3,7 +3,8 @@
 module mdrcontact_layered_stack
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_modes, only: compliance_above, half_space_compliance, layer_modes_t, new_layer_modes, reflected_part
+    use mdrcontact_layered_modes, only: compliance_above, half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, &
+                                        series_product, transferred
     use mdrcontact_layered_surface, only: surface_t
     use mdrcontact_material, only: material_t
     implicit none (type, external)
@@ -12,6 +13,9 @@ module mdrcontact_layered_stack
 
     !> What lies deeper than this, in units of 1/k below the first interface, changes chi by less than rounding.
     real(wp), parameter :: deepest = 25.0_wp
+    !> Waves so long that k times the total thickness is below `longest` see all layers through a power series of this order.
+    integer, parameter :: series_order = 10
+    real(wp), parameter :: longest = 0.1_wp
 
     type, extends(surface_t) :: stack_t
         private
@@ -19,8 +23,11 @@ module mdrcontact_layered_stack
         !> layer thicknesses [length] and shear moduli relative to the first layer's, from the surface down
         real(wp), allocatable :: thickness(:), shear(:)
         !> compliance of the base relative to 1/(2 G) of the first layer; 0 if rigid
-        real(wp) :: base(2, 2) = 0.0_wp
+        complex(wp) :: base(2, 2) = 0.0_wp
         real(wp) :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
+        !> total thickness [length], and the power series in k of all layers' transfer matrix
+        real(wp) :: total_thickness = 0.0_wp
+        real(wp) :: series(4, 4, 0:series_order) = 0.0_wp
     contains
         procedure :: response
         procedure :: surface_modulus
@@ -85,9 +92,14 @@ contains
         self%thickness = kept_thickness(:count)
         self%shear = kept(:count)%shear()/surface%shear()
         allocate (self%modes(count))
+        do i = 1, 4
+            self%series(i, i, 0) = 1.0_wp
+        end do
         do i = 1, count
             self%modes(i) = new_layer_modes(kept(i)%poisson)
+            call series_product(self%modes(i), self%thickness(i), self%shear(i), self%series)
         end do
+        self%total_thickness = sum(self%thickness)
         if (rigid) return
         self%base = half_space_compliance(substrate%poisson)*(surface%shear()/substrate%shear())
         self%sigma_zero = surface%contact()/substrate%contact()
@@ -112,6 +124,13 @@ contains
         sigma = 1.0_wp
         chi = 0.0_wp
         if (size(self%thickness) == 0) return
+        scale = real(self%modes(1)%half_space(2, 2), wp)
+        if (abs(k)*self%total_thickness < longest) then
+            compliance = transferred(long_wave_transfer(self%series, k), self%base)
+            sigma = compliance(2, 2)/scale
+            chi = sigma - 1.0_wp
+            return
+        end if
         compliance = self%base
         depth = 0.0_wp
         do last = 1, size(self%thickness)
@@ -125,7 +144,6 @@ contains
             compliance = compliance_above(self%modes(i), k*self%thickness(i), self%shear(i)*compliance)/self%shear(i)
         end do
         t = k*self%thickness(1)
-        scale = real(self%modes(1)%half_space(2, 2), wp)
         if (abs(t) < 1.0_wp) then
             compliance = compliance_above(self%modes(1), t, compliance)
             sigma = compliance(2, 2)/scale
@@ -136,6 +154,18 @@ contains
             sigma = 1.0_wp + chi
         end if
     end subroutine response
+
+    pure function long_wave_transfer(series, k) result(transfer)
+        real(wp), intent(in) :: series(4, 4, 0:series_order)
+        complex(wp), intent(in) :: k
+        complex(wp) :: transfer(4, 4)
+        integer :: n
+
+        transfer = series(:, :, series_order)
+        do n = series_order - 1, 0, -1
+            transfer = series(:, :, n) + k*transfer
+        end do
+    end function long_wave_transfer
 
     pure function surface_modulus(self) result(value)
         class(stack_t), intent(in) :: self

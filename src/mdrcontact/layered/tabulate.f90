@@ -7,7 +7,7 @@
 !> exp(iky) serves all pairs of octaves.
 module mdrcontact_layered_tabulate
     use mdrcontact_error, only: error_no_convergence, error_t, raise
-    use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_kinds, only: half_pi, long, pi, wp
     use mdrcontact_layered_kernel, only: degree, kernel_t
     use mdrcontact_layered_surface, only: surface_t
     use mdrcontact_quadrature, only: gauss_legendre
@@ -15,8 +15,6 @@ module mdrcontact_layered_tabulate
     private
     public :: tabulate_kernel
 
-    !> At least three digits more than working precision: the x87 format where there is one.
-    integer, parameter :: long = selected_real_kind(18)
     !> Nodes in a panel of wavenumbers.
     integer, parameter :: panel_nodes = 20
     !> exp(iky) is 1 to rounding below octave `lowest` of k y; octaves below `negligible` of it contribute nothing.
@@ -24,7 +22,7 @@ module mdrcontact_layered_tabulate
     !> |exp(iky)| beyond which nothing is left: exp(-faded).
     real(wp), parameter :: faded = 45.0_wp
     !> Octaves of y at most.
-    integer, parameter :: most_octaves = 64
+    integer, parameter :: most_octaves = 128
     !> Rays tried in turn, pi/denominator, and panels in an octave of wavenumbers on each.
     integer, parameter :: ray_denominator(*) = [6, 6, 12, 24], ray_panels(*) = [1, 2, 3, 6]
 
@@ -41,6 +39,8 @@ module mdrcontact_layered_tabulate
         real(wp) :: chi_zero = 0.0_wp
         !> largest relative size of the highest Legendre coefficients of chi - chi(0) in a panel
         real(wp) :: roughness = 0.0_wp
+        !> largest |chi| on the real axis
+        real(wp) :: largest = 0.0_wp
     end type ray_t
 
 contains
@@ -63,7 +63,7 @@ contains
             if (.not. holds) cycle
             call fill_table(kernel, ray, surface)
             kernel%defect = defect_of(kernel, surface%long_wave_limit())
-            if (ray%roughness < 1.0e-8_wp .and. abs(kernel%defect) < 1.0e-12_wp*(1.0_wp + abs(ray%chi_zero))) return
+            if (ray%roughness < 3.0e-8_wp .and. abs(kernel%defect) < 1.0e-10_wp*(1.0_wp + ray%largest)) return
         end do
         call raise(error, error_no_convergence, "the surface compliance of this body could not be integrated over all wavelengths")
     end subroutine tabulate_kernel
@@ -158,12 +158,12 @@ contains
                 roughness = max(roughness, abs(sum(last(:, 1)*on_panel)), abs(sum(last(:, 2)*on_panel)))
             end associate
         end do
-        roughness = roughness/max(maxval(abs(values)), 1.0e-6_wp*sigma_zero, tiny(1.0_wp))
+        roughness = roughness/max(maxval(abs(values)), 1.0e-4_wp*sigma_zero, tiny(1.0_wp))
     end function roughness_of
 
     !> Whether the integral of chi along the ray equals that along the real axis: no pole lies between them.
     subroutine check_path(ray, surface, unit, holds)
-        type(ray_t), intent(in) :: ray
+        type(ray_t), intent(inout) :: ray
         class(surface_t), intent(in) :: surface
         real(wp), intent(in) :: unit
         logical, intent(out) :: holds
@@ -181,9 +181,10 @@ contains
                 term = scale(ray%weights(i), octave)*real(chi, wp)
                 along_axis = along_axis + term
                 magnitude = magnitude + abs(term)
+                ray%largest = max(ray%largest, abs(real(chi, wp)))
             end do
         end do
-        holds = abs(along_ray - along_axis) <= 1.0e-12_wp*magnitude
+        holds = abs(along_ray - along_axis) <= 1.0e-12_wp*magnitude + 1.0e-13_wp
     end subroutine check_path
 
     subroutine fill_table(kernel, ray, surface)
@@ -192,7 +193,7 @@ contains
         class(surface_t), intent(in) :: surface
         integer, parameter :: n = degree + 1
         real(wp) :: chebyshev(n), y(2*n), x(2*n), coefficients(0:degree, 0:2*most_octaves)
-        complex(wp), allocatable :: waves(:, :, :)
+        real(wp), allocatable :: waves(:, :, :, :)
         integer :: i, octave, highest
         real(wp) :: level, spread
 
@@ -214,7 +215,7 @@ contains
             level = sum(x)/real(size(x), wp)
             spread = maxval(abs(x - level))
             kernel%tail = level*scale(1.0_wp, 2*octave)
-            if (spread <= 1.0e-13_wp*abs(level) .or. spread <= 1.0e-15_wp*scale(surface%long_wave_limit(), -octave)) exit
+            if (spread <= 1.0e-13_wp*abs(level) .or. spread <= 1.0e-14_wp*scale(surface%long_wave_limit(), -octave)) exit
         end do
         octave = min(octave, most_octaves - 1)
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)
@@ -227,9 +228,9 @@ contains
         type(ray_t), intent(in) :: ray
         real(wp), intent(in) :: y(:)
         real(wp) :: x(size(y))
+        real(wp) :: waves(size(y), 2)
         complex(wp) :: rest
-        real(wp) :: k
-        integer :: i, j, octave
+        integer :: i, octave
 
         rest = ray%chi_zero*scale(1.0_wp, negligible)*ray%direction
         do octave = negligible, lowest - 1
@@ -238,10 +239,8 @@ contains
         x = real(rest, wp)
         do octave = lowest, ray%top
             do i = 1, size(ray%nodes)
-                k = scale(ray%nodes(i), octave)
-                do j = 1, size(y)
-                    x(j) = x(j) + real(ray%weighted_chi(i, octave)*wave(ray%direction, k*y(j)), wp)
-                end do
+                call waves_at(ray%direction, scale(ray%nodes(i), octave)*y, waves)
+                x = x + real(ray%weighted_chi(i, octave), wp)*waves(:, 1) - aimag(ray%weighted_chi(i, octave))*waves(:, 2)
             end do
         end do
     end function near_values
@@ -251,16 +250,14 @@ contains
         type(ray_t), intent(in) :: ray
         real(wp), intent(in) :: y(:)
         integer, intent(in) :: highest
-        !> (position, wavenumber, octave of k y)
-        complex(wp), allocatable, intent(out) :: waves(:, :, :)
-        integer :: i, j, octave
+        !> (position, real and imaginary part, wavenumber, octave of k y)
+        real(wp), allocatable, intent(out) :: waves(:, :, :, :)
+        integer :: i, octave
 
-        allocate (waves(size(y), size(ray%nodes), lowest:highest))
+        allocate (waves(size(y), 2, size(ray%nodes), lowest:highest))
         do octave = lowest, highest
             do i = 1, size(ray%nodes)
-                do j = 1, size(y)
-                    waves(j, i, octave) = wave(ray%direction, scale(ray%nodes(i)*y(j), octave))
-                end do
+                call waves_at(ray%direction, scale(ray%nodes(i), octave)*y, waves(:, :, i, octave))
             end do
         end do
     end subroutine tabulate_waves
@@ -269,10 +266,10 @@ contains
     pure subroutine far_values(ray, octave, highest, waves, x)
         type(ray_t), intent(in) :: ray
         integer, intent(in) :: octave, highest
-        complex(wp), intent(in) :: waves(:, :, lowest:)
+        real(wp), intent(in) :: waves(:, :, :, lowest:)
         real(wp), intent(out) :: x(:)
         complex(wp) :: factor, rest
-        integer :: i, j, m
+        integer :: i, m
 
         rest = 0.0_wp
         do m = negligible, lowest - 1
@@ -286,21 +283,38 @@ contains
                 else
                     factor = ray%weighted_change(i, m - octave)
                 end if
-                do j = 1, size(x)
-                    x(j) = x(j) + real(factor, wp)*real(waves(j, i, m), wp) - aimag(factor)*aimag(waves(j, i, m))
-                end do
+                x = x + real(factor, wp)*waves(:, 1, i, m) - aimag(factor)*waves(:, 2, i, m)
             end do
         end do
     end subroutine far_values
 
-    !> exp(i t exp(i theta))
-    elemental function wave(direction, t) result(value)
+    !> Real and imaginary parts of exp(i t exp(i theta)); by its power series where all t are small.
+    pure subroutine waves_at(direction, t, waves)
         complex(wp), intent(in) :: direction
-        real(wp), intent(in) :: t
-        complex(wp) :: value
+        real(wp), intent(in) :: t(:)
+        !> (size(t), 2)
+        real(wp), intent(out) :: waves(:, :)
+        integer, parameter :: order = 7
+        complex(wp) :: power(0:order)
+        integer :: n
 
-        value = exp(-t*aimag(direction))*cmplx(cos(t*real(direction, wp)), sin(t*real(direction, wp)), wp)
-    end function wave
+        if (maxval(t) < 1.0_wp/64.0_wp) then
+            power(0) = 1.0_wp
+            do n = 1, order
+                power(n) = power(n - 1)*direction*(0.0_wp, 1.0_wp)/real(n, wp)
+            end do
+            waves(:, 1) = real(power(order), wp)
+            waves(:, 2) = aimag(power(order))
+            do n = order - 1, 0, -1
+                waves(:, 1) = waves(:, 1)*t + real(power(n), wp)
+                waves(:, 2) = waves(:, 2)*t + aimag(power(n))
+            end do
+        else
+            waves(:, 1) = exp(-t*aimag(direction))
+            waves(:, 2) = waves(:, 1)*sin(t*real(direction, wp))
+            waves(:, 1) = waves(:, 1)*cos(t*real(direction, wp))
+        end if
+    end subroutine waves_at
 
     !> Coefficients of powers of u from values at the Chebyshev points. By way of Chebyshev coefficients: those of high degree are small,
     !> and so are the rounding errors of the powers that they make.

@@ -3,7 +3,7 @@
 !> Doerner, Nix, J. Mater. Res. 1 (1986) 601; Popov 2014, equation (11).
 module mdrcontact_medium_doerner_nix
     use mdrcontact_error, only: check_positive, error_t
-    use mdrcontact_exponential, only: one_minus_exp
+    use mdrcontact_exponential, only: one_minus_exp, transition_exponents
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_coated, only: coated_t
@@ -18,6 +18,7 @@ module mdrcontact_medium_doerner_nix
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
+        procedure :: modulus_breaks
     end type doerner_nix_t
 
 contains
@@ -59,5 +60,15 @@ contains
         value = -self%effective_modulus(a)**2*(1.0_wp/self%substrate%contact() - 1.0_wp/self%coating%contact()) &
                 *exp(-y)*(y/a)
     end function effective_modulus_slope
+
+    !> At a large contrast the exponential switches from one body to the other within a small range of radii.
+    pure function modulus_breaks(self) result(radii)
+        class(doerner_nix_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+        real(wp), allocatable :: y(:)
+
+        allocate (y, source=transition_exponents(self%coating%contact()/self%substrate%contact()))
+        radii = self%alpha*self%thickness/y(size(y):1:-1)
+    end function modulus_breaks
 
 end module mdrcontact_medium_doerner_nix

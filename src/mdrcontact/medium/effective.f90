@@ -12,7 +12,7 @@ module mdrcontact_medium_effective
     use mdrcontact_radius_law, only: radius_law_t
     implicit none (type, external)
     private
-    public :: effective_medium_t
+    public :: effective_medium_t, depth_and_force
 
     !> A medium with an effective contact modulus. Extensions provide E_eff(a) and its slope as elemental functions.
     type, abstract, extends(medium_t) :: effective_medium_t

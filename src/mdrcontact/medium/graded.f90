@@ -4,7 +4,9 @@
 !>
 !> The integrals are done once, when the medium is made, over a range of contact radii; afterwards E_eff(a) is an interpolation.
 module mdrcontact_medium_graded
-    use mdrcontact_error, only: check_poisson, check_positive, check_table, entry_name, error_invalid, error_t, raise, to_text
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_error, only: check_poisson, check_positive, check_table, entry_name, error_callback, error_invalid, error_t, &
+                                raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_effective, only: effective_medium_t
@@ -35,6 +37,14 @@ module mdrcontact_medium_graded
     contains
         procedure :: value => average_at
     end type average_t
+
+    !> A user's function of depth, watched for values that are not numbers.
+    type, extends(scalar_function_t) :: watched_function_t
+        class(scalar_function_t), pointer :: f => null()
+        character(len=2) :: name = ""
+    contains
+        procedure :: value => watched_value
+    end type watched_function_t
 
     !> Range of contact radii around the depths of the gradient; outside, E_eff is that of the surface or of the bottom to rounding.
     real(wp), parameter :: range_factor = 1.0e13_wp
@@ -80,12 +90,13 @@ contains
     subroutine new_graded_from_functions(self, young, poisson, depth, error, options)
         type(graded_t), intent(out) :: self
         !> E(z) > 0 [modulus] and -1 < nu(z) <= 1/2, smooth
-        class(scalar_function_t), intent(inout) :: young, poisson
+        class(scalar_function_t), intent(inout), target :: young, poisson
         !> depth below which the body is homogeneous, > 0 [length]
         real(wp), intent(in) :: depth
         type(error_t), allocatable, intent(out) :: error
         type(gao_options_t), intent(in), optional :: options
         type(average_t) :: average
+        type(watched_function_t) :: watched_young, watched_poisson
         type(sampled_function_t) :: e, nu
         real(wp), allocatable :: edges(:)
         real(wp) :: top_young, top_poisson
@@ -93,10 +104,14 @@ contains
 
         call check_positive(error, "depth", depth)
         if (allocated(error)) return
+        watched_young%f => young
+        watched_young%name = "E"
+        watched_poisson%f => poisson
+        watched_poisson%name = "nu"
         edges = [(depth*0.5_wp**i, i=40, 0, -1)]
-        call new_sampled_function(e, young, edges, spread(.false., 1, 40), function_tolerance, error)
-        if (.not. allocated(error)) call new_sampled_function(nu, poisson, edges, spread(.false., 1, 40), function_tolerance, &
-                                                              error, noise=1.0e-15_wp)
+        call new_sampled_function(e, watched_young, edges, spread(.false., 1, 40), function_tolerance, error)
+        if (.not. allocated(error)) call new_sampled_function(nu, watched_poisson, edges, spread(.false., 1, 40), &
+                                                              function_tolerance, error, noise=1.0e-15_wp)
         if (allocated(error)) return
         call depth_nodes(average, [0.0_wp, e%panel_edges()])
         ! Above the first sample, depth*2^-40, both are constant: a polynomial must not be continued beyond its panel.
@@ -228,5 +243,19 @@ contains
         end do
         value = values(low) + (values(high) - values(low))*((at - z(low))/(z(high) - z(low)))
     end function linear
+
+    function watched_value(self, x) result(y)
+        class(watched_function_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%f%value(x)
+        if (allocated(self%f%error)) then
+            self%error = self%f%error
+        else if (.not. ieee_is_finite(y)) then
+            call raise(self%error, error_callback, "the function for "//trim(self%name)//" returned "//to_text(y)//" at z = "// &
+                       to_text(x)//": it must return a finite number")
+        end if
+    end function watched_value
 
 end module mdrcontact_medium_graded

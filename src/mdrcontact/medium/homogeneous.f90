@@ -4,7 +4,7 @@ module mdrcontact_medium_homogeneous
     use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium_effective, only: effective_medium_t
+    use mdrcontact_medium_effective, only: effective_medium_t, integrated => depth_and_force
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -62,7 +62,7 @@ contains
         value = 0.0_wp
     end function effective_modulus_slope
 
-    !> d = g(a), F = 2 E* int_0^a s g'(s) ds, equations (3) and (5).
+    !> d = g(a), F = 2 E* int_0^a s g'(s) ds, equations (3) and (5); by quadrature where a zeta(a) is given.
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(homogeneous_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -70,6 +70,10 @@ contains
         real(wp), intent(out) :: depth, force
         type(error_t), allocatable, intent(out) :: error
 
+        if (allocated(self%zeta)) then
+            call integrated(self, profile, a, depth, force, error)
+            return
+        end if
         depth = profile%mdr(a)
         force = 2.0_wp*self%contact_modulus*profile%mdr_moment(a)
     end subroutine depth_and_force

@@ -3,7 +3,7 @@
 !> Mencik, Munz, Quandt, Weppelmann, Swain, J. Mater. Res. 12 (1997) 2475.
 module mdrcontact_medium_mencik
     use mdrcontact_error, only: check_positive, error_t
-    use mdrcontact_exponential, only: one_minus_exp
+    use mdrcontact_exponential, only: one_minus_exp, transition_exponents
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_coated, only: coated_t
@@ -19,6 +19,7 @@ module mdrcontact_medium_mencik
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
+        procedure :: modulus_breaks
     end type mencik_t
 
 contains
@@ -70,5 +71,15 @@ contains
             value = (self%coating%contact() - self%substrate%contact())*decay
         end if
     end function effective_modulus_slope
+
+    !> At a large contrast the exponential switches from one body to the other within a small range of radii.
+    pure function modulus_breaks(self) result(radii)
+        class(mencik_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+        real(wp), allocatable :: y(:)
+
+        allocate (y, source=transition_exponents(self%coating%contact()/self%substrate%contact()))
+        radii = y*self%thickness/self%alpha
+    end function modulus_breaks
 
 end module mdrcontact_medium_mencik

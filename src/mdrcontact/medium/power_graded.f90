@@ -43,6 +43,9 @@ module mdrcontact_medium_power_graded
 
     !> Distance from a singular end, relative to the radius, below which the integrand is its leading power.
     real(wp), parameter :: closest = 1.0e-15_wp
+    !> The same behind the rim of a flat end, where g' needs digits of x - b: least and most, relative to the radius, and a part
+    !> of the distance from the rim.
+    real(wp), parameter :: behind_rim(3) = [1.0e-13_wp, 1.0e-10_wp, 1.0e-3_wp]
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
     integer, parameter :: octaves = 34
 
@@ -164,7 +167,9 @@ contains
             if (r(i) > 0.0_wp .and. r(i) == profile%end_radius() .and. a > start) then
                 values(i) = ieee_value(values(i), ieee_positive_inf)
             else if (a > start) then
-                near = max(closest*a, smallest_panel_ratio*a*merge(1.0_wp, 0.0_wp, start <= 0.0_wp))
+                near = closest*a
+                if (start <= 0.0_wp) near = smallest_panel_ratio*a
+                if (r(i) < start) near = max(behind_rim(1)*a, min(behind_rim(2)*a, behind_rim(3)*(start - r(i))))
                 if (near < a - start) then
                     call graded_rule(near, a - start, shifted_breaks(profile, start), huge(1.0_wp), beyond, dx)
                     allocate (x, source=start + beyond)

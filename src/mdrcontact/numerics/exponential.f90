@@ -4,7 +4,7 @@ module mdrcontact_exponential
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: one_minus_exp
+    public :: one_minus_exp, transition_exponents
 
 contains
 
@@ -16,5 +16,16 @@ contains
         t = tanh(0.5_wp*y)
         value = 2.0_wp*t/(1.0_wp + t)
     end function one_minus_exp
+
+    !> Values of y between which 1/(1 + contrast exp(-y)) is smooth enough for one panel: its poles lie pi off the real axis, at
+    !> |ln(contrast)|, and it is over where exp(-y) contrast vanishes.
+    pure function transition_exponents(contrast) result(y)
+        real(wp), intent(in) :: contrast
+        real(wp), allocatable :: y(:)
+        real(wp), parameter :: spacing = 2.5_wp, beyond = 10.0_wp
+        integer :: k
+
+        y = [(spacing*k, k=1, ceiling((abs(log(contrast)) + beyond)/spacing))]
+    end function transition_exponents
 
 end module mdrcontact_exponential

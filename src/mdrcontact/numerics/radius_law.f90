@@ -90,9 +90,10 @@ contains
         logarithmic%name = name
         self%smallest = smallest
         self%largest = largest
-        allocate (self%sampled, self%breaks(0))
+        allocate (self%sampled)
         call new_sampled_function(self%sampled, logarithmic, octaves(log(smallest), log(largest)), &
                                   spread(.false., 1, size(octaves(log(smallest), log(largest))) - 1), tolerance, error)
+        if (.not. allocated(error)) self%breaks = fine_edges(self%sampled)
     end subroutine new_radius_law_from_function
 
     !> The value at radius a <= largest_radius().
@@ -146,6 +147,21 @@ contains
 
         radii = self%breaks
     end function break_radii
+
+    !> Radii between which the law varies so fast that its sampling had to be refined: quadrature follows it there.
+    pure function fine_edges(sampled) result(radii)
+        type(sampled_function_t), intent(in) :: sampled
+        real(wp), allocatable :: radii(:)
+        real(wp), allocatable :: edges(:)
+        logical, allocatable :: fine(:)
+        integer :: n
+
+        allocate (edges, source=sampled%panel_edges())
+        n = size(edges)
+        allocate (fine(n), source=.false.)
+        fine(2:n - 1) = min(edges(2:n - 1) - edges(:n - 2), edges(3:) - edges(2:n - 1)) < 0.45_wp
+        radii = exp(pack(edges, fine))
+    end function fine_edges
 
     !> Panel edges about 1 apart in ln a, the scale on which effective moduli vary.
     pure function octaves(first, last) result(edges)

@@ -10,7 +10,7 @@ module mdrcontact_roots
     use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: find_root, solve_increasing
+    public :: find_root, solve_increasing, guess_from_below
 
     integer, parameter :: most_iterations = 200
     !> Secant steps before Brent's method takes over.
@@ -132,6 +132,27 @@ contains
         end subroutine secant_step
 
     end subroutine solve_increasing
+
+    !> Where f would vanish if it went on as straight as it begins at `start`, and its slope there: a first guess that never asks
+    !> a medium for a contact larger than needed. Falls back to `otherwise` where f is flat.
+    subroutine guess_from_below(f, start, otherwise, guess, slope)
+        class(scalar_function_t), intent(inout) :: f
+        real(wp), intent(in) :: start, otherwise
+        real(wp), intent(out) :: guess, slope
+        real(wp) :: y
+
+        guess = otherwise
+        slope = 2.0_wp
+        y = f%value(start)
+        if (allocated(f%error)) return
+        slope = f%value(start + 1.0_wp) - y
+        if (allocated(f%error)) return
+        if (slope > 0.01_wp) then
+            guess = start - y/slope
+        else
+            slope = 2.0_wp
+        end if
+    end subroutine guess_from_below
 
     function evaluate(x, params) result(y) bind(C)
         real(c_double), value :: x

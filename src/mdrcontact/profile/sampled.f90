@@ -52,7 +52,7 @@ module mdrcontact_profile_sampled
         procedure :: value => backward_value
     end type backward_transform_t
 
-    real(wp), parameter :: height_tolerance = 1.0e-14_wp, transform_tolerance = 1.0e-13_wp
+    real(wp), parameter :: height_tolerance = 1.0e-14_wp, transform_tolerance = 2.0e-14_wp
     !> f is sampled this much further down than g; below it is a power of r, whose transform is a fast power series.
     integer, parameter :: extra_octaves = 1, series_terms = 28
     !> Points in a panel, smooth by construction, at which a profile is seen not to decrease.

@@ -17,17 +17,18 @@ module reference_quadrature
             import :: integrand_t, wp
             implicit none (type, external)
             class(integrand_t), intent(in) :: self
-            real(wp), intent(in) :: x
-            real(wp) :: y
+            real(wp), intent(in) :: x(:)
+            real(wp) :: y(size(x))
         end function value_at
     end interface
 
-    real(wp), parameter :: step = 1.0_wp/48.0_wp, last = 3.7_wp
+    real(wp), parameter :: step = 1.0_wp/24.0_wp
+    integer, parameter :: last = 87
 
 contains
 
-    !> The integral over [edges(1), edges(size(edges))]; f is analytic between the edges and may be singular,
-    !> but integrable, at them.
+    !> The integral over [edges(1), edges(size(edges))]; f is analytic between the edges and may be singular, but integrable,
+    !> at them.
     function integral(f, edges) result(total)
         class(integrand_t), intent(in) :: f
         real(wp), intent(in) :: edges(:)
@@ -43,19 +44,17 @@ contains
     function panel(f, lower, upper) result(total)
         class(integrand_t), intent(in) :: f
         real(wp), intent(in) :: lower, upper
-        real(wp) :: total, t, distance, weight, x
-        integer :: i, nodes
+        real(wp) :: total, t(-last:last), distance(-last:last), weight(-last:last), x(-last:last)
+        logical :: inside(-last:last)
+        integer :: i
 
-        total = 0.0_wp
-        nodes = int(last/step)
-        do i = -nodes, nodes
-            t = i*step
-            ! distance from the nearer end as a fraction of the length, without cancellation
-            distance = 1.0_wp/(1.0_wp + exp(2.0_wp*half_pi*sinh(abs(t))))
-            weight = half_pi*cosh(t)/cosh(half_pi*sinh(t))**2*0.5_wp*(upper - lower)*step
-            x = merge(lower + distance*(upper - lower), upper - distance*(upper - lower), t < 0.0_wp)
-            if (x > lower .and. x < upper) total = total + weight*f%at(x)
-        end do
+        t = [(i*step, i=-last, last)]
+        ! distance from the nearer end as a fraction of the length, without cancellation
+        distance = 1.0_wp/(1.0_wp + exp(2.0_wp*half_pi*sinh(abs(t))))
+        weight = half_pi*cosh(t)/cosh(half_pi*sinh(t))**2*0.5_wp*(upper - lower)*step
+        x = merge(lower + distance*(upper - lower), upper - distance*(upper - lower), t < 0.0_wp)
+        inside = x > lower .and. x < upper
+        total = sum(pack(weight, inside)*f%at(pack(x, inside)))
     end function panel
 
 end module reference_quadrature

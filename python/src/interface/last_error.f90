@@ -1,19 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Version and last error of the C API.
-!> The manual is include/mdrcontact.h; this is its Fortran picture, for the wrappers only.
-module mdrcontact_c_library
+!> The words of the last failure: the one function of the C API that the core writes in C.
+module mdrcontact_last_error
     use, intrinsic :: iso_c_binding, only: c_char, c_int
     implicit none (type, external)
     private
-    public :: mdr_last_error, mdr_version
+    public :: mdr_last_error
 
     interface
-
-        function mdr_version() result(number) bind(C)
-            import :: c_int
-            implicit none (type, external)
-            integer(c_int) :: number
-        end function mdr_version
 
         function mdr_last_error(buffer, length) result(full_length) bind(C)
             import :: c_char, c_int
@@ -25,4 +18,4 @@ module mdrcontact_c_library
 
     end interface
 
-end module mdrcontact_c_library
+end module mdrcontact_last_error

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A diamond-like sphere of 10 um radius pressed into 500 nm of thermal oxide on silicon: depth, contact radius, stiffness
+ * and the force by three models of the coating, for forces that an experimenter sets.
+ *
+ * Units of this program: nm, GPa, and hence nN (1 GPa nm^2 = 1 nN). The library takes any consistent set.
+ * SiO2: E = 72 GPa, nu = 0.17 (Oliver, Pharr, J. Mater. Res. 7 (1992) 1564, fused silica); Si: isotropic average
+ * E = 163 GPa, nu = 0.22 (after Hopcroft, Nix, Kenny, J. Microelectromech. Syst. 19 (2010) 229).
+ */
+#include <mdrcontact.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* One place that looks at every status: prints the library's own words and ends the program. */
+static void check(int status)
+{
+    if (status != MDR_SUCCESS) {
+        char text[512];
+        mdr_last_error(text, (int)sizeof text);
+        fprintf(stderr, "%s: %s\n", mdr_status_name(status), text);
+        exit(EXIT_FAILURE);
+    }
+}
+
+static mdr_contact *sphere_on_oxide(int model)
+{
+    mdr_profile *sphere = NULL;
+    mdr_medium *coated = NULL;
+    mdr_contact *contact = NULL;
+
+    check(mdr_profile_sphere(10000.0, &sphere));
+    check(mdr_medium_coated(72.0, 0.17, 500.0, 163.0, 0.22, model, NULL, &coated));
+    check(mdr_contact_new(sphere, coated, NULL, &contact));
+    check(mdr_medium_free(&coated)); /* the contact has its own copies */
+    check(mdr_profile_free(&sphere));
+    return contact;
+}
+
+int main(void)
+{
+    enum { COUNT = 6 };
+    const int models[3] = {MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES, MDR_MODEL_PERRIOT_BARTHEL};
+    const char *names[3] = {"Gao, parallel", "Gao, series", "Perriot-Barthel"};
+    const double force[COUNT] = {1e3, 1e4, 1e5, 1e6, 2e6, 5e6};
+    double depth[COUNT], radius[COUNT], stiffness[COUNT], pressure[1];
+    const double middle[1] = {0.0};
+
+    for (int i = 0; i < 3; i++) {
+        mdr_contact *contact = sphere_on_oxide(models[i]);
+        check(mdr_contact_from_force(contact, COUNT, force, depth, radius, NULL, stiffness));
+        printf("%s\n%12s %12s %12s %16s %20s\n", names[i], "force, mN", "depth, nm", "radius, nm", "stiffness, N/m",
+               "pressure at 0, GPa");
+        for (int j = 0; j < COUNT; j++) {
+            check(mdr_contact_pressure(contact, radius[j], 1, middle, pressure));
+            printf("%12.4f %12.3f %12.2f %16.1f %20.4f\n", force[j] * 1e-6, depth[j], radius[j], stiffness[j], pressure[0]);
+        }
+        check(mdr_contact_free(&contact));
+    }
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Adhesive contacts: refusals, then JKR: F = 4 E* a^3/(3R) - sqrt(8 pi a^3 gamma E*), d = a^2/R - sqrt(2 pi a gamma/E*). */
+#include "check.h"
+
+static const double pi = 3.14159265358979323846;
+
+static const double R = 2.0, modulus = 3.0, work = 0.05;
+
+static int new_contact(const mdr_contact_options *options, mdr_contact **out)
+{
+    mdr_profile *p = NULL;
+    mdr_medium *m = NULL;
+    CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
+    CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
+    const int status = mdr_contact_new(p, m, options, out);
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    return status;
+}
+
+static void options_refuse(void)
+{
+    const double bad[4] = {-1.0, NAN, INFINITY, -INFINITY};
+    mdr_contact *c = NULL;
+    mdr_contact_options options;
+
+    mdr_contact_options_init(&options);
+    for (int i = 0; i < 4; i++) {
+        options.work_of_adhesion = bad[i];
+        CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "work_of_adhesion = ");
+    }
+    options.work_of_adhesion = work;
+    options.adhesion_rule = 3;
+    CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "adhesion_rule = 3");
+    options.adhesion_rule = -1;
+    CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "adhesion_rule = -1");
+    CHECK_TRUE(c == NULL);
+}
+
+typedef int (*branch_call)(const mdr_contact *, int, int, const double[], double[], double[], double[], double[]);
+
+static void branches_refuse(const mdr_contact *c, branch_call states)
+{
+    const double good[1] = {0.1}, not_a_number[1] = {NAN}, far[1] = {-100.0};
+    double d[1];
+
+    fill_untouched(1, d);
+    CHECK_STATUS(states(NULL, MDR_ON_LOADING, 1, good, d, NULL, NULL, NULL), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(states(c, MDR_ON_LOADING, -1, good, d, NULL, NULL, NULL), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(states(c, MDR_ON_LOADING, 1, NULL, d, NULL, NULL, NULL), MDR_ENULL, "in is NULL");
+    CHECK_STATUS(states(c, 0, 1, good, d, NULL, NULL, NULL), MDR_EINVALID, "branch = 0");
+    CHECK_STATUS(states(c, 3, 1, good, d, NULL, NULL, NULL), MDR_EINVALID, "branch = 3");
+    CHECK_STATUS(states(c, MDR_ON_UNLOADING, 1, not_a_number, d, NULL, NULL, NULL), MDR_EINVALID, "NaN");
+    CHECK_STATUS(states(c, MDR_ON_UNLOADING, 1, far, d, NULL, NULL, NULL), MDR_EUNREACHABLE, "-100");
+    CHECK_UNTOUCHED(1, d);
+    CHECK_SUCCESS(states(c, MDR_ON_LOADING, 0, NULL, NULL, NULL, NULL, NULL));
+}
+
+static void jkr(const mdr_contact *c)
+{
+    /* stable under force control: a above that of pull-off, a^3 = 9 pi gamma R^2/(8 E*) */
+    const double a_pull_off = cbrt(9 * pi * work * R * R / (8 * modulus));
+    double a[4], d[4], F[4], found[4];
+
+    for (int i = 0; i < 4; i++) {
+        a[i] = a_pull_off * (1.1 + i);
+        d[i] = a[i] * a[i] / R - sqrt(2 * pi * a[i] * work / modulus);
+        F[i] = 4 * modulus * pow(a[i], 3) / (3 * R) - sqrt(8 * pi * pow(a[i], 3) * work * modulus);
+    }
+    CHECK_SUCCESS(mdr_contact_from_radius(c, 4, a, found, NULL, NULL, NULL));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], d[i], 1e-11);
+    CHECK_SUCCESS(mdr_contact_from_radius(c, 4, a, NULL, NULL, found, NULL));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], F[i], 1e-11);
+    CHECK_SUCCESS(mdr_contact_from_depth(c, 4, d, NULL, found, NULL, NULL));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
+    CHECK_SUCCESS(mdr_contact_from_force(c, 4, F, NULL, found, NULL, NULL));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
+    CHECK_SUCCESS(mdr_contact_from_force_on(c, MDR_ON_UNLOADING, 4, F, NULL, found, NULL, NULL));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
+    CHECK_SUCCESS(mdr_contact_from_depth_on(c, MDR_ON_UNLOADING, 4, d, NULL, found, NULL, NULL));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
+}
+
+/* Pull-off at (3/2) pi gamma R under force control: a state just before, none just after. On approach none before touching. */
+static void pull_off(const mdr_contact *c)
+{
+    const double pull_off_force = -1.5 * pi * work * R;
+    const double before[1] = {0.999999 * pull_off_force}, after[1] = {1.000001 * pull_off_force};
+    double a[1];
+
+    CHECK_SUCCESS(mdr_contact_from_force(c, 1, before, NULL, a, NULL, NULL));
+    CHECK_CLOSE(a[0], cbrt(9 * pi * work * R * R / (8 * modulus)), 3e-3);
+    CHECK_STATUS(mdr_contact_from_force(c, 1, after, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
+    CHECK_STATUS(mdr_contact_from_depth_on(c, MDR_ON_LOADING, 1, (const double[]){-0.01}, NULL, a, NULL, NULL),
+                 MDR_EUNREACHABLE, "depth = ");
+}
+
+int main(void)
+{
+    options_refuse();
+    for (int rule = MDR_ADHESION_AUTOMATIC; rule <= MDR_ADHESION_ENERGY; rule++) {
+        mdr_contact *c = NULL;
+        mdr_contact_options options;
+        mdr_contact_options_init(&options);
+        options.work_of_adhesion = work;
+        options.adhesion_rule = rule;
+        CHECK_SUCCESS(new_contact(&options, &c));
+        branches_refuse(c, mdr_contact_from_depth_on);
+        branches_refuse(c, mdr_contact_from_force_on);
+        jkr(c);
+        pull_off(c);
+        CHECK_SUCCESS(mdr_contact_free(&c));
+    }
+    return check_report("adhesion");
+}

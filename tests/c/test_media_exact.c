@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The exact layered medium: refusals, published and independent numbers, degenerate stacks. */
+#include "check.h"
+
+static void refusals(void)
+{
+    const double E[2] = {2.0, 3.0}, nu[2] = {0.3, 0.2}, h[2] = {0.1, 0.2}, bad_E[2] = {2.0, NAN}, bad_h[2] = {0.1, -0.2};
+    const double bad_tolerance[4] = {0.0, -1.0, NAN, INFINITY};
+    mdr_medium *m = NULL;
+    mdr_medium_options options;
+
+    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_coated(-2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "coating E = -2");
+    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "thickness = 0");
+    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, -INFINITY, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "substrate E = ");
+    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.7, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "substrate nu = 0.7");
+    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_layered(2, bad_E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 2 E = NaN");
+    CHECK_STATUS(mdr_medium_layered(2, E, nu, bad_h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "entry 2 of thickness");
+    CHECK_STATUS(mdr_medium_layered(0, NULL, NULL, NULL, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "at least one");
+    mdr_medium_options_init(&options);
+    for (int i = 0; i < 4; i++) {
+        options.tolerance = bad_tolerance[i];
+        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "tolerance = ");
+    }
+    CHECK_TRUE(m == NULL);
+}
+
+/* Flat punch on an incompressible layer bonded to a rigid base: k (1 - nu)/(4 G a) at a/h = 1 and 2, to nine digits. */
+static void rigid_base(void)
+{
+    const double E = 3.0, h = 0.7, a[2] = {0.7, 1.4};
+    double found[2];
+    mdr_medium *m = NULL;
+
+    CHECK_SUCCESS(mdr_medium_coated(E, 0.5, h, INFINITY, NAN, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_modulus(m, 2, a, found));
+    CHECK_CLOSE(found[0] * 0.75 / E, 3.61873585, 2e-9);
+    CHECK_CLOSE(found[1] * 0.75 / E, 9.14945045, 2e-9);
+    CHECK_SUCCESS(mdr_medium_free(&m));
+}
+
+static void degenerate_stacks(void)
+{
+    const double E[2] = {2.0, 2.0}, nu[2] = {0.3, 0.3}, h[2] = {0.1, 0.2}, a[3] = {0.01, 0.3, 2.0};
+    double found[3], expected[3];
+    mdr_medium *m = NULL;
+
+    CHECK_SUCCESS(mdr_medium_layered(2, E, nu, h, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_modulus(m, 3, a, found));
+    for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], 2.0 / 0.91, 1e-10);
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_medium_layered(2, E, nu, h, 5.0, 0.2, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_modulus(m, 3, a, found));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 0.1 + 0.2, 5.0, 0.2, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_modulus(m, 3, a, expected));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-9);
+}
+
+/* zeta = d/g(a) of the exact solution at a/h = 1, nu = 1/2, G0/G1 = 2: paraboloid 1.2676, cone 1.1976 (five digits). */
+static void depth_of_first_touch(void)
+{
+    const double a[1] = {1.0}, pi = 3.14159265358979323846;
+    double d[1];
+    mdr_medium *m = NULL;
+    mdr_profile *p = NULL;
+    mdr_contact *c = NULL;
+
+    CHECK_SUCCESS(mdr_medium_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_profile_paraboloid(4.0, &p));
+    CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    CHECK_SUCCESS(mdr_contact_from_radius(c, 1, a, d, NULL, NULL, NULL));
+    CHECK_CLOSE(d[0] * 4.0, 1.2676, 5e-5);
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_profile_cone(0.3, &p));
+    CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    CHECK_SUCCESS(mdr_contact_from_radius(c, 1, a, d, NULL, NULL, NULL));
+    CHECK_CLOSE(d[0] / (0.5 * pi * tan(0.3)), 1.1976, 5e-5);
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+}
+
+int main(void)
+{
+    refusals();
+    rigid_base();
+    degenerate_stacks();
+    depth_of_first_touch();
+    return check_report("media_exact");
+}

@@ -1,0 +1,309 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command `mdrcontact`: output, files, exit statuses, and one clear line for every fault."""
+
+import csv
+import io
+import os
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import ELASTIC_MODELS, ROOT
+from test_problem_files import FAULTS, GOOD
+
+import mdrcontact as mdr
+from mdrcontact.cli import main
+from mdrcontact.cli.example import examples
+
+PROBLEMS = sorted((ROOT / "examples" / "problems").glob("*.toml"))
+
+
+@pytest.fixture
+def problem(tmp_path, monkeypatch):
+    """A problem file in an otherwise empty working folder."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "problem.toml").write_text(GOOD, encoding="utf-8")
+    return "problem.toml"
+
+
+def _rows(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        head, *rows = csv.reader(file)
+    return head, rows
+
+
+def _png_size(path):
+    data = Path(path).read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    return struct.unpack(">II", data[16:24])
+
+
+def _files(folder="."):
+    return sorted(os.listdir(folder))
+
+
+def test_curve_prints_and_writes_what_the_library_says(problem, capsys):
+    assert main(["curve", problem, "--csv", "curve.csv", "--plot", "curve.png", "--pressure-csv", "pressure.csv"]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    head, rows = _rows("curve.csv")
+    assert head == [
+        "depth [nm]", "radius [nm]", "a/h", "force [mN]", "stiffness [kN/m]", "effective modulus [GPa]", "mean pressure [GPa]",
+    ]  # fmt: skip
+    found = np.array(rows, dtype=float)
+    contact = mdr.Contact(mdr.Sphere(1e-5), mdr.Coated(mdr.Elastic(72e9, 0.17), 5e-7, mdr.Elastic(163e9, 0.22)))
+    state = contact.at_depth(np.array([25e-9, 50e-9, 75e-9, 100e-9]))
+    a = state.radius
+    expected = [
+        state.depth / 1e-9, a / 1e-9, a / 5e-7, state.force / 1e-3, state.stiffness / 1e3,
+        contact.medium.modulus(a) / 1e9, state.force / (np.pi * a**2) / 1e9,
+    ]  # fmt: skip
+    assert found == pytest.approx(np.array(expected).T, rel=1e-12)
+    for row in found:
+        assert f"{row[3]:.5g}" in out
+    assert "written: curve.csv" in out and "written: curve.png" in out
+    width, height = _png_size("curve.png")
+    assert width > 1000 and height > 800
+    head, rows = _rows("pressure.csv")
+    assert head == ["depth [nm]", "r [nm]", "pressure [GPa]"]
+    last = np.array([row for row in rows if float(row[0]) > 99.9], dtype=float)
+    expected = contact.pressure(last[:, 1] * 1e-9, depth=100e-9) / 1e9
+    assert last[:, 2] == pytest.approx(expected, rel=1e-6)
+
+
+def test_compare_asks_every_model(problem, capsys):
+    assert main(["compare", problem, "--csv", "compare.csv", "--plot", "compare.png"]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    head, rows = _rows("compare.csv")
+    assert [title.split(" [")[0] for title in head[:4]] == ["model", "depth", "radius", "a/h"]
+    assert {row[0] for row in rows} == {*ELASTIC_MODELS, "exact"}
+    film, base = mdr.Elastic(72e9, 0.17), mdr.Elastic(163e9, 0.22)
+    force = head.index("force [mN]")
+    ends = []
+    for model in (*ELASTIC_MODELS, "exact"):
+        contact = mdr.Contact(mdr.Sphere(1e-5), mdr.Coated(film, 5e-7, base, model))
+        last = [row for row in rows if row[0] == model][-1]
+        ends.append(contact.at_depth(1e-7).force)
+        assert float(last[force]) == pytest.approx(ends[-1] / 1e-3, rel=1e-12)
+        assert model in out
+    spread = next(line for line in out.splitlines() if line.startswith("spread"))
+    assert spread.split()[-2:] == [f"{100 * (max(ends) / min(ends) - 1):.1f}", "%"]
+    measured = out[out.index("force against exact") :].splitlines()
+    gao = next(line for line in measured if line.startswith("gao "))
+    assert gao.split()[-2:] == [f"{100 * (ends[0] / ends[-1] - 1):+.1f}", "%"]
+    assert _png_size("compare.png")[0] > 1500
+
+
+@pytest.mark.parametrize("path", PROBLEMS, ids=lambda p: p.stem)
+@pytest.mark.parametrize("command", ["curve", "compare"])
+def test_examples_run_and_draw(path, command, tmp_path, capsys):
+    plot = tmp_path / "figure.png"
+    assert main([command, str(path), "--plot", str(plot)]) == 0
+    assert _png_size(plot)[0] > 1000
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("form", ["png", "pdf", "svg"])
+def test_every_form_of_figure(problem, form):
+    for command in ("curve", "compare"):
+        assert main([command, problem, "--plot", f"{command}.{form}"]) == 0
+        assert os.path.getsize(f"{command}.{form}") > 5000
+
+
+SHAPES = {
+    "cone": '"cone"\ninclination = "20 deg"',
+    "flat punch": '"flat-punch"\nradius = "1 um"',
+    "berkovich": '"berkovich"',
+}
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize(
+    "compute",
+    ['max_depth = "50 nm"\npoints = 5', 'max_force = "1 mN"\npoints = 5', 'forces = ["1 mN"]', 'depths = ["1 nm", "2 nm"]'],
+)
+def test_sharp_and_flat_indenters_draw_too(problem, shape, compute):
+    text = GOOD.replace('"sphere"\nradius = "10 um"', SHAPES[shape]).replace('max_depth = "100 nm"\npoints = 4', compute)
+    with open(problem, "w", encoding="utf-8") as file:
+        file.write(text)
+    assert main(["curve", problem, "--plot", "curve.png"]) == 0
+    assert main(["compare", problem, "--plot", "compare.png"]) == 0
+
+
+def test_existing_files_are_safe(problem, capsys):
+    for name in ("curve.csv", "curve.png"):
+        with open(name, "w", encoding="utf-8") as file:
+            file.write("mine")
+    for arguments in (["--csv", "curve.csv"], ["--plot", "curve.png"], ["--csv", "new.csv", "--plot", "curve.png"]):
+        for command in ("curve", "compare"):
+            assert main([command, problem, *arguments]) == 1
+            out, err = capsys.readouterr()
+            assert out == "" and "exists; --force overwrites it" in err
+    assert Path("curve.csv").read_text() == "mine"
+    assert _files() == ["curve.csv", "curve.png", "problem.toml"]
+    assert main(["curve", problem, "--csv", "curve.csv", "--plot", "curve.png", "--force"]) == 0
+    assert _png_size("curve.png") and len(_rows("curve.csv")[1]) == 4
+    assert _files() == ["curve.csv", "curve.png", "problem.toml"]
+    assert os.stat("curve.csv").st_mode & 0o777 == 0o666 & ~_umask()
+
+
+def _umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--csv", "nowhere/curve.csv"], "there is no folder nowhere"),
+        (["--csv", "."], "is a folder"),
+        (["--plot", "curve.gif"], "must end in .png, .pdf, .svg"),
+        (["--plot", "curve"], "must end in .png, .pdf, .svg"),
+        (["--csv", "same.png", "--plot", "same.png"], "cannot go to the same file"),
+    ],
+)
+def test_places_where_nothing_can_be_written(problem, capsys, arguments, words):
+    assert main(["curve", problem, *arguments]) == 1
+    out, err = capsys.readouterr()
+    assert out == "" and words in err and err.count("\n") == 1
+    assert _files() == ["problem.toml"]
+
+
+def test_a_failed_computation_writes_nothing(problem, capsys):
+    with open(problem, "w", encoding="utf-8") as file:
+        file.write(GOOD.replace("100 nm", "100 mm"))
+    assert main(["curve", problem, "--csv", "curve.csv", "--plot", "curve.png"]) == 1
+    out, err = capsys.readouterr()
+    assert out == "" and err.startswith("mdrcontact: ") and "cannot be reached" in err and err.count("\n") == 1
+    assert _files() == ["problem.toml"]
+
+
+@pytest.mark.parametrize("number", range(0, len(FAULTS), 5))
+def test_faults_in_the_file_are_one_line_and_status_2(problem, capsys, number):
+    old, new, _ = FAULTS[number]
+    with open(problem, "w", encoding="utf-8") as file:
+        file.write(GOOD.replace(old, new))
+    assert main(["curve", problem]) == 2
+    out, err = capsys.readouterr()
+    assert out == "" and err.startswith("mdrcontact: problem.toml: ") and err.count("\n") == 1
+
+
+def test_nothing_to_compare(problem, capsys):
+    text = '[indenter]\nshape="cone"\ninclination="20 deg"\n[medium]\ntype="homogeneous"\n[medium.material]\nE="1 GPa"\nnu=0.3\n'
+    with open(problem, "w", encoding="utf-8") as file:
+        file.write(text + '[compute]\nmax_depth="1 um"\n')
+    assert main(["compare", problem]) == 2
+    assert "nothing to compare" in capsys.readouterr().err
+
+
+def test_layered_and_graded_media_are_compared(problem, capsys):
+    layer = '[[medium.layer]]\nE = "72 GPa"\nnu = 0.17\nthickness = "500 nm"'
+    text = GOOD.replace('"coated"', '"layered"').replace('[medium.coating]\nE = "72 GPa"\nnu = 0.17\nthickness = "500 nm"', layer)
+    with open(problem, "w", encoding="utf-8") as file:
+        file.write(text)
+    assert main(["compare", problem]) == 0
+    out = capsys.readouterr().out
+    assert "gao-series" in out and "doerner-nix" not in out
+
+
+def test_the_nearly_rigid_base_is_marked(tmp_path, capsys):
+    assert main(["compare", str(ROOT / "examples" / "problems" / "pdms_on_glass.toml")]) == 0
+    out = capsys.readouterr().out
+    assert "garcia (rigid base)" in out and "dimitriadis (rigid base)" in out
+
+
+@pytest.mark.parametrize("rows", ["1", "3", "1000"])
+def test_rows_of_the_table(problem, capsys, rows):
+    assert main(["curve", problem, "--rows", rows]) == 0
+    table = capsys.readouterr().out.split("\n\n")[1].splitlines()
+    assert len(table) == 1 + min(4, int(rows))
+    assert table[-1].split()[0] == "100"
+
+
+@pytest.mark.parametrize("rows", ["0", "-1", "x", "1.5"])
+def test_wrong_numbers_of_rows(problem, capsys, rows):
+    with pytest.raises(SystemExit) as caught:
+        main(["curve", problem, f"--rows={rows}"])
+    assert caught.value.code == 2
+    assert "must be a whole number" in capsys.readouterr().err
+
+
+def test_examples_are_printed(capsys):
+    assert main(["example"]) == 0
+    listing = capsys.readouterr().out
+    for path in PROBLEMS:
+        assert path.stem in listing
+        assert main(["example", path.stem]) == 0
+        assert capsys.readouterr().out == path.read_text(encoding="utf-8")
+    assert list(examples()) == [path.stem for path in PROBLEMS]
+    assert main(["example", "sio2_on_s"]) == 2
+    assert "did you mean 'sio2_on_si'?" in capsys.readouterr().err
+
+
+def test_help_teaches(capsys):
+    for arguments in ([], ["curve"], ["compare"], ["example"]):
+        with pytest.raises(SystemExit) as caught:
+            main([*arguments, "--help"])
+        assert caught.value.code == 0
+        text = capsys.readouterr().out
+        assert "mdrcontact example" in text and "problem.toml" in text
+    with pytest.raises(SystemExit) as caught:
+        main([])
+    assert caught.value.code == 2
+
+
+def test_the_installed_command_and_the_module(problem):
+    for command in (["mdrcontact"], [sys.executable, "-m", "mdrcontact"]):
+        if command == ["mdrcontact"]:
+            command = [os.path.join(os.path.dirname(sys.executable), "mdrcontact")]
+        done = subprocess.run([*command, "curve", problem], capture_output=True, text=True, check=True)
+        assert "force [mN]" in done.stdout and done.stderr == ""
+        failed = subprocess.run([*command, "curve", "none.toml"], capture_output=True, text=True, check=False)
+        assert failed.returncode == 2 and failed.stdout == ""
+        assert failed.stderr == "mdrcontact: none.toml: it cannot be read: No such file or directory\n"
+        version = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
+        assert version.stdout == f"mdrcontact {mdr.__version__}\n"
+
+
+def test_a_reader_that_goes_away_is_no_fault(problem):
+    command = f"{sys.executable} -m mdrcontact curve {problem} --rows 1000 | true"
+    done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
+    assert "Traceback" not in done.stderr
+
+
+def test_plain_import_is_light():
+    code = "import sys, mdrcontact; print([m for m in ('pint', 'tqdm', 'matplotlib') if m in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
+
+
+def test_figures_without_matplotlib(problem, capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    assert main(["curve", problem, "--plot", "curve.png"]) == 1
+    out, err = capsys.readouterr()
+    assert out == "" and 'pip install "mdrcontact[plot]"' in err
+    assert main(["curve", problem]) == 0
+
+
+def test_progress_appears_when_it_takes_long(monkeypatch):
+    from mdrcontact.cli import solve
+    from mdrcontact.problem import load
+
+    class Terminal(io.StringIO):
+        def isatty(self):
+            return True
+
+    problem = load(PROBLEMS[0])
+    for patience, shown in ((0.0, True), (60.0, False)):
+        terminal = Terminal()
+        monkeypatch.setattr(sys, "stderr", terminal)
+        monkeypatch.setattr(solve, "_PATIENCE", patience)
+        with solve.progress(1, problem.control) as bar:
+            solve.solve(problem.contact(), problem.control, bar)
+            bar.refresh() if shown else None
+        assert ("states" in terminal.getvalue()) == shown

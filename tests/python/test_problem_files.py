@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Problem files: what they say, units, and every kind of fault in them."""
+
+import math
+
+import pytest
+from conftest import ROOT
+
+import mdrcontact as mdr
+from mdrcontact.problem import ProblemError, load, read
+from mdrcontact.problem.units import ANGLE, FORCE, LENGTH, MODULUS, UnitError, parse, practical
+
+GOOD = """
+[indenter]
+shape = "sphere"
+radius = "10 um"
+[medium]
+type = "coated"
+model = "gao"
+[medium.coating]
+E = "72 GPa"
+nu = 0.17
+thickness = "500 nm"
+[medium.substrate]
+E = "163 GPa"
+nu = 0.22
+[compute]
+max_depth = "100 nm"
+points = 4
+"""
+
+
+def _load(tmp_path, text):
+    path = tmp_path / "problem.toml"
+    path.write_text(text, encoding="utf-8")
+    return load(path)
+
+
+def test_a_good_file(tmp_path):
+    problem = _load(tmp_path, GOOD)
+    assert problem.title == "problem"
+    assert problem.indenter == mdr.Sphere(1e-5)
+    assert problem.medium == mdr.Coated(mdr.Elastic(72e9, 0.17), 5e-7, mdr.Elastic(163e9, 0.22), "gao")
+    assert problem.control.name == "depth"
+    assert problem.control.values == pytest.approx([25e-9, 50e-9, 75e-9, 100e-9], rel=1e-14)
+
+
+def test_units_in_the_key_say_the_same(tmp_path):
+    other = GOOD.replace('radius = "10 um"', "radius_um = 10").replace('thickness = "500 nm"', "thickness_nm = 500.0")
+    other = other.replace('E = "72 GPa"', "E_GPa = 72").replace('max_depth = "100 nm"', "max_depth_um = 0.1")
+    one, two = _load(tmp_path, GOOD), _load(tmp_path, other)
+    assert two.indenter.radius == pytest.approx(one.indenter.radius, rel=1e-15)
+    assert two.medium.thickness == pytest.approx(one.medium.thickness, rel=1e-15)
+    assert pytest.approx(one.medium.coating.E, rel=1e-15) == two.medium.coating.E
+    assert two.control.values == pytest.approx(one.control.values, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "value"),
+    [
+        ("500 nm", LENGTH, 5e-7),
+        ("500nm", LENGTH, 5e-7),
+        ("0.5 \N{MICRO SIGN}m", LENGTH, 5e-7),
+        ("0.5 \N{GREEK SMALL LETTER MU}m", LENGTH, 5e-7),
+        ("5e-4 mm", LENGTH, 5e-7),
+        ("12 angstrom", LENGTH, 1.2e-9),
+        (" 70 GPa ", MODULUS, 7e10),
+        ("70e3 N/mm^2", MODULUS, 7e10),
+        ("2 mN", FORCE, 2e-3),
+        ("180 deg", ANGLE, math.pi),
+        ("0.3 rad", ANGLE, 0.3),
+    ],
+)
+def test_quantities(text, dimension, value):
+    assert parse(text, dimension) == pytest.approx(value, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "words"),
+    [
+        ("500", LENGTH, "no unit.*500 nm"),
+        ("500 GPa", LENGTH, "'GPa' is not a unit of a length.*500 nm"),
+        ("70 nm", MODULUS, "is not a unit of a modulus.*70 GPa"),
+        ("70 Gpa", MODULUS, "no unit 'Gpa': did you mean 'GPa'"),
+        ("5 nmm", LENGTH, "did you mean 'nm'"),
+        ("five nm", LENGTH, "is not a length"),
+        ("", LENGTH, "is not a length"),
+        ("nm", LENGTH, "is not a length"),
+        ("1 nm 2", LENGTH, "."),
+        ("0x10 nm", LENGTH, "."),
+        ("1 + 1 nm", LENGTH, "."),
+        ("20 nm", ANGLE, "is not a unit of an angle"),
+        ("20", ANGLE, "no unit"),
+        ("20 percent", ANGLE, "is not a unit of an angle"),
+        ("1 __import__('os')", LENGTH, "."),
+        ("1 nm**nm", LENGTH, "."),
+    ],
+)
+def test_texts_that_are_no_quantities(text, dimension, words):
+    with pytest.raises(UnitError, match=words):
+        parse(text, dimension)
+
+
+def test_practical_units():
+    assert practical(LENGTH, [1e-9, 9.99e-7]).name == "nm"
+    assert practical(LENGTH, [1e-6]).name == "um"
+    assert practical(LENGTH, [0.1 + 0.2 - 0.3 + 1e-6]).name == "um"
+    assert practical(FORCE, [2e-3]) == ("mN", 1e-3)
+    assert practical(MODULUS, [math.inf, 7e10]).name == "GPa"
+    assert practical(LENGTH, [0.0]).name == "m"
+    assert practical(LENGTH, [1e-30]).name == "pm"
+
+
+FAULTS = [
+    ("[indenter]", "[indentor]", r"unknown key 'indentor': did you mean 'indenter'\?"),
+    ('shape = "sphere"', 'shape = "spere"', r"\[indenter\]: shape = 'spere' is not allowed: did you mean 'sphere'\?"),
+    ('shape = "sphere"', "shape = 3", r"shape = 3 is not allowed"),
+    ('shape = "sphere"', "", r"\[indenter\]: the key 'shape' is missing"),
+    ('radius = "10 um"', "", r"\[indenter\]: the key 'radius' is missing: write it as in radius = \"500 nm\""),
+    ('radius = "10 um"', 'raduis = "10 um"', r"\[indenter\]: unknown key 'raduis': did you mean 'radius'\?"),
+    ('radius = "10 um"', "radius = 10", r"radius = 10 has no unit: write a length as in radius = \"500 nm\""),
+    ('radius = "10 um"', 'radius = "10"', r"'10' has no unit"),
+    ('radius = "10 um"', 'radius = "10 GPa"', r"radius: 'GPa' is not a unit of a length"),
+    ('radius = "10 um"', 'radius = "10 umm"', r"there is no unit 'umm': did you mean 'um'\?"),
+    ('radius = "10 um"', "radius_ux = 10", r"there is no unit 'ux'"),
+    ('radius = "10 um"', 'radius_um = "10"', r"the unit stands in the key already"),
+    ('radius = "10 um"', 'radius = "10 um"\nradius_um = 10', r"radius and radius_um say the same thing twice"),
+    ('radius = "10 um"', 'radius = ["10 um"]', r"radius = \['10 um'\] is not a length"),
+    ('radius = "10 um"', "radius = true", r"radius = True is not a length"),
+    ('radius = "10 um"', 'radius = "-10 um"', r"\[indenter\]: radius = -1\.0+E-005 is not allowed"),
+    ('radius = "10 um"', 'radius = "10 um"\ninclination = "20 deg"', r"'inclination' does not belong to the shape 'sphere'"),
+    ('radius = "10 um"', 'radius = "10 um"\n[indenter.material]\nE = "1141 GPa"\nnu = 0.07', r"exact on a homogeneous medium only"),
+    ('type = "coated"', 'type = "caoted"', r"did you mean 'coated'\?"),
+    ('type = "coated"', "", r"\[medium\]: the key 'type' is missing"),
+    ('type = "coated"', 'type = "homogeneous"', r"does not belong to a medium of type 'homogeneous'"),
+    ('model = "gao"', 'model = "goa"', r"model = 'goa' is not allowed: did you mean 'gao'\?"),
+    ('model = "gao"', 'modl = "gao"', r"unknown key 'modl': did you mean 'model'\?"),
+    ('model = "gao"', 'model = "gao"\nalpha = 1.0', r"alpha is not an option of the model 'gao'"),
+    ('model = "gao"', 'model = "doerner-nix"\nalpha = "1"', r"alpha = '1' is not allowed: it must be a real number"),
+    ('model = "gao"', 'model = "garcia"', r"rigid base"),
+    ("[medium.coating]", "[medium.caoting]", r"\[medium\]: unknown key 'caoting': did you mean 'coating'\?"),
+    ("nu = 0.17", "nu = 0.7", r"\[medium.coating\]: nu = 0.7 is not allowed"),
+    ("nu = 0.17", 'nu = "0.17"', r"\[medium.coating\]: nu = '0.17' is not a number"),
+    ("nu = 0.17", "Nu = 0.17", r"unknown key 'Nu': did you mean 'nu'\?"),
+    ('E = "72 GPa"', 'E = "72 gpa"', r"there is no unit 'gpa': did you mean 'GPa'\?"),
+    ('E = "72 GPa"', 'E = "-72 GPa"', r"\[medium.coating\]: E = -7\.2.* is not allowed"),
+    ('E = "72 GPa"', "e_GPa = 72", r"unknown key 'e_GPa'"),
+    ('thickness = "500 nm"', 'thickness = "0 nm"', r"thickness = 0 is not allowed"),
+    ("[medium.substrate]", "[medium.substrat]", r"did you mean 'substrate'\?"),
+    ('[medium.substrate]\nE = "163 GPa"\nnu = 0.22', "", r"\[medium.substrate\] is missing"),
+    ("[compute]", "[computes]", r"did you mean 'compute'\?"),
+    ('[compute]\nmax_depth = "100 nm"\npoints = 4', "", r"the table \[compute\] is missing"),
+    ('max_depth = "100 nm"', "", r"give one of max_depth, max_force, max_radius"),
+    ('max_depth = "100 nm"', 'max_depth = "100 nm"\nmax_force = "1 mN"', r"max_depth and max_force"),
+    ('max_depth = "100 nm"', 'max_depht = "100 nm"', r"did you mean 'max_depth'\?"),
+    ('max_depth = "100 nm"', 'max_depth = "-100 nm"', r"max_depth must be greater than 0"),
+    ('max_depth = "100 nm"', 'max_depth = "100 nm"\nmin_depth = "200 nm"', r"min_depth between 0 and it"),
+    ('max_depth = "100 nm"', 'max_depth = "100 nm"\nmin_force = "1 mN"', r"'min_force' does not belong to max_depth"),
+    ('max_depth = "100 nm"\npoints = 4', 'depths = ["2 nm", "1 nm"]', r"ascending"),
+    ('max_depth = "100 nm"\npoints = 4', "depths = []", r"at least one value"),
+    ('max_depth = "100 nm"\npoints = 4', 'depths = "1 nm"', r"depths must be a list"),
+    ('max_depth = "100 nm"\npoints = 4', "depths = [1, 2]", r"depths = 1 has no unit"),
+    ("points = 4", "points = 0", r"points = 0 is not allowed: .* from 1 to"),
+    ("points = 4", "points = 4.5", r"points = 4.5 is not allowed"),
+    ("points = 4", "points = 10_000_000_000", r"points = 10000000000 is not allowed"),
+    ("points = 4", 'spacing = "lin"', r"did you mean 'linear'\?"),
+    ("points = 4", "points = ", r"not valid TOML.*line 17"),
+    ("points = 4", "points = 4\npoints = 5", r"not valid TOML"),
+]
+
+
+@pytest.mark.parametrize("number", range(len(FAULTS)))
+def test_faults_are_found_and_told(tmp_path, number):
+    old, new, words = FAULTS[number]
+    assert old in GOOD
+    with pytest.raises(ProblemError, match=words) as caught:
+        _load(tmp_path, GOOD.replace(old, new))
+    assert str(caught.value).startswith(str(tmp_path / "problem.toml"))
+    assert isinstance(caught.value, (mdr.MDRError, ValueError))
+
+
+def test_files_that_are_no_problem_files(tmp_path):
+    with pytest.raises(ProblemError, match="cannot be read: No such file"):
+        load(tmp_path / "nowhere.toml")
+    with pytest.raises(ProblemError, match="cannot be read"):
+        load(tmp_path)
+    path = tmp_path / "binary.toml"
+    path.write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(ProblemError, match="not a text file in UTF-8"):
+        load(path)
+    for text in ("", "indenter = 3\n", "[indenter]\n"):
+        with pytest.raises(ProblemError):
+            _load(tmp_path, text)
+
+
+RADIUS = {"radius": "5 um"}
+SHAPES = [
+    ({"shape": "paraboloid", **RADIUS}, mdr.Paraboloid(5e-6)),
+    ({"shape": "sphere", **RADIUS}, mdr.Sphere(5e-6)),
+    ({"shape": "flat-punch", **RADIUS}, mdr.FlatPunch(5e-6)),
+    ({"shape": "cone", "inclination": "0.3 rad"}, mdr.Cone(0.3)),
+    ({"shape": "cone", "half_angle_deg": 70.3}, mdr.Cone(half_angle=70.3, degrees=True)),
+    ({"shape": "power-law", "exponent": 3, "coefficient": 1e-8, "length_unit": "nm"}, mdr.PowerLaw(3.0, 1e10)),
+    ({"shape": "flat-ended-cone", "end_radius": "1 um", "inclination": "0.3 rad"}, mdr.FlatEndedCone(1e-6, 0.3)),
+    ({"shape": "flat-ended-paraboloid", "end_radius": "1 um", **RADIUS}, mdr.FlatEndedParaboloid(1e-6, 5e-6)),
+    ({"shape": "rounded-cone", "blend_radius": "1 um", "inclination": "0.3 rad"}, mdr.RoundedCone(1e-6, 0.3)),
+    ({"shape": "berkovich"}, mdr.Berkovich()),
+    ({"shape": "vickers"}, mdr.Vickers()),
+    ({"shape": "cube-corner"}, mdr.CubeCorner()),
+    (
+        {"shape": "area-function", "coefficients": [24.5, 200, 3], "length_unit": "nm", "max_height": "1 um"},
+        mdr.AreaFunction([24.5, 200e-9, 3 * (1e-9) ** 1.5], 1e-6),
+    ),
+    ({"shape": "table", "r_um": [0, 1, 2], "f_nm": [0, 100, 400]}, mdr.TabulatedProfile([0, 1e-6, 2e-6], [0, 1e-7, 4e-7])),
+]
+
+
+@pytest.mark.parametrize(("table", "expected"), SHAPES, ids=lambda thing: thing.get("shape") if isinstance(thing, dict) else "")
+def test_every_shape(table, expected):
+    problem = read({"indenter": table, "medium": MEDIA[0][0], "compute": {"max_depth": "1 nm"}})
+    assert type(problem.indenter) is type(expected)
+    r = [1e-7, 5e-7]
+    assert problem.indenter.height(r) == pytest.approx(expected.height(r), rel=1e-12)
+
+
+SOFT, HARD = {"E": "2 MPa", "nu": 0.5}, {"E_GPa": 70, "nu": 0.2}
+_SOFT, _HARD = mdr.Elastic(2e6, 0.5), mdr.Elastic(70e9, 0.2)
+MEDIA = [
+    ({"type": "homogeneous", "material": SOFT}, mdr.Homogeneous(_SOFT)),
+    (
+        {"type": "coated", "model": "doerner-nix", "alpha": 0.9, "coating": {**SOFT, "thickness": "1 um"}, "substrate": HARD},
+        mdr.Coated(_SOFT, 1e-6, _HARD, "doerner-nix", alpha=0.9),
+    ),
+    (
+        {"type": "coated", "weight_nu": "effective", "coating": {**SOFT, "thickness": "1 um"}, "substrate": HARD},
+        mdr.Coated(_SOFT, 1e-6, _HARD, weight_nu="effective"),
+    ),
+    (
+        {"type": "coated", "model": "garcia", "coating": {**SOFT, "thickness": "1 um"}, "substrate": "rigid"},
+        mdr.Coated(_SOFT, 1e-6, mdr.RIGID, "garcia"),
+    ),
+    (
+        {"type": "layered", "layer": [{**SOFT, "thickness": "1 um"}, {**HARD, "thickness": "2 um"}], "substrate": SOFT},
+        mdr.Layered([(_SOFT, 1e-6), (_HARD, 2e-6)], _SOFT),
+    ),
+    ({"type": "graded", "z_um": [0, 1], "E_GPa": [1, 2], "nu": 0.3}, mdr.Graded([0, 1e-6], [1e9, 2e9], 0.3)),
+    ({"type": "graded", "z_um": [0, 1], "E_GPa": [1, 2], "nu": [0.3, 0.2]}, mdr.Graded([0, 1e-6], [1e9, 2e9], [0.3, 0.2])),
+    (
+        {"type": "power-law-graded", "E0": "1 GPa", "z0": "1 um", "exponent": 0.3, "nu": 0.3},
+        mdr.PowerLawGraded(1e9, 1e-6, 0.3, 0.3),
+    ),
+    ({"type": "table", "a_um": [1, 2, 3], "modulus_GPa": [1, 2, 3]}, mdr.TabulatedMedium([1e-6, 2e-6, 3e-6], [1e9, 2e9, 3e9])),
+]
+
+
+@pytest.mark.parametrize("number", range(len(MEDIA)))
+def test_every_medium(number):
+    table, expected = MEDIA[number]
+    medium = read({"indenter": SHAPES[0][0], "medium": table, "compute": {"max_depth": "1 nm"}}).medium
+    assert type(medium) is type(expected)
+    assert medium.modulus([1.5e-6, 2e-6]) == pytest.approx(expected.modulus([1.5e-6, 2e-6]), rel=1e-12)
+    assert repr(medium)[:20] == repr(expected)[:20]
+
+
+def test_an_elastic_indenter_on_a_homogeneous_medium():
+    problem = read(
+        {"indenter": {**SHAPES[0][0], "material": HARD}, "medium": MEDIA[0][0], "compute": {"max_depth": "1 nm"}}
+    )
+    assert problem.medium == mdr.Homogeneous(_SOFT, indenter=_HARD)
+
+
+@pytest.mark.parametrize(
+    ("table", "name", "values"),
+    [
+        ({"max_force": "2 mN", "points": 2}, "force", [1e-3, 2e-3]),
+        ({"max_radius_um": 3, "points": 3}, "radius", [1e-6, 2e-6, 3e-6]),
+        ({"max_depth": "100 nm", "min_depth": "1 nm", "points": 3, "spacing": "log"}, "depth", [1e-9, 1e-8, 1e-7]),
+        ({"max_depth": "100 nm", "points": 4, "spacing": "log"}, "depth", [1e-10, 1e-9, 1e-8, 1e-7]),
+        ({"max_depth": "100 nm", "points": 1}, "depth", [1e-7]),
+        ({"depths": ["1 nm", "1 um"]}, "depth", [1e-9, 1e-6]),
+        ({"forces_mN": [1, 3]}, "force", [1e-3, 3e-3]),
+        ({"radii_nm": [100, 200]}, "radius", [1e-7, 2e-7]),
+    ],
+)
+def test_every_way_to_say_what_to_compute(table, name, values):
+    control = read({"indenter": SHAPES[0][0], "medium": MEDIA[0][0], "compute": table}).control
+    assert control.name == name
+    assert control.values == pytest.approx(values, rel=1e-12)
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "examples" / "problems").glob("*.toml")), ids=lambda p: p.stem)
+def test_example_problems_are_good(path):
+    problem = load(path)
+    state = problem.control.states(problem.contact())
+    assert problem.title != path.stem
+    assert (state.force > 0).all()
