@@ -119,6 +119,7 @@ contains
         do round = 1, most_rounds
             if (propagates .and. round <= propagation_rounds) call residuals%propagate_readings(u, error)
             if (allocated(error)) return
+            residuals%readings_norm = norm2(residuals%data%y/(residuals%sd*residuals%noise))
             call search(residuals, u, outcome, fit, error)
             if (allocated(error)) return
             if (propagates .and. round < propagation_rounds) cycle

@@ -21,8 +21,8 @@ module mdrcontact_fit_least_squares
 
     !> Half of what one more Newton step would gain, in units of the mean square of the residuals.
     real(wp), parameter :: negligible_gain = 1.0e-8_wp
-    !> Sums of squares this much smaller than at the start are an exact fit: noise-free data.
-    real(wp), parameter :: exact_fit = 1.0e-22_wp
+    !> Residuals this small against the readings are an exact fit, as far as the model itself is exact: noise-free data.
+    real(wp), parameter :: exact_fit = 1.0e-8_wp
     !> Steps in the internal variables for the central differences of the Jacobian.
     real(wp), parameter :: difference_step = 1.0e-4_wp
     !> Refused steps in a row are as good as no progress after so many.
@@ -32,6 +32,8 @@ module mdrcontact_fit_least_squares
     type, abstract :: residuals_t
         integer :: n = 0, p = 0
         integer :: evaluations = 0
+        !> norm of the readings in the units of the residuals
+        real(wp) :: readings_norm = 0.0_wp
         !> norm of the residuals at the start; set by minimize
         real(wp) :: start_norm = 0.0_wp
         !> why the last evaluation failed
@@ -110,7 +112,7 @@ contains
                                        int(residuals%n, c_size_t), int(residuals%p, c_size_t), c_loc(carrier), 0, 0, 0)
         start = gsl_vector(int(residuals%p, c_size_t), 1_c_size_t, c_loc(u), c_null_ptr, 0_c_int)
         if (gsl_multifit_nlinear_init(start, c_loc(fdf), workspace) == gsl_success) then
-            call iterate(workspace, max_iterations, residuals%start_norm, outcome)
+            call iterate(workspace, max_iterations, (exact_fit*residuals%readings_norm)**2, outcome)
         else
             allocate (outcome%r(residuals%n), outcome%jacobian(residuals%n, residuals%p))
             outcome%r = r
@@ -121,21 +123,21 @@ contains
         if (allocated(residuals%error)) deallocate (residuals%error)
     end subroutine minimize
 
-    subroutine iterate(workspace, max_iterations, start_norm, outcome)
+    subroutine iterate(workspace, max_iterations, exact_sum, outcome)
         type(c_ptr), intent(in) :: workspace
         integer, intent(in) :: max_iterations
-        real(wp), intent(in) :: start_norm
+        !> a sum of squares that is an exact fit
+        real(wp), intent(in) :: exact_sum
         type(outcome_t), intent(inout) :: outcome
-        real(wp) :: sum_of_squares, before
+        real(wp) :: sum_of_squares
         integer(c_int) :: status
         integer :: refusals
 
         call read_state(workspace, outcome)
-        before = huge(1.0_wp)
         refusals = 0
         do
             sum_of_squares = sum(outcome%r**2)
-            outcome%converged = is_at_minimum(outcome, sum_of_squares) .or. sum_of_squares <= exact_fit*start_norm**2
+            outcome%converged = is_at_minimum(outcome, sum_of_squares) .or. sum_of_squares <= exact_sum
             if (outcome%converged .or. outcome%iterations >= max_iterations) return
             status = gsl_multifit_nlinear_iterate(workspace)
             outcome%iterations = outcome%iterations + 1
@@ -144,11 +146,10 @@ contains
                 ! no step lowers the sum: at the minimum but for rounding, or stuck
                 sum_of_squares = sum(outcome%r**2)
                 outcome%converged = newton_decrement(outcome%jacobian, outcome%r) <= 1.0e4_wp*negligible_gain &
-                                    *sum_of_squares/size(outcome%r) .or. sum_of_squares <= 1.0e4_wp*exact_fit*start_norm**2
+                                    *sum_of_squares/size(outcome%r) .or. sum_of_squares <= exact_sum
                 if (status == gsl_enoprog .or. refusals >= most_refusals) return
                 refusals = refusals + 1
             end if
-            before = sum_of_squares
         end do
     end subroutine iterate
 

@@ -7,8 +7,8 @@ module mdrcontact_fit_variables
     use mdrcontact_error, only: entry_name, error_invalid, error_t, raise, to_text
     use mdrcontact_fit_body, only: fit_body_t, indenter_count, medium_count
     use mdrcontact_fit_medium_of, only: medium_graded, medium_homogeneous, medium_power_graded, medium_stack
-    use mdrcontact_fit_problem, only: at_depth_offset, at_force_offset, at_frame_compliance, fit_data_t, fit_problem_t, &
-                                      instrument_numbers
+    use mdrcontact_fit_problem, only: at_depth_offset, at_force_offset, at_frame_compliance, data_force_depth, &
+                                      data_stiffness_depth, fit_data_t, fit_problem_t, instrument_numbers
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -60,7 +60,7 @@ contains
                                " is not allowed: Poisson's ratio must be greater than -1 and at most 0.5")
                 end if
             case (signed)
-                self%scale(i) = typical(j - instrument, self%start(i), data)
+                self%scale(i) = typical(j - instrument, self%start(i), problem%data_kind, data)
             case default
                 if (.not. self%start(i) > 0.0_wp) then
                     call raise(error, error_invalid, entry_name("parameters", j)//" = "//to_text(self%start(i))// &
@@ -93,10 +93,11 @@ contains
     end function natures
 
     !> The scale of a number of either sign.
-    pure function typical(position, start, data) result(scale)
+    pure function typical(position, start, data_kind, data) result(scale)
         !> among the instrument's numbers; less than 1 for others
         integer, intent(in) :: position
         real(wp), intent(in) :: start
+        integer, intent(in) :: data_kind
         type(fit_data_t), intent(in) :: data
         real(wp) :: scale
 
@@ -105,10 +106,10 @@ contains
             scale = maxval(abs(data%x))
         case (at_force_offset)
             scale = maxval(abs(data%y))
-            if (allocated(data%force)) scale = maxval(abs(data%force))
+            if (data_kind == data_stiffness_depth) scale = maxval(abs(data%force))
         case (at_frame_compliance)
             ! of the order of the sample's own compliance
-            if (allocated(data%force)) then
+            if (data_kind /= data_force_depth) then
                 scale = 1.0_wp/maxval(abs(data%y))
             else
                 scale = maxval(abs(data%x))/maxval(abs(data%y))
