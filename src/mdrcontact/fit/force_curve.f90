@@ -20,6 +20,8 @@ module mdrcontact_fit_force_curve
     !> A panel in ln a is not halved below this width: a kink of a tabulated shape is then resolved well enough.
     real(wp), parameter :: narrowest = 1.0e-3_wp
     integer, parameter :: most_newton = 60
+    !> Panels in ln a that resolve a film.
+    real(wp), parameter :: usual_panel = 1.2_wp
 
     type :: force_curve_t
         private
@@ -46,7 +48,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: breaks(:)
         real(wp) :: first, last
-        integer :: i
+        integer :: i, count
 
         if (equilibrium%profile%end_radius() >= equilibrium%last_radius) then
             allocate (self%wall)
@@ -64,6 +66,11 @@ contains
         breaks = equilibrium%profile%break_radii()
         breaks = [(equilibrium%coordinate_of(breaks(i)), i=1, size(breaks))]
         breaks = [first, pack(breaks, breaks > first + narrowest .and. breaks < last - narrowest), last]
+        if (size(breaks) == 2) then
+            ! panels that are resolved as a rule; a larger one would be sampled in vain
+            count = ceiling((last - first)/usual_panel)
+            breaks = [(first + (last - first)*i/count, i=0, count)]
+        end if
         call trace(self, equilibrium, breaks, error)
         if (.not. allocated(error) .and. .not. self%logarithmic) call cut_at_pull_off(self)
     end subroutine new_force_curve
@@ -226,7 +233,7 @@ contains
         if (self%logarithmic) x = log(d)
         low = 1
         high = size(self%edges)
-        if (x > self%depths(high) + 1.0e-6_wp*abs(self%depths(high))) reached = .false.
+        if (x > self%depths(high) + 1.0e-6_wp*(self%depths(high) - self%depths(1))) reached = .false.
         do while (high - low > 1)
             middle = (low + high)/2
             if (x < self%depths(middle)) then

@@ -23,8 +23,8 @@ module mdrcontact_fit_least_squares
     real(wp), parameter :: negligible_gain = 1.0e-8_wp
     !> Residuals this small against the readings are an exact fit, as far as the model itself is exact: noise-free data.
     real(wp), parameter :: exact_fit = 1.0e-8_wp
-    !> Steps in the internal variables for the central differences of the Jacobian.
-    real(wp), parameter :: difference_step = 1.0e-4_wp
+    !> Steps in the internal variables for the differences of the Jacobian: far above the model's rounding, far below its curvature.
+    real(wp), parameter :: difference_step = 1.0e-5_wp
     !> Refused steps in a row are as good as no progress after so many.
     integer, parameter :: most_refusals = 3
 
@@ -38,7 +38,10 @@ module mdrcontact_fit_least_squares
         real(wp) :: start_norm = 0.0_wp
         !> why the last evaluation failed
         type(error_t), allocatable :: error
+        !> the unknowns of the last step and their residuals, from which differences are taken
+        real(wp), allocatable :: last_u(:), last_r(:)
     contains
+        procedure :: evaluate_counted
         procedure(residual_vector), deferred :: evaluate
         procedure(neighbours_of), deferred :: neighbours
     end type residuals_t
@@ -93,12 +96,15 @@ contains
         real(wp) :: r(residuals%n)
 
         call disable_gsl_abort()
-        call residuals%evaluate(u, r)
+        if (allocated(residuals%last_u)) deallocate (residuals%last_u)
+        call residuals%evaluate_counted(u, r)
         if (allocated(residuals%error)) then
             error = residuals%error
             return
         end if
         residuals%start_norm = norm2(r)
+        residuals%last_u = u
+        residuals%last_r = r
         parameters = gsl_multifit_nlinear_default_parameters()
         parameters%solver = gsl_multifit_nlinear_solver_qr
         workspace = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, parameters, int(residuals%n, c_size_t), &
@@ -209,10 +215,16 @@ contains
         real(wp), intent(in) :: u(:)
         real(wp), intent(out) :: r(:)
 
-        if (allocated(residuals%error)) deallocate (residuals%error)
-        call residuals%evaluate(u, r)
-        residuals%evaluations = residuals%evaluations + 1
+        if (allocated(residuals%last_u)) then
+            if (all(residuals%last_u == u)) then
+                r = residuals%last_r
+                return
+            end if
+        end if
+        call residuals%evaluate_counted(u, r)
         if (allocated(residuals%error)) r = 1.0e3_wp*(residuals%start_norm + 1.0_wp)
+        residuals%last_u = u
+        residuals%last_r = r
     end subroutine residuals_or_penalty
 
     function jacobian_callback(x, params, j) result(status) bind(C)
@@ -233,42 +245,40 @@ contains
         status = gsl_success
     end function jacobian_callback
 
-    !> Central differences, one-sided at a bound or where the model has no value on one side.
+    !> Forward differences from the residuals of the step just taken; backward at a bound or where the model has no value ahead.
     subroutine differences(residuals, u, jacobian)
         class(residuals_t), intent(inout) :: residuals
         real(wp), intent(in) :: u(:)
         real(wp), intent(out) :: jacobian(:, :)
-        real(wp) :: v(size(u)), low(residuals%n), high(residuals%n), below, above
+        real(wp) :: base(residuals%n), moved(residuals%n), v(size(u)), below, above
         integer :: i
 
+        call residuals_or_penalty(residuals, u, base)
         do i = 1, size(u)
             jacobian(:, i) = 0.0_wp
             call residuals%neighbours(u, i, difference_step, below, above)
             v = u
-            v(i) = below
-            call one_value(residuals, u, v, i, low)
-            below = v(i)
             v(i) = above
-            call one_value(residuals, u, v, i, high)
-            above = v(i)
-            if (above > below) jacobian(:, i) = (high - low)/(above - below)
+            if (above > u(i)) call residuals%evaluate_counted(v, moved)
+            if (.not. above > u(i) .or. allocated(residuals%error)) then
+                v(i) = below
+                if (.not. below < u(i)) cycle
+                call residuals%evaluate_counted(v, moved)
+                if (allocated(residuals%error)) cycle
+            end if
+            jacobian(:, i) = (moved - base)/(v(i) - u(i))
         end do
     end subroutine differences
 
-    !> r(v), or r(u) with v(i) moved back to u(i) where the model has no value at v.
-    subroutine one_value(residuals, u, v, i, r)
-        class(residuals_t), intent(inout) :: residuals
+    !> One evaluation, with a clean slate.
+    subroutine evaluate_counted(self, u, r)
+        class(residuals_t), intent(inout) :: self
         real(wp), intent(in) :: u(:)
-        real(wp), intent(inout) :: v(:)
-        integer, intent(in) :: i
         real(wp), intent(out) :: r(:)
 
-        if (allocated(residuals%error)) deallocate (residuals%error)
-        call residuals%evaluate(v, r)
-        residuals%evaluations = residuals%evaluations + 1
-        if (.not. allocated(residuals%error)) return
-        v(i) = u(i)
-        call residuals_or_penalty(residuals, v, r)
-    end subroutine one_value
+        if (allocated(self%error)) deallocate (self%error)
+        call self%evaluate(u, r)
+        self%evaluations = self%evaluations + 1
+    end subroutine evaluate_counted
 
 end module mdrcontact_fit_least_squares
