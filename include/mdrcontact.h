@@ -546,6 +546,55 @@ int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy);
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *l is not a loop */
 int mdr_loop_free(mdr_loop **l);
 
+/* ---- laterally heterogeneous structures (theory 7) ----------------------------------------------------------- */
+typedef struct mdr_structure mdr_structure;   /* made by mdr_structure_{shapes,voxels,callback}, ended by mdr_structure_free;
+                                                 never changes: any number of threads may share it */
+/* E [modulus] > 0 and nu, -1 < nu <= 1/2, at a point of the half-space z > 0. Returns 0, or another value to report failure.
+   Kept by the structure and called in every evaluation, from the calling thread. */
+typedef int (*mdr_field)(double x, double y, double z, double *E, double *nu, void *context);
+
+enum mdr_shape {                       /* 7 parameters for each shape, those not named here are ignored; lengths */
+    MDR_SHAPE_LAYER = 0,               /* z_top, z_bottom (INFINITY is allowed) */
+    MDR_SHAPE_HALF_SPACE = 1,          /* point x, y, z on the interface; normal x, y, z into the material */
+    MDR_SHAPE_SPHERE = 2,              /* centre x, y, z; radius */
+    MDR_SHAPE_FIBRE = 3,               /* point x, y, z on the axis; direction x, y, z; radius: endless round cylinder */
+    MDR_SHAPE_PILLAR = 4,              /* axis x, y; radius; z_top, z_bottom (INFINITY is allowed): upright round cylinder */
+    MDR_SHAPE_BOX = 5                  /* x_low, x_high, y_low, y_high, z_top, z_bottom */
+};
+typedef struct mdr_structure_options {
+    double reference_nu;               /* Poisson's ratio of the weights; NAN (default): the background's, or the mean over all voxels */
+    double tolerance;                  /* shapes: relative error of G_eff and nu_eff, 1e-10 ... 0.1, default 1e-5 */
+    int padded;                        /* voxels: 0 (default) the array repeats itself in x and y, else beside_E, beside_nu lie beside it */
+    int images;                        /* voxels that repeat: periods that count cell by cell, default 1 */
+    double beside_E, beside_nu;
+    double origin[2];                  /* voxels: x and y of the array's lower corner, default 0 [length] */
+} mdr_structure_options;
+void mdr_structure_options_init(mdr_structure_options *options);
+
+/* n bodies in a background; where they overlap, the later one is there */
+int mdr_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[/* n*7 */],
+                         const double shape_E[], const double shape_nu[], const mdr_structure_options *options, mdr_structure **out);
+/* cell (i, j, k) has the phase labels[(k*size[1] + j)*size[0] + i], 0 ... phases-1, and fills the depths k*spacing[2] ... (k+1)*spacing[2];
+   a half-space of below_E, below_nu lies under the array */
+int mdr_structure_voxels(const int size[3], const int labels[], int phases, const double E[], const double nu[], const double spacing[3],
+                         double below_E, double below_nu, const mdr_structure_options *options, mdr_structure **out);
+int mdr_structure_callback(mdr_field field, void *context, double reference_nu, double tolerance, mdr_structure **out);
+/* E_eff(a, x, y) = 2 G_eff/(1 - nu_eff), equation (33), for contacts of radius a[i] at (x[i], y[i]): points, lines, many radii [modulus] */
+int mdr_structure_modulus(const mdr_structure *s, int n, const double x[], const double y[], const double a[], double out[]);
+/* the medium an indenter meets at (x, y): E_eff at so many radii, evenly spaced in ln a; the structure may be freed afterwards */
+int mdr_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius, int points,
+                         mdr_medium **out);
+int mdr_structure_free(mdr_structure **s);
+
+/* weights of G (shear) and of nu (poisson), densities with integral 1 over the half-space, at distances rho and depths z in units of a */
+int mdr_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[]);
+/* their integrals over the cells between lines x[0 ... nx], y[0 ... ny] (ascending, relative to the contact's axis) and depths
+   z_top ... z_bottom: shear[j*nx + i], poisson[j*nx + i] */
+int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx, const double x[], int ny, const double y[],
+                      double shear[], double poisson[]);
+/* a rule for smooth structures: 6 order^3 points (x, y, z) in units of a and their weights (shear, poisson) */
+int mdr_lateral_rule(int order, double nu, double points[/* n*3 */], double weights[/* n*2 */]);
+
 /* ---- fit: from measured data to the numbers of indenter, medium and instrument --------------------------------- */
 enum mdr_fit_data_kind {               /* what x and y are */
     MDR_FIT_FORCE_DEPTH = 1,           /* indentation depth, force */

@@ -22,6 +22,15 @@ module mdrcontact
                                       data_modulus_radius, data_stiffness_depth, data_stiffness_radius, fit_data_t, &
                                       fit_parameter_t, fit_problem_t, instrument_numbers, loss_cauchy, loss_huber, loss_linear
     use mdrcontact_kinds, only: wp
+    use mdrcontact_lateral_density, only: deviatoric_weight, lateral_density, volumetric_weight
+    use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
+    use mdrcontact_lateral_medium, only: new_lateral_medium
+    use mdrcontact_lateral_shape, only: new_shape, shape_box, shape_fibre, shape_half_space, shape_layer, shape_pillar, &
+                                        shape_sphere, shape_t
+    use mdrcontact_lateral_shapes, only: new_shapes, shapes_t
+    use mdrcontact_lateral_structure, only: structure_t
+    use mdrcontact_lateral_voxels, only: new_voxels, voxels_t
+    use mdrcontact_layered_exact, only: layered_exact_t, new_graded_exact, new_graded_exact_from_functions, new_layered_exact
     use mdrcontact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t

@@ -7,9 +7,10 @@ module mdrcontact_api_layered
     use mdrcontact_api_exact, only: deliver_exact
     use mdrcontact_api_handles, only: deliver_medium
     use mdrcontact_api_medium_options, only: gao_options, medium_options_t, model_exact, model_gao, &
-                                             model_gao_series, raise_model
+                                             model_gao_series, options_or_defaults, raise_model
     use mdrcontact_api_status, only: check_memory
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_layered_exact, only: layered_exact_t, new_graded_exact, new_graded_exact_from_functions
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium_gao, only: gao_t, new_gao_layered
     use mdrcontact_medium_graded, only: graded_t, new_graded, new_graded_from_functions
@@ -60,13 +61,21 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(graded_t) :: medium
+        type(layered_exact_t) :: exact
+        type(medium_options_t) :: chosen
         type(error_t), allocatable :: error
 
         call check_count(error, n)
         call check_array(error, "z", n, present(z))
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))
-        call check_model(error, model, "MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES")
+        if (model == model_exact) then
+            chosen = options_or_defaults(options)
+            if (.not. allocated(error)) call new_graded_exact(exact, z(:n), e(:n), nu(:n), error, chosen%tolerance)
+            status = deliver_medium(exact, out, error)
+            return
+        end if
+        call check_model(error, model, "MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT")
         if (.not. allocated(error)) call new_graded(medium, z(:n), e(:n), nu(:n), error, gao_options(model, options))
         status = deliver_medium(medium, out, error)
     end function mdr_medium_graded
@@ -81,11 +90,21 @@ contains
         integer(c_int) :: status
         type(c_function_t) :: young, poisson
         type(graded_t) :: medium
+        type(layered_exact_t) :: exact
+        type(medium_options_t) :: chosen
         type(error_t), allocatable :: error
 
         call new_c_function(young, "E", e, context, error)
         call new_c_function(poisson, "nu", nu, context, error)
-        call check_model(error, model, "MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES")
+        if (model == model_exact) then
+            chosen = options_or_defaults(options)
+            if (.not. allocated(error)) then
+                call new_graded_exact_from_functions(exact, young, poisson, depth, error, chosen%tolerance)
+            end if
+            status = deliver_medium(exact, out, error)
+            return
+        end if
+        call check_model(error, model, "MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT")
         if (.not. allocated(error)) then
             call new_graded_from_functions(medium, young, poisson, depth, error, gao_options(model, options))
         end if

@@ -46,7 +46,8 @@ contains
         depth = a**2/radius - sqrt(half_pi*a*work_of_adhesion/shear)
     end function coated_paraboloid_adhesive_depth
 
-    !> a_c = (pi gamma R^2/(32 G1))^(1/3), the contact radius at which an uncoated contact breaks under depth control, equation (31).
+    !> a_c = (pi gamma R^2/(32 G1))^(1/3), the contact radius at which an uncoated contact breaks under depth control,
+    !> equation (31).
     elemental function adhesive_radius_scale(radius, substrate_shear, work_of_adhesion) result(scale)
         !> R [length], G1 [modulus], gamma [modulus length], all > 0
         real(wp), intent(in) :: radius, substrate_shear, work_of_adhesion

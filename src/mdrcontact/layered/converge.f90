@@ -20,7 +20,8 @@ module mdrcontact_layered_converge
     !> Where to begin: contacts small against the kernel's width, and others.
     integer, parameter :: first_small = 1, first_large = 2
     real(wp), parameter :: small = 0.3_wp
-    !> Where the kernel is much narrower than the contact, the edge is resolved to a fraction of it that shrinks by so many octaves from
+    !> Where the kernel is much narrower than the contact, the edge is resolved to a fraction of it that shrinks by so many
+    !> octaves from
     !> one grid to the next: what varies there matters little, and the comparison tells when it does.
     integer, parameter :: finest_octave = 5
     !> Rounding of the matrix relative to 1, as its smooth modes see it: measured, with a factor to spare.

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The exact layered medium (theory 6): no approximation in contact radius, depth or stiffness.
 !>
-!> Once made, the medium holds its kernel; a contact radius then costs a small symmetric positive definite system. Results meet the stated
+!> Once made, the medium holds its kernel; a contact radius then costs a small symmetric positive definite system. Results
+!> meet the stated
 !> relative tolerance, or an error says that they do not.
 module mdrcontact_layered_exact
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Line load, pressure and surface displacement from a solution of the springs' equation.
 !>
-!> q = E0* (d - g + s) with s = d (q_1 - 1) - v smooth: the part d - g belongs to a half-space of the surface material and is left to it; this module adds
+!> q = E0* (d - g + s) with s = d (q_1 - 1) - v smooth: the part d - g belongs to a half-space of the surface material and is
+!> left to it; this module adds
 !> what s does. s is kept as Legendre series on the panels, on the first one in x^2 since it is even.
 module mdrcontact_layered_fields
     use mdrcontact_kinds, only: pi, wp
@@ -142,7 +143,8 @@ contains
         pressure = pressure/pi
     end function smooth_pressure
 
-    !> (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx [length], with w(x) = (1/pi) int_0^a [X(x-s) + X(x+s)] q(s)/E0* ds the springs' displacement beyond the contact.
+    !> (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx [length], with w(x) = (1/pi) int_0^a [X(x-s) + X(x+s)] q(s)/E0* ds the springs'
+    !> displacement beyond the contact.
     function displacement_beyond(kernel, rule, solution, grid_rule, load, depth, r) result(u)
         type(kernel_t), intent(in) :: kernel
         !> any rule of high order

@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A body with E(z) and nu(z) varying with depth, as a surface compliance: sublayers that thin towards the surface, each with its gradient.
+!> A body with E(z) and nu(z) varying with depth, as a surface compliance: sublayers that thin towards the surface, each with
+!> its gradient.
 !>
-!> Below the first, homogeneous sublayer (a negligible fraction of the gradient's depth) sublayers take a tenth of their depth, so that any wavelength sees
+!> Below the first, homogeneous sublayer (a negligible fraction of the gradient's depth) sublayers take a tenth of their
+!> depth, so that any wavelength sees
 !> the same number of them: those shallower than it through one power series, some forty more one by one.
 module mdrcontact_layered_graded
     use mdrcontact_error, only: check_poisson, check_positive, check_table, entry_name, error_invalid, error_t, raise, to_text

@@ -1,8 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A layer whose elastic constants vary smoothly with depth, as a power series in k of its transfer matrix.
 !>
-!> The state y = (u, w, tau/(2 G k), sigma/(2 G k)), G that of the surface, obeys dy/dz = k A(z) y, so that the matrix from the bottom of the layer
-!> to its top is a power series in k whose terms are repeated integrals of A over z. They are taken with spectral accuracy: no staircase.
+!> The state y = (u, w, tau/(2 G k), sigma/(2 G k)), G that of the surface, obeys dy/dz = k A(z) y, so that the matrix from
+!> the bottom of the layer
+!> to its top is a power series in k whose terms are repeated integrals of A over z. They are taken with spectral accuracy:
+!> no staircase.
 module mdrcontact_layered_gradient
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_rule, only: legendre, rule_t
@@ -15,7 +17,8 @@ module mdrcontact_layered_gradient
 
 contains
 
-    !> The matrix that takes values at the rule's nodes on [0, 1] to integrals from 0 to each node (rows 1 to n) and to 1 (row n + 1).
+    !> The matrix that takes values at the rule's nodes on [0, 1] to integrals from 0 to each node (rows 1 to n) and to 1
+    !> (row n + 1).
     function new_antiderivative(rule) result(matrix)
         type(rule_t), intent(in) :: rule
         real(wp) :: matrix(rule%n + 1, rule%n)

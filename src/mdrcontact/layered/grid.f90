@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Panels of the contact [0, a]: short against the kernel's width or against the distance from where the line load varies at that width.
+!> Panels of the contact [0, a]: short against the kernel's width or against the distance from where the line load varies at
+!> that width.
 !>
 !> For a >> h the line load is smooth in the interior and only a layer of width ~h is not: at the edge of the contact, and where the
 !> indenter's profile is not smooth. Panels are halved towards these radii, which takes log2(a/h) of them.

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The indenter's profile g(x) on the panels of a contact, in the kernel's units.
 !>
-!> The springs' load is q = E0* (d - g - v) with v smooth at the kernel's width whatever g is: g itself is not interpolated. Panels on which their
+!> The springs' load is q = E0* (d - g - v) with v smooth at the kernel's width whatever g is: g itself is not interpolated.
+!> Panels on which their
 !> own nodes do not resolve g (a break of the profile, a fractional power at the tip) integrate it by a finer, graded rule.
 module mdrcontact_layered_indenter
     use mdrcontact_kinds, only: wp

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The kernel X(y) = int_0^inf chi(k) cos(ky) dk of the one-dimensional springs (theory 6), tabulated once per medium.
 !>
-!> X belongs to the body alone, not to contact radius or indenter. It is tabulated on [0, unit] as a polynomial in y^2 and on half octaves
+!> X belongs to the body alone, not to contact radius or indenter. It is tabulated on [0, unit] as a polynomial in y^2 and on
+!> half octaves
 !> [unit 2^j, unit 2^(j+1)] up to where it has become its own tail, -c/y^2: any ratio of lengths takes the same few panels.
 !> Lengths in this module are in units of `unit`, X in units of 1/unit.
 module mdrcontact_layered_kernel
@@ -24,7 +25,8 @@ module mdrcontact_layered_kernel
         real(wp) :: unit = 1.0_wp
         !> X is zero: a homogeneous body
         logical :: vanishes = .true.
-        !> coefficients(:, 0): powers of 2 y^2 - 1 on [0, 1]; (:, 1 + 2 j + i): powers of the local variable in [-1, 1] on half i of octave j
+        !> coefficients(:, 0): powers of 2 y^2 - 1 on [0, 1]; (:, 1 + 2 j + i): powers of the local variable in [-1, 1] on
+        !> half i of octave j
         real(wp), allocatable :: coefficients(:, :)
         !> y^2 X(y) beyond the last octave
         real(wp) :: tail = 0.0_wp

@@ -1,8 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The interaction of the springs as a symmetric matrix: weighted kernel values, or exact integrals where a panel is longer than the kernel is wide.
+!> The interaction of the springs as a symmetric matrix: weighted kernel values, or exact integrals where a panel is longer
+!> than the kernel is wide.
 !>
 !> The unknown at node i is sqrt(w_i) q(x_i), so that H_ij = sqrt(w_i w_j) [X(x_i - x_j) + X(x_i + x_j)]/pi is symmetric and 1 + H
-!> positive definite. Between panels that are long against the kernel, H_ij is the double integral of the kernel with the panels' Lagrange
+!> positive definite. Between panels that are long against the kernel, H_ij is the double integral of the kernel with the
+!> panels' Lagrange
 !> polynomials, which equals the former where both resolve it: one integral over the difference y of the
 !> positions, on the panels of the kernel's table.
 module mdrcontact_layered_matrix
@@ -33,7 +35,8 @@ contains
         call dgemm("N", "T", size(c, 1), size(c, 2), size(a, 2), 1.0_wp, a, size(a, 1), b, size(b, 1), 0.0_wp, c, size(c, 1))
     end subroutine multiply_transposed
 
-    !> Weights at the grid's nodes that integrate (1/pi) [X(x - s) + X(x + s)] times a function of s over the contact, for one x >= a.
+    !> Weights at the grid's nodes that integrate (1/pi) [X(x - s) + X(x + s)] times a function of s over the contact, for
+    !> one x >= a.
     subroutine interaction_row(kernel, grid, rule, x, row)
         type(kernel_t), intent(in) :: kernel
         type(grid_t), intent(in) :: grid

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The same matrix as in mdrcontact_layered_matrix in longer numbers, for residuals: where the springs nearly cancel, as in a thin soft film,
+!> The same matrix as in mdrcontact_layered_matrix in longer numbers, for residuals: where the springs nearly cancel, as in a
+!> thin soft film,
 !> its smallest eigenvalues are of the order of the rounding of its entries.
 module mdrcontact_layered_matrix_long
     use mdrcontact_kinds, only: long, wp

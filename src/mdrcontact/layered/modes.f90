@@ -3,7 +3,8 @@
 !>
 !> State at a depth: displacement (u, w) and traction (tau, sigma)/(2 G k) of the Hankel components, z down. Modes
 !> decaying downward are (1, 1) e^{-kz} and (kz, kz + 3 - 4 nu) e^{-kz}, growing ones their mirror images. Decaying modes
-!> are referred to the top of the layer and growing ones to its bottom, so that no positive exponent appears; a layer thin against the
+!> are referred to the top of the layer and growing ones to its bottom, so that no positive exponent appears; a layer thin
+!> against the
 !> wavelength is carried by its transfer matrix instead, whose entries are small where they should be and not by
 !> cancellation: the compliance of a soft layer keeps its relative precision. Nothing is divided by 1 - 2 nu.
 module mdrcontact_layered_modes
@@ -118,7 +119,8 @@ contains
         series = product
     end subroutine series_product
 
-    !> What the layer's bottom adds to the compliance of a half-space of its material; exponentially small in t, to full relative precision.
+    !> What the layer's bottom adds to the compliance of a half-space of its material; exponentially small in t, to full
+    !> relative precision.
     pure function reflected_part(layer, t, below) result(part)
         type(layer_modes_t), intent(in) :: layer
         complex(wp), intent(in) :: t, below(2, 2)

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Iterative refinement of the springs' equation with residuals in longer numbers.
 !>
-!> In a thin soft film the springs nearly cancel: the smallest eigenvalues of 1 + H are sigma(1/a), down to (h/a)^3 in an incompressible film,
+!> In a thin soft film the springs nearly cancel: the smallest eigenvalues of 1 + H are sigma(1/a), down to (h/a)^3 in an
+!> incompressible film,
 !> and rounding of the matrix in working precision is amplified by their inverse. The matrix in longer numbers has the digits; its
 !> factor in working precision suffices to solve with it.
 module mdrcontact_layered_refine
@@ -21,7 +22,8 @@ module mdrcontact_layered_refine
 
 contains
 
-    !> Improves `solution` of (1 + H) solution = rhs, the columns in the variable sqrt(w) q. `converged` is false if the steps do not
+    !> Improves `solution` of (1 + H) solution = rhs, the columns in the variable sqrt(w) q. `converged` is false if the
+    !> steps do not
     !> shrink to what rounding leaves.
     subroutine refine(kernel, grid, rule, factor, rhs, solution, converged)
         type(kernel_t), intent(in) :: kernel

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The springs' equation at one contact radius, on one grid (theory 6): q + (1/pi) int [X(x-s) + X(x+s)] q ds = E0* (d - g).
 !>
-!> Two right-hand sides give everything: q_1 for d = 1 (the flat punch) and v for g, with q = E0* (d q_1 - g - v). In the kernel's unit of length.
+!> Two right-hand sides give everything: q_1 for d = 1 (the flat punch) and v for g, with q = E0* (d q_1 - g - v). In the
+!> kernel's unit of length.
 module mdrcontact_layered_solve
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dpotrf, dpotrs

@@ -1,8 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Tabulates the kernel X(y) from the surface compliance chi(k).
 !>
-!> X(y) = Re int chi(k) exp(iky) dk along a ray k = t exp(i theta) in the sector where chi is analytic: the integrand decays and hardly
-!> oscillates, at every y. For y > 0 the constant chi(0) contributes nothing, so that chi(k) - chi(0) may stand for chi(k): X keeps its
+!> X(y) = Re int chi(k) exp(iky) dk along a ray k = t exp(i theta) in the sector where chi is analytic: the integrand decays
+!> and hardly
+!> oscillates, at every y. For y > 0 the constant chi(0) contributes nothing, so that chi(k) - chi(0) may stand for chi(k): X
+!> keeps its
 !> relative precision in its tail. Wavenumbers and positions both run in octaves, so one small table of
 !> exp(iky) serves all pairs of octaves.
 module mdrcontact_layered_tabulate
@@ -122,7 +124,8 @@ contains
         ray%bottom = min(ray%bottom, bottom)
     end subroutine extend_ray
 
-    !> The two highest Legendre polynomials that the panels' nodes resolve, times weights and normalisation: what takes values on a panel
+    !> The two highest Legendre polynomials that the panels' nodes resolve, times weights and normalisation: what takes
+    !> values on a panel
     !> to its two last Legendre coefficients.
     pure subroutine last_coefficients(nodes, weights, matrix)
         !> on [0, 1]
@@ -316,7 +319,8 @@ contains
         end if
     end subroutine waves_at
 
-    !> Coefficients of powers of u from values at the Chebyshev points. By way of Chebyshev coefficients: those of high degree are small,
+    !> Coefficients of powers of u from values at the Chebyshev points. By way of Chebyshev coefficients: those of high
+    !> degree are small,
     !> and so are the rounding errors of the powers that they make.
     pure function powers_from_values(values) result(powers)
         real(wp), intent(in) :: values(0:)

@@ -10,7 +10,7 @@ module mdrcontact_medium_power_graded
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
+    use mdrcontact_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -43,9 +43,9 @@ module mdrcontact_medium_power_graded
 
     !> Distance from a singular end, relative to the radius, below which the integrand is its leading power.
     real(wp), parameter :: closest = 1.0e-15_wp
-    !> The same behind the rim of a flat end, where g' needs digits of x - b: least and most, relative to the radius, and a part
-    !> of the distance from the rim.
-    real(wp), parameter :: behind_rim(3) = [1.0e-13_wp, 1.0e-10_wp, 1.0e-3_wp]
+    !> The same behind a rim or kink at b, where g' needs digits of x - b: least and most, relative to b, and a part of the
+    !> distance of r from b.
+    real(wp), parameter :: behind_corner(3) = [1.0e-13_wp, 1.0e-10_wp, 1.0e-3_wp]
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
     integer, parameter :: octaves = 34
 
@@ -150,13 +150,14 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         type(sampled_function_t) :: g
-        real(wp), allocatable :: x(:), dx(:), beyond(:)
-        real(wp) :: start, power, near
-        integer :: i
+        real(wp), allocatable :: breaks(:), corners(:)
+        real(wp) :: start, power
+        integer :: i, k
 
         if (profile%end_radius() < a) call sample_transform(self, profile, a, g, error)
         if (allocated(error)) return
         power = 0.5_wp*(self%exponent - 1.0_wp)
+        breaks = pack(profile%break_radii(), profile%break_radii() < a)
         do i = 1, size(r)
             values(i) = 0.0_wp
             if (excess /= 0.0_wp) then
@@ -167,16 +168,10 @@ contains
             if (r(i) > 0.0_wp .and. r(i) == profile%end_radius() .and. a > start) then
                 values(i) = ieee_value(values(i), ieee_positive_inf)
             else if (a > start) then
-                near = closest*a
-                if (start <= 0.0_wp) near = smallest_panel_ratio*a
-                if (r(i) < start) near = max(behind_rim(1)*a, min(behind_rim(2)*a, behind_rim(3)*(start - r(i))))
-                if (near < a - start) then
-                    call graded_rule(near, a - start, shifted_breaks(profile, start), huge(1.0_wp), beyond, dx)
-                    allocate (x, source=start + beyond)
-                    values(i) = values(i) + sum(g%slope(x)*((beyond + (start - r(i)))*(x + r(i)))**power*dx) &
-                                + near_start(g, start, near, r(i), self%exponent)
-                    deallocate (x)
-                end if
+                corners = [start, pack(breaks, breaks > start), a]
+                do k = 1, size(corners) - 1
+                    values(i) = values(i) + pressure_between(profile, g, corners(k), corners(k + 1), r(i), self%exponent)
+                end do
             end if
             values(i) = values(i)*self%spring/pi
         end do
@@ -270,20 +265,21 @@ contains
         type(sampled_function_t), intent(out) :: g
         type(error_t), allocatable, intent(out) :: error
         type(transform_t) :: transform
-        real(wp), allocatable :: edges(:), breaks(:)
-        real(wp) :: b
-        integer :: i
+        real(wp), allocatable :: edges(:), breaks(:), corners(:)
+        integer :: i, k
 
         transform%profile => profile
         transform%exponent = self%exponent
-        b = profile%end_radius()
-        breaks = pack(profile%break_radii(), profile%break_radii() > b .and. profile%break_radii() < a)
-        edges = merged_breaks(breaks, [(b + (a - b)*0.5_wp**i, i=merge(20, octaves, b > 0.0_wp), 0, -1)])
-        if (b > 0.0_wp) edges = [b, edges]
-        edges(size(edges)) = a
-        call new_sampled_function(g, transform, edges, [((b > 0.0_wp .and. i == 1) .or. any(breaks == edges(i)), &
-                                                         i=1, size(edges) - 1)], sampling_tolerance, error, &
-                                  noise=merge(sampling_tolerance, 0.0_wp, b > 0.0_wp)*transform%value(a))
+        allocate (breaks, source=profile%break_radii())
+        allocate (corners, source=[profile%end_radius(), pack(breaks, breaks > profile%end_radius() .and. breaks < a), a])
+        allocate (edges(0))
+        do k = 1, size(corners) - 1
+            edges = [edges, [(corners(k) + (corners(k + 1) - corners(k))*0.5_wp**i, i=octaves, 1, -1)], corners(k + 1)]
+        end do
+        if (corners(1) > 0.0_wp) edges = [corners(1), edges]
+        call new_sampled_function(g, transform, edges, spread(.false., 1, size(edges) - 1), sampling_tolerance, error, &
+                                  noise=merge(sampling_tolerance, 0.0_wp, size(corners) > 2 .or. corners(1) > 0.0_wp) &
+                                  *transform%value(a))
     end subroutine sample_transform
 
     function transform_at(self, x) result(y)
@@ -294,8 +290,31 @@ contains
         y = mdr(self%profile, self%exponent, x)
     end function transform_at
 
+    !> int g'(x) (x^2 - r^2)^{(m-1)/2} dx from one corner of the profile to the next, r <= from. Behind a corner g rises as a broken
+    !> power of x - from: panels are graded towards it, and what lies within `near` of it is the rise of g there.
+    function pressure_between(profile, g, from, to, r, m) result(integral)
+        class(profile_t), intent(in) :: profile
+        type(sampled_function_t), intent(in) :: g
+        real(wp), intent(in) :: from, to, r, m
+        real(wp) :: integral
+        real(wp), allocatable :: beyond(:), dx(:)
+        real(wp), parameter :: no_breaks(0) = [real(wp) ::]
+        real(wp) :: power, near
+
+        power = 0.5_wp*(m - 1.0_wp)
+        near = closest*to
+        if (from <= 0.0_wp) near = smallest_panel_ratio*to
+        if (r < from) near = max(behind_corner(1)*from, min(behind_corner(2)*from, behind_corner(3)*(from - r)))
+        integral = 0.0_wp
+        if (near >= to - from) return
+        call graded_rule(near, to - from, no_breaks, huge(1.0_wp), beyond, dx)
+        integral = sum(g%slope(from + beyond)*((beyond + (from - r))*((from + r) + beyond))**power*dx) &
+                   + near_start(profile, g, from, near, r, m)
+    end function pressure_between
+
     !> The part of the pressure integral within `near` of its singular start, where g' is constant or, at the axis, a power of x.
-    function near_start(g, start, near, r, m) result(integral)
+    function near_start(profile, g, start, near, r, m) result(integral)
+        class(profile_t), intent(in) :: profile
         type(sampled_function_t), intent(in) :: g
         real(wp), intent(in) :: start, near, r, m
         real(wp) :: integral
@@ -310,18 +329,10 @@ contains
                 integral = ieee_value(integral, ieee_positive_inf)
             end if
         else if (r < start) then
-            integral = g%value(start + near)*((start - r)*(start + r))**power
+            integral = (mdr(profile, m, start + near) - mdr(profile, m, start))*((start - r)*(start + r))**power
         else
             integral = g%slope(start + near)*(2.0_wp*start)**power*near**(power + 1.0_wp)/(power + 1.0_wp)
         end if
     end function near_start
-
-    pure function shifted_breaks(profile, start) result(breaks)
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: start
-        real(wp), allocatable :: breaks(:)
-
-        breaks = pack(profile%break_radii(), profile%break_radii() > start) - start
-    end function shifted_breaks
 
 end module mdrcontact_medium_power_graded

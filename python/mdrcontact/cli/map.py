@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact map`: effective modulus of a laterally heterogeneous structure at every place, for several contact radii."""
+
+from __future__ import annotations
+
+import argparse
+import io
+import sys
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .. import lateral
+from ..material import Elastic
+from ..problem import ProblemError
+from ..problem.section import Section
+from ..problem.units import LENGTH, MODULUS, practical
+from . import files
+from .table import aligned, number
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+_DESCRIPTION = """\
+Computes E_eff(a, x, y), the effective contact modulus that a contact of radius a meets at each place of a structure of voxels.
+
+The map file:
+
+    title = "Glass in a polymer"
+
+    [structure]
+    labels = "labels.npy"               # NumPy array (nz, ny, nx) of phase numbers, surface first; relative to this file
+    spacing = ["1 um", "1 um", "1 um"]  # edge lengths of a cell: z, y, x
+    beside = "periodic"                 # or "padded": the first phase lies beside the array
+
+    [[structure.phase]]                 # phase 0; it also lies below the array
+    E = "3 GPa"
+    nu = 0.35
+
+    [[structure.phase]]                 # phase 1
+    E = "70 GPa"
+    nu = 0.22
+
+    [map]
+    radii = ["1 um", "5 um", "20 um"]
+
+    mdrcontact map map.toml --plot map.png --npy maps.npy
+
+The array that --npy writes holds the maps [Pa], (radii, ny, nx). Memory is stated before the work begins.
+"""
+
+_TABLES = {"title": None, "structure": None, "map": None}
+_STRUCTURE = {"labels": None, "spacing": LENGTH, "beside": None, "phase": None}
+_PHASE = {"E": MODULUS, "nu": None}
+
+
+class MapProblem(NamedTuple):
+    """What a map file says."""
+
+    title: str
+    voxels: lateral.Voxels
+    radii: np.ndarray[Any, Any]
+
+
+def add(subparsers: Any) -> None:
+    """Adds the command to the command line."""
+    parser = subparsers.add_parser(
+        "map",
+        help="effective modulus at every place of a heterogeneous structure",
+        description=_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("problem", metavar="MAP.toml", help="the map file")
+    parser.add_argument("--npy", type=Path, metavar="FILE.npy", help="write the maps as a NumPy array (radii, ny, nx) [Pa]")
+    parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw structure and maps (.png, .pdf or .svg)")
+    parser.add_argument("--force", action="store_true", help="overwrite files that exist")
+    parser.add_argument("--workers", type=int, metavar="N", help="threads (default: one per core)")
+    parser.add_argument("--memory", type=float, metavar="GIB", help="refuse to use more memory than this [GiB]")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Computes, prints, writes."""
+    files.check(arguments.npy, arguments.plot, force=arguments.force)
+    if arguments.plot:
+        from . import figures
+
+        figures.require(arguments.plot)
+    problem = read(Path(arguments.problem))
+    needed = lateral.map_memory(problem.voxels, problem.radii, workers=arguments.workers)
+    nz, ny, nx = problem.voxels.labels.shape
+    print(f"{problem.title}\n")
+    print(f"{nx} x {ny} x {nz} voxels, {len(problem.radii)} radii: at most {needed / 2**20:.0f} MiB of memory", flush=True)
+    maps = lateral.effective_map(
+        problem.voxels, problem.radii, workers=arguments.workers, progress=sys.stderr.isatty(),
+        memory_limit=None if arguments.memory is None else arguments.memory * 2**30,
+    )  # fmt: skip
+    length, modulus = practical(LENGTH, problem.radii), practical(MODULUS, maps.ravel())
+    rows = [[f"radius [{length.name}]", *(f"{word} [{modulus.name}]" for word in ("least", "mean", "most"))]]
+    for a, values in zip(problem.radii, maps, strict=True):
+        statistics = (values.min(), values.mean(), values.max())
+        rows.append([number(float(length.of(a))), *(number(float(modulus.of(v))) for v in statistics)])
+    print(aligned(rows))
+    results = {}
+    if arguments.npy:
+        buffer = io.BytesIO()
+        np.save(buffer, maps)
+        results[arguments.npy] = buffer.getvalue()
+    if arguments.plot:
+        from .map_figure import map_figure
+
+        form = files.figure_format(arguments.plot)
+        results[arguments.plot] = map_figure(problem.title, problem.voxels, problem.radii, maps, form)
+    if results:
+        print()
+        files.write(results, arguments.force)
+
+
+def read(path: Path) -> MapProblem:
+    """Reads a map file; a fault in it is a `ProblemError` that names the file."""
+    try:
+        return _problem(tomllib.loads(path.read_text(encoding="utf-8")), path)
+    except OSError as problem:
+        raise ProblemError(f"{path}: it cannot be read: {problem.strerror or problem}") from problem
+    except UnicodeDecodeError as problem:
+        raise ProblemError(f"{path}: it is not a text file in UTF-8") from problem
+    except tomllib.TOMLDecodeError as problem:
+        raise ProblemError(f"{path}: it is not valid TOML: {problem}") from problem
+    except ProblemError as problem:
+        raise ProblemError(f"{path}: {problem}") from problem
+
+
+def _problem(table: dict[str, Any], path: Path) -> MapProblem:
+    whole = Section(table, "the file", _TABLES)
+    for name in ("structure", "map"):
+        if name not in whole:
+            raise ProblemError(f"the table [{name}] is missing: a map has [structure] and [map]")
+    structure = Section(table["structure"], "structure", _STRUCTURE)
+    phases = []
+    for section in structure.children("phase", _PHASE):
+        with section.words():
+            phases.append(Elastic(section.quantity("E"), section.number("nu")))
+    beside = structure.choice("beside", ("periodic", "padded"), "periodic")
+    with structure.words():
+        voxels = lateral.Voxels(
+            _labels(structure, path), phases, structure.quantities("spacing"), below=phases[0],
+            beside="periodic" if beside == "periodic" else phases[0],
+        )  # fmt: skip
+    radii = np.array(Section(table["map"], "map", {"radii": LENGTH}).quantities("radii"))
+    if not radii.size or not np.all(radii > 0.0):
+        raise ProblemError("[map]: radii must be at least one length, all greater than 0")
+    return MapProblem(str(whole.plain("title")) if "title" in whole else path.stem, voxels, radii)
+
+
+def _labels(structure: Section, path: Path) -> Any:
+    name = structure.plain("labels")
+    if not isinstance(name, str):
+        raise ProblemError("[structure]: labels must be the name of a file, as in labels = \"labels.npy\"")
+    try:
+        # mapped, not read: slices come from the file when they are needed
+        return np.load(path.parent / name, mmap_mode="r", allow_pickle=False)
+    except (OSError, ValueError) as problem:
+        raise ProblemError(f"[structure]: labels = {name!r} cannot be read as a NumPy array (.npy): {problem}") from problem

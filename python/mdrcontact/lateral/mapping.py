@@ -1,0 +1,297 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Maps E_eff(a, x, y) of voxel structures: the convolution of theory 7, slice by slice, by FFT."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import _native
+from .._boundary import check, row
+from ..errors import ArgumentTypeError, InvalidArgumentError, MDRError, OutOfMemoryError
+from ..weights import weight_j0, weight_j1
+from .structure import shear
+from .voxels import Voxels
+
+Array = NDArray[np.float64]
+
+
+class _Job(NamedTuple):
+    """A rectangle of slices to be convolved."""
+
+    layer: Callable[[int], Any]
+    """labels (ny, nx) of slice k"""
+    shape: tuple[int, int]
+    base: Array
+    """(nz, 2): G and nu that each slice is compared with"""
+    periodic: bool
+    voxels: Voxels
+
+
+def effective_map(
+    voxels: Voxels, a: ArrayLike, *, workers: int | None = None, progress: bool = False, memory_limit: float | None = None
+) -> Array:
+    """E_eff [pressure] at all cell centres for all contact radii a > 0 [length], in one pass over the slices: (len(a), ny, nx).
+
+    workers : threads, None: one per core. progress : show a bar
+    memory_limit : bytes; more than this, by `map_memory`, is refused before any work is done
+
+    The integrals of the weights over the cells are those of Voxels.modulus, so map and points agree to 1e-7.
+    """
+    radii, threads = _radii(a), _workers(workers)
+    needed = map_memory(voxels, radii, workers=threads)
+    if memory_limit is not None and needed > memory_limit:
+        raise OutOfMemoryError(
+            f"the map needs {needed / 2**20:.0f} MiB, more than memory_limit = {memory_limit / 2**20:.0f} MiB: use fewer radii or "
+            "workers, or tiled_map"
+        )
+    periodic = voxels.beside == "periodic"
+    job = _Job(lambda k: voxels.labels[k], voxels.labels.shape[1:], _bases(voxels), periodic, voxels)
+    return _convolve(job, radii, threads, progress)
+
+
+def map_memory(voxels: Voxels, a: ArrayLike, *, workers: int | None = None, shape: tuple[int, int] | None = None) -> int:
+    """Bytes that `effective_map` will hold at most beyond the labels; `shape`: of a tile with its halo instead of all."""
+    ny, nx = voxels.labels.shape[1:] if shape is None else shape
+    periodic = voxels.beside == "periodic" and shape is None
+    my, mx = _sizes((ny, nx), periodic)
+    radii, kernels = len(_radii(a)), 1 + _needs_poisson(voxels)
+    spectrum, plane = 16 * my * (mx // 2 + 1), 8 * my * mx
+    reach = voxels.images if periodic else 1
+    quadrant = 8 * (reach * ny + 1) * (reach * nx + 1)
+    sums = radii * kernels * spectrum
+    each = kernels * (spectrum + plane) + 2 * plane + 2 * spectrum + 8 * quadrant
+    return int(sums + _workers(workers) * each + 3 * radii * 8 * ny * nx + 3 * plane)
+
+
+def tiled_map(
+    voxels: Voxels,
+    a: ArrayLike,
+    *,
+    tile: int | tuple[int, int],
+    halo: int | tuple[int, int],
+    workers: int | None = None,
+    progress: bool = False,
+    out: Any = None,
+) -> Any:
+    """The map in tiles of `tile` = (rows, columns) cells, for arrays larger than memory.
+
+    Each tile sees `halo` cells around it; all beyond counts with the slice's mean (periodic) or as what lies beside. The error in
+    E_eff is at most the contrast there times `weight_beyond`, which tells before what a halo is worth.
+
+    Where voxels.labels is a Dask array the result is one too, computed when asked for, tile by tile on any cluster. Else it is an
+    array, or `out` (for instance a numpy.memmap), of shape (len(a), ny, nx).
+    """
+    radii, threads = _radii(a), _workers(workers)
+    rows, columns = _pair("tile", tile, 1)
+    margin = _pair("halo", halo, 0)
+    ny, nx = voxels.labels.shape[1:]
+    spans = [(y, min(y + rows, ny), x, min(x + columns, nx)) for y in range(0, ny, rows) for x in range(0, nx, columns)]
+    base, periodic = _bases(voxels), voxels.beside == "periodic"
+    if hasattr(voxels.labels, "dask"):
+        return _dask_map(voxels, radii, spans, margin, base, periodic)
+    shape = (len(radii), ny, nx)
+    if out is not None and tuple(out.shape) != shape:
+        raise InvalidArgumentError(f"out has the shape {tuple(out.shape)}: it must be {shape}")
+    result = np.empty(shape) if out is None else out
+    for y0, y1, x0, x1 in _bar(spans, progress, "tiles"):
+        iy, ix = _window(y0, y1, ny, margin[0], periodic), _window(x0, x1, nx, margin[1], periodic)
+        job = _Job(partial(_cut, voxels.labels, np.ix_(iy, ix)), (len(iy), len(ix)), base, False, voxels)
+        part = _convolve(job, radii, threads, False)
+        cy, cx = _inside(y0, iy, margin[0], periodic), _inside(x0, ix, margin[1], periodic)
+        result[:, y0:y1, x0:x1] = part[:, cy : cy + y1 - y0, cx : cx + x1 - x0]
+    return result
+
+
+def weight_beyond(a: float, distance: float, depth: float = np.inf, nu: float = 0.5) -> float:
+    """Share of E_eff that comes from more than `distance` beside the contact's centre and less than `depth` under the surface; to
+    about 1 %."""
+    order = 24
+    points, weights, status = _native.lateral_rule(order, nu, 6 * order**3)
+    check(status)
+    counts = (np.hypot(points[0], points[1]) > distance / a) & (points[2] < depth / a)
+    return float(weights[0, counts].sum())
+
+
+def _convolve(job: _Job, radii: Array, workers: int, progress: bool) -> Array:
+    """E_eff at all cells of the job: (radii, ny, nx)."""
+    import scipy.fft
+
+    voxels = job.voxels
+    slices, (dz, dy, dx) = voxels.labels.shape[0], voxels.spacing
+    sizes = _sizes(job.shape, job.periodic)
+    kernels = 1 + _needs_poisson(voxels)
+    values = np.array([[shear(m) for m in voxels.phases], [m.nu for m in voxels.phases]])
+    sums = np.zeros((len(radii), kernels, sizes[0], sizes[1] // 2 + 1), dtype=complex)
+    locks = [threading.Lock() for _ in radii]
+    reach = [voxels.images * n if job.periodic else n - 1 for n in job.shape]
+    lines = [(np.arange(n + 2) - 0.5) * h for n, h in zip(reach, (dy, dx), strict=True)]
+
+    def add(k: int) -> None:
+        layer = np.asarray(job.layer(k))
+        spectra = [scipy.fft.rfft2(values[i][layer] - job.base[k, i], s=sizes) for i in range(kernels)]
+        if not any(s.any() for s in spectra):
+            return
+        # threads begin at different radii, so that they do not wait for each other
+        for r in np.roll(np.arange(len(radii)), -k):
+            weights = _native.lateral_cells(voxels.reference_nu, radii[r], k * dz, (k + 1) * dz, lines[1], lines[0])
+            check(weights[2])
+            for i in range(kernels):
+                product = scipy.fft.rfft2(_unfold(weights[i].T, job.shape, sizes, job.periodic))
+                product *= spectra[i]
+                with locks[r]:
+                    sums[r, i] += product
+
+    with ThreadPoolExecutor(workers) as pool:
+        for _ in _bar(pool.map(add, range(slices)), progress, "slices", slices):
+            pass
+    edges = np.arange(slices + 1) * dz
+    result = np.empty((len(radii), *job.shape))
+    for r, a in enumerate(radii):
+        means = []
+        for i, (below, J) in enumerate(
+            ((shear(voxels.below), weight_j0(edges / a, nu=voxels.reference_nu)), (voxels.below.nu, weight_j1(edges / a)))
+        ):
+            level = below + float(-np.diff(np.asarray(J)) @ (job.base[:, i] - below))
+            if i < kernels:
+                means.append(level + scipy.fft.irfft2(sums[r, i], s=sizes)[: job.shape[0], : job.shape[1]])
+            else:
+                means.append(np.full(job.shape, level))
+        result[r] = 2.0 * means[0] / (1.0 - means[1])
+    return result
+
+
+def _unfold(quadrant: Any, shape: tuple[int, int], sizes: tuple[int, int], periodic: bool) -> Array:
+    """From weights at offsets >= 0 to the even kernel of a cyclic convolution."""
+    kernel: Array = quadrant
+    for axis in (0, 1):
+        n, size = shape[axis], sizes[axis]
+        if periodic:
+            # the window of Voxels.modulus: offsets from -images n to images n - 1
+            images = (kernel.shape[axis] - 1) // n
+            offsets = np.arange(n)
+            kernel = sum(np.take(kernel, np.abs(offsets + p * n), axis) for p in range(-images, images))  # type: ignore[assignment]
+        else:
+            offsets = np.minimum(np.arange(size), size - np.arange(size))
+            kernel = np.take(kernel, np.minimum(offsets, n - 1), axis)
+            outside = offsets > n - 1
+            kernel[(outside, slice(None)) if axis == 0 else (slice(None), outside)] = 0.0
+    return kernel
+
+
+def _sizes(shape: tuple[int, int], periodic: bool) -> tuple[int, int]:
+    """Sizes of the transforms."""
+    if periodic:
+        return shape
+    try:
+        import scipy.fft
+    except ImportError as problem:
+        raise MDRError('maps need SciPy: pip install "mdrcontact[map]"') from problem
+    return scipy.fft.next_fast_len(2 * shape[0] - 1, True), scipy.fft.next_fast_len(2 * shape[1] - 1, True)
+
+
+def _bases(voxels: Voxels) -> Array:
+    """What each slice is compared with: its mean, or what lies beside it; exactly the common value where all are equal."""
+    beside = voxels.beside
+    if beside != "periodic":
+        return np.tile([shear(beside), beside.nu], (voxels.labels.shape[0], 1))
+    values = np.array([[shear(m), m.nu] for m in voxels.phases])
+    below = np.array([shear(voxels.below), voxels.below.nu])
+    bases: Array = below + voxels.slice_shares() @ (values - below)
+    return bases
+
+
+def _needs_poisson(voxels: Voxels) -> bool:
+    ratios = {m.nu for m in voxels.phases}
+    if voxels.beside != "periodic":
+        ratios.add(voxels.beside.nu)
+    return len(ratios) > 1
+
+
+def _radii(a: ArrayLike) -> Array:
+    radii = np.array(row("a", np.atleast_1d(a)))
+    if not (np.all(np.isfinite(radii)) and np.all(radii > 0.0)):
+        raise InvalidArgumentError("a is not allowed: contact radii must be finite and greater than 0")
+    return radii
+
+
+def _workers(workers: int | None) -> int:
+    if workers is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
+        raise InvalidArgumentError(f"workers = {workers!r} is not allowed: it must be a whole number, at least 1")
+    return workers
+
+
+def _pair(name: str, value: Any, least: int) -> tuple[int, int]:
+    pair = (value, value) if isinstance(value, int) else tuple(value)
+    if len(pair) != 2 or not all(isinstance(n, int) for n in pair):
+        raise ArgumentTypeError(f"{name} = {value!r} is not allowed: it must be one or two whole numbers")
+    if min(pair) < least:
+        raise InvalidArgumentError(f"{name} = {value!r} is not allowed: it must be at least {least}")
+    return pair
+
+
+def _window(low: int, high: int, n: int, margin: int, periodic: bool) -> Any:
+    """Indices of a tile with its halo: around the array's end where it repeats itself, up to it where it does not."""
+    if periodic:
+        return np.arange(low - margin, high + margin) % n
+    return np.arange(max(0, low - margin), min(n, high + margin))
+
+
+def _inside(low: int, indices: Any, margin: int, periodic: bool) -> int:
+    """Where the tile begins in its window."""
+    return margin if periodic else int(low - indices[0])
+
+
+def _cut(labels: Any, cells: Any, k: int) -> Any:
+    """A window of slice k."""
+    return np.asarray(labels[k])[cells]
+
+
+def _bar(items: Any, progress: bool, unit: str, total: int | None = None) -> Iterator[Any]:
+    if not progress:
+        yield from items
+        return
+    from tqdm import tqdm
+
+    yield from tqdm(items, unit=f" {unit}", total=total, leave=False)
+
+
+def _dask_map(
+    voxels: Voxels, radii: Array, spans: list[tuple[int, int, int, int]], margin: tuple[int, int], base: Array, periodic: bool
+) -> Any:
+    """One delayed tile for each span."""
+    import importlib
+
+    # imported by name: Dask's functions have no types
+    dask_array: Any = importlib.import_module("dask.array")
+    delayed: Any = importlib.import_module("dask").delayed
+
+    ny, nx = voxels.labels.shape[1:]
+    settings = {n: v for n, v in voxels._arguments.items() if n != "labels"}
+    rows: dict[int, list[Any]] = {}
+    for y0, y1, x0, x1 in spans:
+        iy, ix = _window(y0, y1, ny, margin[0], periodic), _window(x0, x1, nx, margin[1], periodic)
+        corner = _inside(y0, iy, margin[0], periodic), _inside(x0, ix, margin[1], periodic)
+        task = delayed(_compute_tile)(voxels.labels[:, iy][:, :, ix], settings, radii, base, corner, (y1 - y0, x1 - x0))
+        part = dask_array.from_delayed(task, (len(radii), y1 - y0, x1 - x0), dtype=float)
+        rows.setdefault(y0, []).append(part)
+    return dask_array.concatenate([dask_array.concatenate(parts, axis=2) for parts in rows.values()], axis=1)
+
+
+def _compute_tile(
+    labels: Any, settings: dict[str, Any], radii: Array, base: Array, corner: tuple[int, int], size: tuple[int, int]
+) -> Array:
+    """A tile on a worker of the cluster, in one thread: the scheduler has others."""
+    voxels = Voxels(labels, **settings)
+    job = _Job(lambda k: labels[k], labels.shape[1:], base, False, voxels)
+    part = _convolve(job, radii, 1, False)
+    return part[:, corner[0] : corner[0] + size[0], corner[1] : corner[1] + size[1]]

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The medium an indenter meets at one place of a structure."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .. import _native
+from .._boundary import number
+from ..errors import ArgumentTypeError, InvalidArgumentError
+from ..medium import Medium
+from .structure import Structure
+
+
+class LateralMedium(Medium):
+    """E_eff(a, x, y) at fixed (x, y), equation (33), for Contact: F(d), a(d), pressure and adhesion as on any other medium.
+
+    structure : Shapes, Voxels or Field
+    x, y : place of the contact [length]
+    smallest_radius, largest_radius : contact radii between which E_eff is sampled, evenly in ln a, and interpolated; below the
+        smaller one it is taken as constant [length]
+    points : number of samples, at least 3
+    """
+
+    structure: Structure
+
+    def __init__(
+        self, structure: Structure, x: float, y: float, smallest_radius: float, largest_radius: float, points: int = 33
+    ) -> None:
+        if not isinstance(structure, Structure):
+            raise ArgumentTypeError(f"structure = {structure!r} is not allowed: it must be Shapes, Voxels or Field")
+        place = number("x", x), number("y", y)
+        first, last = number("smallest_radius", smallest_radius), number("largest_radius", largest_radius)
+        if not 0.0 < first < last < np.inf:
+            raise InvalidArgumentError(
+                f"smallest_radius = {first!r}, largest_radius = {last!r} are not allowed: 0 < smallest < largest is needed"
+            )
+        if isinstance(points, bool) or not isinstance(points, int) or points < 3:
+            raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number, at least 3")
+        a = np.geomspace(first, last, points)
+        created = _native.medium_table(a, np.asarray(structure.modulus(*place, a)))
+        self._own(
+            created, structure=structure, x=place[0], y=place[1], smallest_radius=first, largest_radius=last, points=points
+        )

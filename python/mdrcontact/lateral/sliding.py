@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A virtual indenter: maps of force and apparent modulus, and sliding along a line (theory 7, section 6 of the source)."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .._boundary import number, numbers
+from ..contact import Contact
+from ..errors import ArgumentTypeError, InvalidArgumentError
+from ..material import Elastic
+from ..medium import Homogeneous, TabulatedMedium
+from ..profile import Profile
+from .mapping import effective_map
+from .structure import Structure
+from .voxels import Voxels
+
+Array = NDArray[np.float64]
+_UNIT = Homogeneous(Elastic(0.75, 0.5))
+"""A body with E* = 1."""
+
+
+class Sliding(NamedTuple):
+    """A contact that moves along a line without friction; arrays over x."""
+
+    x: Array
+    depth: Array
+    """d [length]"""
+    force: Array
+    """F, normal force [pressure length^2]"""
+    radius: Array
+    """a [length]"""
+    energy: Array
+    """U, elastic energy [pressure length^3]"""
+    lateral_force: Array
+    """force of the medium on the indenter along x: -dU/dx at constant depth, -d(U - F d)/dx at constant load [pressure length^2]"""
+
+
+class IndentationMap(NamedTuple):
+    """What a mapping instrument reports at each place; arrays (ny, nx)."""
+
+    depth: float
+    radius: float
+    force: Array
+    """F at the depth [pressure length^2]"""
+    apparent_modulus: Array
+    """contact modulus of the homogeneous body that gives this force at this depth [pressure]"""
+    stiffness: Array
+    """dF/dd at the depth [pressure length]"""
+
+
+def indentation_map(
+    voxels: Voxels, indenter: Profile, depth: float, *, nodes: int = 8, workers: int | None = None, progress: bool = False
+) -> IndentationMap:
+    """Force and apparent modulus at one depth d > 0 at all cell centres.
+
+    With the source's rule d = g(a) the force is F = int_0^a 2 s E_eff(s, x, y) g'(s) ds: a sum of `nodes` maps, in one pass.
+    """
+    d = number("depth", depth)
+    if not 0.0 < d < np.inf:
+        raise InvalidArgumentError(f"depth = {d!r} is not allowed: it must be finite and greater than 0")
+    if isinstance(nodes, bool) or not isinstance(nodes, int) or nodes < 1:
+        raise InvalidArgumentError(f"nodes = {nodes!r} is not allowed: it must be a whole number, at least 1")
+    ideal = Contact(indenter, _UNIT)
+    state = ideal.at_depth(d)
+    a, first = float(state.radius), float(ideal.at_depth(0.0).radius)
+    u, w = np.polynomial.legendre.leggauss(nodes)
+    u, w = 0.5 * (u + 1.0), 0.5 * w
+    s = first + (a - first) * u**2
+    radii, factors = np.array([a]), np.array([2.0 * a * (d - float(indenter.mdr(a)))])
+    if a > first:
+        radii = np.append(s, a)
+        factors = np.append(4.0 * s * np.asarray(indenter.mdr_slope(s)) * (a - first) * u * w, factors)
+    maps = effective_map(voxels, radii, workers=workers, progress=progress)
+    # the same sum for E* = 1 instead of the exact force: a homogeneous body returns its own modulus exactly
+    apparent = np.tensordot(factors, maps, 1) / factors.sum()
+    return IndentationMap(d, a, apparent * float(state.force), apparent, 2.0 * a * maps[-1])
+
+
+def slide(
+    structure: Structure,
+    indenter: Profile,
+    x: ArrayLike,
+    *,
+    y: float = 0.0,
+    depth: float | None = None,
+    force: float | None = None,
+    periodic: bool = False,
+    points: int = 33,
+) -> Sliding:
+    """Moves the indenter along y = constant at constant depth or under constant load; give one of `depth` and `force`.
+
+    x : ascending places, at least 4 [length]; close enough to resolve the structure: dU/dx comes from a cubic spline
+    periodic : x is one period without its end, evenly spaced; the spline is then periodic
+    points : radii at which E_eff is sampled, over a factor of 1000 up to the largest contact radius
+    """
+    from scipy.interpolate import CubicSpline
+
+    places = numbers("x", x)
+    if places.ndim != 1 or places.size < 4 or not np.all(np.diff(places) > 0.0):
+        raise InvalidArgumentError("x is not allowed: it must be ascending, of one dimension, with at least 4 entries")
+    if (depth is None) == (force is None):
+        raise ArgumentTypeError("slide needs one of depth and force")
+    value = number("depth", depth) if force is None else number("force", force)
+    if not 0.0 < value < np.inf:
+        raise InvalidArgumentError(f"depth or force = {value!r} is not allowed: it must be finite and greater than 0")
+    largest = _largest_radius(structure, indenter, places, number("y", y), depth, force)
+    radii = np.geomspace(1e-3 * largest, largest, points)
+    moduli = np.asarray(structure.modulus(places[:, None], y, radii))
+    # contacts begin at radius 0: below the smallest sample E_eff is constant
+    radii, moduli = np.append(1e-9 * largest, radii), np.hstack([moduli[:, :1], moduli])
+    states = np.array([_state(indenter, TabulatedMedium(radii, e), depth, force) for e in moduli])
+    d, F, a, U = states.T
+    potential = U if force is None else U - F * d
+    if periodic:
+        period = places[-1] - places[0] + (places[1] - places[0])
+        spline = CubicSpline(np.append(places, places[0] + period), np.append(potential, potential[0]), bc_type="periodic")
+    else:
+        spline = CubicSpline(places, potential)
+    return Sliding(places, d, F, a, U, -spline(places, 1))
+
+
+def elastic_energy(contact: Contact, depth: float) -> float:
+    """U = int_0^d F dd [pressure length^3]."""
+    u, w = np.polynomial.legendre.leggauss(24)
+    u, w = 0.5 * (u + 1.0), 0.5 * w
+    # forces begin as powers of depth, often broken ones: d u^2
+    return float(np.asarray(contact.at_depth(depth * u**2).force) @ (2.0 * depth * u * w))
+
+
+def _state(indenter: Profile, medium: TabulatedMedium, depth: float | None, force: float | None) -> list[float]:
+    contact = Contact(indenter, medium)
+    state = contact.at_depth(depth) if depth is not None else contact.at_force(0.0 if force is None else force)
+    d = float(state.depth)
+    return [d, float(state.force), float(state.radius), elastic_energy(contact, d)]
+
+
+def _largest_radius(
+    structure: Structure, indenter: Profile, x: Array, y: float, depth: float | None, force: float | None
+) -> float:
+    """A contact radius that no place on the line exceeds."""
+    if depth is not None:
+        return 1.0001 * float(Contact(indenter, _UNIT).at_depth(depth).radius)
+    assert force is not None
+    # the softest material along the line, at the scale of the contact itself, and a margin: the radius follows
+    modulus = float(np.min(_sampled_moduli(structure, x, y)))
+    return 1.0001 * float(Contact(indenter, TabulatedMedium([1e-300, 1.0, 1e300], [modulus] * 3)).at_force(force).radius)
+
+
+def _sampled_moduli(structure: Structure, x: Array, y: float) -> Any:
+    span = x[-1] - x[0]
+    places = x[:: max(1, len(x) // 16)]
+    return 0.5 * np.asarray(structure.modulus(places[:, None], y, np.geomspace(1e-3 * span, span, 7)))

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What every laterally heterogeneous structure can do."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import _native
+from .._boundary import FloatOrArray, Handle, check, numbers
+from .._described import Described
+from ..material import Elastic
+
+
+class Structure(Described):
+    """A half-space z > 0 whose elastic moduli vary in all three directions. It never changes and may be shared between threads."""
+
+    _structure: Handle
+
+    def _own_structure(self, created: tuple[int, int]) -> None:
+        object.__setattr__(self, "_structure", Handle(created, _native.structure_free))
+
+    def modulus(self, x: ArrayLike, y: ArrayLike, a: ArrayLike) -> FloatOrArray:
+        """E_eff(a, x, y) = 2 G_eff/(1 - nu_eff) [pressure], equation (33), for contacts of radius a > 0 at (x, y) [length].
+
+        The three broadcast: a line is x = array, y = 0; several radii at each of its points are a[:, None].
+        """
+        points = np.broadcast_arrays(numbers("x", x), numbers("y", y), numbers("a", a))
+        shape = points[0].shape
+        if not points[0].size:
+            return np.empty(shape)
+        values = self._values(*(np.ascontiguousarray(p, dtype=np.float64).ravel() for p in points))
+        return values.reshape(shape) if shape else float(values[0])
+
+    def _values(self, x: Any, y: Any, a: Any) -> Any:
+        values, status = _native.structure_modulus(self._structure.address, x, y, a)
+        check(status)
+        return values
+
+    def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
+        """E and nu at points, which broadcast; z >= 0 [length]."""
+        raise NotImplementedError
+
+
+def elastic(name: str, material: Any) -> Elastic:
+    """`material` if it is one."""
+    from ..errors import ArgumentTypeError
+
+    if not isinstance(material, Elastic):
+        raise ArgumentTypeError(f"{name} = {material!r} is not allowed: it must be a material, Elastic(E, nu)")
+    return material
+
+
+def shear(material: Elastic) -> float:
+    """G = E/(2 (1 + nu))."""
+    return 0.5 * material.E / (1.0 + material.nu)

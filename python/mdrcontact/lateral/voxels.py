@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Structures given by voxels: a micrograph, a tomogram, or any structure cut into cells."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import _native
+from .._boundary import number, row
+from ..errors import ArgumentTypeError, InvalidArgumentError
+from ..material import Elastic
+from .shapes import Shapes
+from .structure import Structure, elastic
+
+
+class Voxels(Structure):
+    """Cells of one phase each, over a half-space.
+
+    labels : array (nz, ny, nx) of phase numbers, surface first, as image stacks are; integers 0 ... len(phases) - 1. It is not
+        copied: a memory-mapped file is read slice by slice. Leave it unchanged while the object lives
+    phases : materials
+    spacing : edge lengths (dz, dy, dx) of a cell, or one number for cubes [length]
+    beside : "periodic": the array repeats itself in x and y; or the material that lies beside it
+    below : material of the half-space under the array; None: the most frequent phase of the last slice
+    origin : (x, y) of the array's lower corner: cell (k, j, i) has its centre at x = origin[0] + (i + 1/2) dx [length]
+    images : for "periodic", how many periods count cell by cell; beyond them each slice counts with its mean
+    reference_nu : Poisson's ratio of the weights; None: the mean over all voxels
+    """
+
+    labels: NDArray[Any]
+    phases: tuple[Elastic, ...]
+    spacing: tuple[float, float, float]
+    below: Elastic
+
+    def __init__(
+        self,
+        labels: Any,
+        phases: Sequence[Elastic],
+        spacing: ArrayLike,
+        *,
+        beside: str | Elastic = "periodic",
+        below: Elastic | None = None,
+        origin: Sequence[float] = (0.0, 0.0),
+        images: int = 1,
+        reference_nu: float | None = None,
+    ) -> None:
+        cells = labels if hasattr(labels, "ndim") and hasattr(labels, "dtype") else np.asarray(labels)
+        if cells.ndim != 3 or cells.dtype.kind not in "iu" or not cells.size:
+            raise ArgumentTypeError(f"labels is not allowed: it must be an array (nz, ny, nx) of integers, not {cells.dtype} "
+                                    f"of shape {cells.shape}")  # fmt: skip
+        materials = tuple(elastic("a phase", phase) for phase in phases)
+        counts = _census(cells, len(materials))
+        steps = row("spacing", np.broadcast_to(np.asarray(spacing, dtype=float), (3,)))
+        if not all(np.isfinite(h) and h > 0.0 for h in steps):
+            raise InvalidArgumentError(f"spacing = {spacing!r} is not allowed: edge lengths must be finite and greater than 0")
+        if beside != "periodic":
+            elastic("beside", beside)
+        if isinstance(images, bool) or not isinstance(images, int) or not 1 <= images <= 100:
+            raise InvalidArgumentError(f"images = {images!r} is not allowed: it must be a whole number from 1 to 100")
+        corner = row("origin", origin)
+        if len(corner) != 2 or not np.all(np.isfinite(corner)):
+            raise InvalidArgumentError(f"origin = {origin!r} is not allowed: it must be two finite numbers (x, y)")
+        base = materials[int(np.argmax(counts[-1]))] if below is None else elastic("below", below)
+        poisson = np.array([m.nu for m in materials])
+        share = counts.sum(axis=0) / counts.sum()
+        mean = float(np.clip(share @ poisson, poisson.min(), poisson.max()))
+        nu = mean if reference_nu is None else number("reference_nu", reference_nu)
+        if not -1.0 < nu <= 0.5:
+            raise InvalidArgumentError(f"reference_nu = {nu!r} is not allowed: it must be greater than -1 and at most 0.5")
+        self._describe(labels=cells, phases=materials, spacing=steps, beside=beside, below=base, origin=corner, images=images,
+                       reference_nu=nu)  # fmt: skip
+        object.__setattr__(self, "_counts", counts)
+
+    @classmethod
+    def from_shapes(
+        cls, shapes: Shapes, spacing: ArrayLike, size: Sequence[int], *, origin: Sequence[float] = (0.0, 0.0), **options: Any
+    ) -> Voxels:
+        """Shapes cut into cells: each cell has the material at its centre. size = (nz, ny, nx); options as of Voxels."""
+        dz, dy, dx = np.broadcast_to(np.asarray(spacing, dtype=float), (3,))
+        nz, ny, nx = size
+        phases = [shapes.background]
+        number_of = {shapes.background: 0}
+        for body in shapes.shapes:
+            if body.material not in number_of:
+                number_of[body.material] = len(phases)
+                phases.append(body.material)
+        x = origin[0] + (np.arange(nx) + 0.5) * dx
+        y = origin[1] + (np.arange(ny)[:, None] + 0.5) * dy
+        labels = np.zeros((nz, ny, nx), dtype=np.uint8 if len(phases) < 256 else np.int32)
+        for k in range(nz):
+            for body in shapes.shapes:
+                labels[k][np.broadcast_to(body.holds(x, y, (k + 0.5) * dz), (ny, nx))] = number_of[body.material]
+        options.setdefault("below", shapes.background)
+        return cls(labels, phases, (dz, dy, dx), origin=origin, **options)
+
+    def centers(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """x and y of the cells' centres: where maps have their points [length]."""
+        _, ny, nx = self.labels.shape
+        _, dy, dx = self.spacing
+        return self.origin[0] + (np.arange(nx) + 0.5) * dx, self.origin[1] + (np.arange(ny) + 0.5) * dy
+
+    def slice_shares(self) -> NDArray[np.float64]:
+        """Share of each phase in each slice, (nz, phases)."""
+        shares: NDArray[np.float64] = self._counts / self._counts.sum(axis=1, keepdims=True)
+        return shares
+
+    def _values(self, x: Any, y: Any, a: Any) -> Any:
+        # the library's own copy of the array is made for the first point: maps do not need it
+        if "_structure" not in self.__dict__:
+            padded = self.beside != "periodic"
+            beside = self.beside if padded else self.below
+            cells = np.ascontiguousarray(self.labels, dtype=np.int32)
+            nz, ny, nx = cells.shape
+            dz, dy, dx = self.spacing
+            self._own_structure(
+                _native.structure_voxels(
+                    [nx, ny, nz], cells.ravel(), [m.E for m in self.phases], [m.nu for m in self.phases], [dx, dy, dz],
+                    [self.below.E, self.below.nu], self.reference_nu, int(padded), self.images, [beside.E, beside.nu],
+                    list(self.origin),
+                )  # fmt: skip
+            )
+        return super()._values(x, y, a)
+
+    def __eq__(self, other: object) -> bool:
+        if type(self) is not type(other):
+            return NotImplemented
+        mine, its = dict(self._arguments), dict(other._arguments)
+        return bool(np.array_equal(mine.pop("labels"), its.pop("labels"))) and mine == its
+
+    def __hash__(self) -> int:
+        return hash((self.labels.shape, self.phases, self.spacing))
+
+
+def _census(cells: Any, phases: int) -> NDArray[np.float64]:
+    """Voxels of each phase in each slice, slice by slice."""
+    if not phases:
+        raise InvalidArgumentError("phases is not allowed: it is empty")
+    counts = np.zeros((cells.shape[0], phases))
+    for k in range(cells.shape[0]):
+        layer = np.asarray(cells[k]).ravel()
+        low, high = int(layer.min()), int(layer.max())
+        if low < 0 or high >= phases:
+            raise InvalidArgumentError(f"labels from {low} to {high} are not allowed: there are phases 0 to {phases - 1}")
+        counts[k] = np.bincount(layer, minlength=phases)
+    return counts

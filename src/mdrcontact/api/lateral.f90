@@ -1,0 +1,117 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Weights of laterally heterogeneous structures, for C (theory 7).
+module mdrcontact_api_lateral
+    use, intrinsic :: iso_c_binding, only: c_double, c_int
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_finite, check_each_not_negative
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_error, only: check_not_negative, check_poisson, check_positive, count_text, entry_name, error_invalid, error_t, &
+                                raise, to_text
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_lateral_cells, only: cell_weights
+    use mdrcontact_lateral_density, only: lateral_density
+    use mdrcontact_lateral_field, only: space_rule, space_rule_size
+    use mdrcontact_lateral_slab, only: new_slab, slab_t
+    implicit none (type, external)
+    private
+    public :: mdr_lateral_density, mdr_lateral_cells, mdr_lateral_rule
+
+contains
+
+    function mdr_lateral_density(n, rho, z, nu, shear, poisson) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: rho(*), z(*)
+        real(c_double), value :: nu
+        real(c_double), intent(inout), optional :: shear(*), poisson(*)
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+
+        call check_count(error, n)
+        call check_array(error, "rho", n, present(rho))
+        call check_array(error, "z", n, present(z))
+        call check_array(error, "shear", n, present(shear))
+        call check_array(error, "poisson", n, present(poisson))
+        call check_poisson(error, "nu", nu)
+        if (.not. allocated(error) .and. n > 0) then
+            call check_each_not_negative(error, "rho", rho(:n))
+            call check_each_not_negative(error, "z", z(:n))
+            if (.not. allocated(error)) call lateral_density(rho(:n), z(:n), nu, shear(:n), poisson(:n))
+        end if
+        status = status_of(error)
+    end function mdr_lateral_density
+
+    function mdr_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson) result(status) bind(C)
+        real(c_double), value :: nu, a, z_top, z_bottom
+        integer(c_int), value :: nx, ny
+        real(c_double), intent(in), optional :: x(*), y(*)
+        real(c_double), intent(inout), optional :: shear(*), poisson(*)
+        integer(c_int) :: status
+        type(slab_t) :: slab
+        real(wp), allocatable :: weights(:, :, :)
+        type(error_t), allocatable :: error
+        integer :: stat
+
+        call check_poisson(error, "nu", nu)
+        call check_positive(error, "a", a)
+        call check_not_negative(error, "z_top", z_top)
+        call check_positive(error, "z_bottom", z_bottom)
+        if (.not. z_bottom > z_top) call raise(error, error_invalid, "z_bottom = "//to_text(z_bottom)// &
+                                               " is not allowed: it must be greater than z_top = "//to_text(z_top))
+        call check_lines(error, "x", nx, x)
+        call check_lines(error, "y", ny, y)
+        call check_given(error, "shear", present(shear))
+        call check_given(error, "poisson", present(poisson))
+        if (.not. allocated(error)) then
+            call new_slab(slab, nu, z_top/a, z_bottom/a, hypot(max(abs(x(1)), abs(x(nx + 1))), &
+                                                               max(abs(y(1)), abs(y(ny + 1))))/a, error)
+        end if
+        if (.not. allocated(error)) then
+            allocate (weights(nx, ny, 2), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) then
+            call cell_weights(slab, x(:nx + 1)/a, y(:ny + 1)/a, weights(:, :, 1), weights(:, :, 2))
+            shear(:nx*ny) = reshape(weights(:, :, 1), [nx*ny])
+            poisson(:nx*ny) = reshape(weights(:, :, 2), [nx*ny])
+        end if
+        status = status_of(error)
+    end function mdr_lateral_cells
+
+    function mdr_lateral_rule(order, nu, points, weights) result(status) bind(C)
+        integer(c_int), value :: order
+        real(c_double), value :: nu
+        real(c_double), intent(inout), optional :: points(3, *), weights(2, *)
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+        integer :: n
+
+        if (order < 1 .or. order > 200) call raise(error, error_invalid, "order = "//count_text(int(order))// &
+                                                   " is not allowed: it must be from 1 to 200")
+        call check_poisson(error, "nu", nu)
+        call check_given(error, "points", present(points))
+        call check_given(error, "weights", present(weights))
+        if (.not. allocated(error)) then
+            n = space_rule_size(int(order))
+            call space_rule(int(order), nu, points(:, :n), weights(:, :n))
+        end if
+        status = status_of(error)
+    end function mdr_lateral_rule
+
+    subroutine check_lines(error, name, n, lines)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in), optional :: lines(*)
+        integer :: i
+
+        if (n < 1) call raise(error, error_invalid, "n"//name//" = "//count_text(int(n))//" is not allowed: it must be at least 1")
+        call check_given(error, name, present(lines))
+        if (allocated(error)) return
+        call check_each_finite(error, name, lines(:n + 1))
+        do i = 1, n
+            if (allocated(error)) return
+            if (.not. lines(i + 1) > lines(i)) call raise(error, error_invalid, entry_name(name, i + 1)//" = "// &
+                                                          to_text(lines(i + 1))//" is not allowed: "//name//" must ascend")
+        end do
+    end subroutine check_lines
+
+end module mdrcontact_api_lateral

@@ -1,0 +1,271 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Laterally heterogeneous structures, for C (theory 7).
+module mdrcontact_api_structure
+    use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_null_ptr, c_ptr, c_associated
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
+    use mdrcontact_api_arrays, only: check_array, check_count
+    use mdrcontact_api_handles, only: deliver_medium
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_api_structure_handle, only: deliver_structure, open_structure
+    use mdrcontact_error, only: count_text, error_callback, error_invalid, error_t, raise
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
+    use mdrcontact_lateral_medium, only: new_lateral_medium
+    use mdrcontact_lateral_shape, only: new_shape, shape_t
+    use mdrcontact_lateral_shapes, only: new_shapes, shapes_t
+    use mdrcontact_lateral_structure, only: structure_t
+    use mdrcontact_lateral_voxels, only: new_voxels, voxels_t
+    use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_medium_tabulated, only: tabulated_medium_t
+    implicit none (type, external)
+    private
+    public :: mdr_structure_options_init, mdr_structure_shapes, mdr_structure_voxels, mdr_structure_callback, &
+              mdr_structure_modulus, mdr_structure_medium
+
+    !> struct mdr_structure_options; the order of the components is that of the header.
+    type, bind(C) :: structure_options_t
+        real(c_double) :: reference_nu
+        real(c_double) :: tolerance = 1.0e-5_c_double
+        integer(c_int) :: padded = 0_c_int
+        integer(c_int) :: images = 1_c_int
+        real(c_double) :: beside_e = 0.0_c_double, beside_nu = 0.0_c_double
+        real(c_double) :: origin(2) = 0.0_c_double
+    end type structure_options_t
+
+    !> A C function E(x, y, z), nu(x, y, z).
+    type, extends(field_t) :: c_field_t
+        type(c_funptr) :: function
+        type(c_ptr) :: context = c_null_ptr
+    contains
+        procedure :: material => c_field_material
+    end type c_field_t
+
+    abstract interface
+        function mdr_field(x, y, z, e, nu, context) result(status) bind(C)
+            import :: c_double, c_int, c_ptr
+            real(c_double), value :: x, y, z
+            real(c_double), intent(inout) :: e, nu
+            type(c_ptr), value :: context
+            integer(c_int) :: status
+        end function mdr_field
+    end interface
+
+contains
+
+    subroutine mdr_structure_options_init(options) bind(C)
+        type(structure_options_t), intent(inout), optional :: options
+
+        if (present(options)) options = default_options()
+    end subroutine mdr_structure_options_init
+
+    function mdr_structure_shapes(e, nu, n, kind, parameters, shape_e, shape_nu, options, out) result(status) bind(C)
+        real(c_double), value :: e, nu
+        integer(c_int), value :: n
+        integer(c_int), intent(in), optional :: kind(*)
+        real(c_double), intent(in), optional :: parameters(7, *), shape_e(*), shape_nu(*)
+        type(structure_options_t), intent(in), optional :: options
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(structure_options_t) :: chosen
+        type(material_t) :: background, material
+        type(shape_t), allocatable :: shapes(:)
+        type(shapes_t) :: structure
+        type(error_t), allocatable :: error
+        integer :: i, stat
+
+        chosen = default_options()
+        if (present(options)) chosen = options
+        call new_material(background, e, nu, error)
+        call check_count(error, n)
+        call check_array(error, "kind", n, present(kind))
+        call check_array(error, "parameters", n, present(parameters))
+        call check_array(error, "shape_E", n, present(shape_e))
+        call check_array(error, "shape_nu", n, present(shape_nu))
+        if (.not. allocated(error)) then
+            allocate (shapes(n), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) then
+            do i = 1, n
+                call new_material(material, shape_e(i), shape_nu(i), error, "shape "//count_text(i))
+                if (.not. allocated(error)) call new_shape(shapes(i), int(kind(i)), parameters(:, i), material, error)
+                if (allocated(error)) exit
+            end do
+        end if
+        if (.not. allocated(error)) then
+            if (ieee_is_nan(chosen%reference_nu)) chosen%reference_nu = nu
+            call new_shapes(structure, background, shapes, error, chosen%reference_nu, chosen%tolerance)
+        end if
+        status = deliver_structure(structure, out, error)
+    end function mdr_structure_shapes
+
+    function mdr_structure_voxels(size, labels, phases, e, nu, spacing, below_e, below_nu, options, out) result(status) bind(C)
+        integer(c_int), intent(in), optional :: size(3), labels(*)
+        integer(c_int), value :: phases
+        real(c_double), intent(in), optional :: e(*), nu(*), spacing(3)
+        real(c_double), value :: below_e, below_nu
+        type(structure_options_t), intent(in), optional :: options
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(structure_options_t) :: chosen
+        type(material_t) :: below
+        type(material_t), allocatable :: materials(:), beside
+        type(voxels_t) :: structure
+        type(error_t), allocatable :: error
+        integer, allocatable :: cells(:, :, :)
+        real(wp), allocatable :: reference_nu
+        integer :: stat
+
+        chosen = default_options()
+        if (present(options)) chosen = options
+        call check_given(error, "size", present(size))
+        call check_given(error, "labels", present(labels))
+        call check_given(error, "spacing", present(spacing))
+        call check_materials(phases, e, nu, materials, error)
+        if (.not. allocated(error)) call new_material(below, below_e, below_nu, error, "below")
+        if (.not. allocated(error) .and. chosen%padded /= 0_c_int) then
+            allocate (beside)
+            call new_material(beside, chosen%beside_e, chosen%beside_nu, error, "beside")
+        end if
+        if (.not. allocated(error)) then
+            if (any(size < 1)) call raise(error, error_invalid, "each entry of size must be at least 1")
+        end if
+        if (.not. allocated(error)) then
+            if (product(real(size, wp)) > real(huge(1_c_int), wp)) then
+                call raise(error, error_invalid, "the array has more voxels than an int counts")
+            end if
+        end if
+        if (.not. allocated(error)) then
+            allocate (cells(size(1), size(2), size(3)), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) then
+            if (.not. ieee_is_nan(chosen%reference_nu)) reference_nu = chosen%reference_nu
+            ! C counts phases from 0
+            call copy_labels(labels, cells)
+            call new_voxels(structure, cells, materials, spacing, below, error, beside, chosen%origin, int(chosen%images), &
+                            reference_nu)
+        end if
+        status = deliver_structure(structure, out, error)
+    end function mdr_structure_voxels
+
+    function mdr_structure_callback(field, context, reference_nu, tolerance, out) result(status) bind(C)
+        type(c_funptr), value :: field
+        type(c_ptr), value :: context
+        real(c_double), value :: reference_nu, tolerance
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(c_field_t) :: wrapped
+        type(field_structure_t) :: structure
+        type(error_t), allocatable :: error
+
+        call check_given(error, "field", c_associated(field))
+        wrapped%function = field
+        wrapped%context = context
+        if (.not. allocated(error)) call new_field_structure(structure, wrapped, reference_nu, error, tolerance)
+        status = deliver_structure(structure, out, error)
+    end function mdr_structure_callback
+
+    function mdr_structure_modulus(s, n, x, y, a, out) result(status) bind(C)
+        type(c_ptr), value :: s
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: x(*), y(*), a(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        class(structure_t), pointer :: structure
+        real(c_double), allocatable :: values(:)
+        type(error_t), allocatable :: error
+        integer :: stat
+
+        call open_structure(s, "s", structure, error)
+        call check_count(error, n)
+        call check_array(error, "x", n, present(x))
+        call check_array(error, "y", n, present(y))
+        call check_array(error, "a", n, present(a))
+        call check_array(error, "out", n, present(out))
+        if (.not. allocated(error)) then
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error) .and. n > 0) call structure%modulus(x(:n), y(:n), a(:n), values, error)
+        if (.not. allocated(error) .and. n > 0) out(:n) = values
+        status = status_of(error)
+    end function mdr_structure_modulus
+
+    function mdr_structure_medium(s, x, y, smallest_radius, largest_radius, points, out) result(status) bind(C)
+        type(c_ptr), value :: s
+        real(c_double), value :: x, y, smallest_radius, largest_radius
+        integer(c_int), value :: points
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        class(structure_t), pointer :: structure
+        type(tabulated_medium_t) :: medium
+        type(error_t), allocatable :: error
+
+        call open_structure(s, "s", structure, error)
+        if (.not. allocated(error)) then
+            call new_lateral_medium(medium, structure, x, y, smallest_radius, largest_radius, error, int(points))
+        end if
+        status = deliver_medium(medium, out, error)
+    end function mdr_structure_medium
+
+    function default_options() result(options)
+        type(structure_options_t) :: options
+
+        options%reference_nu = ieee_value(1.0_c_double, ieee_quiet_nan)
+    end function default_options
+
+    subroutine check_materials(n, e, nu, materials, error)
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in), optional :: e(*), nu(*)
+        type(material_t), allocatable, intent(out) :: materials(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        if (n < 1) call raise(error, error_invalid, "phases = "//count_text(int(n))//" is not allowed: it must be at least 1")
+        call check_array(error, "E", n, present(e))
+        call check_array(error, "nu", n, present(nu))
+        if (allocated(error)) return
+        allocate (materials(n))
+        do i = 1, n
+            call new_material(materials(i), e(i), nu(i), error, "phase "//count_text(i - 1))
+            if (allocated(error)) return
+        end do
+    end subroutine check_materials
+
+    pure subroutine copy_labels(labels, cells)
+        integer(c_int), intent(in) :: labels(*)
+        integer, intent(out) :: cells(:, :, :)
+        integer :: j, k, first
+
+        first = 0
+        do k = 1, size(cells, 3)
+            do j = 1, size(cells, 2)
+                ! beyond the largest label there is no phase, whatever the number
+                cells(:, j, k) = max(0, min(labels(first + 1:first + size(cells, 1)), huge(1) - 1) + 1)
+                first = first + size(cells, 1)
+            end do
+        end do
+    end subroutine copy_labels
+
+    subroutine c_field_material(self, x, y, z, shear, poisson, error)
+        class(c_field_t), intent(in) :: self
+        real(wp), intent(in) :: x, y, z
+        real(wp), intent(out) :: shear, poisson
+        type(error_t), allocatable, intent(inout) :: error
+        procedure(mdr_field), pointer :: function
+        real(c_double) :: e, nu
+        integer(c_int) :: status
+
+        call c_f_procpointer(self%function, function)
+        e = 0.0_c_double
+        nu = 0.0_c_double
+        status = function(x, y, z, e, nu, self%context)
+        shear = 0.5_wp*e/(1.0_wp + nu)
+        poisson = nu
+        if (status /= 0_c_int) then
+            call raise(error, error_callback, "the function of the structure reported failure "//count_text(int(status)))
+        end if
+    end subroutine c_field_material
+
+end module mdrcontact_api_structure

@@ -1,0 +1,47 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The medium that an indenter meets at one place of a laterally heterogeneous structure: E_eff(a, x, y) at fixed (x, y) (theory 7).
+module mdrcontact_lateral_medium
+    use mdrcontact_error, only: check_positive, count_text, error_invalid, error_t, raise, to_text
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_lateral_structure, only: structure_t
+    use mdrcontact_medium_tabulated, only: new_tabulated_medium, tabulated_medium_t
+    implicit none (type, external)
+    private
+    public :: new_lateral_medium
+
+    integer, parameter :: default_points = 33
+
+contains
+
+    !> Samples E_eff at radii evenly spaced in ln a. The structure is not needed afterwards.
+    subroutine new_lateral_medium(self, structure, x, y, smallest_radius, largest_radius, error, points)
+        type(tabulated_medium_t), intent(out) :: self
+        class(structure_t), intent(in) :: structure
+        !> place of the contact [length]
+        real(wp), intent(in) :: x, y
+        !> 0 < smallest_radius < largest_radius; below the smaller one E_eff is taken as constant [length]
+        real(wp), intent(in) :: smallest_radius, largest_radius
+        type(error_t), allocatable, intent(out) :: error
+        !> number of radii, at least 3; default 33
+        integer, intent(in), optional :: points
+        real(wp), allocatable :: radii(:), modulus(:)
+        integer :: count, i
+
+        count = default_points
+        if (present(points)) count = points
+        call check_positive(error, "smallest_radius", smallest_radius)
+        call check_positive(error, "largest_radius", largest_radius)
+        if (count < 3) call raise(error, error_invalid, "points = "//count_text(count)//" is not allowed: it must be at least 3")
+        if (largest_radius <= smallest_radius) then
+            call raise(error, error_invalid, "largest_radius = "//to_text(largest_radius)//" is not allowed: it must be "// &
+                       "greater than smallest_radius = "//to_text(smallest_radius))
+        end if
+        if (allocated(error)) return
+        radii = [(smallest_radius*(largest_radius/smallest_radius)**(real(i, wp)/(count - 1)), i=0, count - 1)]
+        radii(count) = largest_radius
+        allocate (modulus(count))
+        call structure%modulus(spread(x, 1, count), spread(y, 1, count), radii, modulus, error)
+        if (.not. allocated(error)) call new_tabulated_medium(self, radii, modulus, error)
+    end subroutine new_lateral_medium
+
+end module mdrcontact_lateral_medium

@@ -1,0 +1,67 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What a laterally heterogeneous structure must answer: its effective moduli for a contact of radius a at (x, y) (theory 7).
+module mdrcontact_lateral_structure
+    use mdrcontact_error, only: check_finite, check_positive, error_t
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: structure_t
+
+    !> A half-space z > 0 whose moduli vary in all three directions. It never changes under evaluation.
+    type, abstract :: structure_t
+        !> Poisson's ratio of the reference medium, whose flat-punch field gives the weights
+        real(wp) :: reference_nu = 0.5_wp
+    contains
+        procedure(weighted_means), deferred :: means
+        procedure :: modulus
+        procedure :: modulus_at
+    end type structure_t
+
+    abstract interface
+        !> G_eff = int W_shear G dV/a^3 and nu_eff = int W_poisson nu dV/a^3.
+        subroutine weighted_means(self, x, y, a, shear, poisson, error)
+            import :: error_t, structure_t, wp
+            class(structure_t), intent(in) :: self
+            real(wp), intent(in) :: x, y, a
+            real(wp), intent(out) :: shear, poisson
+            type(error_t), allocatable, intent(out) :: error
+        end subroutine weighted_means
+    end interface
+
+contains
+
+    !> E_eff(a, x, y) = 2 G_eff/(1 - nu_eff), equation (33) [modulus], at one place and one radius.
+    subroutine modulus_at(self, x, y, a, value, error)
+        class(structure_t), intent(in) :: self
+        !> centre of the contact and its radius a > 0 [length]
+        real(wp), intent(in) :: x, y, a
+        real(wp), intent(out) :: value
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: shear, poisson
+
+        value = 0.0_wp
+        call check_finite(error, "x", x)
+        call check_finite(error, "y", y)
+        call check_positive(error, "a", a)
+        if (allocated(error)) return
+        call self%means(x, y, a, shear, poisson, error)
+        if (.not. allocated(error)) value = 2.0_wp*shear/(1.0_wp - poisson)
+    end subroutine modulus_at
+
+    !> E_eff(a, x, y) at several places and radii: along a line, at one place for many radii, ...
+    subroutine modulus(self, x, y, a, values, error)
+        class(structure_t), intent(in) :: self
+        !> all of the same size [length]
+        real(wp), intent(in) :: x(:), y(:), a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i
+
+        values = 0.0_wp
+        do i = 1, size(values)
+            call self%modulus_at(x(i), y(i), a(i), values(i), error)
+            if (allocated(error)) return
+        end do
+    end subroutine modulus
+
+end module mdrcontact_lateral_structure

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Laterally heterogeneous structures: refusals, layers against the layered medium, points, lines, voxels, weights. */
+#include "check.h"
+
+static const double nan_free[3] = {0.1, 1.0, 10.0};
+static const double zeros[3] = {0.0, 0.0, 0.0};
+
+static int wavy(double x, double y, double z, double *E, double *nu, void *context)
+{
+    (void)y;
+    *E = 3.0 * (1.0 + *(double *)context * cos(x) * exp(-z));
+    *nu = 0.5;
+    return 0;
+}
+
+static int failing(double x, double y, double z, double *E, double *nu, void *context)
+{
+    (void)x, (void)y, (void)z, (void)E, (void)nu, (void)context;
+    return 7;
+}
+
+static void refusals(void)
+{
+    const int kind[1] = {MDR_SHAPE_SPHERE}, unknown[1] = {6}, size[3] = {1, 1, 1}, label[1] = {0}, wrong_label[1] = {1};
+    const double good[7] = {0.0, 0.0, 1.0, 0.5}, bad[7] = {0.0, 0.0, 1.0, -0.5}, E[1] = {2.0}, nu[1] = {0.3}, wrong_nu[1] = {0.6};
+    const double spacing[3] = {1.0, 1.0, 1.0}, flat[3] = {1.0, 1.0, 0.0}, negative[3] = {0.1, -1.0, 10.0};
+    double out[3];
+    mdr_structure *s = NULL;
+    mdr_medium *m = NULL;
+    mdr_structure_options options;
+
+    fill_untouched(3, out);
+    CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, bad, E, nu, NULL, &s), MDR_EINVALID, "radius = -0.5");
+    CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, unknown, good, E, nu, NULL, &s), MDR_EINVALID, "kind = 6");
+    CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, wrong_nu, NULL, &s), MDR_EINVALID, "shape 1 nu = 0.6");
+    CHECK_STATUS(mdr_structure_shapes(-1.0, 0.3, 1, kind, good, E, nu, NULL, &s), MDR_EINVALID, "E = -1");
+    CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, -1, kind, good, E, nu, NULL, &s), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, NULL, good, E, nu, NULL, &s), MDR_ENULL, "kind is NULL");
+    CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, NULL, NULL), MDR_ENULL, "out is NULL");
+    mdr_structure_options_init(&options);
+    options.tolerance = NAN;
+    CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, &options, &s), MDR_EINVALID, "tolerance = NaN");
+    mdr_structure_options_init(&options);
+    options.reference_nu = 0.7;
+    CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, &options, &s), MDR_EINVALID, "reference_nu = 0.7");
+    CHECK_STATUS(mdr_structure_voxels(NULL, label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_ENULL, "size is NULL");
+    CHECK_STATUS(mdr_structure_voxels(size, wrong_label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID, "labels");
+    CHECK_STATUS(mdr_structure_voxels(size, label, 0, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID, "phases = 0");
+    CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, flat, 1.0, 0.3, NULL, &s), MDR_EINVALID, "spacing 3 = 0");
+    mdr_structure_options_init(&options);
+    options.padded = 1;
+    CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID, "beside E = 0");
+    CHECK_STATUS(mdr_structure_callback(NULL, NULL, 0.5, 1e-5, &s), MDR_ENULL, "field is NULL");
+    CHECK_TRUE(s == NULL);
+
+    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, NULL, &s));
+    CHECK_STATUS(mdr_structure_modulus(s, 3, zeros, zeros, negative, out), MDR_EINVALID, "a = -1");
+    CHECK_STATUS(mdr_structure_modulus(s, 3, zeros, NULL, nan_free, out), MDR_ENULL, "y is NULL");
+    CHECK_STATUS(mdr_structure_modulus(NULL, 3, zeros, zeros, nan_free, out), MDR_ENULL, "s is NULL");
+    CHECK_STATUS(mdr_structure_medium(s, 0.0, 0.0, 1.0, 0.5, 10, &m), MDR_EINVALID, "largest_radius = 0.5");
+    CHECK_STATUS(mdr_structure_medium(s, 0.0, 0.0, 0.5, 1.0, 2, &m), MDR_EINVALID, "points = 2");
+    CHECK_STATUS(mdr_structure_medium(s, NAN, 0.0, 0.5, 1.0, 5, &m), MDR_EINVALID, "x = NaN");
+    CHECK_TRUE(m == NULL);
+    CHECK_SUCCESS(mdr_structure_modulus(s, 0, NULL, NULL, NULL, NULL));
+    CHECK_UNTOUCHED(3, out);
+    CHECK_SUCCESS(mdr_structure_free(&s));
+    CHECK_TRUE(s == NULL);
+    CHECK_SUCCESS(mdr_structure_free(&s));
+    CHECK_SUCCESS(mdr_structure_free(NULL));
+
+    CHECK_SUCCESS(mdr_structure_callback(failing, NULL, 0.5, 1e-5, &s));
+    CHECK_STATUS(mdr_structure_modulus(s, 1, zeros, zeros, nan_free, out), MDR_ECALLBACK, "failure 7");
+    CHECK_SUCCESS(mdr_structure_free(&s));
+}
+
+/* A layer of shapes and one of voxels against the layered medium with Gao weights, at a point, and as the medium of an indenter. */
+static void layers(void)
+{
+    const int kind[1] = {MDR_SHAPE_LAYER}, size[3] = {2, 2, 3}, labels[12] = {0};
+    const double layer[7] = {0.0, 0.6}, E[1] = {5.0}, nu[1] = {0.3}, spacing[3] = {0.7, 0.4, 0.2};
+    double expected[3], found[3];
+    mdr_medium *reference = NULL, *lateral = NULL;
+    mdr_structure *shapes = NULL, *voxels = NULL;
+
+    CHECK_SUCCESS(mdr_medium_coated(5.0, 0.3, 0.6, 1.0, 0.3, MDR_MODEL_GAO, NULL, &reference));
+    CHECK_SUCCESS(mdr_medium_modulus(reference, 3, nan_free, expected));
+    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, layer, E, nu, NULL, &shapes));
+    CHECK_SUCCESS(mdr_structure_voxels(size, labels, 1, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
+    CHECK_SUCCESS(mdr_structure_modulus(shapes, 3, nan_free, zeros, nan_free, found));
+    for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-6);
+    CHECK_SUCCESS(mdr_structure_modulus(voxels, 3, nan_free, zeros, nan_free, found));
+    for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-12);
+    CHECK_SUCCESS(mdr_structure_medium(voxels, 0.2, 0.1, 1e-2, 1e2, 33, &lateral));
+    CHECK_SUCCESS(mdr_structure_free(&voxels));
+    CHECK_SUCCESS(mdr_medium_modulus(lateral, 3, nan_free, found));
+    for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 2e-3);
+    CHECK_SUCCESS(mdr_medium_free(&lateral));
+    CHECK_SUCCESS(mdr_medium_free(&reference));
+    CHECK_SUCCESS(mdr_structure_free(&shapes));
+}
+
+/* A line across a vertical interface: monotone, the mean in the middle, point symmetric. */
+static void line(void)
+{
+    const int kind[1] = {MDR_SHAPE_HALF_SPACE};
+    const double interface[7] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0}, E[1] = {3.0}, nu[1] = {0.5};
+    const double x[5] = {-2.0, -0.5, 0.0, 0.5, 2.0}, a[5] = {1.0, 1.0, 1.0, 1.0, 1.0}, y[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
+    double found[5];
+    mdr_structure *s = NULL;
+
+    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.5, 1, kind, interface, E, nu, NULL, &s));
+    CHECK_SUCCESS(mdr_structure_modulus(s, 5, x, y, a, found));
+    for (int i = 1; i < 5; i++) CHECK_TRUE(found[i] > found[i - 1]);
+    CHECK_CLOSE(found[2], 2.0 / 0.75, 1e-6);
+    CHECK_CLOSE(found[0] + found[4], 4.0 / 0.75, 1e-6);
+    CHECK_CLOSE(found[1] + found[3], 4.0 / 0.75, 1e-6);
+    CHECK_SUCCESS(mdr_structure_free(&s));
+}
+
+static void callback_structure(void)
+{
+    double contrast = 0.5, a = 0.3, crest = 0.0, trough = 3.14159265358979323846, y = 4.0, high, low;
+    mdr_structure *s = NULL;
+
+    CHECK_SUCCESS(mdr_structure_callback(wavy, &contrast, 0.5, 1e-4, &s));
+    CHECK_SUCCESS(mdr_structure_modulus(s, 1, &crest, &y, &a, &high));
+    CHECK_SUCCESS(mdr_structure_modulus(s, 1, &trough, &y, &a, &low));
+    CHECK_CLOSE(high + low, 8.0, 2e-4);
+    CHECK_TRUE(high > 4.4 && high < 6.0);
+    CHECK_SUCCESS(mdr_structure_free(&s));
+}
+
+static void weights(void)
+{
+    const double lines[3] = {-1e5, 0.25, 1e5}, falling[3] = {0.0, -1.0, 1.0}, rho[2] = {0.5, 3.0}, z[2] = {0.2, 0.1};
+    const double depth = 0.4, top = 0.0;
+    double shear[4], poisson[4], i0, i1, points[6 * 8 * 3], rule[6 * 8 * 2], total = 0.0;
+
+    CHECK_SUCCESS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, lines, 2, lines, shear, poisson));
+    CHECK_SUCCESS(mdr_weight_i0(1, &depth, 0.3, &i0));
+    CHECK_SUCCESS(mdr_weight_i1(1, &depth, 0.3, &i1));
+    CHECK_CLOSE(shear[0] + shear[1] + shear[2] + shear[3], i0, 1e-6);
+    CHECK_CLOSE(poisson[0] + poisson[1] + poisson[2] + poisson[3], i1, 1e-6);
+    CHECK_CLOSE(shear[1], shear[2], 1e-9);
+    CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, falling, 2, lines, shear, poisson), MDR_EINVALID, "must ascend");
+    CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, depth, top, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "z_bottom = 0");
+    CHECK_STATUS(mdr_lateral_cells(0.3, -1.0, top, depth, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "a = -1");
+    CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 0, lines, 2, lines, shear, poisson), MDR_EINVALID, "nx = 0");
+    CHECK_SUCCESS(mdr_lateral_density(2, rho, z, 0.5, shear, poisson));
+    CHECK_TRUE(shear[0] > shear[1] && shear[1] > 0.0);
+    CHECK_STATUS(mdr_lateral_density(2, falling, z, 0.5, shear, poisson), MDR_EINVALID, "rho");
+    CHECK_SUCCESS(mdr_lateral_rule(2, 0.3, points, rule));
+    for (int i = 0; i < 6 * 8; i++) total += rule[2 * i];
+    CHECK_CLOSE(total, 1.0, 1e-14);
+    CHECK_STATUS(mdr_lateral_rule(0, 0.3, points, rule), MDR_EINVALID, "order = 0");
+}
+
+int main(void)
+{
+    refusals();
+    layers();
+    line();
+    callback_structure();
+    weights();
+    return check_report("lateral");
+}
