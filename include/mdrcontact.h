@@ -616,8 +616,8 @@ enum mdr_fit_indenter {                /* its numbers are the arguments of mdr_p
 enum mdr_fit_medium {
     MDR_FIT_MEDIUM_GIVEN = 0,          /* `medium_object`, no numbers */
     MDR_FIT_MEDIUM_HOMOGENEOUS = 1,    /* E, nu */
-    MDR_FIT_MEDIUM_STACK = 2,          /* E, nu, h of each of `layers` from the surface down; E, nu of the substrate; the model's alpha
-                                          or wave factor (1 if it has none) */
+    MDR_FIT_MEDIUM_STACK = 2,          /* E, nu, h of each of `layers` from the surface down; E, nu of the substrate; the
+                                          model's alpha or wave factor (1 if it has none) */
     MDR_FIT_MEDIUM_GRADED = 3,         /* z, E, nu at each of `layers` depths */
     MDR_FIT_MEDIUM_POWER_GRADED = 4    /* E0, z0, exponent, nu */
 };
@@ -675,12 +675,13 @@ typedef struct mdr_fit_summary {
 /* how many numbers the kinds of indenter and medium, `layers` and the instrument make together */
 int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
 /* n points; force[] for MDR_FIT_STIFFNESS_DEPTH only; sd NULL: equal and unknown. Every output may be NULL. m = parameter_count:
-   values[m]; covariance[m*m], 0 for fixed numbers; at_bound[m]: -1, 0 or 1; weakest_direction[m]: the change of all free numbers that
-   the data notice least; fitted[n]: the model at the data; residuals[n]: (y - model)/standard deviation */
-int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[], const double sd[],
-                  double values[], double covariance[], int at_bound[], double weakest_direction[], double fitted[],
-                  double residuals[], mdr_fit_summary *summary);
-/* what the instrument reads where the numbers are the `value`s; y is used where the frame gives way or contact depths follow from it */
+   values[m]; covariance[m*m], 0 for fixed numbers; at_bound[m]: -1, 0 or 1; weakest_direction[m]: the change of all free
+   numbers that the data notice least; fitted[n]: the model at the data; residuals[n]: (y - model)/standard deviation */
+int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
+                  const double sd[], double values[], double covariance[], int at_bound[], double weakest_direction[],
+                  double fitted[], double residuals[], mdr_fit_summary *summary);
+/* what the instrument reads where the numbers are the `value`s; y is used where the frame gives way or contact depths
+   follow from it */
 int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
                     double fitted[]);
 /* profile-likelihood interval of the free number at `position` (from 0); an end that does not exist is infinite */

@@ -274,7 +274,7 @@ contains
             bend = bent(residuals%loss, residuals%problem%loss_scale, fit%residuals)
             where (abs(bend) > tiny(1.0_wp))
                 bend = psi/bend
-            elsewhere
+            else where
                 bend = 1.0_wp
             end where
             do i = 1, size(inner)

@@ -81,7 +81,7 @@ static void bad_input_is_refused(void)
 
     fill(&problem, parameters);
     CHECK_INT(mdr_fit_solve(NULL, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
-    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID); /* none free */
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
     parameters[1].is_free = 1;
     CHECK_INT(mdr_fit_solve(&problem, 3, NULL, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
     CHECK_INT(mdr_fit_solve(&problem, -1, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);

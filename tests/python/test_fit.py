@@ -131,7 +131,7 @@ def test_stiffness_data(kind):
 
 
 def test_noise_of_stiffness_enters_the_contact_depth_too():
-    """A stiffness that reads high makes the contact look deeper, so less of its error is left in the residual: chi-square counts that."""
+    """A stiffness that reads high makes the contact look deeper, so less of its error is left in the residual."""
     h_c = np.linspace(15e-9, 250e-9, 400)
     a = h_c / math.tan(mdr.Berkovich().inclination)
     stiffness = np.asarray(FILM.stiffness(a))

@@ -161,8 +161,8 @@ def _run_folder(arguments: argparse.Namespace, problem: FitFile) -> None:
             progress=lambda done: bar.update(),
             **problem.options,
         )
-    good = [(path, r) for path, r in zip(paths, results) if isinstance(r, FitResult)]
-    for path, result in zip(paths, results):
+    good = [(path, r) for path, r in zip(paths, results, strict=True) if isinstance(r, FitResult)]
+    for path, result in zip(paths, results, strict=True):
         if isinstance(result, FailedFit):
             print(f"not fitted: {path.name}: {result.error}")
         elif not result.converged:
@@ -211,7 +211,10 @@ def _write_folder(
         table.append(column("converged", np.array([float(r.converged) for _, r in good]), RATIO))
         contents[arguments.csv] = as_csv(table, ("file", [path.name for path, _ in good]))
     if arguments.json:
-        found = {p.name: r.to_dict() if isinstance(r, FitResult) else {"error": str(r.error)} for p, r in zip(paths, results)}
+        found = {
+            path.name: result.to_dict() if isinstance(result, FitResult) else {"error": str(result.error)}
+            for path, result in zip(paths, results, strict=True)
+        }
         contents[arguments.json] = (json.dumps(found, indent=2, allow_nan=False) + "\n").encode()
     if arguments.plot:
         contents[arguments.plot] = _overview(good, names, files.figure_format(arguments.plot))
@@ -226,7 +229,7 @@ def _overview(good: list[tuple[Path, FitResult]], names: tuple[str, ...], form: 
 
     figure = Figure(figsize=(6.4, 2.2 * len(names) + 0.6), layout="constrained")
     axes = np.atleast_1d(figure.subplots(len(names), 1, sharex=True))
-    for axis, name in zip(axes, names):
+    for axis, name in zip(axes, names, strict=True):
         unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in good])
         v = [r.estimates[name] / unit.factor for _, r in good]
         errors = [1.96 * r.standard_errors[name] / unit.factor for _, r in good]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from typing import TYPE_CHECKING
 
@@ -149,10 +150,8 @@ def contact_radii(result: FitResult) -> np.ndarray:
         middle = np.sqrt(low * high)
         height = np.full_like(middle, np.inf)
         for i, r in enumerate(middle):
-            try:
+            with contextlib.suppress(MDRError):
                 height[i] = result.indenter.height(float(r))
-            except MDRError:
-                pass
         low, high = np.where(height < h_c, middle, low), np.where(height < h_c, high, middle)
     return np.sqrt(low * high)
 

@@ -47,7 +47,7 @@ class ModelRanking(NamedTuple):
             note = "" if entry.result.converged else " (not converged)"
             rows.append([entry.model + note, f"{entry.delta_aic:.1f}", f"{entry.result.bic:.5g}", f"{entry.weight:.2g}", *cells])
         widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-        lines = ["  ".join(cell.ljust(w) for cell, w in zip(row, widths)).rstrip() for row in rows]
+        lines = ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
         return "\n".join(lines + [f"refused: {model}: {words}" for model, words in self.refused.items()])
 
 

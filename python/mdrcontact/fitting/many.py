@@ -17,7 +17,8 @@ from .solve import fit
 class FailedFit(NamedTuple):
     """A curve that could not be fitted, and why."""
 
-    index: int
+    position: int
+    """of the curve, from 0"""
     error: MDRError
 
     converged: bool = False
@@ -33,8 +34,8 @@ def fit_many(
     progress: Callable[[int], Any] | None = None,
     **options: Any,
 ) -> list[FitResult | FailedFit]:
-    """Fits each curve on its own; takes the arguments of `fit`. A curve that cannot be fitted becomes a `FailedFit` and does not stop
-    the others.
+    """Fits each curve on its own; takes the arguments of `fit`. A curve that cannot be fitted becomes a `FailedFit` and does not
+    stop the others.
 
     curves : data, or functions that make them (a curve with NaN is then one failure and not the end)
     workers : threads; default: one for each core. progress: called with the number of curves done after each

@@ -135,7 +135,7 @@ def of_indenter(indenter: Any) -> Numbers:
         return Numbers(0, [], [], lambda _: indenter)
     code, names = _SHAPES[type(indenter)]
     values = [float(getattr(indenter, name)) for name in names]
-    return Numbers(code, [f"indenter.{n}" for n in names], values, lambda v: type(indenter)(**dict(zip(names, v))))
+    return Numbers(code, [f"indenter.{n}" for n in names], values, lambda v: type(indenter)(**dict(zip(names, v, strict=True))))
 
 
 class MediumNumbers(NamedTuple):
@@ -176,7 +176,7 @@ def _graded(medium: Any) -> MediumNumbers:
     options = {k: v for k, v in medium._arguments.items() if k in MODELS[medium.model].options}
     code, _, _, choice, weight_nu, tolerance = settings(medium.model, options, layers=True).native
     names = [f"{name}[{i}]" for i in range(len(z)) for name in ("z", "E", "nu")]
-    values = [value for row in zip(z, E, ratios) for value in row]
+    values = [value for row in zip(z, E, ratios, strict=True) for value in row]
     numbers = Numbers(3, names, values, lambda v: media.Graded(v[0::3], v[1::3], v[2::3], medium.model, **options))
     return MediumNumbers(numbers, code, len(z), choice, weight_nu, tolerance)
 
@@ -216,7 +216,7 @@ def of_instrument(instrument: Instrument) -> Numbers:
     values = [modulus if name == "indenter_modulus" else arguments[name] for name in INSTRUMENT]
 
     def build(v: Sequence[float]) -> Instrument:
-        changed = {name: value for name, value in zip(INSTRUMENT, v) if name != "indenter_modulus"}
+        changed: dict[str, Any] = {name: value for name, value in zip(INSTRUMENT, v, strict=True) if name != "indenter_modulus"}
         if v[4] != modulus:
             changed["indenter"] = Elastic(v[4], 0.0)
         return instrument.replace(**changed)

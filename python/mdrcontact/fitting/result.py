@@ -38,8 +38,8 @@ class FitResult:
     standard_errors : by name, from the covariance
     covariance, correlation : arrays, in the order of `names`
     indenter, medium, instrument : the objects with the best values, for further computing
-    fitted, residuals : the model at the data, and (data - model) in its standard deviations, into which the error of a reading enters
-        twice where the model is computed from it too (contact depths, frame compliance)
+    fitted, residuals : the model at the data, and (data - model) in its standard deviations; the error of a reading counts once
+        where the model is computed from it too (contact depths, frame compliance)
     noise : factor of the standard deviations of the data: 1 if they are known, else estimated; without `sd` the standard deviation
     chi_square, degrees_of_freedom, log_likelihood, aic, bic, runs_probability
     converged, iterations, evaluations, warnings
@@ -60,12 +60,12 @@ class FitResult:
         self.data = problem.data
         places = [i for i, name in enumerate(problem.names) if name in problem.free]
         self.names = tuple(problem.names[i] for i in places)
-        self.values = {name: float(value) for name, value in zip(problem.names, values) if name}
+        self.values = {name: float(value) for name, value in zip(problem.names, values, strict=True) if name}
         self.estimates = {name: self.values[name] for name in self.names}
         self.covariance: Array = np.asarray(covariance)[np.ix_(places, places)]
         self.standard_errors = {name: math.sqrt(self.covariance[i, i]) for i, name in enumerate(self.names)}
-        self.at_bound = {name: int(at_bound[i]) for name, i in zip(self.names, places)}
-        self.weakest_direction = {name: float(weakest_direction[i]) for name, i in zip(self.names, places)}
+        self.at_bound = {name: int(at_bound[i]) for name, i in zip(self.names, places, strict=True)}
+        self.weakest_direction = {name: float(weakest_direction[i]) for name, i in zip(self.names, places, strict=True)}
         self.indenter, self.medium, self.instrument = problem.objects_at(values)
         self.fitted: Array = np.asarray(fitted)
         self.converged = bool(numbers[0])
@@ -109,7 +109,7 @@ class FitResult:
         """The confidence interval of one free parameter.
 
         method : "normal" from the standard error; "profile": as far as the parameter can be moved, all others following, before
-            chi-square rises by its quantile; "monte-carlo": quantiles of fits of `draws` simulated data sets (`seed` of the numbers)
+            chi-square rises by its quantile; "monte-carlo": quantiles of fits of `draws` simulated data sets (`seed`)
         """
         if name not in self.names:
             raise InvalidArgumentError(f"{name!r} is not a free parameter: {nearest(str(name), self.names)}")

@@ -85,9 +85,9 @@ def fit(
 
     data : ForceDepth(...), StiffnessDepth(...), ModulusRadius(...) or StiffnessRadius(...)
     indenter, medium : any of the library; their numbers are the fixed values, and the start of the free ones
-    free : names of the free parameters, or a mapping from names to Free(start, lower=, upper=, prior=(value, sd)), a starting value or
-        None. Names: indenter.radius, ...; coating.E, coating.nu, thickness, substrate.E, substrate.nu, alpha; layers[0].E, ...; E, nu;
-        work_of_adhesion, depth_offset, force_offset, frame_compliance, indenter_modulus
+    free : names of the free parameters, or a mapping from names to Free(start, lower=, upper=, prior=(value, sd)), a starting
+        value or None. Names: indenter.radius, ...; coating.E, coating.nu, thickness, substrate.E, substrate.nu, alpha;
+        layers[0].E, ...; E, nu; work_of_adhesion, depth_offset, force_offset, frame_compliance, indenter_modulus
     instrument : Instrument(...): adhesion, offsets, frame compliance, the indenter's material
     loss : "linear"; "huber" or "cauchy" are robust against outliers beyond loss_scale standard deviations
     adhesion_rule : "automatic" (energy balance for the exact medium, the source's rule else), "paper" or "energy"
@@ -169,7 +169,8 @@ def _named(words: str, problem: Problem) -> str:
     for i in range(len(problem.names), 0, -1):
         words = words.replace(f"entry {i} of parameters", problem.names[i - 1])
     words = words.replace(" of x ", f" of {problem.data.x_name} ").replace(" of y ", f" of {problem.data.y_name} ")
-    return words.replace("the same x,", f"the same {problem.data.x_name},").replace("the same y,", f"the same {problem.data.y_name},")
+    words = words.replace("the same x,", f"the same {problem.data.x_name},")
+    return words.replace("the same y,", f"the same {problem.data.y_name},")
 
 
 def predict(problem: Problem, values: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -22,7 +22,7 @@ def summary(result: FitResult, level: float) -> str:
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     lines = [f"Fit of {len(result.data)} points: " + ("converged" if result.converged else "NOT CONVERGED, best point found")]
     lines[0] += f" after {result.iterations} iterations"
-    lines += ["  ".join(cell.ljust(w) for cell, w in zip(row, widths)).rstrip() for row in rows]
+    lines += ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
     dof = result.degrees_of_freedom
     if result.noise_is_known:
         lines.append(f"chi-square {result.chi_square:.4g} for {dof:.4g} degrees of freedom: ratio {result.chi_square / dof:.3g}")

@@ -5,20 +5,20 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..fitting import Free, ForceDepth, Instrument, ModulusRadius, StiffnessDepth, StiffnessRadius
+from .._choices import nearest
+from ..fitting import ForceDepth, Free, Instrument, ModulusRadius, StiffnessDepth, StiffnessRadius
 from ..fitting.data import Data
 from ..fitting.parameters import of_indenter, of_instrument, of_medium
-from .._choices import nearest
 from . import indenter as indenters
 from . import medium as mediums
-from .columns import MeasuredTable, describe, read_table
+from .columns import describe, read_table
 from .section import ProblemError, Section
 from .units import ANGLE, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, Dimension
 
@@ -30,7 +30,7 @@ else:
 ADHESION = Dimension("a work of adhesion", "J/m^2", "50 mJ/m^2", (("J/m^2", 1.0),))
 COMPLIANCE = Dimension("a compliance", "m/N", "0.5 nm/mN", (("m/N", 1.0),))
 
-_KINDS: Mapping[str, tuple[type[Data], tuple[str, ...]]] = {
+_KINDS: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
     "force-depth": (ForceDepth, ("depth", "force")),
     "stiffness-depth": (StiffnessDepth, ("depth", "force", "stiffness")),
     "modulus-radius": (ModulusRadius, ("radius", "modulus")),
