@@ -29,7 +29,7 @@ for file in output/*.png output/*.csv; do
 done
 say "Next"
 note "source .venv/bin/activate"
-note "mdrcontact curve --help                          what a problem file may hold"
-note "cp $problem mine.toml      your own indenter and coating; then"
-note "mdrcontact curve mine.toml --plot mine.png"
-note "./runtests.sh                                    every test, in Fortran, C and Python"
+note "mdrcontact curve --help                      what a problem file may hold"
+note "cp $problem mine.toml"
+note "mdrcontact curve mine.toml --plot mine.png   with your own indenter and coating in mine.toml"
+note "./runtests.sh                                every test, in Fortran, C and Python"

@@ -12,6 +12,7 @@ source tools/python_environment.sh
 build=build/tests
 results=build/results
 jobs=$(nproc 2> /dev/null || echo 2)
+export CMAKE_GENERATOR=Ninja # for the projects that the tests configure, too: a bare machine has no make
 rm -rf "$results"
 mkdir -p "$results" "$log_dir"
 
@@ -56,6 +57,10 @@ ctest --test-dir "$build" --parallel "$jobs" --output-on-failure --no-tests=erro
     --test-output-size-passed 1000000 --test-output-size-failed 1000000 --output-junit "$PWD/$results/ctest.xml"
 
 say "5/5 Python tests (pytest)"
+# the README's Fortran and C examples use the library as installed
+if with_progress "$log_dir/install.log" cmake --install "$build" --prefix "$PWD/build/prefix"; then
+    export MDRCONTACT_PREFIX="$PWD/build/prefix"
+fi
 .venv/bin/python -m pytest --junitxml="$results/pytest.xml" -o junit_family=xunit2
 
 say "Summary, after $SECONDS s"

@@ -546,6 +546,49 @@ int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy);
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *l is not a loop */
 int mdr_loop_free(mdr_loop **l);
 
+/* ---- closed forms: paraboloid and cone on an incompressible coating (nu = 1/2), (24), (27), (29), (31), (32) ------- */
+
+/** F(a) of a paraboloid without adhesion, equation (24), xi = h/a:
+ *  (16 a^3/(3R)) [G1 + (G0 - G1)/(2 pi) (4 arctan xi + xi^3 ln(1 + xi^-2) - xi)].
+ *  @param n                number of radii
+ *  @param a                [n] contact radii > 0 [length]
+ *  @param radius           R > 0 [length]
+ *  @param coating_shear    shear modulus G0 > 0 [modulus]
+ *  @param substrate_shear  shear modulus G1 > 0 [modulus]
+ *  @param thickness        h > 0 [length]
+ *  @param out              [n] forces [modulus length^2] */
+int mdr_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+                                double thickness, double out[]);
+
+/** F(a) of a cone without adhesion, equation (27): 2 pi a^2 tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
+ *  @param inclination  phi, 0 < phi < pi/2 [radian]; otherwise as mdr_coated_paraboloid_force() */
+int mdr_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
+                          double thickness, double out[]);
+
+/** d(a) of an adhesive paraboloid by the source's rule, equation (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)).
+ *  @param work_of_adhesion  gamma >= 0 [modulus length]
+ *  @param out               [n] indentation depths [length]; otherwise as mdr_coated_paraboloid_force() */
+int mdr_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+                                         double thickness, double work_of_adhesion, double out[]);
+
+/** a_c = (pi gamma R^2/(32 G1))^(1/3), the contact radius at which an uncoated contact breaks under depth control, equation (31).
+ *  @param radius            R > 0 [length]
+ *  @param substrate_shear   G1 > 0 [modulus]
+ *  @param work_of_adhesion  gamma > 0 [modulus length]
+ *  @param out               receives a_c [length] */
+int mdr_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
+
+/** d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3), minus the depth there, equation (31). Arguments as mdr_adhesive_radius_scale(). */
+int mdr_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
+
+/** d/d_c at a/a_c, equation (32): at^2/3 - (4/3) sqrt(at) [1 + (tau - 1) I0(ht/at; nu = 1/2)]^(-1/2).
+ *  @param n                  number of radii
+ *  @param reduced_radius     [n] at = a/a_c > 0 [1]
+ *  @param shear_ratio        tau = G0/G1 > 0 [1]
+ *  @param reduced_thickness  ht = h/a_c > 0 [1]
+ *  @param out                [n] d/d_c [1] */
+int mdr_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness, double out[]);
+
 /* ---- laterally heterogeneous structures (theory 7) ----------------------------------------------------------- */
 typedef struct mdr_structure mdr_structure;   /* made by mdr_structure_{shapes,voxels,callback}, ended by mdr_structure_free;
                                                  never changes: any number of threads may share it */
@@ -594,6 +637,50 @@ int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx
                       double shear[], double poisson[]);
 /* a rule for smooth structures: 6 order^3 points (x, y, z) in units of a and their weights (shear, poisson) */
 int mdr_lateral_rule(int order, double nu, double points[/* n*3 */], double weights[/* n*2 */]);
+/* ---- compiled laws (docs/laws.md) -------------------------------------------------------------- */
+/** F(d), a(d), k(d) and their inverses over a range of depths, verified, for the price of a short polynomial. It never
+ *  changes: any number of threads may evaluate one law. The caller frees it with mdr_law_free; the contact may be freed before. */
+typedef struct mdr_law mdr_law;
+typedef struct mdr_law_options {
+    double smallest_depth;             /* without adhesion: the tolerance holds from here on [length]; 0: 1e-4 of the largest */
+    double tolerance;                  /* relative, 1e-12 to 1e-2, default 1e-9 */
+    const char *description;           /* the problem in words, kept in the file; NULL: none */
+} mdr_law_options;
+void mdr_law_options_init(mdr_law_options *options);
+int mdr_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_options *options, mdr_law **out);
+
+/** F and dF/dd, the derivative along the branch [modulus length], at one depth; NULL outputs are skipped. branch: enum mdr_branch.
+ *  Any d up to the largest one: where the bodies are apart (d below 0, with adhesion on unloading below pull-off) all is 0. */
+int mdr_law_force(const mdr_law *law, int branch, double d, double *F, double *slope);
+/** The same with a history: *stretch is 0 before the first call (open), and stays where the contact is. An open contact closes at
+ *  d >= 0, a closed one stays on its branch until that ends (pull-off, or the jump to another stable state). */
+int mdr_law_follow(const mdr_law *law, double d, int *stretch, double *F, double *slope, double *a, double *k);
+/** Arrays of n points, on threads (at least 1; 0: as many as OpenMP offers) where there are enough of them; within a
+ *  parallel region of the caller always on the calling thread. NULL outputs are skipped; with an error nothing is written. */
+int mdr_law_from_depth(const mdr_law *law, int branch, int n, const double d[], double F[], double slope[], double a[], double k[],
+                       int threads);
+int mdr_law_from_force(const mdr_law *law, int branch, int n, const double F[], double d[], double compliance[], double a[],
+                       double k[], int threads);
+
+typedef struct mdr_law_facts {
+    double lowest_depth, highest_depth;   /* compiled range; lowest: pull-off with adhesion */
+    double lowest_force, highest_force;
+    double tolerance, error;              /* asked for; the largest found on verification against the contact */
+    int solutions;                        /* contact states computed to make and verify the law */
+    int adhesive;                         /* 1 with adhesion */
+    int stretches;                        /* stable stretches under depth control */
+    int description_length;               /* without the final zero */
+} mdr_law_facts;
+int mdr_law_info(const mdr_law *law, mdr_law_facts *facts);
+int mdr_law_description(const mdr_law *law, char *buffer, int length);
+
+/** A file with version, description and checksum; a damaged or foreign file is refused with MDR_EFILE and its reason. */
+int mdr_law_save(const mdr_law *law, const char *path);
+int mdr_law_load(const char *path, mdr_law **out);
+/** The same content in memory: *full_length bytes, written only if they fit into `length`. */
+int mdr_law_write(const mdr_law *law, char *buffer, int length, int *full_length);
+int mdr_law_read(const char *buffer, int length, mdr_law **out);
+int mdr_law_free(mdr_law **law);
 
 /* ---- fit: from measured data to the numbers of indenter, medium and instrument --------------------------------- */
 enum mdr_fit_data_kind {               /* what x and y are */

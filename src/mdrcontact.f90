@@ -30,6 +30,8 @@ module mdrcontact
     use mdrcontact_lateral_shapes, only: new_shapes, shapes_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_lateral_voxels, only: new_voxels, voxels_t
+    use mdrcontact_law, only: contact_law_t, law_options_t, law_point_t, new_contact_law
+    use mdrcontact_law_file, only: load_law, save_law
     use mdrcontact_layered_exact, only: layered_exact_t, new_graded_exact, new_graded_exact_from_functions, new_layered_exact
     use mdrcontact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material

@@ -2,21 +2,24 @@
 ! A contact, its states and its end, flat for f2py.
 
 !> See mdr_contact_new; zeta_count = 0 for zeta = 1. (f2py takes no empty arrays: the table then holds one unused entry.)
-subroutine contact_new(profile, medium, zeta_count, n, zeta_radius, zeta, handle, status)
+subroutine contact_new(profile, medium, zeta_count, n, zeta_radius, zeta, work_of_adhesion, adhesion_rule, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_pointer
     use mdrcontact_api_contact, only: c_contact_options_t, mdr_contact_new
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: zeta_count, n
+    integer(c_int), intent(in) :: zeta_count, n, adhesion_rule
     integer(c_int64_t), intent(in) :: profile, medium
     real(c_double), intent(in), target :: zeta_radius(n), zeta(n)
+    real(c_double), intent(in) :: work_of_adhesion
     integer(c_int64_t), intent(out) :: handle
     integer(c_int), intent(out) :: status
     type(c_contact_options_t) :: options
     type(c_ptr) :: object
 
     object = c_null_ptr
+    options%work_of_adhesion = work_of_adhesion
+    options%adhesion_rule = adhesion_rule
     if (zeta_count > 0) then
         options%zeta_count = zeta_count
         options%zeta_radius = c_loc(zeta_radius)
@@ -26,36 +29,36 @@ subroutine contact_new(profile, medium, zeta_count, n, zeta_radius, zeta, handle
     handle = to_address(object)
 end subroutine contact_new
 
-!> See mdr_contact_from_depth.
-subroutine contact_from_depth(n, handle, given, d, a, F, k, status)
+!> See mdr_contact_from_depth_on.
+subroutine contact_from_depth(n, handle, branch, given, d, a, F, k, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_contact, only: mdr_contact_from_depth
+    use mdrcontact_api_contact, only: mdr_contact_from_depth_on
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, branch
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: given(n)
     real(c_double), intent(out) :: d(n), a(n), F(n), k(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_contact_from_depth(to_pointer(handle), n, given, d, a, F, k)
+    status = mdr_contact_from_depth_on(to_pointer(handle), branch, n, given, d, a, F, k)
 end subroutine contact_from_depth
 
-!> See mdr_contact_from_force.
-subroutine contact_from_force(n, handle, given, d, a, F, k, status)
+!> See mdr_contact_from_force_on.
+subroutine contact_from_force(n, handle, branch, given, d, a, F, k, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_contact, only: mdr_contact_from_force
+    use mdrcontact_api_contact, only: mdr_contact_from_force_on
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, branch
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: given(n)
     real(c_double), intent(out) :: d(n), a(n), F(n), k(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_contact_from_force(to_pointer(handle), n, given, d, a, F, k)
+    status = mdr_contact_from_force_on(to_pointer(handle), branch, n, given, d, a, F, k)
 end subroutine contact_from_force
 
 !> See mdr_contact_from_radius.

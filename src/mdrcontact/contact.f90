@@ -11,6 +11,7 @@ module mdrcontact_contact
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_quadrature, only: merged_breaks
     use mdrcontact_radius_law, only: radius_law_t
     use mdrcontact_roots, only: guess_from_below, solve_increasing
     use mdrcontact_scalar_function, only: scalar_function_t
@@ -49,6 +50,7 @@ module mdrcontact_contact
         procedure :: state_on_stretch
         procedure :: work_between
         procedure :: is_adhesive
+        procedure :: radius_range
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement
@@ -146,6 +148,28 @@ contains
 
         answer = allocated(self%branch)
     end function is_adhesive
+
+    !> Between which contact radii the contact is defined, and where it is not analytic in between.
+    subroutine radius_range(self, end_radius, smallest, largest, breaks)
+        class(contact_t), intent(in) :: self
+        !> radius of the indenter's flat end, 0 if there is none [length]
+        real(wp), intent(out) :: end_radius
+        !> smallest and largest contact radius at which there is a state [length]; equal for a flat punch
+        real(wp), intent(out) :: smallest, largest
+        !> radii where indenter or medium are not analytic, ascending [length]
+        real(wp), allocatable, intent(out) :: breaks(:)
+
+        end_radius = self%equilibrium%profile%end_radius()
+        smallest = max(end_radius, self%equilibrium%medium%smallest_radius())
+        largest = max(smallest, self%equilibrium%last_radius)
+        breaks = self%equilibrium%profile%break_radii()
+        select type (medium => self%equilibrium%medium)
+        class is (effective_medium_t)
+            breaks = merged_breaks(breaks, medium%modulus_breaks())
+            if (allocated(medium%zeta)) breaks = merged_breaks(breaks, medium%zeta%break_radii())
+        end select
+        breaks = pack(breaks, breaks > smallest .and. breaks < largest)
+    end subroutine radius_range
 
     !> The state of equilibrium at contact radius a, stable or not.
     subroutine at_radius(self, radius, state, error)

@@ -69,6 +69,8 @@ def run(arguments: argparse.Namespace) -> None:
     problem = load(arguments.problem)
     answers, refusals = ask(problem)
     print(f"{problem.title}\n")
+    if problem.adhesion:
+        print("The models are compared without adhesion.\n")
     name, response, dimension = response_of(problem)
     print(_side_by_side(problem, answers, name, [response(a.curve) for a in answers], dimension))
     print()

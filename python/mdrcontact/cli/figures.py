@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..adhesion import Loop, PullOff
 from ..contact import Contact
 from ..material import Elastic
 from ..medium import Coated, Homogeneous
@@ -71,8 +72,9 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
                 _draw_references(axis, problem, curve, depth, unit)
             _mark_thickness(axis, problem, curve, depth, unit, values)
             axis.set(xlabel=f"indentation depth d [{depth.symbol}]", ylabel=f"{name} [{unit.symbol}]")
-            axis.set_xlim(0, None)
-            axis.set_ylim(0, None)
+            # an adhesive contact has negative depths and forces too
+            axis.set_xlim(None if curve.depth[0] < 0.0 else 0.0, None)
+            axis.set_ylim(None if values.min() < 0.0 else 0.0, None)
         axes.flat[0].legend()
         _draw_pressures(axes.flat[3], pressures, curve)
         return _render(figure, form)
@@ -118,6 +120,36 @@ def compare_figure(problem: Problem, answers: Sequence[Answer], form: str) -> by
         return _render(figure, form)
 
 
+def loop_figure(problem: Problem, loop: Loop, pull_offs: Sequence[tuple[str, PullOff]], form: str) -> bytes:
+    """Force and contact radius along a cycle of approach and retraction."""
+    with _style():
+        figure, axes = _figure(problem.title, 1, 2, (9.6, 4.2))
+        spring = loop.control == "spring"
+        x = loop.position if spring else loop.depth
+        length, force = practical(LENGTH, x), practical(FORCE, loop.force)
+        radius = practical(LENGTH, loop.radius)
+        shown = loop._replace(position=length.of(loop.position), depth=length.of(loop.depth), force=force.of(loop.force))
+        turn = loop.turning_point
+        approach = shown._replace(**_part(shown, slice(0, turn + 1)), jumps=loop.jumps[loop.jumps < turn])
+        retract = shown._replace(**_part(shown, slice(turn, None)), jumps=loop.jumps[loop.jumps >= turn] - turn)
+        for part, colour, name, width in ((approach, COLOURS[1], "approach", 3.2), (retract, COLOURS[0], "retraction", 1.6)):
+            part.plot(axes[0], color=colour, label=name, linewidth=width)
+            part._replace(force=radius.of(part.radius)).plot(axes[1], color=colour, linewidth=width)
+        if not spring:
+            for (name, state), marker in zip(pull_offs, "os", strict=False):
+                axes[0].plot(length.of(state.depth), force.of(state.force), marker, color="#000000", markersize=5, label=name)
+        along = "end of the spring d + F/K" if spring else "indentation depth d"
+        axes[0].set(xlabel=f"{along} [{length.symbol}]", ylabel=f"force F [{force.symbol}]")
+        axes[1].set(xlabel=f"{along} [{length.symbol}]", ylabel=f"contact radius a [{radius.symbol}]", ylim=(0, None))
+        axes[0].axhline(0.0, color=_GREY, linewidth=0.8)
+        axes[0].legend()
+        return _render(figure, form)
+
+
+def _part(loop: Loop, part: slice) -> dict[str, Array]:
+    return {name: getattr(loop, name)[part] for name in ("position", "depth", "radius", "force")}
+
+
 def _model_name(problem: Problem) -> str:
     model = getattr(problem.medium, "model", None)
     kind = type(problem.medium).__name__.lower()
@@ -150,16 +182,17 @@ def _mark_thickness(axis: Any, problem: Problem, curve: Curve, depth: Unit, unit
 def _draw_pressures(axis: Any, pressures: Sequence[tuple[float, Any, Any]], curve: Curve) -> None:
     length = practical(LENGTH, curve.radius)
     depth = practical(LENGTH, curve.depth)
-    highest = 4.0 * float(curve.mean_pressure[-1])
+    highest = 4.0 * abs(float(curve.mean_pressure[-1]))
     unit = practical(MODULUS, [min(highest, max(float(p.max(initial=0.0)) for _, _, p in pressures))])
     for i, (d, r, p) in enumerate(pressures):
         axis.plot(length.of(r), unit.of(p), color=COLOURS[i % len(COLOURS)], label=f"d = {float(depth.of(d)):.3g} {depth.symbol}")
     axis.set(xlabel=f"distance from the axis r [{length.symbol}]", ylabel=f"contact pressure p [{unit.symbol}]")
     axis.set_xlim(0, None)
-    axis.set_ylim(0, None)
+    lowest = min(float(p.min(initial=0.0)) for _, _, p in pressures)
+    axis.set_ylim(unit.of(max(lowest, -highest)), None)
     if unit.factor * axis.get_ylim()[1] > 1.5 * highest:
         # a cone's apex and a punch's edge have infinite pressure: show the rest
-        axis.set_ylim(0, unit.of(highest))
+        axis.set_ylim(unit.of(max(lowest, -highest)), unit.of(highest))
     axis.legend()
 
 

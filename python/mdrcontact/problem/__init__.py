@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 from ..contact import Contact
 from ..medium import Medium
 from ..profile import Profile
-from . import compute, indenter, medium
+from . import adhesion, compute, indenter, medium
+from .adhesion import Adhesion
 from .compute import Control
 from .section import ProblemError, Section
 
@@ -21,7 +22,7 @@ else:
 
 __all__ = ["Problem", "ProblemError", "load", "read"]
 
-_TABLES = {"title": None, "indenter": None, "medium": None, "compute": None}
+_TABLES = {"title": None, "indenter": None, "medium": None, "compute": None, "adhesion": None}
 
 
 class Problem(NamedTuple):
@@ -31,10 +32,13 @@ class Problem(NamedTuple):
     indenter: Profile
     medium: Medium
     control: Control
+    adhesion: Adhesion | None = None
 
     def contact(self) -> Contact:
-        """The contact of the indenter with the medium."""
-        return Contact(self.indenter, self.medium)
+        """The contact of the indenter with the medium, with adhesion if the file has it."""
+        if self.adhesion is None:
+            return Contact(self.indenter, self.medium)
+        return Contact(self.indenter, self.medium, self.adhesion.work_of_adhesion, self.adhesion.rule)
 
 
 def load(path: str | Path) -> Problem:
@@ -72,4 +76,5 @@ def read(table: dict[str, Any], title: str = "") -> Problem:
         indenter.read_indenter(shape),
         medium.read_medium(sections["medium"], material),
         compute.read_control(sections["compute"]),
+        adhesion.read_adhesion(Section(table["adhesion"], "adhesion", adhesion.KNOWN)) if "adhesion" in table else None,
     )

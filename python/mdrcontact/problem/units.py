@@ -36,6 +36,12 @@ FORCE = Dimension("a force", "N", "2 mN", (("pN", 1e-12), ("nN", 1e-9), ("uN", 1
 STIFFNESS = Dimension(
     "a stiffness", "N/m", "50 kN/m", (("uN/m", 1e-6), ("mN/m", 1e-3), ("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6))
 )
+WORK_OF_ADHESION = Dimension(
+    "a work of adhesion", "J/m^2", "50 mJ/m^2", (("uJ/m^2", 1e-6), ("mJ/m^2", 1e-3), ("J/m^2", 1.0)), ("N/m",)
+)
+ENERGY = Dimension(
+    "an energy", "J", "1 fJ", (("aJ", 1e-18), ("fJ", 1e-15), ("pJ", 1e-12), ("nJ", 1e-9), ("uJ", 1e-6), ("mJ", 1e-3), ("J", 1.0))
+)
 ANGLE = Dimension("an angle", "rad", "20 deg", (("rad", 1.0),), ("deg",))
 RATIO = Dimension("a number", "", "1", (("", 1.0),))
 

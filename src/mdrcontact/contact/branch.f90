@@ -6,7 +6,7 @@
 module mdrcontact_branch
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_equilibrium, only: equilibrium_t
-    use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
+    use mdrcontact_error, only: error_no_convergence, error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_roots, only: find_root, guess_from_below, solve_increasing
     use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
@@ -88,6 +88,8 @@ module mdrcontact_branch
     !> Half width of the interval around an extremum on which s is sampled again to find it to full precision.
     real(wp), parameter :: extremum_width = 0.05_wp
     integer, parameter :: probes_per_panel = 24
+    !> Extrema lie less than this far below the radius where d0 = dl (in ln a).
+    real(wp), parameter :: room_below = 10.0_wp
     real(wp), parameter :: smallest_log = -200.0_wp, first_guess = -35.0_wp
 
 contains
@@ -161,6 +163,10 @@ contains
             return
         end if
         call solve_increasing(handover, guess, slope, smallest, largest, equal, found, error)
+        if (.not. allocated(error) .and. equal < smallest_log + room_below) then
+            call raise(error, error_no_convergence, "work_of_adhesion = "//to_text(equilibrium%work_of_adhesion)// &
+                       " is too small for this contact: its adhesive radii are beyond the range of floating-point numbers")
+        end if
         if (allocated(error)) return
         handover%ratio = 1.0_wp/adhesion_over
         call solve_increasing(handover, equal, slope, smallest, largest, over, found, error)
@@ -243,7 +249,7 @@ contains
             do probe = 1, probes_per_panel
                 x = edges(panel) + (edges(panel + 1) - edges(panel))*(real(probe, wp)/probes_per_panel)
                 slope = control%of(self%depth%slope(x), self%force%slope(x))
-                if (slope*slope_before < 0.0_wp) then
+                if (opposite(slope, slope_before)) then
                     turns = [turns, refined_extremum(equilibrium, control, x_before, x, error)]
                     if (allocated(error)) return
                 end if
@@ -282,8 +288,16 @@ contains
         call new_sampled_function(near, quantity, [from, to], [.false.], coarse_tolerance, error)
         if (allocated(error)) return
         slope%sampled => near
-        if (near%slope(from)*near%slope(to) < 0.0_wp) call find_root(slope, from, to, x, error)
+        if (opposite(near%slope(from), near%slope(to))) call find_root(slope, from, to, x, error)
     end function refined_extremum
+
+    !> Whether two numbers have opposite signs; their product may underflow.
+    pure function opposite(x, y) result(answer)
+        real(wp), intent(in) :: x, y
+        logical :: answer
+
+        answer = (x < 0.0_wp .and. y > 0.0_wp) .or. (x > 0.0_wp .and. y < 0.0_wp)
+    end function opposite
 
     subroutine value_on(equilibrium, control, x, s, error)
         type(equilibrium_t), intent(in) :: equilibrium

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# All benchmarks in one run: ./benchmarks/run.sh. Writes docs/benchmarks.md and docs/benchmarks.png.
+# Builds the library and a Python environment with the boundary-element codes from PyPI; what does not install is named in the table.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=build/benchmarks
+cmake -S . -B "$build" -DMDRCONTACT_BUILD_BENCHMARKS=ON -DMDRCONTACT_BUILD_TESTS=OFF -DMDRCONTACT_BUILD_EXAMPLES=OFF > /dev/null
+cmake --build "$build" --parallel 2 --target law_cost > /dev/null
+[[ -d $build/venv ]] || python3 -m venv "$build/venv"
+"$build/venv/bin/pip" install --quiet . scipy matplotlib
+for package in tamaas ContactMechanics aspher; do
+    "$build/venv/bin/pip" install --quiet "$package" > "$build/$package.log" 2>&1 || echo "$package does not install here"
+done
+"$build/venv/bin/python" benchmarks/compare.py "$build/benchmarks/law_cost" docs

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What adhesive contacts have beyond their states: where they break, and the whole cycle of approach and retraction (theory 5)."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _native
+from ._boundary import Handle, check, number
+from ._choices import nearest
+from .errors import ArgumentTypeError, InvalidArgumentError
+
+__all__ = ["Loop", "PullOff"]
+
+RULES = {"automatic": 0, "paper": 1, "energy": 2}
+"""Names and codes of the adhesion rules."""
+BRANCHES = {"loading": 1, "unloading": 2}
+"""Names and codes of the branches of an adhesive contact."""
+CONTROLS = {"force": 0, "displacement": 1, "spring": 2}
+"""What a machine may prescribe."""
+
+_FIRST_ROOM = 16
+"""Stable stretches of a branch for which there is room at first; there are hardly ever more than three."""
+
+
+class PullOff(NamedTuple):
+    """The state in which an adhesive contact breaks: the lowest force, or depth, of all its stable states."""
+
+    depth: float
+    """d, indentation depth, positive into the medium [length]"""
+    radius: float
+    """a, contact radius [length]"""
+    force: float
+    """F, normal force, positive in compression [pressure length^2]"""
+    stiffness: float
+    """k = 2 a E_eff(a), contact stiffness at constant radius [pressure length]"""
+    others: tuple[PullOff, ...] = ()
+    """where the other stable stretches of the branch end, by ascending radius: a coated body can have several"""
+
+
+class Loop(NamedTuple):
+    """A cycle: approach from afar, jump into contact, press, retract until the bodies are apart again. Arrays of one length."""
+
+    position: NDArray[np.float64]
+    """what the machine prescribes: the force, the displacement d, or the far end of the spring, d + F/stiffness"""
+    depth: NDArray[np.float64]
+    """d, negative where the bodies are apart [length]"""
+    radius: NDArray[np.float64]
+    """a, 0 where they are apart [length]"""
+    force: NDArray[np.float64]
+    """F [pressure length^2]"""
+    turning_point: int
+    """index of the last point of the approach"""
+    jumps: NDArray[np.int64]
+    """indices of the points just before each jump; a jump leads to the next point, at the same position"""
+    dissipated_energy: float
+    """energy lost in the cycle, the area of the loop [pressure length^3]"""
+    control: str
+    """"force", "displacement" or "spring"."""
+
+    def plot(self, axes: Any = None, **look: Any) -> Any:
+        """Draws force against position (against depth under force control) with matplotlib; jumps are dotted.
+
+        axes : where; None makes a new figure
+        look : passed on to `axes.plot`
+        Returns the axes.
+        """
+        if axes is None:
+            import matplotlib.pyplot as plt
+
+            axes = plt.figure(layout="constrained").add_subplot()
+            axes.set_ylabel("force F")
+            axes.set_xlabel("end of the spring d + F/K" if self.control == "spring" else "depth d")
+        x = self.position if self.control == "spring" else self.depth
+        pieces = [slice(i, j) for i, j in zip([0, *(self.jumps + 1)], [*(self.jumps + 1), len(x)], strict=True)]
+        label = look.pop("label", None)
+        (line,) = axes.plot(x[pieces[0]], self.force[pieces[0]], label=label, **look)
+        look["color"] = line.get_color()
+        for piece in pieces[1:]:
+            axes.plot(x[piece], self.force[piece], **look)
+        for i in self.jumps:
+            axes.plot(x[i : i + 2], self.force[i : i + 2], **{**look, "linestyle": ":", "linewidth": 1.0})
+        return axes
+
+
+def code(name: str, value: Any, codes: dict[str, int], *allowed: str) -> int:
+    """The code of a word; wrong words are answered with the nearest right one."""
+    known = allowed or tuple(codes)
+    if not isinstance(value, str) or value not in known:
+        raise InvalidArgumentError(f"{name} = {value!r} is not allowed: {nearest(str(value), known)}")
+    return codes[value]
+
+
+def pull_offs(contact: Any, control: str) -> PullOff:
+    """The pull-off of a contact and its other ends of stability."""
+    chosen, room = code("control", control, CONTROLS, "force", "displacement"), _FIRST_ROOM
+    while True:
+        d, a, F, count, status = _native.contact_pull_offs(room, contact._handle.address, chosen)
+        check(status)
+        if count <= room:
+            break
+        room = count
+    if not count:
+        return PullOff(0.0, 0.0, 0.0, 0.0)
+    k = np.asarray(contact.medium.stiffness(a[:count]))
+    states = [PullOff(*(float(values[i]) for values in (d, a, F, k))) for i in range(count)]
+    return states[0]._replace(others=tuple(states[1:]))
+
+
+def loop(contact: Any, control: str, largest: Any, points: Any, spring_stiffness: Any) -> Loop:
+    """A cycle of a contact."""
+    chosen = code("control", control, CONTROLS)
+    if (spring_stiffness is not None) != (control == "spring"):
+        raise ArgumentTypeError("spring_stiffness is needed under control \"spring\", and only there")
+    stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
+    if isinstance(points, bool) or not isinstance(points, (int, np.integer)) or not 2 <= points <= 1_000_000:
+        raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number from 2 to 1000000")
+    created = _native.loop_new(contact._handle.address, chosen, stiffness, number("largest", largest), points)
+    handle = Handle(created, _native.loop_free)
+    count, turning_point, jumps, status = _native.loop_size(handle.address)
+    check(status)
+    position, d, a, F, status = _native.loop_path(count, handle.address)
+    check(status)
+    # f2py takes no empty arrays
+    indices, status = _native.loop_jumps(max(jumps, 1), handle.address)
+    check(status)
+    energy, status = _native.loop_dissipated_energy(handle.address)
+    check(status)
+    where = np.asarray(indices[:jumps], dtype=np.int64)
+    return Loop(position, d, a, F, int(turning_point), where, float(energy), control)

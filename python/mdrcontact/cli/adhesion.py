@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact adhesion`: the cycle of approach and retraction of an adhesive contact, and where it breaks."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+import numpy as np
+
+from ..adhesion import Loop, PullOff
+from ..contact import Contact
+from ..problem import Problem, ProblemError, load
+from ..problem.adhesion import Adhesion
+from ..problem.units import ENERGY, FORCE, LENGTH, WORK_OF_ADHESION, practical
+from . import files
+from .table import Column, aligned, as_csv, column, number
+
+_DESCRIPTION = """\
+Computes an adhesive contact: jump-in, pull-off under prescribed force and under prescribed displacement, all other ends of
+stability of the branch, and a cycle of approach and retraction with the energy it loses.
+
+    mdrcontact example afm_on_pdms > problem.toml
+    mdrcontact adhesion problem.toml
+    mdrcontact adhesion problem.toml --csv loop.csv --plot loop.png
+
+The problem file has a table more than for the other commands:
+
+    [adhesion]
+    work_of_adhesion = "50 mJ/m^2"
+    control = "spring"                  # or "displacement" (default), "force": what the machine prescribes
+    spring_stiffness = "0.2 N/m"        # with control = "spring": an AFM cantilever
+    rule = "automatic"                  # or "paper" (28), "energy"
+
+The motion turns back at the last depth, force or radius of [compute].
+"""
+
+
+def add(subparsers: Any) -> None:
+    """Adds the command to the command line."""
+    parser = subparsers.add_parser(
+        "adhesion",
+        help="pull-off, and a loop of approach and retraction",
+        description=_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [adhesion]")
+    files.add_options(parser, "the loop")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Computes, prints, writes."""
+    files.check(arguments.csv, arguments.plot, force=arguments.force)
+    if arguments.plot:
+        from . import figures
+
+        figures.require(arguments.plot)
+    problem = load(arguments.problem)
+    if problem.adhesion is None:
+        raise ProblemError(f'{arguments.problem}: the table [adhesion] is missing: write it with work_of_adhesion = "50 mJ/m^2"')
+    contact = problem.contact()
+    pull_offs = [(f"pull-off, {control} prescribed", contact.pull_off(control)) for control in ("force", "displacement")]
+    loop = cycle(contact, problem, problem.adhesion)
+    print(f"{problem.title}\n")
+    gamma = problem.adhesion.work_of_adhesion
+    unit = practical(WORK_OF_ADHESION, [gamma])
+    print(f"work of adhesion: {number(float(unit.of(gamma)))} {unit.name}, rule: {problem.adhesion.rule}\n")
+    print(_states(pull_offs))
+    print(f"\n{_jumps(loop)}")
+    energy = practical(ENERGY, [loop.dissipated_energy])
+    print(f"\nenergy lost in the cycle: {number(float(energy.of(loop.dissipated_energy)))} {energy.name}")
+    results = {}
+    if arguments.csv:
+        ways = ["approach" if i <= loop.turning_point else "retraction" for i in range(len(loop.depth))]
+        results[arguments.csv] = as_csv(loop_columns(loop), ("way", ways))
+    if arguments.plot:
+        results[arguments.plot] = figures.loop_figure(problem, loop, pull_offs, files.figure_format(arguments.plot))
+    if results:
+        print()
+        files.write(results, arguments.force)
+
+
+def cycle(contact: Contact, problem: Problem, adhesion: Adhesion) -> Loop:
+    """The cycle that turns back in the last state of [compute]."""
+    last = problem.control.states(contact, slice(-1, None))
+    depth, force = float(np.asarray(last.depth)[-1]), float(np.asarray(last.force)[-1])
+    if adhesion.spring_stiffness is not None:
+        largest = depth + force / adhesion.spring_stiffness
+    else:
+        largest = force if adhesion.control == "force" else depth
+    points = max(2, len(problem.control.values))
+    return contact.loop(adhesion.control, largest, points, spring_stiffness=adhesion.spring_stiffness)
+
+
+def loop_columns(loop: Loop) -> list[Column]:
+    """What the CSV file holds of a loop."""
+    return [
+        column("position", loop.position, FORCE if loop.control == "force" else LENGTH),
+        column("depth", loop.depth, LENGTH),
+        column("radius", loop.radius, LENGTH),
+        column("force", loop.force, FORCE),
+    ]
+
+
+def _states(pull_offs: list[tuple[str, PullOff]]) -> str:
+    rows = []
+    for name, state in pull_offs:
+        rows.append((name, state))
+        rows += [(f"{name}: another stable stretch ends", other) for other in state.others]
+    table = [
+        column("depth", np.array([state.depth for _, state in rows]), LENGTH),
+        column("radius", np.array([state.radius for _, state in rows]), LENGTH),
+        column("force", np.array([state.force for _, state in rows]), FORCE),
+    ]
+    body = [[name, *(number(float(c.unit.of(c.values[i]))) for c in table)] for i, (name, _) in enumerate(rows)]
+    return aligned([["", *(c.title for c in table)], *body], left=1)
+
+
+def _jumps(loop: Loop) -> str:
+    position = practical(FORCE if loop.control == "force" else LENGTH, loop.position)
+    radius, force = practical(LENGTH, loop.radius), practical(FORCE, loop.force)
+    rows = [[f"jumps, {loop.control} prescribed", f"at [{position.name}]", f"radius [{radius.name}]", f"force [{force.name}]"]]
+    for i in loop.jumps:
+        way = "on approach" if i < loop.turning_point else "on retraction"
+        radii, forces = radius.of(loop.radius[i : i + 2]), force.of(loop.force[i : i + 2])
+        rows.append(
+            [
+                way,
+                number(float(position.of(loop.position[i]))),
+                f"{number(float(radii[0]))} to {number(float(radii[1]))}",
+                f"{number(float(forces[0]))} to {number(float(forces[1]))}",
+            ]
+        )
+    return aligned(rows, left=1)

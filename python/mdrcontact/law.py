@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compiled contact laws: F(d), a(d), k(d) and their inverses for the price of a short polynomial."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from ._boundary import FloatOrArray, Handle, check, evaluate, evaluate_all, number
+from .contact import Contact
+from .errors import ArgumentTypeError, FileError, InvalidArgumentError
+
+__all__ = ["ContactLaw", "LawState"]
+
+_BRANCHES = {"loading": 1, "unloading": 2}
+
+
+class LawState(NamedTuple):
+    """States of a compiled law; each entry has the shape of the input, or is a float. All but the depth is 0 where the bodies are
+    apart."""
+
+    depth: FloatOrArray
+    """d, indentation depth [length]"""
+    radius: FloatOrArray
+    """a, contact radius [length]"""
+    force: FloatOrArray
+    """F, normal force [pressure length^2]"""
+    stiffness: FloatOrArray
+    """k = 2 a E_eff(a), stiffness at constant contact radius [pressure length]"""
+    slope: FloatOrArray
+    """dF/dd along the branch [pressure length], the derivative that implicit codes need; equal to k without adhesion"""
+
+
+class ContactLaw:
+    """The law of one contact over a range of depths, made once, verified, then evaluated in nanoseconds. It never changes, may be
+    shared between threads, and pickles with all it needs: processes on other machines do not solve the contact again.
+
+    contact : the Contact to compile, with or without adhesion
+    largest_depth : > 0 [length]
+    smallest_depth : without adhesion, where the tolerance begins to hold [length]; None: 1e-4 of the largest. Nearer to first
+        touch the law follows a power of d. With adhesion the law begins at pull-off
+    tolerance : relative, of F, a and k; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|
+    description : the problem in words, kept in files; None: the contact's repr
+
+    Unlike the contact, the law has an answer for bodies that are apart: zero.
+    """
+
+    __slots__ = ("_handle", "_numbers", "_counts")
+
+    def __init__(
+        self,
+        contact: Contact,
+        largest_depth: float,
+        *,
+        smallest_depth: float | None = None,
+        tolerance: float = 1e-9,
+        description: str | None = None,
+    ) -> None:
+        if not isinstance(contact, Contact):
+            raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
+        words = repr(contact) if description is None else description
+        if not isinstance(words, str) or "\0" in words:
+            raise ArgumentTypeError(f"description = {description!r} is not allowed: it must be a text without null characters")
+        smallest = 0.0 if smallest_depth is None else number("smallest_depth", smallest_depth)
+        if smallest_depth is not None and smallest == 0.0:
+            raise InvalidArgumentError("smallest_depth = 0.0 is not allowed: it must be greater than 0")
+        created = _native.law_new(
+            contact._handle.address,
+            number("largest_depth", largest_depth),
+            smallest,
+            number("tolerance", tolerance),
+            _bytes_row(words.encode() + b"\0"),
+        )
+        self._own(created)
+
+    def _own(self, created: tuple[int, int]) -> None:
+        self._handle = Handle(created, _native.law_free)
+        self._numbers, self._counts, status = _native.law_info(self._handle.address)
+        check(status)
+
+    def force(self, depth: ArrayLike, *, branch: str = "unloading", threads: int = 1) -> FloatOrArray:
+        """F at depths d up to the largest one [length], any shape. branch: "loading" or "unloading", with adhesion. threads: 0 for
+        as many as OpenMP offers; small arrays stay on one."""
+        return evaluate(_native.law_force, *self._how(branch, threads), name="depth", values=depth)
+
+    def at_depth(self, depth: ArrayLike, *, branch: str = "unloading", threads: int = 1) -> LawState:
+        """The states at depths d up to the largest one [length], any shape."""
+        F, slope, a, k = evaluate_all(_native.law_from_depth, *self._how(branch, threads), name="depth", values=depth)
+        return LawState(_as_given(depth), a, F, k, slope)
+
+    def at_force(self, force: ArrayLike, *, branch: str = "unloading", threads: int = 1) -> LawState:
+        """The states under forces F of the compiled range [pressure length^2], any shape."""
+        d, compliance, a, k = evaluate_all(_native.law_from_force, *self._how(branch, threads), name="force", values=force)
+        slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) > 0.0)
+        return LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
+
+    def _how(self, branch: str, threads: int) -> tuple[int, int, int]:
+        if branch not in _BRANCHES:
+            raise InvalidArgumentError(f"branch = {branch!r} is not allowed: it must be 'loading' or 'unloading'")
+        if isinstance(threads, bool) or not isinstance(threads, int):
+            raise ArgumentTypeError(f"threads = {threads!r} is not allowed: it must be a whole number")
+        return self._handle.address, _BRANCHES[branch], threads
+
+    @property
+    def depth_range(self) -> tuple[float, float]:
+        """The compiled depths [length]: from pull-off on with adhesion."""
+        return float(self._numbers[0]), float(self._numbers[1])
+
+    @property
+    def force_range(self) -> tuple[float, float]:
+        """The compiled forces [pressure length^2]."""
+        return float(self._numbers[2]), float(self._numbers[3])
+
+    @property
+    def tolerance(self) -> float:
+        """The relative tolerance asked for."""
+        return float(self._numbers[4])
+
+    @property
+    def error(self) -> float:
+        """The largest relative error found when the law was verified against the contact."""
+        return float(self._numbers[5])
+
+    @property
+    def solutions(self) -> int:
+        """How many contact states were computed to make and verify the law."""
+        return int(self._counts[0])
+
+    @property
+    def description(self) -> str:
+        """The problem the law was made from."""
+        length = int(self._counts[3])
+        buffer, status = _native.law_description(self._handle.address, length + 1)
+        check(status)
+        return str(bytes(buffer[:length].astype(np.uint8)), "utf-8")
+
+    def to_bytes(self) -> bytes:
+        """The content of a law's file: version, description, numbers, checksum."""
+        length, status = _native.law_length(self._handle.address)
+        check(status)
+        buffer, status = _native.law_write(self._handle.address, length)
+        check(status)
+        return bytes(buffer.astype(np.uint8))
+
+    @classmethod
+    def from_bytes(cls, content: bytes) -> ContactLaw:
+        """The law in a file's content. Damaged or foreign content is refused with its reason (FileError)."""
+        law = cls.__new__(cls)
+        law._own(_native.law_read(_bytes_row(content or b"\0")))
+        return law
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the law to a file that any of the library's languages reads."""
+        Path(path).write_bytes(self.to_bytes())
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> ContactLaw:
+        """Reads a law that was saved from Python, C or Fortran."""
+        try:
+            return cls.from_bytes(Path(path).read_bytes())
+        except FileError as problem:
+            raise FileError(f"the file {os.fspath(path)} is refused: {problem}") from problem
+
+    def __reduce__(self) -> tuple[Callable[[bytes], ContactLaw], tuple[bytes]]:
+        return type(self).from_bytes, (self.to_bytes(),)
+
+    def __repr__(self) -> str:
+        low, high = self.depth_range
+        return f"<ContactLaw of {self.description}, depths {low:.4g} to {high:.4g}, error {self.error:.1e}>"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ContactLaw) and self.to_bytes() == other.to_bytes()
+
+    def __hash__(self) -> int:
+        return hash(self.to_bytes())
+
+
+def _bytes_row(content: bytes) -> NDArray[np.int32]:
+    return np.frombuffer(content, dtype=np.uint8).astype(np.int32)
+
+
+def _as_given(values: Any) -> FloatOrArray:
+    array = np.array(values, dtype=np.float64)
+    return array if array.ndim else float(array)

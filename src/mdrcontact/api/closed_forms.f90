@@ -1,0 +1,147 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The closed forms for an incompressible coating, for C.
+module mdrcontact_api_closed_forms
+    use, intrinsic :: iso_c_binding, only: c_double, c_int
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive
+    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
+                                       coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
+    use mdrcontact_error, only: check_not_negative, check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_kinds, only: half_pi
+    implicit none (type, external)
+    private
+    public :: mdr_coated_paraboloid_force, mdr_coated_cone_force, mdr_coated_paraboloid_adhesive_depth
+    public :: mdr_adhesive_radius_scale, mdr_adhesive_depth_scale, mdr_reduced_adhesive_depth
+
+contains
+
+    function mdr_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear, thickness, out) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: a(*)
+        real(c_double), value :: radius, coating_shear, substrate_shear, thickness
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+
+        call check_radii(error, n, "a", a, present(out))
+        call check_positive(error, "radius", radius)
+        call check_body(error, coating_shear, substrate_shear, thickness)
+        if (.not. allocated(error) .and. n > 0) then
+            out(:n) = coated_paraboloid_force(a(:n), radius, coating_shear, substrate_shear, thickness)
+        end if
+        status = status_of(error)
+    end function mdr_coated_paraboloid_force
+
+    function mdr_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness, out) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: a(*)
+        real(c_double), value :: inclination, coating_shear, substrate_shear, thickness
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+
+        call check_radii(error, n, "a", a, present(out))
+        call check_positive(error, "inclination", inclination)
+        if (inclination >= half_pi) then
+            call raise(error, error_invalid, "inclination = "//to_text(inclination)//" is not allowed: it must be less than pi/2")
+        end if
+        call check_body(error, coating_shear, substrate_shear, thickness)
+        if (.not. allocated(error) .and. n > 0) then
+            out(:n) = coated_cone_force(a(:n), inclination, coating_shear, substrate_shear, thickness)
+        end if
+        status = status_of(error)
+    end function mdr_coated_cone_force
+
+    function mdr_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear, thickness, work_of_adhesion, out) &
+        result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: a(*)
+        real(c_double), value :: radius, coating_shear, substrate_shear, thickness, work_of_adhesion
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+
+        call check_radii(error, n, "a", a, present(out))
+        call check_positive(error, "radius", radius)
+        call check_body(error, coating_shear, substrate_shear, thickness)
+        call check_not_negative(error, "work_of_adhesion", work_of_adhesion)
+        if (.not. allocated(error) .and. n > 0) then
+            out(:n) = coated_paraboloid_adhesive_depth(a(:n), radius, coating_shear, substrate_shear, thickness, work_of_adhesion)
+        end if
+        status = status_of(error)
+    end function mdr_coated_paraboloid_adhesive_depth
+
+    function mdr_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out) result(status) bind(C)
+        real(c_double), value :: radius, substrate_shear, work_of_adhesion
+        real(c_double), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+
+        call check_scale(error, radius, substrate_shear, work_of_adhesion, present(out))
+        if (.not. allocated(error)) out = adhesive_radius_scale(radius, substrate_shear, work_of_adhesion)
+        status = status_of(error)
+    end function mdr_adhesive_radius_scale
+
+    function mdr_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out) result(status) bind(C)
+        real(c_double), value :: radius, substrate_shear, work_of_adhesion
+        real(c_double), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+
+        call check_scale(error, radius, substrate_shear, work_of_adhesion, present(out))
+        if (.not. allocated(error)) out = adhesive_depth_scale(radius, substrate_shear, work_of_adhesion)
+        status = status_of(error)
+    end function mdr_adhesive_depth_scale
+
+    function mdr_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: reduced_radius(*)
+        real(c_double), value :: shear_ratio, reduced_thickness
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+
+        call check_radii(error, n, "reduced_radius", reduced_radius, present(out))
+        call check_positive(error, "shear_ratio", shear_ratio)
+        call check_positive(error, "reduced_thickness", reduced_thickness)
+        if (.not. allocated(error) .and. n > 0) then
+            out(:n) = reduced_adhesive_depth(reduced_radius(:n), shear_ratio, reduced_thickness)
+        end if
+        status = status_of(error)
+    end function mdr_reduced_adhesive_depth
+
+    subroutine check_radii(error, n, name, a, has_out)
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int), intent(in) :: n
+        character(len=*), intent(in) :: name
+        real(c_double), intent(in), optional :: a(*)
+        logical, intent(in) :: has_out
+
+        call check_count(error, n)
+        call check_array(error, name, n, present(a))
+        call check_array(error, "out", n, has_out)
+        if (allocated(error) .or. n == 0) return
+        call check_each_positive(error, name, a(:n))
+    end subroutine check_radii
+
+    subroutine check_body(error, coating_shear, substrate_shear, thickness)
+        type(error_t), allocatable, intent(inout) :: error
+        real(c_double), intent(in) :: coating_shear, substrate_shear, thickness
+
+        call check_positive(error, "coating_shear", coating_shear)
+        call check_positive(error, "substrate_shear", substrate_shear)
+        call check_positive(error, "thickness", thickness)
+    end subroutine check_body
+
+    subroutine check_scale(error, radius, substrate_shear, work_of_adhesion, has_out)
+        type(error_t), allocatable, intent(inout) :: error
+        real(c_double), intent(in) :: radius, substrate_shear, work_of_adhesion
+        logical, intent(in) :: has_out
+
+        call check_positive(error, "radius", radius)
+        call check_positive(error, "substrate_shear", substrate_shear)
+        call check_positive(error, "work_of_adhesion", work_of_adhesion)
+        call check_given(error, "out", has_out)
+    end subroutine check_scale
+
+end module mdrcontact_api_closed_forms

@@ -1,0 +1,178 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Compiled contact laws for C: making them, one point, and what they are.
+module mdrcontact_api_law
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_null_char, c_null_ptr, c_ptr
+    use mdrcontact_api_handles, only: open_contact
+    use mdrcontact_api_law_handle, only: deliver_law, open_law
+    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_error, only: error_t
+    use mdrcontact_law, only: check_below, check_branch, contact_law_t, default_law_tolerance, law_options_t, law_point_t, &
+                              new_contact_law
+    use mdrcontact_law_evaluate, only: point_at, value_at
+    implicit none (type, external)
+    private
+    public :: c_law_options_t, c_law_facts_t
+    public :: mdr_law_options_init, mdr_law_new, mdr_law_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_text
+
+    !> struct mdr_law_options
+    type, bind(C) :: c_law_options_t
+        real(c_double) :: smallest_depth = 0.0_c_double
+        real(c_double) :: tolerance = default_law_tolerance
+        type(c_ptr) :: description = c_null_ptr
+    end type c_law_options_t
+
+    !> struct mdr_law_facts
+    type, bind(C) :: c_law_facts_t
+        real(c_double) :: lowest_depth = 0.0_c_double, highest_depth = 0.0_c_double
+        real(c_double) :: lowest_force = 0.0_c_double, highest_force = 0.0_c_double
+        real(c_double) :: tolerance = 0.0_c_double, error = 0.0_c_double
+        integer(c_int) :: solutions = 0_c_int
+        integer(c_int) :: adhesive = 0_c_int
+        integer(c_int) :: stretches = 0_c_int
+        integer(c_int) :: description_length = 0_c_int
+    end type c_law_facts_t
+
+contains
+
+    subroutine mdr_law_options_init(options) bind(C)
+        type(c_law_options_t), intent(inout), optional :: options
+
+        if (present(options)) options = c_law_options_t()
+    end subroutine mdr_law_options_init
+
+    function mdr_law_new(contact, largest_depth, options, out) result(status) bind(C)
+        type(c_ptr), value :: contact
+        real(c_double), value :: largest_depth
+        type(c_law_options_t), intent(in), optional :: options
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(contact_t), pointer :: inside
+        type(contact_law_t) :: law
+        type(law_options_t) :: chosen
+        type(error_t), allocatable :: error
+
+        call open_contact(contact, "contact", inside, error)
+        if (present(options)) then
+            chosen%smallest_depth = options%smallest_depth
+            chosen%tolerance = options%tolerance
+            call read_text(options%description, chosen%description)
+        end if
+        if (.not. allocated(error)) call new_contact_law(law, inside, largest_depth, error, chosen)
+        status = deliver_law(law, out, error)
+    end function mdr_law_new
+
+    !> The text at a C pointer; empty for null.
+    subroutine read_text(pointer, text)
+        type(c_ptr), intent(in) :: pointer
+        character(len=:), allocatable, intent(out) :: text
+        character(kind=c_char), pointer :: characters(:)
+        integer :: length, i
+
+        length = 0
+        if (c_associated(pointer)) then
+            call c_f_pointer(pointer, characters, [huge(1)])
+            do while (characters(length + 1) /= c_null_char)
+                length = length + 1
+            end do
+        end if
+        allocate (character(len=length) :: text)
+        do i = 1, length
+            text(i:i) = characters(i)
+        end do
+    end subroutine read_text
+
+    !> The inner loop's call: no allocation, no lock, one polynomial.
+    function mdr_law_force(law, branch, d, f, slope) result(status) bind(C)
+        type(c_ptr), value :: law
+        integer(c_int), value :: branch
+        real(c_double), value :: d
+        real(c_double), intent(inout), optional :: f, slope
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        real(c_double) :: force, rise, radius, stiffness
+        type(error_t), allocatable :: error
+
+        call open_law(law, inside, error)
+        call check_branch(error, int(branch))
+        if (.not. allocated(error)) call check_below(error, "d", d, inside%by_depth%highest)
+        status = 0_c_int
+        if (allocated(error)) then
+            status = status_of(error)
+        else if (present(slope)) then
+            call point_at(inside%by_depth, int(branch), d, force, rise, radius, stiffness)
+            if (present(f)) f = force
+            slope = rise
+        else if (present(f)) then
+            f = value_at(inside%by_depth, int(branch), d)
+        end if
+    end function mdr_law_force
+
+    function mdr_law_follow(law, d, stretch, f, slope, a, k) result(status) bind(C)
+        type(c_ptr), value :: law
+        real(c_double), value :: d
+        integer(c_int), intent(inout), optional :: stretch
+        real(c_double), intent(inout), optional :: f, slope, a, k
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        type(law_point_t) :: point
+        type(error_t), allocatable :: error
+        integer :: place
+
+        call open_law(law, inside, error)
+        call check_given(error, "stretch", present(stretch))
+        status = 0_c_int
+        if (.not. allocated(error)) then
+            place = stretch
+            call inside%follow(d, place, point, error)
+        end if
+        if (allocated(error)) then
+            status = status_of(error)
+            return
+        end if
+        stretch = int(place, c_int)
+        if (present(f)) f = point%force
+        if (present(slope)) slope = point%slope
+        if (present(a)) a = point%radius
+        if (present(k)) k = point%stiffness
+    end function mdr_law_follow
+
+    function mdr_law_info(law, facts) result(status) bind(C)
+        type(c_ptr), value :: law
+        type(c_law_facts_t), intent(inout), optional :: facts
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        type(error_t), allocatable :: error
+
+        call open_law(law, inside, error)
+        call check_given(error, "facts", present(facts))
+        status = status_of(error)
+        if (allocated(error)) return
+        facts = c_law_facts_t(inside%by_depth%lowest, inside%by_depth%highest, inside%by_force%lowest, inside%by_force%highest, &
+                              inside%tolerance, inside%error, int(inside%solutions, c_int), &
+                              merge(1_c_int, 0_c_int, inside%by_depth%adhesive), size(inside%by_depth%stretches, kind=c_int), &
+                              len(inside%description, kind=c_int))
+    end function mdr_law_info
+
+    function mdr_law_description(law, buffer, length) result(status) bind(C)
+        type(c_ptr), value :: law, buffer
+        integer(c_int), value :: length
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        character(kind=c_char), pointer :: characters(:)
+        type(error_t), allocatable :: error
+        integer :: i, copied
+
+        call open_law(law, inside, error)
+        call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
+        status = status_of(error)
+        if (allocated(error) .or. length < 1) return
+        call c_f_pointer(buffer, characters, [length])
+        copied = min(len(inside%description), int(length) - 1)
+        do i = 1, copied
+            characters(i) = inside%description(i:i)
+        end do
+        characters(copied + 1) = c_null_char
+    end function mdr_law_description
+
+end module mdrcontact_api_law

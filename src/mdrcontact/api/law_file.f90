@@ -1,0 +1,101 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Compiled contact laws for C: files, and the same content in memory.
+module mdrcontact_api_law_file
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_ptr
+    use mdrcontact_api_law, only: read_text
+    use mdrcontact_api_law_handle, only: deliver_law, open_law
+    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_law, only: contact_law_t
+    use mdrcontact_law_file, only: law_from_text, law_to_text, load_law, save_law
+    implicit none (type, external)
+    private
+    public :: mdr_law_save, mdr_law_load, mdr_law_write, mdr_law_read
+
+contains
+
+    function mdr_law_save(law, path) result(status) bind(C)
+        type(c_ptr), value :: law, path
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        character(len=:), allocatable :: name
+        type(error_t), allocatable :: error
+
+        call open_law(law, inside, error)
+        call check_given(error, "path", c_associated(path))
+        if (.not. allocated(error)) then
+            call read_text(path, name)
+            call save_law(inside, name, error)
+        end if
+        status = status_of(error)
+    end function mdr_law_save
+
+    function mdr_law_load(path, out) result(status) bind(C)
+        type(c_ptr), value :: path
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(contact_law_t) :: law
+        character(len=:), allocatable :: name
+        type(error_t), allocatable :: error
+
+        call check_given(error, "path", c_associated(path))
+        if (.not. allocated(error)) then
+            call read_text(path, name)
+            call load_law(law, name, error)
+        end if
+        status = deliver_law(law, out, error)
+    end function mdr_law_load
+
+    !> Writes nothing but the length where the buffer is too short.
+    function mdr_law_write(law, buffer, length, full_length) result(status) bind(C)
+        type(c_ptr), value :: law, buffer
+        integer(c_int), value :: length
+        integer(c_int), intent(inout), optional :: full_length
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        character(kind=c_char), pointer :: characters(:)
+        character(len=:), allocatable :: text
+        type(error_t), allocatable :: error
+        integer :: i
+
+        call open_law(law, inside, error)
+        call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
+        call check_given(error, "full_length", present(full_length))
+        status = status_of(error)
+        if (allocated(error)) return
+        call law_to_text(inside, text)
+        full_length = len(text, kind=c_int)
+        if (length < full_length) return
+        call c_f_pointer(buffer, characters, [length])
+        do i = 1, len(text)
+            characters(i) = text(i:i)
+        end do
+    end function mdr_law_write
+
+    function mdr_law_read(buffer, length, out) result(status) bind(C)
+        type(c_ptr), value :: buffer
+        integer(c_int), value :: length
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(contact_law_t) :: law
+        character(kind=c_char), pointer :: characters(:)
+        character(len=:), allocatable :: text
+        type(error_t), allocatable :: error
+        integer :: i
+
+        call check_given(error, "buffer", c_associated(buffer))
+        if (length < 0) then
+            call raise(error, error_invalid, "length = "//count_text(int(length))//" is not allowed: it must be at least 0")
+        end if
+        if (.not. allocated(error)) then
+            call c_f_pointer(buffer, characters, [length])
+            allocate (character(len=length) :: text)
+            do i = 1, length
+                text(i:i) = characters(i)
+            end do
+            call law_from_text(law, text, error)
+        end if
+        status = deliver_law(law, out, error)
+    end function mdr_law_read
+
+end module mdrcontact_api_law_file

@@ -1,0 +1,298 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A compiled contact law: F(d), a(d), k(d) and d(F), a(F), k(F) of one contact over a range of depths, for the price of a short
+!> polynomial.
+!>
+!> It is made once from any contact and verified against it. Evaluating it allocates nothing and locks nothing; any number
+!> of threads may share it. Unlike the contact it is made from, the law has an answer for bodies that are apart: force,
+!> radius, stiffness and slope are 0 below first touch, and with adhesion below pull-off (on loading: below d = 0).
+module mdrcontact_law
+    use mdrcontact_branch, only: depth_control, force_control, stretch_t
+    use mdrcontact_contact, only: contact_t, on_loading, on_unloading
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_finite, check_positive, count_text, error_domain, error_invalid, error_no_convergence, &
+                                error_t, error_unreachable, raise, to_text
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_law_compile, only: close_table, compile_straight, open_table
+    use mdrcontact_law_curve, only: curve_t, new_curve
+    use mdrcontact_law_evaluate, only: law_point_t, point_at
+    use mdrcontact_law_range, only: coordinate_before, coordinate_beyond
+    use mdrcontact_law_stretches, only: compile_stretches, fold_margin
+    use mdrcontact_law_table, only: law_table_t, segment_in, stretch_for, values_below, values_in
+    use mdrcontact_law_verify, only: largest_error
+    implicit none (type, external)
+    private
+    public :: contact_law_t, new_contact_law, law_options_t, law_point_t
+    public :: check_branch, check_below, lowest_force
+    public :: default_law_tolerance
+
+    real(wp), parameter :: default_law_tolerance = 1.0e-9_wp
+    real(wp), parameter :: smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
+    !> Decades of depth below the largest, where none are asked for.
+    real(wp), parameter :: default_decades = 1.0e-4_wp
+    !> Shares of the tolerance: of the samples, and of the polynomials through them.
+    real(wp), parameter :: sample_share = 0.1_wp, fit_share = 0.3_wp
+    !> What a law can be asked for.
+    type :: law_options_t
+        !> Without adhesion: the depth down to which the tolerance holds [length]; 0: 1e-4 of the largest. Nearer to first touch
+        !> the law follows a power of d. With adhesion the law begins at pull-off.
+        real(wp) :: smallest_depth = 0.0_wp
+        !> of F, a and k, relative; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|: at pull-off the slope is infinite.
+        real(wp) :: tolerance = default_law_tolerance
+        !> the problem the law is made from, in words
+        character(len=:), allocatable :: description
+    end type law_options_t
+
+    type :: contact_law_t
+        type(law_table_t) :: by_depth, by_force
+        !> asked for, and the largest error found on verification
+        real(wp) :: tolerance = 0.0_wp, error = 0.0_wp
+        !> contact states computed to make and to verify it
+        integer :: solutions = 0
+        character(len=:), allocatable :: description
+    contains
+        procedure :: at_depth
+        procedure :: at_force
+        procedure :: follow
+    end type contact_law_t
+
+contains
+
+    !> Compiles a contact up to `largest_depth`.
+    subroutine new_contact_law(self, contact, largest_depth, error, options)
+        type(contact_law_t), intent(out) :: self
+        type(contact_t), intent(in) :: contact
+        !> > 0 [length]
+        real(wp), intent(in) :: largest_depth
+        type(error_t), allocatable, intent(out) :: error
+        type(law_options_t), intent(in), optional :: options
+        type(law_options_t) :: chosen
+        real(wp) :: end_radius, smallest, largest
+        real(wp), allocatable :: breaks(:)
+
+        if (present(options)) chosen = options
+        if (.not. allocated(chosen%description)) chosen%description = ""
+        call check_positive(error, "largest_depth", largest_depth)
+        if (.not. (chosen%tolerance >= smallest_tolerance .and. chosen%tolerance <= largest_tolerance)) then
+            call raise(error, error_invalid, "tolerance = "//to_text(chosen%tolerance)//" is not allowed: it must be at least "// &
+                       to_text(smallest_tolerance)//" and at most "//to_text(largest_tolerance))
+        end if
+        if (chosen%smallest_depth == 0.0_wp) chosen%smallest_depth = default_decades*largest_depth
+        call check_positive(error, "smallest_depth", chosen%smallest_depth)
+        if (allocated(error)) return
+        if (chosen%smallest_depth > 0.5_wp*largest_depth) then
+            call raise(error, error_invalid, "smallest_depth = "//to_text(chosen%smallest_depth)//" is not allowed: it must be "// &
+                       "at most half the largest depth, "//to_text(largest_depth))
+            return
+        end if
+        self%tolerance = chosen%tolerance
+        self%description = chosen%description
+        call contact%radius_range(end_radius, smallest, largest, breaks)
+        call open_table(self%by_depth, .true., contact%is_adhesive(), end_radius)
+        call open_table(self%by_force, .false., contact%is_adhesive(), end_radius)
+        if (smallest >= largest*(1.0_wp - 1.0e-12_wp)) then
+            call compile_punch(self, contact, largest_depth, chosen%smallest_depth, error)
+        else
+            breaks = log(pack(breaks, breaks > end_radius) - end_radius)
+            call compile_branch(self, contact, end_radius, smallest, largest, breaks, largest_depth, chosen%smallest_depth, error)
+        end if
+        if (allocated(error)) return
+        call close_table(self%by_depth)
+        call close_table(self%by_force)
+    end subroutine new_contact_law
+
+    !> A flat punch: one state tells all.
+    subroutine compile_punch(self, contact, largest_depth, smallest_depth, error)
+        type(contact_law_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        real(wp), intent(in) :: largest_depth, smallest_depth
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: state, pull_off
+        real(wp) :: low
+
+        call contact%at_depth(largest_depth, state, error)
+        low = smallest_depth
+        if (contact%is_adhesive() .and. .not. allocated(error)) then
+            call contact%pull_off(depth_control, pull_off, error)
+            low = pull_off%depth
+        end if
+        if (allocated(error)) return
+        self%solutions = 1
+        call compile_straight(self%by_depth, state%radius, state%stiffness, low, largest_depth)
+        call compile_straight(self%by_force, state%radius, state%stiffness, low*state%stiffness, largest_depth*state%stiffness)
+    end subroutine compile_punch
+
+    subroutine compile_branch(self, contact, end_radius, smallest, largest, breaks, largest_depth, smallest_depth, error)
+        type(contact_law_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        real(wp), intent(in) :: end_radius, smallest, largest, largest_depth, smallest_depth
+        !> coordinates
+        real(wp), intent(in) :: breaks(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(curve_t) :: curve
+        type(stretch_t), allocatable :: of_depth(:), of_force(:)
+        real(wp) :: first, last
+
+        call coordinate_beyond(contact, end_radius, largest, largest_depth, last, self%solutions, error)
+        if (allocated(error)) return
+        if (contact%is_adhesive()) then
+            call contact%stable_stretches(depth_control, of_depth, error)
+            if (.not. allocated(error)) call contact%stable_stretches(force_control, of_force, error)
+            if (allocated(error)) return
+            of_depth = pack(of_depth, of_depth%first < last)
+            of_force = pack(of_force, of_force%first < last)
+            first = min(minval(of_depth%first), minval(of_force%first)) - fold_margin
+            if (end_radius > 0.0_wp .or. size(of_depth) == 0 .or. size(of_force) == 0) then
+                call raise(error, error_invalid, "this adhesive contact cannot be compiled: its branch does not begin at an "// &
+                           "extremum of depth and force within the range")
+                return
+            end if
+            if (smallest > end_radius) first = max(first, log(smallest - end_radius) + 8.0_wp*epsilon(1.0_wp))
+        else
+            allocate (of_depth(1), of_force(1))
+            call coordinate_before(contact, end_radius, smallest, smallest_depth, first, self%solutions, error)
+            if (allocated(error)) return
+            of_depth%first = first
+            of_depth%last = last
+            of_force = of_depth
+        end if
+        call new_curve(curve, contact, end_radius, [first, pack(breaks, breaks > first .and. breaks < last), last], &
+                       sample_share*self%tolerance, error)
+        if (allocated(error)) return
+        self%solutions = self%solutions + curve%solutions
+        call compile_stretches(self%by_depth, curve, of_depth, breaks, fit_share*self%tolerance, error)
+        if (.not. allocated(error)) call compile_stretches(self%by_force, curve, of_force, breaks, fit_share*self%tolerance, error)
+        if (allocated(error)) return
+        call largest_error(self%by_depth, self%by_force, contact, curve, of_depth, of_force, self%error, self%solutions, error)
+        if (allocated(error)) return
+        if (.not. self%error <= self%tolerance) then
+            call raise(error, error_no_convergence, "the compiled law misses the tolerance "//to_text(self%tolerance)// &
+                       ": its error is "//to_text(self%error)//"; the contact itself may not be computed more accurately")
+        end if
+    end subroutine compile_branch
+
+    !> The state at depth d; all but d is 0 where the bodies are apart.
+    pure subroutine at_depth(self, depth, point, error, branch)
+        class(contact_law_t), intent(in) :: self
+        !> at most the largest depth; any value below [length]
+        real(wp), intent(in) :: depth
+        type(law_point_t), intent(out) :: point
+        type(error_t), allocatable, intent(out) :: error
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        integer :: way
+
+        way = on_unloading
+        if (present(branch)) way = branch
+        call check_branch(error, way)
+        call check_below(error, "depth", depth, self%by_depth%highest)
+        if (allocated(error)) return
+        point%depth = depth
+        call point_at(self%by_depth, way, depth, point%force, point%slope, point%radius, point%stiffness)
+    end subroutine at_depth
+
+    !> The state under force F: there is one at every force down to 0, with adhesion down to pull-off on unloading.
+    pure subroutine at_force(self, force, point, error, branch)
+        class(contact_law_t), intent(in) :: self
+        !> [modulus length^2]
+        real(wp), intent(in) :: force
+        type(law_point_t), intent(out) :: point
+        type(error_t), allocatable, intent(out) :: error
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        real(wp) :: compliance
+        integer :: way
+
+        way = on_unloading
+        if (present(branch)) way = branch
+        call check_branch(error, way)
+        call check_below(error, "force", force, self%by_force%highest)
+        if (.not. allocated(error) .and. force < lowest_force(self, way)) then
+            call raise(error, error_unreachable, "force = "//to_text(force)//" cannot be reached: no contact carries less than "// &
+                       to_text(lowest_force(self, way)))
+        end if
+        if (allocated(error)) return
+        point%force = force
+        call point_at(self%by_force, way, force, point%depth, compliance, point%radius, point%stiffness)
+        if (compliance > 0.0_wp) point%slope = 1.0_wp/compliance
+    end subroutine at_force
+
+    !> The lowest force under which a branch has a state.
+    pure function lowest_force(self, branch) result(force)
+        class(contact_law_t), intent(in) :: self
+        integer, intent(in) :: branch
+        real(wp) :: force
+
+        force = 0.0_wp
+        if (self%by_force%adhesive .and. branch == on_unloading) force = self%by_force%lowest
+    end function lowest_force
+
+    !> The state at depth d of a contact with a history: it stays on its stretch until that ends, and then falls open or onto the
+    !> nearest one. Open bodies come into contact at d >= 0.
+    pure subroutine follow(self, depth, stretch, point, error)
+        class(contact_law_t), intent(in) :: self
+        !> at most the largest depth; any value below [length]
+        real(wp), intent(in) :: depth
+        !> where the contact is: 0 for open at the beginning, then what the last call returned
+        integer, intent(inout) :: stretch
+        type(law_point_t), intent(out) :: point
+        type(error_t), allocatable, intent(out) :: error
+
+        if (stretch < 0 .or. stretch > size(self%by_depth%stretches)) then
+            call raise(error, error_invalid, "stretch = "//count_text(stretch)//" is not allowed: it must be 0 (open) "// &
+                       "or what the last call returned")
+        end if
+        call check_below(error, "depth", depth, self%by_depth%highest)
+        if (allocated(error)) return
+        call move_stretch(self%by_depth, depth, stretch)
+        point%depth = depth
+        if (stretch > 0 .and. depth >= self%by_depth%lowest) then
+            call values_in(self%by_depth, segment_in(self%by_depth, stretch, depth), depth, point%force, point%slope, &
+                           point%radius, point%stiffness)
+        else if (stretch > 0) then
+            call values_below(self%by_depth, depth, point%force, point%slope, point%radius, point%stiffness)
+        end if
+    end subroutine follow
+
+    pure subroutine move_stretch(table, depth, stretch)
+        type(law_table_t), intent(in) :: table
+        real(wp), intent(in) :: depth
+        integer, intent(inout) :: stretch
+
+        if (.not. table%adhesive) then
+            stretch = merge(1, 0, depth > 0.0_wp)
+        else if (stretch == 0) then
+            stretch = stretch_for(table, on_loading, depth)
+        else if (depth > table%stretches(stretch)%highest) then
+            do stretch = stretch + 1, size(table%stretches) - 1
+                if (depth >= table%stretches(stretch)%lowest .and. depth <= table%stretches(stretch)%highest) exit
+            end do
+        else if (depth < table%stretches(stretch)%lowest) then
+            do stretch = stretch - 1, 1, -1
+                if (depth >= table%stretches(stretch)%lowest .and. depth <= table%stretches(stretch)%highest) exit
+            end do
+        end if
+    end subroutine move_stretch
+
+    !> Raises unless `branch` is on_loading or on_unloading.
+    pure subroutine check_branch(error, branch)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: branch
+
+        if (branch /= on_loading .and. branch /= on_unloading) then
+            call raise(error, error_invalid, "branch = "//count_text(branch)//" is not allowed: it must be 1 (loading) or "// &
+                       "2 (unloading)")
+        end if
+    end subroutine check_branch
+
+    !> Raises unless s is finite and at most the end of the compiled range.
+    pure subroutine check_below(error, name, s, highest)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        real(wp), intent(in) :: s, highest
+
+        if (s <= highest .and. s >= -huge(s)) return
+        call check_finite(error, name, s)
+        call raise(error, error_domain, name//" = "//to_text(s)//" is not allowed: the law was compiled up to "//to_text(highest))
+    end subroutine check_below
+
+end module mdrcontact_law

@@ -1,0 +1,278 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> From sampled equilibria to the polynomials of a law: cuts the branch into segments, fits the panels.
+module mdrcontact_law_compile
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_law_curve, only: curve_point_t, curve_t
+    use mdrcontact_law_segment, only: coefficient_count, column_count, most_bits, new_segment, panel_count, panel_ends, &
+                                      polynomial, segment_t, u_of_y
+    use mdrcontact_law_table, only: law_table_t, table_stretch_t, values_in
+    implicit none (type, external)
+    private
+    public :: piece_t, compile_pieces, compile_straight, curve_value, open_table, close_table
+
+    !> A part of the branch in which s grows with x, from one coordinate to the next.
+    type :: piece_t
+        real(wp) :: first = 0.0_wp, last = 0.0_wp
+        !> s has an extremum, or the branch a break, at the first end; an extremum at the last
+        logical :: singular_first = .false., fold_last = .false.
+    end type piece_t
+
+    integer, parameter :: bisections = 100
+    !> Panels close to a singular end begin this part of the root of s there away from it.
+    real(wp), parameter :: singular_scale = 0.5_wp
+
+contains
+
+    !> An empty table.
+    subroutine open_table(table, by_depth, adhesive, end_radius)
+        type(law_table_t), intent(out) :: table
+        logical, intent(in) :: by_depth, adhesive
+        real(wp), intent(in) :: end_radius
+
+        table%by_depth = by_depth
+        table%adhesive = adhesive
+        table%end_radius = end_radius
+        table%lowest = huge(1.0_wp)
+        table%highest = -huge(1.0_wp)
+        allocate (table%stretches(0), table%segments(0), table%coefficients(coefficient_count, column_count, 0))
+    end subroutine open_table
+
+    !> Adds one stretch, given as its pieces by ascending radius.
+    subroutine compile_pieces(table, curve, pieces, tolerance, error)
+        type(law_table_t), intent(inout) :: table
+        type(curve_t), intent(in) :: curve
+        type(piece_t), intent(in) :: pieces(:)
+        real(wp), intent(in) :: tolerance
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: low, high, middle
+        integer :: i, first
+
+        first = size(table%segments) + 1
+        do i = 1, size(pieces)
+            low = curve_value(table, curve, pieces(i)%first)
+            high = curve_value(table, curve, pieces(i)%last)
+            if (pieces(i)%fold_last) then
+                middle = 0.5_wp*(low + high)
+                call compile_segment(table, curve, pieces(i), low, 1.0_wp, .true., [0.0_wp, middle - low], tolerance, error)
+                if (allocated(error)) return
+                call compile_segment(table, curve, pieces(i), high, -1.0_wp, .true., [0.0_wp, high - middle], tolerance, error)
+            else if (pieces(i)%singular_first) then
+                call compile_segment(table, curve, pieces(i), low, 1.0_wp, .true., [0.0_wp, high - low], tolerance, error)
+            else
+                call compile_segment(table, curve, pieces(i), 0.0_wp, 1.0_wp, .false., [low, high], tolerance, error)
+            end if
+            if (allocated(error)) return
+        end do
+        call add_stretch(table, first)
+    end subroutine compile_pieces
+
+    !> Adds a stretch on which the radius and hence the stiffness stay: a flat punch, F = k d.
+    subroutine compile_straight(table, radius, stiffness, low, high)
+        type(law_table_t), intent(inout) :: table
+        real(wp), intent(in) :: radius, stiffness, low, high
+        type(segment_t) :: segment
+        real(wp) :: ends(2), s(2), other(2)
+        real(wp), allocatable :: coefficients(:, :, :)
+        integer :: panel, first
+
+        first = size(table%segments) + 1
+        segment = new_segment(low, 1.0_wp, .false., 0.0_wp, high - low, 1.0_wp, 0)
+        segment%first_panel = size(table%coefficients, 3)
+        allocate (coefficients(coefficient_count, column_count, panel_count(segment)), source=0.0_wp)
+        do panel = 1, size(coefficients, 3)
+            ends = panel_ends(segment, panel)
+            s = low + [u_of_y(segment, ends(1)), u_of_y(segment, ends(2))]
+            other = s*merge(stiffness, 1.0_wp/stiffness, table%by_depth)
+            coefficients(1, :, panel) = [0.5_wp*(other(1) + other(2)), radius, stiffness]
+            coefficients(2, 1, panel) = 0.5_wp*(other(2) - other(1))
+        end do
+        call append(table, segment, coefficients)
+        call add_stretch(table, first)
+    end subroutine compile_straight
+
+    subroutine add_stretch(table, first)
+        type(law_table_t), intent(inout) :: table
+        integer, intent(in) :: first
+        integer :: last
+
+        last = size(table%segments)
+        table%stretches = [table%stretches, &
+                           table_stretch_t(table%segments(first)%lowest, table%segments(last)%highest, first, last)]
+        table%lowest = min(table%lowest, table%segments(first)%lowest)
+        table%highest = max(table%highest, table%segments(last)%highest)
+    end subroutine add_stretch
+
+    !> The powers of s that continue a table without adhesion below its range with the same value and slope.
+    subroutine close_table(table)
+        type(law_table_t), intent(inout) :: table
+        real(wp) :: other, slope, radius, stiffness, above(4), near
+
+        if (table%adhesive) return
+        near = table%lowest*(1.0_wp + 1.0e-4_wp)
+        call values_in(table, 1, table%lowest, other, slope, radius, stiffness)
+        call values_in(table, 1, near, above(1), above(2), above(3), above(4))
+        table%end_values = [other, radius - table%end_radius, stiffness]
+        table%powers(1) = slope*table%lowest/other
+        if (radius > table%end_radius) then
+            table%powers(2) = log((above(3) - table%end_radius)/(radius - table%end_radius))/log(near/table%lowest)
+        end if
+        ! k is dF/dd without adhesion, here too.
+        if (table%by_depth) then
+            table%end_values(3) = slope
+            table%powers(3) = table%powers(1) - 1.0_wp
+        else
+            table%end_values(3) = 1.0_wp/slope
+            table%powers(3) = 1.0_wp - table%powers(1)
+        end if
+    end subroutine close_table
+
+    !> s at coordinate x.
+    pure function curve_value(table, curve, x) result(s)
+        type(law_table_t), intent(in) :: table
+        type(curve_t), intent(in) :: curve
+        real(wp), intent(in) :: x
+        real(wp) :: s
+        type(curve_point_t) :: point
+
+        point = curve%at(x)
+        s = merge(point%depth, point%force, table%by_depth)
+    end function curve_value
+
+    !> Adds a segment in as few panels as the tolerance allows.
+    subroutine compile_segment(table, curve, piece, origin, side, root, u, tolerance, error)
+        type(law_table_t), intent(inout) :: table
+        type(curve_t), intent(in) :: curve
+        type(piece_t), intent(in) :: piece
+        real(wp), intent(in) :: origin, side, u(2), tolerance
+        logical, intent(in) :: root
+        type(error_t), allocatable, intent(out) :: error
+        type(segment_t) :: segment
+        real(wp), allocatable :: coefficients(:, :, :)
+        real(wp) :: stretch
+        integer :: bits, panel
+        logical :: fits
+
+        stretch = 0.0_wp
+        if (root) stretch = singular_scale*sqrt(max(abs(origin), 1.0e-12_wp*u(2))/u(2))
+        do bits = 2, most_bits
+            segment = new_segment(origin, side, root, u(1), u(2), stretch, bits)
+            segment%first_panel = size(table%coefficients, 3)
+            if (allocated(coefficients)) deallocate (coefficients)
+            allocate (coefficients(coefficient_count, column_count, panel_count(segment)))
+            do panel = 1, size(coefficients, 3)
+                call fit_panel(table, curve, piece, segment, panel, tolerance, coefficients(:, :, panel), fits)
+                if (.not. fits) exit
+            end do
+            if (fits) exit
+        end do
+        if (fits) then
+            call append(table, segment, coefficients)
+        else
+            call raise(error, error_no_convergence, "no piecewise polynomial of "//to_text(2.0_wp**most_bits)// &
+                       " panels in an octave meets the tolerance asked for between "//to_text(segment%lowest)//" and "// &
+                       to_text(segment%highest))
+        end if
+    end subroutine compile_segment
+
+    subroutine append(table, segment, coefficients)
+        type(law_table_t), intent(inout) :: table
+        type(segment_t), intent(in) :: segment
+        real(wp), intent(in) :: coefficients(:, :, :)
+
+        table%segments = [table%segments, segment]
+        table%coefficients = reshape([table%coefficients, coefficients], &
+                                     [coefficient_count, column_count, size(table%coefficients, 3) + size(coefficients, 3)])
+    end subroutine append
+
+    !> Interpolates the columns at Chebyshev's extrema, ends included: the law is continuous from panel to panel.
+    subroutine fit_panel(table, curve, piece, segment, panel, tolerance, coefficients, fits)
+        type(law_table_t), intent(in) :: table
+        type(curve_t), intent(in) :: curve
+        type(piece_t), intent(in) :: piece
+        type(segment_t), intent(in) :: segment
+        integer, intent(in) :: panel
+        real(wp), intent(in) :: tolerance
+        real(wp), intent(out) :: coefficients(coefficient_count, column_count)
+        logical, intent(out) :: fits
+        real(wp) :: t(coefficient_count), values(coefficient_count, column_count), ends(2), between(column_count), found, &
+                    scale(column_count), u(2)
+        integer :: i, j
+
+        ends = panel_ends(segment, panel)
+        do i = 1, coefficient_count
+            t(i) = -cos(pi*(i - 1)/(coefficient_count - 1))
+            values(i, :) = columns_at(table, curve, piece, segment, &
+                                      0.5_wp*(ends(1)*(1.0_wp - t(i)) + ends(2)*(1.0_wp + t(i))))
+        end do
+        do j = 1, column_count
+            coefficients(:, j) = interpolating(t, values(:, j))
+        end do
+        fits = .true.
+        scale = maxval(abs(values), dim=1)
+        ! With adhesion values pass through 0 and slopes through infinity: no value can be better than its argument s.
+        if (table%adhesive) then
+            u = [u_of_y(segment, ends(1)), u_of_y(segment, ends(2))]
+            scale = scale + (maxval(values, dim=1) - minval(values, dim=1)) &
+                    *maxval(abs(segment%origin + segment%side*u))/(u(2) - u(1))
+        end if
+        do i = 1, coefficient_count - 1, 3
+            found = 0.5_wp*(t(i) + t(i + 1))
+            between = columns_at(table, curve, piece, segment, 0.5_wp*(ends(1)*(1.0_wp - found) + ends(2)*(1.0_wp + found)))
+            do j = 1, column_count
+                fits = fits .and. abs(polynomial(coefficients(:, j), found) - between(j)) <= tolerance*scale(j)
+            end do
+        end do
+    end subroutine fit_panel
+
+    !> The coefficients of the polynomial through (t, values): Newton's divided differences, multiplied out.
+    pure function interpolating(t, values) result(c)
+        real(wp), intent(in) :: t(coefficient_count), values(coefficient_count)
+        real(wp) :: c(coefficient_count)
+        real(wp) :: difference(coefficient_count)
+        integer :: i, k
+
+        difference = values
+        do k = 2, coefficient_count
+            do i = coefficient_count, k, -1
+                difference(i) = (difference(i) - difference(i - 1))/(t(i) - t(i - k + 1))
+            end do
+        end do
+        c = 0.0_wp
+        c(1) = difference(coefficient_count)
+        do k = coefficient_count - 1, 1, -1
+            c(2:) = c(:coefficient_count - 1) - t(k)*c(2:)
+            c(1) = difference(k) - t(k)*c(1)
+        end do
+    end function interpolating
+
+    !> F or d, a and k of the state at y, by bisection on the samples.
+    pure function columns_at(table, curve, piece, segment, y) result(columns)
+        type(law_table_t), intent(in) :: table
+        type(curve_t), intent(in) :: curve
+        type(piece_t), intent(in) :: piece
+        type(segment_t), intent(in) :: segment
+        real(wp), intent(in) :: y
+        real(wp) :: columns(column_count)
+        type(curve_point_t) :: point
+        real(wp) :: u, near, far, middle
+        integer :: i
+
+        u = u_of_y(segment, y)
+        near = merge(piece%first, piece%last, segment%side > 0.0_wp)
+        far = merge(piece%last, piece%first, segment%side > 0.0_wp)
+        do i = 1, bisections
+            middle = 0.5_wp*(near + far)
+            if (middle == near .or. middle == far) exit
+            if (segment%side*(curve_value(table, curve, middle) - segment%origin) < u) then
+                near = middle
+            else
+                far = middle
+            end if
+        end do
+        ! At the ends of a piece the bisection closes on the end itself.
+        point = curve%at(near)
+        columns = [merge(point%force, point%depth, table%by_depth), point%radius, point%stiffness]
+    end function columns_at
+
+end module mdrcontact_law_compile

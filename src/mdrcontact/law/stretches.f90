@@ -1,0 +1,97 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The stable stretches of a sampled branch, cut where it is not analytic, and compiled.
+module mdrcontact_law_stretches
+    use mdrcontact_branch, only: stretch_t
+    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_law_compile, only: compile_pieces, curve_value, piece_t
+    use mdrcontact_law_curve, only: curve_t
+    use mdrcontact_law_table, only: law_table_t
+    implicit none (type, external)
+    private
+    public :: compile_stretches, fold_margin
+
+    !> The samples reach this far beyond a fold, so that it can be found on them; the search interval; the step of differences.
+    real(wp), parameter :: fold_margin = 0.06_wp, search_width = 0.04_wp, difference_step = 3.0e-3_wp
+    integer, parameter :: bisections = 80
+
+contains
+
+    !> Compiles the stretches under one control; their ends are moved to the extrema of the samples.
+    subroutine compile_stretches(table, curve, list, breaks, tolerance, error)
+        type(law_table_t), intent(inout) :: table
+        type(curve_t), intent(in) :: curve
+        !> by ascending coordinate
+        type(stretch_t), intent(inout) :: list(:)
+        !> coordinates where indenter or medium are not analytic
+        real(wp), intent(in) :: breaks(:)
+        real(wp), intent(in) :: tolerance
+        type(error_t), allocatable, intent(out) :: error
+        type(piece_t), allocatable :: pieces(:)
+        real(wp), allocatable :: cuts(:)
+        real(wp) :: range_end
+        integer :: i, j
+        logical :: ends_at_fold
+
+        range_end = curve%edges(size(curve%edges))
+        do i = 1, size(list)
+            if (table%adhesive) then
+                call move_to_fold(table, curve, 1.0_wp, list(i)%first, error)
+                if (allocated(error)) return
+            end if
+            ends_at_fold = list(i)%last < range_end - fold_margin .and. table%adhesive
+            if (ends_at_fold) call move_to_fold(table, curve, -1.0_wp, list(i)%last, error)
+            if (allocated(error)) return
+            list(i)%last = min(list(i)%last, range_end)
+            cuts = [list(i)%first, pack(breaks, breaks > list(i)%first .and. breaks < list(i)%last), list(i)%last]
+            if (allocated(pieces)) deallocate (pieces)
+            allocate (pieces(size(cuts) - 1))
+            do j = 1, size(pieces)
+                pieces(j) = piece_t(cuts(j), cuts(j + 1), table%adhesive .or. j > 1, ends_at_fold .and. j == size(pieces))
+            end do
+            call compile_pieces(table, curve, pieces, tolerance, error)
+            if (allocated(error)) return
+        end do
+    end subroutine compile_stretches
+
+    !> The extremum of s on the samples near x: a minimum for side = 1, a maximum for side = -1.
+    subroutine move_to_fold(table, curve, side, x, error)
+        type(law_table_t), intent(in) :: table
+        type(curve_t), intent(in) :: curve
+        real(wp), intent(in) :: side
+        real(wp), intent(inout) :: x
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: low, high, middle
+        integer :: i
+
+        low = x - search_width
+        high = x + search_width
+        if (side*rise(table, curve, low) >= 0.0_wp .or. side*rise(table, curve, high) <= 0.0_wp) then
+            call raise(error, error_invalid, "this adhesive contact cannot be compiled: a stable stretch of its "// &
+                       "branch does not begin at an extremum of depth or force")
+            return
+        end if
+        do i = 1, bisections
+            middle = 0.5_wp*(low + high)
+            if (side*rise(table, curve, middle) < 0.0_wp) then
+                low = middle
+            else
+                high = middle
+            end if
+        end do
+        x = 0.5_wp*(low + high)
+    end subroutine move_to_fold
+
+    !> ds/dx up to a factor, by differences of fourth order.
+    pure function rise(table, curve, x) result(difference)
+        type(law_table_t), intent(in) :: table
+        type(curve_t), intent(in) :: curve
+        real(wp), intent(in) :: x
+        real(wp) :: difference
+
+        difference = 8.0_wp*(curve_value(table, curve, x + difference_step) - curve_value(table, curve, x - difference_step)) &
+                     - (curve_value(table, curve, x + 2.0_wp*difference_step) &
+                        - curve_value(table, curve, x - 2.0_wp*difference_step))
+    end function rise
+
+end module mdrcontact_law_stretches

@@ -1,0 +1,76 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> How far a compiled law is from the contact it was made from, at states that had no part in making it.
+module mdrcontact_law_verify
+    use mdrcontact_branch, only: stretch_t
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_law_curve, only: curve_t
+    use mdrcontact_law_table, only: law_table_t, segment_in, values_in
+    implicit none (type, external)
+    private
+    public :: largest_error, relative_errors
+
+    !> Where in each panel of the samples, away from its nodes, law and contact are compared.
+    real(wp), parameter :: probes(3) = [0.027_wp, 0.452_wp, 0.964_wp]
+
+contains
+
+    !> The largest relative error of F, a and k from the depth, and of d, a and k from the force.
+    subroutine largest_error(by_depth, by_force, contact, curve, of_depth, of_force, worst, solutions, error)
+        type(law_table_t), intent(in) :: by_depth, by_force
+        type(contact_t), intent(in) :: contact
+        type(curve_t), intent(in) :: curve
+        !> the stretches the tables were made from, in the same order
+        type(stretch_t), intent(in) :: of_depth(:), of_force(:)
+        real(wp), intent(out) :: worst
+        integer, intent(inout) :: solutions
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: state
+        real(wp) :: x
+        integer :: panel, probe, depth_stretch, force_stretch
+
+        worst = 0.0_wp
+        do panel = 1, size(curve%edges) - 1
+            do probe = 1, size(probes)
+                x = curve%edges(panel) + probes(probe)*(curve%edges(panel + 1) - curve%edges(panel))
+                depth_stretch = findloc(of_depth%first <= x .and. x <= of_depth%last, .true., dim=1)
+                force_stretch = findloc(of_force%first <= x .and. x <= of_force%last, .true., dim=1)
+                if (depth_stretch == 0 .and. force_stretch == 0) cycle
+                call contact%at_radius(curve%end_radius + exp(x), state, error)
+                if (allocated(error)) return
+                solutions = solutions + 1
+                if (depth_stretch > 0) worst = max(worst, maxval(relative_errors(by_depth, depth_stretch, state)))
+                if (force_stretch > 0) worst = max(worst, maxval(relative_errors(by_force, force_stretch, state)))
+            end do
+        end do
+    end subroutine largest_error
+
+    !> The errors of F or d, a and k at a state on a stretch, relative to the value y of the contact and, with adhesion, to
+    !> |y| + |s dy/ds|: y is then zero somewhere, and no number can be better than its argument s.
+    pure function relative_errors(table, stretch, state) result(errors)
+        type(law_table_t), intent(in) :: table
+        integer, intent(in) :: stretch
+        type(contact_state_t), intent(in) :: state
+        real(wp) :: errors(3)
+        real(wp) :: s, exact(3), found(3), slope, swing(3), beyond(3), unused
+        real(wp), parameter :: step = 1.0e-6_wp
+
+        s = state%depth
+        exact = [state%force, state%radius, state%stiffness]
+        if (.not. table%by_depth) then
+            s = state%force
+            exact(1) = state%depth
+        end if
+        call values_in(table, segment_in(table, stretch, s), s, found(1), slope, found(2), found(3))
+        swing = 0.0_wp
+        if (table%adhesive) then
+            call values_in(table, segment_in(table, stretch, s), s + step*abs(s), beyond(1), unused, beyond(2), beyond(3))
+            swing = abs(beyond - found)/step
+            swing(1) = abs(s*slope)
+        end if
+        errors = abs(found - exact)/(abs(exact) + swing)
+    end function relative_errors
+
+end module mdrcontact_law_verify

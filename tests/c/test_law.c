@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Compiled laws: values against the contact, open contact, history, files, refusals. */
+#include "check.h"
+
+enum { N = 100000 }; /* enough for several threads */
+
+static mdr_contact *contact_with(double work_of_adhesion)
+{
+    mdr_profile *ball = NULL;
+    mdr_medium *film = NULL;
+    mdr_contact *contact = NULL;
+    mdr_contact_options options;
+
+    mdr_contact_options_init(&options);
+    options.work_of_adhesion = work_of_adhesion;
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    CHECK_SUCCESS(mdr_medium_coated(3.0, 0.3, 0.5, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(mdr_contact_new(ball, film, &options, &contact));
+    CHECK_SUCCESS(mdr_medium_free(&film));
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+    return contact;
+}
+
+static void test_values(void)
+{
+    static double d[N], F[N], slope[N], a[N], k[N], F1[N], F2[N], back[N];
+    mdr_contact *contact = contact_with(0.0);
+    mdr_law *law = NULL;
+
+    CHECK_SUCCESS(mdr_law_new(contact, 1.0, NULL, &law));
+    for (int i = 0; i < N; i++) d[i] = pow(10.0, -4.0 * i / (N - 1.0));
+    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, N, d, F, slope, a, k, 2));
+    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, N, d, F1, NULL, NULL, NULL, 1));
+    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, N, d, F2, NULL, NULL, NULL, 0));
+    CHECK_SUCCESS(mdr_law_from_force(law, MDR_ON_UNLOADING, N - 2, F + 1, back, NULL, NULL, NULL, 2));
+    for (int i = 0; i < N; i += 1371) {
+        double exact, radius, stiffness, one, rise;
+        CHECK_SUCCESS(mdr_contact_from_depth(contact, 1, &d[i], NULL, &radius, &exact, &stiffness));
+        CHECK_SUCCESS(mdr_law_force(law, MDR_ON_UNLOADING, d[i], &one, &rise));
+        CHECK_CLOSE(F[i], exact, 1e-9);
+        CHECK_CLOSE(a[i], radius, 1e-9);
+        CHECK_CLOSE(k[i], stiffness, 1e-9);
+        CHECK_CLOSE(slope[i], stiffness, 1e-7);
+        CHECK_CLOSE(one, exact, 1e-9);
+        CHECK_CLOSE(rise, slope[i], 1e-13);
+        CHECK_CLOSE(F1[i], F[i], 1e-13);
+        CHECK_CLOSE(F2[i], F[i], 1e-13);
+        if (i > 0) CHECK_CLOSE(back[i - 1], d[i], 1e-9);
+    }
+    /* below the compiled range a power of d, continuous with it; below 0 open */
+    double near = 0.9e-4, open = -1e-3, force = 1.0, rise = 1.0, exact;
+    CHECK_SUCCESS(mdr_law_force(law, MDR_ON_UNLOADING, near, &force, &rise));
+    CHECK_SUCCESS(mdr_contact_from_depth(contact, 1, &near, NULL, NULL, &exact, NULL));
+    CHECK_CLOSE(force, exact, 1e-4);
+    CHECK_SUCCESS(mdr_law_force(law, MDR_ON_UNLOADING, open, &force, &rise));
+    CHECK_TRUE(force == 0.0 && rise == 0.0);
+    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+}
+
+static void test_history(void)
+{
+    mdr_contact *contact = contact_with(0.02);
+    mdr_law *law = NULL;
+    mdr_law_facts facts;
+    int stretch = 0;
+    double F = 1.0, pull_off_depth, below;
+
+    CHECK_SUCCESS(mdr_law_new(contact, 1.0, NULL, &law));
+    CHECK_SUCCESS(mdr_law_info(law, &facts));
+    CHECK_INT(facts.adhesive, 1);
+    CHECK_TRUE(facts.error <= facts.tolerance);
+    CHECK_TRUE(facts.solutions > 10 && facts.solutions <= 200);
+    CHECK_SUCCESS(mdr_contact_pull_off(contact, MDR_CONTROL_DEPTH, &pull_off_depth, NULL, NULL));
+    CHECK_CLOSE(facts.lowest_depth, pull_off_depth, 1e-9);
+    below = 1.001 * pull_off_depth;
+    CHECK_SUCCESS(mdr_law_follow(law, -1e-9, &stretch, &F, NULL, NULL, NULL));
+    CHECK_TRUE(stretch == 0 && F == 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, 0.1, &stretch, &F, NULL, NULL, NULL));
+    CHECK_TRUE(stretch >= 1 && F > 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, 0.9 * pull_off_depth, &stretch, &F, NULL, NULL, NULL));
+    CHECK_TRUE(stretch >= 1 && F < 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, below, &stretch, &F, NULL, NULL, NULL));
+    CHECK_TRUE(stretch == 0 && F == 0.0);
+    CHECK_SUCCESS(mdr_law_force(law, MDR_ON_LOADING, -1e-9, &F, NULL));
+    CHECK_TRUE(F == 0.0);
+    CHECK_STATUS(mdr_law_from_force(law, MDR_ON_UNLOADING, 1, &(double){2.0 * facts.lowest_force}, &F, NULL, NULL, NULL, 1),
+                 MDR_EUNREACHABLE, "entry 1 of f");
+    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+}
+
+static void test_files(void)
+{
+    mdr_contact *contact = contact_with(0.0);
+    mdr_law *law = NULL, *again = NULL, *copy = NULL;
+    mdr_law_options options;
+    mdr_law_facts facts;
+    char text[64] = "";
+    int length = 0;
+    double one, other;
+    const char *path = "test_law.mdrlaw";
+    FILE *file;
+
+    mdr_law_options_init(&options);
+    CHECK_CLOSE(options.tolerance, 1e-9, 0.0);
+    options.tolerance = 1e-6;
+    options.description = "a ball on a film";
+    CHECK_SUCCESS(mdr_law_new(contact, 1.0, &options, &law));
+    CHECK_SUCCESS(mdr_law_save(law, path));
+    CHECK_SUCCESS(mdr_law_load(path, &again));
+    CHECK_SUCCESS(mdr_law_description(again, text, (int)sizeof text));
+    CHECK_TEXT(text, options.description);
+    CHECK_SUCCESS(mdr_law_info(again, &facts));
+    CHECK_INT(facts.description_length, (int)strlen(options.description));
+    CHECK_SUCCESS(mdr_law_force(law, MDR_ON_UNLOADING, 0.3, &one, NULL));
+    CHECK_SUCCESS(mdr_law_force(again, MDR_ON_UNLOADING, 0.3, &other, NULL));
+    CHECK_CLOSE(other, one, 0.0);
+
+    CHECK_SUCCESS(mdr_law_write(law, NULL, 0, &length));
+    CHECK_TRUE(length > 1000);
+    char *content = malloc((size_t)length);
+    CHECK_SUCCESS(mdr_law_write(law, content, length, &length));
+    CHECK_SUCCESS(mdr_law_read(content, length, &copy));
+    CHECK_SUCCESS(mdr_law_force(copy, MDR_ON_UNLOADING, 0.3, &other, NULL));
+    CHECK_CLOSE(other, one, 0.0);
+    CHECK_SUCCESS(mdr_law_free(&copy));
+    content[length / 2] ^= 4;
+    CHECK_STATUS(mdr_law_read(content, length, &copy), MDR_EFILE, "damaged");
+    CHECK_STATUS(mdr_law_read(content, length / 2, &copy), MDR_EFILE, "cut off");
+    CHECK_STATUS(mdr_law_read("hello", 5, &copy), MDR_EFILE, "not a compiled contact law");
+    CHECK_TRUE(copy == NULL);
+    file = fopen(path, "ab");
+    CHECK_TRUE(file != NULL);
+    if (file) {
+        fputs("more", file);
+        fclose(file);
+    }
+    CHECK_STATUS(mdr_law_load(path, &copy), MDR_EFILE, path);
+    remove(path);
+    CHECK_STATUS(mdr_law_load(path, &copy), MDR_EFILE, "cannot be read");
+    CHECK_STATUS(mdr_law_save(law, "no/such/folder/law"), MDR_EFILE, "cannot be written");
+    free(content);
+    CHECK_SUCCESS(mdr_law_free(&again));
+    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+}
+
+static void test_refusals(void)
+{
+    mdr_contact *contact = contact_with(0.0);
+    mdr_law *law = NULL;
+    double in[3] = {0.1, NAN, 0.2}, out[3];
+    int stretch = 7;
+
+    fill_untouched(3, out);
+    CHECK_STATUS(mdr_law_new(NULL, 1.0, NULL, &law), MDR_ENULL, "contact");
+    CHECK_STATUS(mdr_law_new(contact, NAN, NULL, &law), MDR_EINVALID, "largest_depth");
+    CHECK_STATUS(mdr_law_new(contact, 1.0, NULL, NULL), MDR_ENULL, "out");
+    CHECK_SUCCESS(mdr_law_new(contact, 1.0, NULL, &law));
+    CHECK_STATUS(mdr_law_force(law, 0, 0.1, out, NULL), MDR_EINVALID, "branch");
+    CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, NAN, out, NULL), MDR_EINVALID, "d = NaN");
+    CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, INFINITY, out, NULL), MDR_EINVALID, "d = ");
+    CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, 1.5, out, NULL), MDR_EDOMAIN, "compiled up to");
+    CHECK_STATUS(mdr_law_force(NULL, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_ENULL, "law");
+    CHECK_STATUS(mdr_law_force((const mdr_law *)contact, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_EINVALID, "mdr_law handle");
+    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL, 1), MDR_EINVALID, "entry 2 of d");
+    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, -1, in, out, NULL, NULL, NULL, 1), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL, -2), MDR_EINVALID, "threads");
+    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, NULL, out, NULL, NULL, NULL, 1), MDR_ENULL, "d is NULL");
+    CHECK_STATUS(mdr_law_follow(law, 0.1, &stretch, out, NULL, NULL, NULL), MDR_EINVALID, "stretch");
+    CHECK_STATUS(mdr_law_follow(law, 0.1, NULL, out, NULL, NULL, NULL), MDR_ENULL, "stretch");
+    CHECK_STATUS(mdr_law_load(NULL, &law), MDR_ENULL, "path");
+    CHECK_UNTOUCHED(3, out);
+    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_TRUE(law == NULL);
+    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_SUCCESS(mdr_law_free(NULL));
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+}
+
+int main(void)
+{
+    test_values();
+    test_history();
+    test_files();
+    test_refusals();
+    return check_report("law");
+}

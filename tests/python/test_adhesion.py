@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Adhesion through Python: closed forms, branches, pull-off, loops, fields, exact zeta, accuracy map, the command."""
+
+import csv
+import math
+import pickle
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import ELASTIC_MODELS, ROOT
+
+import mdrcontact as mdr
+from mdrcontact.cli import main
+
+GAMMA, R = 0.05, 2.0
+BODY = mdr.Homogeneous(mdr.Elastic(3.0, 0.0))
+FILM = mdr.Coated(mdr.Elastic(6.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3))
+PROBLEM = ROOT / "examples" / "problems" / "afm_on_pdms.toml"
+
+
+def jkr(**options):
+    return mdr.Contact(mdr.Paraboloid(R), BODY, GAMMA, **options)
+
+
+def stiff_film(gamma):
+    """A cone on a stiff thin coating: two stable stretches under force control."""
+    film = mdr.Coated(mdr.Elastic(100.0, 0.3), 0.1, mdr.Elastic(1.0, 0.3), "exact")
+    return mdr.Contact(mdr.Cone(0.3), film, gamma)
+
+
+@pytest.mark.parametrize("rule", ["automatic", "paper", "energy"])
+def test_jkr_pull_off(rule):
+    contact = jkr(adhesion_rule=rule)
+    assert contact.pull_off().force == pytest.approx(-1.5 * math.pi * GAMMA * R, rel=1e-10)
+    assert contact.pull_off("displacement").force == pytest.approx(-5 / 6 * math.pi * GAMMA * R, rel=1e-7)
+    assert contact.pull_off("force").others == ()
+
+
+def test_other_closed_forms():
+    E, t = 3.0, math.tan(0.3)
+    cone = mdr.Contact(mdr.Cone(0.3), BODY, GAMMA).pull_off()
+    assert cone.force == pytest.approx(-54 * GAMMA**2 / (math.pi * E * t**3), rel=1e-10)
+    punch = mdr.Contact(mdr.FlatPunch(0.6), BODY, GAMMA).pull_off("displacement")
+    assert punch.force == pytest.approx(-math.sqrt(8 * math.pi * GAMMA * E * 0.6**3), rel=1e-12)
+    for m in (-0.5, 0.0, 0.6):
+        graded = mdr.Contact(mdr.Paraboloid(R), mdr.PowerLawGraded(2.0, 0.7, m, 0.3), GAMMA).pull_off()
+        assert graded.force == pytest.approx(-0.5 * (m + 3) * math.pi * GAMMA * R, rel=1e-10)
+
+
+def test_states_match_jkr_on_both_branches():
+    a = np.array([0.7, 0.9, 1.5])
+    d, F = a**2 / R - np.sqrt(2 * math.pi * a * GAMMA / 3.0), 4 * a**3 / R - np.sqrt(8 * math.pi * a**3 * GAMMA * 3.0)
+    contact = jkr()
+    for state in (contact.at_radius(a), contact.at_depth(d), contact.at_force(F)):
+        np.testing.assert_allclose(state.radius, a, rtol=1e-9)
+        np.testing.assert_allclose(state.depth, d, rtol=1e-9)
+        np.testing.assert_allclose(state.force, F, rtol=1e-9)
+    assert contact.at_depth(0.2, "loading") == pytest.approx(contact.at_depth(0.2, branch="unloading"), rel=1e-10)
+
+
+def test_no_adhesion_is_bit_for_bit():
+    plain = mdr.Contact(mdr.Paraboloid(R), FILM)
+    for rule in ("automatic", "paper", "energy"):
+        contact = mdr.Contact(mdr.Paraboloid(R), FILM, 0.0, rule)
+        assert contact.at_depth(0.3, "loading") == plain.at_depth(0.3)
+        assert contact.at_force(0.3) == plain.at_force(0.3)
+        assert contact.pressure(0.1, force=0.3) == plain.pressure(0.1, force=0.3)
+    assert plain.pull_off() == (0.0, 0.0, 0.0, 0.0, ())
+    loop = plain.loop("force", 0.3, 7)
+    assert loop.dissipated_energy == 0.0 and loop.jumps.size == 0 and len(loop.force) == 13
+
+
+def test_wrong_arguments_are_told():
+    contact = jkr()
+    for gamma in (-1.0, math.nan, math.inf):
+        with pytest.raises(mdr.InvalidArgumentError, match="work_of_adhesion = "):
+            mdr.Contact(mdr.Paraboloid(R), BODY, gamma)
+    with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'energy'"):
+        mdr.Contact(mdr.Paraboloid(R), BODY, GAMMA, "energie")
+    with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'unloading'"):
+        contact.at_depth(0.1, "unload")
+    with pytest.raises(mdr.InvalidArgumentError, match="control = 'spring'"):
+        contact.pull_off("spring")
+    with pytest.raises(mdr.ArgumentTypeError, match="spring_stiffness"):
+        contact.loop("spring", 1.0)
+    with pytest.raises(mdr.ArgumentTypeError, match="spring_stiffness"):
+        contact.loop("force", 1.0, spring_stiffness=2.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="points = 1"):
+        contact.loop("force", 1.0, 1)
+    with pytest.raises(mdr.InvalidArgumentError, match="largest = "):
+        contact.loop("force", math.nan)
+    with pytest.raises(mdr.UnreachableError, match="ends at pull-off, force = -0.471238"):
+        contact.at_force(-1.0)
+    with pytest.raises(mdr.UnreachableError, match="on loading"):
+        contact.at_force(-0.1, "loading")
+
+
+@pytest.mark.parametrize("gamma", [1e-300, 1e-100, 1e100, 1e300, 1.7e308])
+def test_extreme_work_gives_an_answer_or_an_error(gamma):
+    try:
+        force = mdr.Contact(mdr.Paraboloid(R), BODY, gamma).pull_off().force
+    except mdr.MDRError:
+        return
+    assert force == pytest.approx(-1.5 * math.pi * gamma * R, rel=1e-10)
+
+
+def test_two_stable_states():
+    contact = stiff_film(0.0316)
+    lowest = contact.pull_off()
+    assert len(lowest.others) == 1 and lowest.others[0].force > lowest.force
+    small, large = contact.at_force(0.0, "loading"), contact.at_force(0.0)
+    assert large.radius > 3 * small.radius
+    # fields are those of the state asked for
+    for state, branch in ((small, "loading"), (large, "unloading")):
+        expected = contact.pressure(0.3 * state.radius, state.radius)
+        assert contact.pressure(0.3 * state.radius, force=0.0, branch=branch) == pytest.approx(expected, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("control", "largest", "spring"), [("displacement", 0.3, None), ("spring", 0.6, 0.2), ("force", 0.4, None)]
+)
+def test_loops(control, largest, spring):
+    contact = mdr.Contact(mdr.Paraboloid(5.0), FILM, GAMMA, "energy")
+    loop = contact.loop(control, largest, 400, spring_stiffness=spring)
+    assert len(loop.position) == len(loop.depth) == len(loop.radius) == len(loop.force)
+    assert loop.position[loop.turning_point] == largest and loop.control == control
+    assert len(loop.jumps) == 2 and loop.jumps[0] < loop.turning_point < loop.jumps[1]
+    np.testing.assert_array_equal(loop.position[loop.jumps], loop.position[loop.jumps + 1])
+    assert loop.dissipated_energy > 0.0
+    if control != "force":
+        # the area of the loop; under force control the bodies fly apart without end
+        area = np.sum(0.5 * (loop.force[1:] + loop.force[:-1]) * np.diff(loop.position))
+        assert loop.dissipated_energy == pytest.approx(area, rel=1e-3)
+    inside = loop.radius > 0
+    states = contact.at_radius(loop.radius[inside])
+    np.testing.assert_allclose(loop.force[inside], states.force, rtol=1e-9, atol=1e-12)
+
+
+def test_jkr_loss():
+    loss = jkr().loop("displacement", 0.5, 10).dissipated_energy
+    assert loss / (GAMMA**5 * R**4 / 9.0) ** (1 / 3) == pytest.approx(7.0922, abs=5e-5)
+
+
+@pytest.mark.parametrize("model", ["gao", "exact"])
+def test_fields(model):
+    contact = mdr.Contact(mdr.Paraboloid(5.0), FILM.with_model(model), GAMMA)
+    state = contact.at_depth(-0.01)
+    a = state.radius
+    # p(r) = P(r)/sqrt(a^2 - r^2): with r = a sin(t) the singularity is gone
+    t, w = np.polynomial.legendre.leggauss(60)
+    t, w = 0.25 * math.pi * (t + 1), 0.25 * math.pi * w
+    r = a * np.sin(t)
+    force = np.sum(w * 2 * math.pi * r * contact.pressure(r, a) * a * np.cos(t))
+    assert force == pytest.approx(state.force, rel=1e-6)
+    x, wx = 0.5 * a * (np.polynomial.legendre.leggauss(40)[0] + 1), 0.5 * a * np.polynomial.legendre.leggauss(40)[1]
+    assert 2 * np.sum(wx * contact.line_load(x, a)) == pytest.approx(state.force, rel=1e-9)
+    assert contact.pressure(a, a) == -math.inf
+    inside = np.array([0.0, 0.5, 1.0]) * a
+    np.testing.assert_allclose(contact.displacement(inside, a), state.depth - inside**2 / 10.0, rtol=1e-9, atol=1e-15)
+    # the neck: the surface hangs on the indenter's side and falls back with a vertical tangent
+    neck = contact.displacement(a * np.array([1.0 + 1e-6, 1.01, 1.1, 50.0]), a)
+    assert np.all(neck[:3] > state.depth - (a * np.array([1.0, 1.01, 1.1])) ** 2 / 10.0 - 1e-12)
+    assert abs(neck[3]) < 0.1 * abs(neck[0])
+
+
+def test_figure_2_by_32():
+    a_c, d_c = mdr.adhesive_radius_scale(R, 0.7, GAMMA), mdr.adhesive_depth_scale(R, 0.7, GAMMA)
+    at = np.array([0.05, 0.4, 1.0, 2.5])
+    for ht in (4, 2, 1, 0.5, 0.25):
+        body = mdr.Coated(mdr.Elastic(3 * 1.4, 0.5), ht * a_c, mdr.Elastic(3 * 0.7, 0.5))
+        depth = mdr.Contact(mdr.Paraboloid(R), body, GAMMA, "paper").at_radius(at * a_c).depth
+        np.testing.assert_allclose(depth / d_c, mdr.reduced_adhesive_depth(at, 2.0, ht), rtol=0, atol=1e-12)
+        closed = mdr.coated_paraboloid_adhesive_depth(at * a_c, R, 1.4, 0.7, ht * a_c, GAMMA)
+        np.testing.assert_allclose(depth, closed, rtol=0, atol=1e-12 * d_c)
+    h = mdr.coated_paraboloid_force(at, R, 1.4, 0.7, 0.3), mdr.coated_cone_force(at, 0.3, 1.4, 0.7, 0.3)
+    body = mdr.Coated(mdr.Elastic(3 * 1.4, 0.5), 0.3, mdr.Elastic(3 * 0.7, 0.5))
+    for closed, shape in zip(h, (mdr.Paraboloid(R), mdr.Cone(0.3)), strict=True):
+        np.testing.assert_allclose(mdr.Contact(shape, body).at_radius(at).force, closed, rtol=1e-12)
+    # theory's figures at at = ht = 1, tau = 2: (32), energy balance with Gao's weights, exact
+    found = []
+    for model, rule in (("gao", "paper"), ("gao", "energy"), ("exact", "automatic")):
+        body = mdr.Coated(mdr.Elastic(4.2, 0.5), a_c, mdr.Elastic(2.1, 0.5), model)
+        found.append(mdr.Contact(mdr.Paraboloid(R), body, GAMMA, rule).at_radius(a_c).depth / d_c)
+    assert found == pytest.approx([-0.8181, -0.9852, -0.9172], abs=5e-5)
+    with pytest.raises(mdr.InvalidArgumentError, match="shear_ratio = 0"):
+        mdr.reduced_adhesive_depth(1.0, 0.0, 1.0)
+
+
+@pytest.mark.parametrize("shape", [mdr.Paraboloid(5.0), mdr.Cone(0.2), mdr.FlatEndedCone(0.2, 0.3)], ids=lambda s: type(s).__name__)
+def test_exact_zeta(shape):
+    """Depths are the exact ones; with the exact E_eff as a table, forces are too: only E_eff is approximate."""
+    contact, truth = mdr.Contact(shape, FILM, zeta="exact"), mdr.Contact(shape, FILM.with_model("exact"))
+    a = np.array([0.3, 1.0, 7.0])
+    np.testing.assert_allclose(contact.at_radius(a).depth, truth.at_radius(a).depth, rtol=1e-6)
+    assert abs(contact.at_radius(1.0).force / truth.at_radius(1.0).force - 1) > 0.05
+    assert contact.zeta == "exact" and pickle.loads(pickle.dumps(contact)) == contact
+
+
+def test_exact_zeta_refuses():
+    with pytest.raises(mdr.InvalidArgumentError, match="one contact radius"):
+        mdr.Contact(mdr.FlatPunch(1.0), FILM, zeta="exact")
+    with pytest.raises(mdr.InvalidArgumentError, match="approximate"):
+        mdr.Contact(mdr.Cone(0.2), BODY, zeta="exact")
+    with pytest.raises(mdr.MDRError, match="zeta"):
+        mdr.Contact(mdr.Cone(0.2), FILM, zeta="exakt")
+
+
+def test_accuracy_map():
+    result = mdr.accuracy_map([0.5, 1.0, 2.0], [0.3, 1.0])
+    assert result.models == ELASTIC_MODELS and result.modulus_error.shape == (len(ELASTIC_MODELS), 3, 2)
+    equal = [i for i, name in enumerate(result.models) if name != "hay-crawford"]
+    assert np.abs(result.modulus_error[equal, 1]).max() < 1e-9 and np.abs(result.force_error[equal, 1]).max() < 1e-9
+    # theory's figures for incompressible bodies, a = h
+    known = {"gao": 0.085, "gao-series": -0.024, "doerner-nix": 0.18, "wave": 0.57}
+    errors = mdr.accuracy_map(2.0, 1.0, known, coating_nu=0.5, substrate_nu=0.5).modulus_error[:, 0, 0]
+    assert errors == pytest.approx(list(known.values()), abs=0.006)
+    with pytest.raises(mdr.InvalidArgumentError, match="did you mean"):
+        mdr.accuracy_map(2.0, 1.0, ["goa"])
+
+
+def test_command(tmp_path, capsys):
+    table, figure = tmp_path / "loop.csv", tmp_path / "loop.png"
+    assert main(["adhesion", str(PROBLEM), "--csv", str(table), "--plot", str(figure)]) == 0
+    out = capsys.readouterr().out
+    film = mdr.Coated(mdr.Elastic(2e6, 0.5), 1e-6, mdr.Elastic(70e9, 0.23), "exact")
+    contact = mdr.Contact(mdr.Paraboloid(2e-6), film, 0.05)
+    for control in ("force", "displacement"):
+        line = next(line for line in out.splitlines() if line.startswith(f"pull-off, {control} prescribed"))
+        assert float(line.split()[-1]) == pytest.approx(contact.pull_off(control).force * 1e9, rel=1e-4)
+    assert "energy lost in the cycle: 726.9 fJ" in out
+    rows = list(csv.reader(table.open(encoding="utf-8")))
+    assert rows[0] == ["way", "position [um]", "depth [um]", "radius [um]", "force [nN]"]
+    assert {row[0] for row in rows[1:]} == {"approach", "retraction"}
+    assert figure.read_bytes()[:4] == b"\x89PNG"
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (('control = "spring"', 'control = "force"'), "spring_stiffness belongs to"),
+        (('"50 mJ/m^2"', "0.05"), "has no unit"),
+        (('"50 mJ/m^2"', '"-1 J/m^2"'), "work_of_adhesion = -0.1E+1"),
+        (('"0.2 N/m"', '"0.2 N"'), "is not a unit of a stiffness"),
+        (("[adhesion]", "[adhesive]"), "did you mean 'adhesion'"),
+    ],
+)
+def test_wrong_problem_files(change, words, tmp_path, capsys):
+    path = Path(tmp_path / "problem.toml")
+    path.write_text(PROBLEM.read_text(encoding="utf-8").replace(*change), encoding="utf-8")
+    assert main(["adhesion", str(path)]) in (1, 2)
+    assert words.replace("-0.1E+1", "-1") in capsys.readouterr().err
+
+
+def test_command_needs_adhesion(capsys):
+    assert main(["adhesion", str(ROOT / "examples" / "problems" / "sio2_on_si.toml")]) == 2
+    assert "[adhesion] is missing" in capsys.readouterr().err
+
+
+def test_documentation(tmp_path, capsys):
+    text = (ROOT / "docs" / "adhesion.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```python\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
+    assert len(blocks) >= 6
+    space: dict = {}
+    for block in blocks:
+        exec(compile(block, "docs/adhesion.md", "exec"), space)
+    out = capsys.readouterr().out
+    # what its comments say
+    assert f"{space['cone'].at_force(0.0, 'loading').radius:.2f} and {space['cone'].at_force(0.0).radius:.2f}" in text
+    assert "-0.8181" in out
+    assert main(["example", "afm_on_pdms"]) == 0
+    (tmp_path / "problem.toml").write_text(capsys.readouterr().out, encoding="utf-8")
+    assert main(["adhesion", str(tmp_path / "problem.toml")]) == 0

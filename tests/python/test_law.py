@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compiled contact laws from Python: values, shapes, pickles, files, threads, refusals."""
+
+import pickle
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+from conftest import OXIDE, SILICON
+
+import mdrcontact as mdr
+
+CONTACT = mdr.Contact(mdr.Paraboloid(1e-5), mdr.Coated(OXIDE, 5e-7, SILICON, "exact"))
+
+
+@pytest.fixture(scope="module")
+def law():
+    return mdr.ContactLaw(CONTACT, 1e-7)
+
+
+def test_values_are_the_contacts(law):
+    depth = np.geomspace(1e-11, 1e-7, 50)
+    exact, state = CONTACT.at_depth(depth), law.at_depth(depth)
+    for name in ("force", "radius", "stiffness"):
+        np.testing.assert_allclose(getattr(state, name), getattr(exact, name), rtol=1e-9)
+    np.testing.assert_allclose(state.slope, exact.stiffness, rtol=1e-7)
+    np.testing.assert_allclose(law.at_force(exact.force[1:-1]).depth, depth[1:-1], rtol=1e-9)
+    np.testing.assert_allclose(law.at_force(exact.force[1:-1]).slope, exact.stiffness[1:-1], rtol=1e-7)
+
+
+def test_facts(law):
+    assert law.solutions <= 200
+    assert law.error <= law.tolerance == 1e-9
+    assert law.depth_range[0] <= 1e-11
+    assert law.depth_range[1] >= 1e-7
+    assert law.description == repr(CONTACT)
+    assert "Paraboloid" in repr(law)
+
+
+def test_shapes_and_zeros(law):
+    depth = np.array([[-1e-9, 0.0, 1e-9], [5e-8, 1e-7, 1e-12]])
+    force = law.force(depth)
+    assert force.shape == depth.shape
+    assert force[0, 0] == force[0, 1] == 0.0
+    assert isinstance(law.force(1e-8), float)
+    assert law.force(1e-8) == law.force(np.array([1e-8]))[0]
+    assert law.force([]).shape == (0,)
+
+
+def test_pickle_and_file(law, tmp_path):
+    law.save(tmp_path / "law")
+    for other in (pickle.loads(pickle.dumps(law)), mdr.ContactLaw.load(tmp_path / "law")):
+        assert other == law
+        assert hash(other) == hash(law)
+        assert other.force(3e-8) == law.force(3e-8)
+        assert other.description == law.description
+
+
+def test_damage_is_refused_with_its_reason(law, tmp_path):
+    content = bytearray(law.to_bytes())
+    content[len(content) // 3] ^= 1
+    (tmp_path / "law").write_bytes(content)
+    with pytest.raises(mdr.FileError, match="law is refused: its checksum"):
+        mdr.ContactLaw.load(tmp_path / "law")
+    for wrong, reason in [(b"", "not a compiled"), (b"PK\3\4", "not a compiled"), (law.to_bytes()[:-40], "cut off")]:
+        with pytest.raises(mdr.FileError, match=reason):
+            mdr.ContactLaw.from_bytes(wrong)
+
+
+def test_threads_agree(law):
+    depth = np.geomspace(1e-11, 1e-7, 200_000)
+    one = law.force(depth)
+    np.testing.assert_array_equal(law.force(depth, threads=2), one)
+    with ThreadPoolExecutor(4) as pool:
+        for found in pool.map(lambda _: law.force(depth, threads=0), range(8)):
+            np.testing.assert_array_equal(found, one)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda law: law.force(2e-7), "compiled up to"),
+        (lambda law: law.force([1e-8, np.nan]), "entry 2 of d"),
+        (lambda law: law.force(1e-8, branch="both"), "branch"),
+        (lambda law: law.force(1e-8, threads=-1), "threads"),
+        (lambda law: law.at_force(-1.0), "cannot be reached"),
+        (lambda law: mdr.ContactLaw(CONTACT, -1.0), "largest_depth"),
+        (lambda law: mdr.ContactLaw(CONTACT, 1e-7, smallest_depth=0.0), "smallest_depth"),
+        (lambda law: mdr.ContactLaw(CONTACT, 1e-7, tolerance=0.0), "tolerance"),
+    ],
+)
+def test_refusals(law, call, words):
+    with pytest.raises(ValueError, match=words):
+        call(law)
+
+
+def test_wrong_kinds(law):
+    with pytest.raises(TypeError, match="Contact"):
+        mdr.ContactLaw("contact", 1.0)
+    with pytest.raises(TypeError, match="threads"):
+        law.force(1e-8, threads=1.5)

@@ -1,0 +1,83 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A medium that counts how often it is solved.
+module counting_medium
+    use mdrcontact, only: error_t, medium_t, profile_t
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: counter_t, counting_medium_t
+
+    type :: counter_t
+        integer :: solutions = 0
+    end type counter_t
+
+    type, extends(medium_t) :: counting_medium_t
+        class(medium_t), allocatable :: inside
+        type(counter_t), pointer :: counter => null()
+    contains
+        procedure :: modulus
+        procedure :: modulus_slope
+        procedure :: depth_and_force
+        procedure :: response
+        procedure :: line_load
+        procedure :: pressure => line_load
+        procedure :: displacement_outside => line_load
+    end type counting_medium_t
+
+contains
+
+    subroutine modulus(self, a, values, error)
+        class(counting_medium_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        self%counter%solutions = self%counter%solutions + size(a)
+        call self%inside%modulus(a, values, error)
+    end subroutine modulus
+
+    subroutine modulus_slope(self, a, values, error)
+        class(counting_medium_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        self%counter%solutions = self%counter%solutions + size(a)
+        call self%inside%modulus_slope(a, values, error)
+    end subroutine modulus_slope
+
+    subroutine depth_and_force(self, profile, a, depth, force, error)
+        class(counting_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force
+        type(error_t), allocatable, intent(out) :: error
+
+        self%counter%solutions = self%counter%solutions + 1
+        call self%inside%depth_and_force(profile, a, depth, force, error)
+    end subroutine depth_and_force
+
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
+        class(counting_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force, modulus, modulus_slope
+        type(error_t), allocatable, intent(out) :: error
+
+        self%counter%solutions = self%counter%solutions + 1
+        call self%inside%response(profile, a, depth, force, modulus, modulus_slope, error)
+    end subroutine response
+
+    subroutine line_load(self, profile, a, excess, r, values, error)
+        class(counting_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        self%counter%solutions = self%counter%solutions + 1
+        call self%inside%line_load(profile, a, excess, r, values, error)
+    end subroutine line_load
+
+end module counting_medium
