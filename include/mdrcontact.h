@@ -682,6 +682,99 @@ int mdr_law_write(const mdr_law *law, char *buffer, int length, int *full_length
 int mdr_law_read(const char *buffer, int length, mdr_law **out);
 int mdr_law_free(mdr_law **law);
 
+/* ---- fit: from measured data to the numbers of indenter, medium and instrument --------------------------------- */
+enum mdr_fit_data_kind {               /* what x and y are */
+    MDR_FIT_FORCE_DEPTH = 1,           /* indentation depth, force */
+    MDR_FIT_STIFFNESS_DEPTH = 2,       /* depth, contact stiffness; with the force of each point (dynamic nanoindentation) */
+    MDR_FIT_MODULUS_RADIUS = 3,        /* contact radius, effective contact modulus */
+    MDR_FIT_STIFFNESS_RADIUS = 4       /* contact radius, contact stiffness */
+};
+enum mdr_fit_indenter {                /* its numbers are the arguments of mdr_profile_...; GIVEN: `profile`, no numbers */
+    MDR_FIT_INDENTER_GIVEN = 0,
+    MDR_FIT_INDENTER_PARABOLOID = 1,
+    MDR_FIT_INDENTER_SPHERE = 2,
+    MDR_FIT_INDENTER_CONE = 3,
+    MDR_FIT_INDENTER_POWER = 4,
+    MDR_FIT_INDENTER_FLAT_PUNCH = 5,
+    MDR_FIT_INDENTER_FLAT_CONE = 6,
+    MDR_FIT_INDENTER_FLAT_PARABOLOID = 7,
+    MDR_FIT_INDENTER_ROUNDED_CONE = 8
+};
+enum mdr_fit_medium {
+    MDR_FIT_MEDIUM_GIVEN = 0,          /* `medium_object`, no numbers */
+    MDR_FIT_MEDIUM_HOMOGENEOUS = 1,    /* E, nu */
+    MDR_FIT_MEDIUM_STACK = 2,          /* E, nu, h of each of `layers` from the surface down; E, nu of the substrate; the
+                                          model's alpha or wave factor (1 if it has none) */
+    MDR_FIT_MEDIUM_GRADED = 3,         /* z, E, nu at each of `layers` depths */
+    MDR_FIT_MEDIUM_POWER_GRADED = 4    /* E0, z0, exponent, nu */
+};
+enum mdr_fit_instrument {              /* the last seven numbers */
+    MDR_FIT_WORK_OF_ADHESION = 0,      /* >= 0; > 0 if free */
+    MDR_FIT_DEPTH_OFFSET = 1,          /* what the instrument reads at first contact */
+    MDR_FIT_FORCE_OFFSET = 2,
+    MDR_FIT_FRAME_COMPLIANCE = 3,
+    MDR_FIT_INDENTER_MODULUS = 4,      /* its contact modulus E*_i; INFINITY: rigid. Stiffness and modulus data only */
+    MDR_FIT_CONTACT_DEPTH_FACTOR = 5,  /* epsilon of h_c = h - epsilon P/S, 0.75 */
+    MDR_FIT_STIFFNESS_FACTOR = 6,      /* beta of S = 2 beta a E_r, 1 */
+    MDR_FIT_INSTRUMENT_COUNT = 7
+};
+enum mdr_fit_loss { MDR_FIT_LINEAR = 0, MDR_FIT_HUBER = 1, MDR_FIT_CAUCHY = 2 };
+
+typedef struct mdr_fit_parameter {
+    double value;                      /* the value, or where the search begins */
+    double lower, upper;               /* bounds of a free one; -INFINITY, INFINITY for none */
+    double prior, prior_sd;            /* what is known beforehand, and its standard deviation; 0: nothing */
+    int is_free;
+} mdr_fit_parameter;
+
+typedef struct mdr_fit_problem {
+    int data_kind;                     /* enum mdr_fit_data_kind */
+    int indenter;                      /* enum mdr_fit_indenter */
+    const mdr_profile *profile;
+    int medium;                        /* enum mdr_fit_medium */
+    const mdr_medium *medium_object;
+    int model;                         /* enum mdr_model, for stacks and graded media */
+    int layers;                        /* >= 1 */
+    mdr_medium_options options;        /* weight_nu_choice, weight_nu, tolerance; alpha and wave_factor are among the numbers */
+    int adhesion_rule;                 /* 0: automatic, 1: the source's (28), 2: energy balance */
+    int loss;                          /* enum mdr_fit_loss */
+    double loss_scale;                 /* beyond so many standard deviations a residual counts less; 1.345 */
+    int sd_is_absolute;                /* 1: the standard deviations of the data are known; 0: their ratios only */
+    int max_iterations;                /* 100 */
+    int check_units;                   /* 1: data more than 300 times off the model at the start are refused */
+    int parameter_count;
+    const mdr_fit_parameter *parameters; /* [parameter_count]: indenter, medium, instrument, in this order */
+} mdr_fit_problem;
+void mdr_fit_problem_init(mdr_fit_problem *problem);
+
+typedef struct mdr_fit_summary {
+    int converged;                     /* 0: the best point found is returned all the same */
+    int iterations, evaluations;
+    double chi_square;                 /* of the data in their standard deviations */
+    double prior_chi_square;
+    double degrees_of_freedom;         /* data less the parameters they determine */
+    double noise;                      /* factor of the standard deviations: 1 if known, else estimated */
+    double log_likelihood;
+    double runs_probability;           /* of so few or many runs of equal sign, were the residuals random */
+    double weakest;                    /* smallest eigenvalue of the derivatives' correlation; 0: a combination is undetermined */
+} mdr_fit_summary;
+
+/* how many numbers the kinds of indenter and medium, `layers` and the instrument make together */
+int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
+/* n points; force[] for MDR_FIT_STIFFNESS_DEPTH only; sd NULL: equal and unknown. Every output may be NULL. m = parameter_count:
+   values[m]; covariance[m*m], 0 for fixed numbers; at_bound[m]: -1, 0 or 1; weakest_direction[m]: the change of all free
+   numbers that the data notice least; fitted[n]: the model at the data; residuals[n]: (y - model)/standard deviation */
+int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
+                  const double sd[], double values[], double covariance[], int at_bound[], double weakest_direction[],
+                  double fitted[], double residuals[], mdr_fit_summary *summary);
+/* what the instrument reads where the numbers are the `value`s; y is used where the frame gives way or contact depths
+   follow from it */
+int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
+                    double fitted[]);
+/* profile-likelihood interval of the free number at `position` (from 0); an end that does not exist is infinite */
+int mdr_fit_interval(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
+                     const double sd[], int position, double level, double *lower, double *upper);
+
 #ifdef __cplusplus
 }
 #endif

@@ -8,6 +8,19 @@ module mdrcontact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_t
+    use mdrcontact_fit, only: fit_result_t, solve_fit
+    use mdrcontact_fit_body, only: fit_body_t, indenter_cone, indenter_flat_cone, indenter_flat_paraboloid, indenter_flat_punch, &
+                                   indenter_given, indenter_paraboloid, indenter_power_law, indenter_rounded_cone, indenter_sphere
+    use mdrcontact_fit_interval, only: profile_interval
+    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_graded, medium_homogeneous, medium_power_graded, &
+                                        medium_stack, model_bec, model_dimitriadis, model_doerner_nix, model_exact, model_gao, &
+                                        model_gao_series, model_garcia, model_hay_crawford, model_mencik_exponential, &
+                                        model_mencik_reciprocal, model_perriot_barthel, model_wave
+    use mdrcontact_fit_predict, only: predict
+    use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
+                                      at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_force_depth, &
+                                      data_modulus_radius, data_stiffness_depth, data_stiffness_radius, fit_data_t, &
+                                      fit_parameter_t, fit_problem_t, instrument_numbers, loss_cauchy, loss_huber, loss_linear
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_density, only: deviatoric_weight, lateral_density, volumetric_weight
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure

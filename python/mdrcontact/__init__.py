@@ -13,13 +13,14 @@ Any consistent units. Numbers give floats, arrays give arrays of the same shape.
 their constructor arguments, and may be shared between threads. Errors are `MDRError` and its subclasses.
 """
 
-from . import accuracy, adhesion, closed_forms, contact, errors, law, material, medium, profile, weights
+from . import accuracy, adhesion, closed_forms, contact, errors, fitting, law, material, medium, profile, weights
 from ._native import version as _version
 from .accuracy import *  # noqa: F403
 from .adhesion import *  # noqa: F403
 from .closed_forms import *  # noqa: F403
 from .contact import *  # noqa: F403
 from .errors import *  # noqa: F403
+from .fitting import *  # noqa: F403
 from .law import *  # noqa: F403
 from .material import *  # noqa: F403
 from .medium import *  # noqa: F403
@@ -32,6 +33,7 @@ __all__ = [
     *closed_forms.__all__,
     *contact.__all__,
     *errors.__all__,
+    *fitting.__all__,
     *law.__all__,
     *material.__all__,
     *medium.__all__,

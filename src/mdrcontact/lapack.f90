@@ -4,7 +4,7 @@ module mdrcontact_lapack
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: dgemm, dpotrf, dpotrs, dsymv
+    public :: dgemm, dpotrf, dpotrs, dsyev, dsymv
 
     interface
         subroutine dpotrf(uplo, n, a, lda, info)
@@ -23,6 +23,15 @@ module mdrcontact_lapack
             real(wp), intent(inout) :: b(ldb, *)
             integer, intent(out) :: info
         end subroutine dpotrs
+
+        subroutine dsyev(jobz, uplo, n, a, lda, w, work, lwork, info)
+            import :: wp
+            character(len=1), intent(in) :: jobz, uplo
+            integer, intent(in) :: n, lda, lwork
+            real(wp), intent(inout) :: a(lda, *), work(*)
+            real(wp), intent(out) :: w(*)
+            integer, intent(out) :: info
+        end subroutine dsyev
 
         subroutine dsymv(uplo, n, alpha, a, lda, x, incx, beta, y, incy)
             import :: wp

@@ -10,13 +10,13 @@ from collections.abc import Sequence
 from .. import __version__
 from ..errors import MDRError
 from ..problem import ProblemError
-from . import adhesion, compare, curve, example
+from . import adhesion, compare, curve, example, fit
 from . import map as map_
 from .files import OutputError
 
 __all__ = ["main"]
 
-COMMANDS = (curve, compare, adhesion, example, map_)
+COMMANDS = (curve, compare, adhesion, fit, example, map_)
 """Each command is a module with `add(subparsers)`, which sets its `run(arguments)`."""
 
 _DESCRIPTION = """\

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Do the intervals of `mdr.fit` hold what they promise?
+
+Synthetic force-depth curves of the exact layered medium with 1 % noise, 30 film/substrate systems, 200 repetitions of each:
+how often lies the true value inside the 95 % interval? Free are the film's modulus and its thickness, the latter known
+beforehand to 5 %. Run: python benchmarks/fit_recovery.py [--repetitions 200] [--table FILE.md]
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+from tqdm import tqdm
+
+import mdrcontact as mdr
+
+THICKNESS = 500e-9
+PRIOR = 0.05 * THICKNESS
+NOISE = 0.01
+POINTS = 60
+SUBSTRATE = mdr.Elastic(150e9, 0.25)
+RATIOS = (0.03, 0.2, 0.5, 2.0, 6.0)
+"""film modulus over substrate modulus"""
+REACHES = (0.5, 1.5, 4.0)
+"""largest a/h of the curve"""
+INDENTERS = (("sphere", mdr.Paraboloid(10e-6), 0.3), ("cone", mdr.Cone(0.34), 0.35))
+"""name, shape, Poisson's ratio of the film it is pressed on"""
+
+
+def study(system: tuple[float, float, tuple[str, mdr.Paraboloid, float]], repetitions: int, seed: int) -> dict[str, float | str]:
+    """Coverage and scatter in one system."""
+    ratio, reach, (name, indenter, nu) = system
+    film = mdr.Elastic(ratio * SUBSTRATE.E, nu)
+    truth = {"coating.E": film.E, "thickness": THICKNESS}
+    medium = mdr.Coated(film, THICKNESS, SUBSTRATE, "exact")
+    contact = mdr.Contact(indenter, medium)
+    deepest = float(contact.at_radius(reach * THICKNESS).depth)
+    depth = np.linspace(deepest / POINTS, deepest, POINTS)
+    force = np.asarray(contact.at_depth(depth).force)
+    random = np.random.default_rng(seed)
+    # the search begins away from the truth
+    start = medium.replace(coating=mdr.Elastic(1.5 * film.E, nu))
+    inside = dict.fromkeys(truth, 0)
+    normal_scores: list[float] = []
+    errors: list[float] = []
+    failed = 0
+    for _ in range(repetitions):
+        data = mdr.ForceDepth(depth, force * (1.0 + NOISE * random.standard_normal(POINTS)), relative_sd=NOISE)
+        known = mdr.Free(prior=(THICKNESS + PRIOR * random.standard_normal(), PRIOR))
+        result = mdr.fit(data, indenter, start, {"coating.E": None, "thickness": known})
+        failed += not result.converged
+        for parameter, true in truth.items():
+            lower, upper = result.interval(parameter, 0.95)
+            inside[parameter] += lower <= true <= upper
+        normal_scores.append((result.estimates["coating.E"] - film.E) / result.standard_errors["coating.E"])
+        errors.append(result.standard_errors["coating.E"] / film.E)
+    return {
+        "indenter": name,
+        "E0/E1": ratio,
+        "a/h up to": reach,
+        "coverage of E0": inside["coating.E"] / repetitions,
+        "coverage of h": inside["thickness"] / repetitions,
+        "standard error of E0": float(np.mean(errors)),
+        "mean of (E0 - true)/se": float(np.mean(normal_scores)),
+        "not converged": failed,
+    }
+
+
+def main() -> None:
+    """Runs all systems and prints the table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--repetitions", type=int, default=200)
+    parser.add_argument("--table", type=Path, help="write the table as Markdown")
+    arguments = parser.parse_args()
+    systems = list(itertools.product(RATIOS, REACHES, INDENTERS))
+    began = time.perf_counter()
+    with ThreadPoolExecutor() as pool:
+        jobs = [pool.submit(study, system, arguments.repetitions, seed) for seed, system in enumerate(systems)]
+        rows = [job.result() for job in tqdm(jobs, unit="systems")]
+    seconds = time.perf_counter() - began
+    lines = ["| " + " | ".join(rows[0]) + " |", "|" + "---|" * len(rows[0])]
+    for row in rows:
+        cells = []
+        for name, value in row.items():
+            percent = name.startswith(("coverage", "standard"))
+            cells.append(f"{100.0 * value:.1f} %" if percent else value if isinstance(value, str) else f"{value:.3g}")
+        lines.append("| " + " | ".join(cells) + " |")
+    of_modulus = [row["coverage of E0"] for row in rows]
+    of_thickness = [row["coverage of h"] for row in rows]
+    outside = sum(not 0.90 <= c <= 0.99 for c in of_modulus)
+    outside_h = sum(not 0.90 <= c <= 0.99 for c in of_thickness)
+    verdict = [
+        f"{len(rows)} systems, {arguments.repetitions} repetitions of each, {POINTS} points, 1 % noise, thickness known to 5 %.",
+        f"True E0 inside the 95 % interval: {100 * min(of_modulus):.1f} % to {100 * max(of_modulus):.1f} %, on average "
+        f"{100 * np.mean(of_modulus):.1f} %; outside 90-99 %: {outside} of {len(rows)} systems.",
+        f"True h inside: {100 * min(of_thickness):.1f} % to {100 * max(of_thickness):.1f} %, on average "
+        f"{100 * np.mean(of_thickness):.1f} %; outside 90-99 %: {outside_h} of {len(rows)} systems.",
+    ]
+    text = "\n".join([*lines, "", *verdict])
+    print(text)
+    print(f"{len(rows) * arguments.repetitions / seconds:.0f} fits a second")
+    if arguments.table:
+        arguments.table.write_text(
+            "# Coverage of the intervals of `mdr.fit`\n\nMade by `python benchmarks/fit_recovery.py --table "
+            "benchmarks/fit_recovery.md`.\n\n" + text + "\n",
+            encoding="utf-8",
+        )
+
+
+if __name__ == "__main__":
+    main()

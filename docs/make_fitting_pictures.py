@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws the pictures of fitting.md from the curves in examples/fit. python docs/make_fitting_pictures.py"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from mdrcontact.fitting import compare_models, fit
+from mdrcontact.problem.fit_file import load_fit_file
+
+DOCS = Path(__file__).resolve().parent
+CURVES = DOCS.parent / "examples" / "fit"
+
+
+def main() -> None:
+    """One picture for each data kind, and the modulus that every model finds."""
+    from matplotlib.figure import Figure
+
+    (DOCS / "pictures").mkdir(exist_ok=True)
+    for name in ("sphere_on_oxide", "afm_on_rubber", "csm_on_oxide", "modulus_of_oxide", "punches_on_rubber"):
+        problem = load_fit_file(CURVES / f"{name}.toml")
+        data, _ = problem.read_data(CURVES / f"{name}.csv")
+        arguments = (data, problem.indenter, problem.medium, problem.free)
+        result = fit(*arguments, instrument=problem.instrument, **problem.options)
+        result.plot(DOCS / "pictures" / f"fit_{name}.png")
+    problem = load_fit_file(CURVES / "sphere_on_oxide.toml")
+    data, _ = problem.read_data(CURVES / "sphere_on_oxide.csv")
+    ranking = compare_models(data, problem.indenter, problem.medium, ["coating.E", "depth_offset"])
+    figure = Figure(figsize=(6.4, 3.2), layout="constrained")
+    axis = figure.subplots()
+    names = [entry.model for entry in ranking.models][::-1]
+    moduli = [entry.result.estimates["coating.E"] / 1e9 for entry in ranking.models][::-1]
+    axis.barh(names, moduli, color="#0072B2")
+    axis.axvline(72.0, color="#D55E00", label="true film modulus")
+    axis.set_xlabel("film modulus [GPa]; models from best (top) to worst by AIC")
+    axis.legend(frameon=False)
+    axis.spines[["top", "right"]].set_visible(False)
+    figure.savefig(DOCS / "pictures" / "fit_models.png", dpi=160)
+
+
+if __name__ == "__main__":
+    main()

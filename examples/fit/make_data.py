@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes the curves of this folder: what an instrument would read on known films, with noise. python examples/fit/make_data.py"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+import mdrcontact as mdr
+
+HERE = Path(__file__).resolve().parent
+OXIDE, SILICON = mdr.Elastic(72e9, 0.17), mdr.Elastic(163e9, 0.22)
+DIAMOND = mdr.Elastic(1141e9, 0.07)
+RUBBER = mdr.Elastic(2e6, 0.49)
+
+
+def write(name: str, header: str, *columns: np.ndarray) -> None:
+    """A CSV file with five digits."""
+    np.savetxt(HERE / name, np.column_stack(columns), fmt="%.5g", delimiter=",", header=header, comments="")
+
+
+def main() -> None:
+    """Writes all files."""
+    random = np.random.default_rng(2014)
+
+    # a sphere on an oxide, 1 % noise, the instrument's zero 1.5 nm too early
+    contact = mdr.Contact(mdr.Sphere(10e-6), mdr.Coated(OXIDE, 500e-9, SILICON, "exact"))
+    depth = np.linspace(1e-9, 100e-9, 120)
+    force = np.asarray(contact.at_depth(depth).force) * (1.0 + 0.01 * random.standard_normal(depth.size))
+    write("sphere_on_oxide.csv", "depth [nm],load [mN]", (depth + 1.5e-9) * 1e9, force * 1e3)
+
+    # an AFM sphere on a soft layer on glass, with adhesion: unloading down to pull-off, noise of the deflection
+    soft = mdr.Coated(RUBBER, 2e-6, mdr.Elastic(70e9, 0.23), "exact")
+    radius = np.geomspace(0.3e-6, 1.2e-6, 2000)
+    bare = mdr.Contact(mdr.Paraboloid(5e-6), soft).at_radius(radius)
+    # energy balance: the edge hangs by sqrt(4 pi a gamma/k'(a))
+    hang = np.sqrt(4.0 * np.pi * radius * 0.05 / np.gradient(np.asarray(bare.stiffness), radius))
+    d, f = np.asarray(bare.depth) - hang, np.asarray(bare.force) - np.asarray(bare.stiffness) * hang
+    start = int(np.argmin(d))
+    depth = np.linspace(d[start] + 3e-9, d[-1], 150)
+    force = np.interp(depth, d[start:], f[start:]) + 0.3e-9 * random.standard_normal(depth.size)
+    write("afm_on_rubber.csv", "indentation (nm),force (nN)", depth[::-1] * 1e9, force[::-1] * 1e9)
+
+    # dynamic nanoindentation of the oxide: an elastic-plastic contact with h_c = h - 0.75 P/S and a hardness of 9 GPa
+    film = mdr.Coated(OXIDE, 500e-9, SILICON, "exact")
+    contact_depth = np.linspace(15e-9, 250e-9, 80)
+    a = contact_depth / np.tan(mdr.Berkovich().inclination)
+    reduced = 1.0 / (1.0 / np.asarray(film.modulus(a)) + 1.0 / DIAMOND.contact_modulus)
+    load = 9e9 * np.pi * a**2
+    stiffness = 2.0 * a * reduced
+    h = contact_depth + 0.75 * load / stiffness
+    noisy = stiffness * (1.0 + 0.01 * random.standard_normal(a.size))
+    write("csm_on_oxide.csv", "h_nm,P_mN,S_N_per_m", h * 1e9, load * 1e3, noisy)
+
+    # the modulus as instruments export it, against a/h
+    ratio = np.geomspace(0.05, 3.0, 40)
+    modulus = np.asarray(film.modulus(ratio * 500e-9)) * (1.0 + 0.02 * random.standard_normal(ratio.size))
+    write("modulus_of_oxide.csv", "a/h,E_eff [GPa]", ratio, modulus / 1e9)
+
+    # stiffness against radius of flat punches on a soft layer
+    a = np.linspace(0.5e-6, 8e-6, 30)
+    stiffness = np.asarray(soft.stiffness(a)) * (1.0 + 0.02 * random.standard_normal(a.size))
+    write("punches_on_rubber.csv", "contact radius [um],stiffness [N/m]", a * 1e6, stiffness)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Why a fit may not be believed, in words: no convergence, bounds, parameters that the data do not determine, patterns left."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import medium as media
+from ..contact import Contact
+from ..errors import MDRError
+from .data import ForceDepth, ModulusRadius, StiffnessRadius
+
+if TYPE_CHECKING:
+    from .result import FitResult
+
+_LARGE_ERROR = 0.3
+_STRONG_CORRELATION = 0.98
+_UNDETERMINED = 1e-9
+_UNLIKELY = 1e-3
+_SMALL_CONTACT, _LARGE_CONTACT = 0.1, 3.0
+
+
+def advice(result: FitResult) -> list[str]:
+    """All warnings about a result."""
+    return [*result.data.warnings, *_search(result), *_identifiability(result), *_pattern(result)]
+
+
+def _search(result: FitResult) -> list[str]:
+    words = []
+    if not result.converged:
+        words.append(
+            f"the search did not converge in {result.iterations} iterations; this is the best point found. Begin closer, fix a "
+            "parameter, or give it a prior"
+        )
+    for name, side in result.at_bound.items():
+        if side:
+            end = "upper" if side > 0 else "lower"
+            words.append(f"{name} = {result.estimates[name]:.4g} lies at its {end} bound: it has no standard error")
+    return words
+
+
+def _identifiability(result: FitResult) -> list[str]:
+    words = []
+    vague = [name for name in result.names if _relative(result, name) > _LARGE_ERROR]
+    correlation = result.correlation
+    pairs = [
+        (abs(correlation[i, j]), result.names[j], result.names[i], correlation[i, j])
+        for i in range(len(result.names))
+        for j in range(i)
+        if abs(correlation[i, j]) > _STRONG_CORRELATION
+    ]
+    if not vague and not pairs and result.weakest > _UNDETERMINED:
+        return []
+    for _, one, other, c in sorted(pairs, reverse=True)[:3]:
+        if max(_relative(result, one), _relative(result, other)) < 0.01:
+            continue
+        how = "against each other" if c > 0 else "for each other"
+        direction = "a rise of both" if c > 0 else "a rise of one and a fall of the other"
+        words.append(
+            f"{one} and {other} trade off {how} (correlation {c:+.4f}): {direction} leaves the curve almost as it is. A prior on "
+            "one of them, or data over a wider range of a/h, would separate them"
+        )
+    for name in vague:
+        words.append(
+            f"{name} is hardly determined: its standard error is {100.0 * min(_relative(result, name), 1e6):.3g} % of its value"
+        )
+    if words:
+        regime = _regime(result)
+        weak = ", ".join(
+            f"{name} {100.0 * change:+.0f}" for name, change in result.weakest_direction.items() if abs(change) > 0.02
+        )
+        if result.weakest < 0.05 and len(result.names) > 1:
+            words.append(f"the change that the data notice least (in proportion): {weak}")
+        if regime:
+            words.append(regime)
+    return words
+
+
+def _relative(result: FitResult, name: str) -> float:
+    """The standard error as a part of the value; offsets and Poisson's ratios have no natural size and are left out."""
+    value, error = result.estimates[name], result.standard_errors[name]
+    if result.at_bound[name] or name.endswith(("offset", "nu", "exponent")) or name == "frame_compliance":
+        return 0.0
+    return error / abs(value) if value and math.isfinite(error) else math.inf
+
+
+def _regime(result: FitResult) -> str | None:
+    """Where the contacts are on the scale of the film, which says what they can feel."""
+    span = ratio_range(result)
+    if span is None:
+        return None
+    low, high = span
+    reach = f"a/h runs from {low:.3g} to {high:.3g}"
+    if high < _SMALL_CONTACT:
+        return f"{reach}: the contacts are small against the thickness and hardly feel thickness and substrate"
+    if low > _LARGE_CONTACT:
+        return f"{reach}: the contacts are wide against the thickness and hardly feel the film; only its stiffness times thickness"
+    if high < 0.5:
+        return f"{reach}: larger contacts would tell the film from the substrate"
+    if low > 0.3:
+        return f"{reach}: smaller contacts would show the film alone"
+    return f"{reach}: film and substrate are both felt, so the noise limits the estimates"
+
+
+def ratio_range(result: FitResult) -> tuple[float, float] | None:
+    """Smallest and largest a/h of the data under the fitted model; None without a film or where it cannot be said."""
+    medium = result.medium
+    if isinstance(medium, media.Coated):
+        h = medium.thickness
+    elif isinstance(medium, media.Layered):
+        h = math.fsum(t for _, t in medium.layers)
+    else:
+        return None
+    data = result.data
+    if isinstance(data, (ModulusRadius, StiffnessRadius)):
+        return float(data.x.min() / h), float(data.x.max() / h)
+    if isinstance(data, ForceDepth):
+        offset, compliance = result.values["depth_offset"], result.values["frame_compliance"]
+        depths = data.x - offset - compliance * (data.y - result.values["force_offset"])
+        depths = depths[depths > 0.0]
+        if not len(depths):
+            return None
+        try:
+            radius = np.asarray(Contact(result.indenter, medium).at_depth([depths.min(), depths.max()]).radius)
+        except MDRError:
+            return None
+        return float(radius[0] / h), float(radius[1] / h)
+    # the stiffness of the model gives the radius: S = 2 beta a E_r
+    try:
+        radius = contact_radii(result)
+    except MDRError:
+        return None
+    return float(radius.min() / h), float(radius.max() / h)
+
+
+def contact_radii(result: FitResult) -> np.ndarray:
+    """The contact radii of stiffness-depth data: those of the tip at Oliver and Pharr's contact depth."""
+    data, v = result.data, result.values
+    assert data.force is not None
+    load = data.force - v["force_offset"]
+    compliance = 1.0 / data.y - v["frame_compliance"]
+    h_c = data.x - v["depth_offset"] - v["frame_compliance"] * load - v["contact_depth_factor"] * load * compliance
+    low = np.full_like(h_c, 1e-6 * h_c.max())
+    high = np.full_like(h_c, 1e3 * h_c.max())
+    for _ in range(60):
+        middle = np.sqrt(low * high)
+        height = np.full_like(middle, np.inf)
+        for i, r in enumerate(middle):
+            with contextlib.suppress(MDRError):
+                height[i] = result.indenter.height(float(r))
+        low, high = np.where(height < h_c, middle, low), np.where(height < h_c, high, middle)
+    return np.sqrt(low * high)
+
+
+def _pattern(result: FitResult) -> list[str]:
+    words = []
+    if result.runs_probability < _UNLIKELY:
+        words.append(
+            f"the residuals are not random along the curve (test of runs: p = {result.runs_probability:.1g}): the model misses "
+            "something, or the noise of neighbouring points is not independent; the standard errors are too small"
+        )
+    dof = result.degrees_of_freedom
+    if result.noise_is_known and dof >= 2.0:
+        spread = (result.chi_square - dof) / math.sqrt(2.0 * dof)
+        ratio = result.chi_square / dof
+        if spread > 4.0:
+            words.append(f"the data lie further from the fit than their standard deviations say: chi-square/dof = {ratio:.3g}")
+        elif spread < -4.0:
+            words.append(f"the data lie closer to the fit than their standard deviations say: chi-square/dof = {ratio:.3g}")
+    return words

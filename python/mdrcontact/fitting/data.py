@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measured data, one class for each kind."""
+
+from __future__ import annotations
+
+from typing import ClassVar, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .._boundary import number, numbers
+from ..errors import ArgumentTypeError, InvalidArgumentError
+
+Array = NDArray[np.float64]
+Self = TypeVar("Self", bound="Data")
+
+_FEWEST_TO_JUDGE = 20
+_RETURN = 0.2
+"""A curve whose x goes back over this part of its range holds loading and unloading."""
+
+
+class Data:
+    """Points (x, y), checked; `sd` are the standard deviations of y, None if they are unknown and equal."""
+
+    code: ClassVar[int]
+    x_name: ClassVar[str]
+    y_name: ClassVar[str]
+
+    def __init__(
+        self, x: ArrayLike, y: ArrayLike, force: ArrayLike | None, sd: ArrayLike | None, relative_sd: float | None, missing: str
+    ) -> None:
+        if missing not in ("raise", "drop"):
+            raise InvalidArgumentError(f"missing = {missing!r} is not allowed: choose from 'raise', 'drop'")
+        if sd is not None and relative_sd is not None:
+            raise InvalidArgumentError("sd and relative_sd say the same thing twice: keep one")
+        columns = {self.x_name: _column(self.x_name, x), self.y_name: _column(self.y_name, y)}
+        if force is not None:
+            columns["force"] = _column("force", force)
+        if relative_sd is not None:
+            relative = number("relative_sd", relative_sd)
+            if not 0.0 < relative < 1.0:
+                raise InvalidArgumentError(f"relative_sd = {relative!r} is not allowed: it must be between 0 and 1")
+            sd = relative * np.abs(columns[self.y_name])
+        if sd is not None:
+            given = numbers("sd", sd)
+            columns["sd"] = np.full_like(columns[self.x_name], given) if given.ndim == 0 else _column("sd", given)
+        lengths = {name: len(column) for name, column in columns.items()}
+        if len(set(lengths.values())) > 1:
+            raise InvalidArgumentError(f"the columns must have the same length; it is {lengths}")
+        self.warnings: list[str] = []
+        columns = self._without_gaps(columns, missing)
+        self.x, self.y = columns[self.x_name], columns[self.y_name]
+        self.force, self.sd = columns.get("force"), columns.get("sd")
+        self._check_order()
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    def __repr__(self) -> str:
+        if not len(self):
+            return f"<{type(self).__name__}: empty>"
+        ranges = f"{self.x_name} {self.x.min():.4g} to {self.x.max():.4g}, {self.y_name} {self.y.min():.4g} to {self.y.max():.4g}"
+        return f"<{type(self).__name__}: {len(self)} points, {ranges}>"
+
+    def with_y(self: Self, y: Array) -> Self:
+        """The same points with other values, for simulations."""
+        copy = object.__new__(type(self))
+        copy.__dict__.update(self.__dict__, y=np.asarray(y, dtype=float))
+        return copy
+
+    def _without_gaps(self, columns: dict[str, Array], missing: str) -> dict[str, Array]:
+        bad = ~np.all([np.isfinite(column) for column in columns.values()], axis=0)
+        if not bad.any():
+            return columns
+        places = np.flatnonzero(bad)
+        which = ", ".join(str(i) for i in places[:5]) + (", ..." if len(places) > 5 else "")
+        rows = "1 row is" if len(places) == 1 else f"{len(places)} rows are"
+        words = f"{rows} not finite numbers (counted from 0: {which})"
+        if missing == "raise":
+            raise InvalidArgumentError(f"{words}: remove them, or let missing='drop' do it")
+        self.warnings.append(f"{words}: left out")
+        return {name: column[~bad] for name, column in columns.items()}
+
+    def _check_order(self) -> None:
+        """Refuses a curve that goes back over itself; small disorder is noise of the instrument and only mentioned."""
+        back = int(np.sum(np.diff(self.x) < 0.0)) if len(self) > 1 else 0
+        if not back:
+            return
+        top = int(np.argmax(self.x))
+        rise = float(np.ptp(self.x))
+        returns = float(self.x[top] - self.x[top:].min())
+        steps = np.abs(np.diff(self.x))
+        if len(self) >= _FEWEST_TO_JUDGE and 0 < top < len(self) - 1 and returns > _RETURN * rise and steps.max() < _RETURN * rise:
+            raise InvalidArgumentError(
+                f"{self.x_name} rises to its largest value at point {top} of {len(self)} and falls again by "
+                f"{100.0 * returns / rise:.0f} % of its range: these are loading and unloading in one curve; fit one of them"
+            )
+        if back < len(self) - 1:
+            self.warnings.append(
+                f"{self.x_name} is not in ascending order ({back} of {len(self) - 1} steps go back): the order does not matter for "
+                "the fit, and the test of runs sorts the points"
+            )
+
+
+def _column(name: str, values: ArrayLike) -> Array:
+    array = numbers(name, values)
+    if array.ndim != 1:
+        raise ArgumentTypeError(f"{name} is not allowed: it must have one dimension, not {array.ndim}")
+    return array
+
+
+class ForceDepth(Data):
+    """Elastic force-depth curve: loading of a sphere, AFM; with adhesion, the part in contact of the unloading curve.
+
+    depth, force : what the instrument reads [length], [pressure length^2]; n numbers each
+    sd : standard deviation of the force, a number or n numbers; relative_sd: the same as a part of the force. Without either it is
+        estimated from the scatter about the fit, and taken to be the same for all points
+    missing : "raise" or "drop" rows with NaN or infinity
+    """
+
+    code, x_name, y_name = 1, "depth", "force"
+
+    def __init__(
+        self,
+        depth: ArrayLike,
+        force: ArrayLike,
+        *,
+        sd: ArrayLike | None = None,
+        relative_sd: float | None = None,
+        missing: str = "raise",
+    ) -> None:
+        super().__init__(depth, force, None, sd, relative_sd, missing)
+
+
+class StiffnessDepth(Data):
+    """Contact stiffness against depth: dynamic (CSM) nanoindentation. The contact radius of each point is that of the tip at Oliver
+    and Pharr's contact depth h - epsilon P/S, so plastic contacts are fine as long as they do not pile up.
+
+    depth, force, stiffness : h [length], P [pressure length^2], S [pressure length]; n numbers each
+    sd, relative_sd : of the stiffness, as in ForceDepth
+    """
+
+    code, x_name, y_name = 2, "depth", "stiffness"
+
+    def __init__(
+        self,
+        depth: ArrayLike,
+        force: ArrayLike,
+        stiffness: ArrayLike,
+        *,
+        sd: ArrayLike | None = None,
+        relative_sd: float | None = None,
+        missing: str = "raise",
+    ) -> None:
+        super().__init__(depth, stiffness, force, sd, relative_sd, missing)
+
+
+class ModulusRadius(Data):
+    """Effective contact modulus against contact radius, as instruments export it.
+
+    radius : contact radius a [length]; where the export has a/h, multiply with the thickness that the instrument was told
+    modulus : E_eff = k/(2a) [pressure]. If the indenter's own compliance is still in it (reduced modulus), say
+        Instrument(indenter=...). A Young's modulus that was printed for an assumed nu: E_eff = E/(1 - nu^2)
+    sd, relative_sd : of the modulus, as in ForceDepth
+    """
+
+    code, x_name, y_name = 3, "radius", "modulus"
+
+    def __init__(
+        self,
+        radius: ArrayLike,
+        modulus: ArrayLike,
+        *,
+        sd: ArrayLike | None = None,
+        relative_sd: float | None = None,
+        missing: str = "raise",
+    ) -> None:
+        super().__init__(radius, modulus, None, sd, relative_sd, missing)
+
+
+class StiffnessRadius(Data):
+    """Contact stiffness against contact radius.
+
+    radius, stiffness : a [length], k = dF/dd [pressure length]; n numbers each
+    sd, relative_sd : of the stiffness, as in ForceDepth
+    """
+
+    code, x_name, y_name = 4, "radius", "stiffness"
+
+    def __init__(
+        self,
+        radius: ArrayLike,
+        stiffness: ArrayLike,
+        *,
+        sd: ArrayLike | None = None,
+        relative_sd: float | None = None,
+        missing: str = "raise",
+    ) -> None:
+        super().__init__(radius, stiffness, None, sd, relative_sd, missing)

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The numbers of indenter, medium and instrument by name, in the order in which the library takes them, and back to objects."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from .. import medium as media
+from .. import profile as profiles
+from .._boundary import number
+from .._choices import nearest
+from .._described import Described
+from ..errors import ArgumentTypeError, InvalidArgumentError
+from ..material import RIGID, Elastic
+from ..medium.coated import base
+from ..medium.models import MODELS, settings
+from ..profile.tips import _Pyramid
+
+
+class Free(Described):
+    """A parameter that the fit is to find.
+
+    start : where the search begins; default: the value in the indenter, medium or instrument
+    lower, upper : bounds
+    prior : (value, standard deviation) known beforehand; enters the fit as one more measurement
+    """
+
+    start: float | None
+    lower: float
+    upper: float
+    prior: tuple[float, float] | None
+
+    def __init__(
+        self,
+        start: float | None = None,
+        *,
+        lower: float = -math.inf,
+        upper: float = math.inf,
+        prior: tuple[float, float] | None = None,
+    ) -> None:
+        if prior is not None:
+            try:
+                mean, sd = prior
+            except (TypeError, ValueError) as problem:
+                raise ArgumentTypeError(f"prior = {prior!r} is not allowed: it must be (value, standard deviation)") from problem
+            prior = number("prior value", mean), number("prior standard deviation", sd)
+            if not (math.isfinite(prior[0]) and 0.0 < prior[1] < math.inf):
+                raise InvalidArgumentError(f"prior = {prior!r} is not allowed: its standard deviation must be greater than 0")
+        self._describe(
+            start=None if start is None else number("start", start),
+            lower=number("lower", lower),
+            upper=number("upper", upper),
+            prior=prior,
+        )
+
+
+class Instrument(Described):
+    """What stands between the contact and the data.
+
+    work_of_adhesion : gamma >= 0 [pressure length]; for ForceDepth
+    depth_offset, force_offset : what the instrument reads at first contact [length], [force]
+    frame_compliance : of frame and holder, beyond what the instrument has already taken off [length/force]
+    indenter : material of the indenter, an Elastic, or None for a rigid one. Its compliance adds to that of the medium in stiffness
+        and modulus data; force-depth curves are those of a rigid indenter
+    contact_depth_factor : epsilon of h_c = h - epsilon P/S
+    stiffness_factor : beta of S = 2 beta a E_r
+    """
+
+    indenter: Elastic | None
+
+    def __init__(
+        self,
+        *,
+        work_of_adhesion: float = 0.0,
+        depth_offset: float = 0.0,
+        force_offset: float = 0.0,
+        frame_compliance: float = 0.0,
+        indenter: Elastic | None = None,
+        contact_depth_factor: float = 0.75,
+        stiffness_factor: float = 1.0,
+    ) -> None:
+        if indenter is not None and not isinstance(indenter, Elastic):
+            raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an Elastic(E, nu) or None")
+        self._describe(
+            work_of_adhesion=number("work_of_adhesion", work_of_adhesion),
+            depth_offset=number("depth_offset", depth_offset),
+            force_offset=number("force_offset", force_offset),
+            frame_compliance=number("frame_compliance", frame_compliance),
+            indenter=indenter,
+            contact_depth_factor=number("contact_depth_factor", contact_depth_factor),
+            stiffness_factor=number("stiffness_factor", stiffness_factor),
+        )
+
+
+class Numbers(NamedTuple):
+    """A part of the problem as the library takes it: its kind, the names and values of its numbers, and the way back."""
+
+    code: int
+    names: list[str]
+    values: list[float]
+    build: Callable[[Sequence[float]], Any]
+
+
+_SHAPES: Mapping[type, tuple[int, tuple[str, ...]]] = {
+    profiles.Paraboloid: (1, ("radius",)),
+    profiles.Sphere: (2, ("radius",)),
+    profiles.Cone: (3, ("inclination",)),
+    profiles.PowerLaw: (4, ("exponent", "coefficient")),
+    profiles.FlatPunch: (5, ("radius",)),
+    profiles.FlatEndedCone: (6, ("end_radius", "inclination")),
+    profiles.FlatEndedParaboloid: (7, ("end_radius", "radius")),
+    profiles.RoundedCone: (8, ("blend_radius", "inclination")),
+}
+
+INSTRUMENT = (
+    "work_of_adhesion",
+    "depth_offset",
+    "force_offset",
+    "frame_compliance",
+    "indenter_modulus",
+    "contact_depth_factor",
+    "stiffness_factor",
+)
+
+
+def of_indenter(indenter: Any) -> Numbers:
+    """An indenter's numbers; area functions, tables and sums are fixed as they are."""
+    if not isinstance(indenter, profiles.Profile):
+        raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an indenter profile")
+    if isinstance(indenter, _Pyramid):
+        return Numbers(0, [], [], lambda _: indenter)
+    if type(indenter) not in _SHAPES:
+        return Numbers(0, [], [], lambda _: indenter)
+    code, names = _SHAPES[type(indenter)]
+    values = [float(getattr(indenter, name)) for name in names]
+    return Numbers(code, [f"indenter.{n}" for n in names], values, lambda v: type(indenter)(**dict(zip(names, v, strict=True))))
+
+
+class MediumNumbers(NamedTuple):
+    """A medium's numbers and choices."""
+
+    numbers: Numbers
+    model: int
+    layers: int
+    weight_nu_choice: int
+    weight_nu: float
+    tolerance: float
+
+
+def of_medium(medium: Any) -> MediumNumbers:
+    """A medium's numbers; tables and functions are fixed as they are."""
+    if not isinstance(medium, media.Medium):
+        raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
+    if isinstance(medium, (media.Coated, media.Layered)):
+        return _stack(medium)
+    plain = (0, 1, 0, 0.5, 1e-10)
+    if isinstance(medium, media.Homogeneous):
+        if medium.indenter is not None:
+            raise InvalidArgumentError("Homogeneous(material, indenter) is not allowed in a fit: say Instrument(indenter=...)")
+        names, values = ["E", "nu"], [medium.material.E, medium.material.nu]
+        return MediumNumbers(Numbers(1, names, values, lambda v: media.Homogeneous(Elastic(v[0], v[1]))), *plain)
+    if isinstance(medium, media.PowerLawGraded):
+        names = ["E0", "z0", "exponent", "nu"]
+        values = [float(getattr(medium, name)) for name in names]
+        return MediumNumbers(Numbers(4, names, values, lambda v: media.PowerLawGraded(*v)), *plain)
+    if isinstance(medium, media.Graded) and medium.model != "exact" and isinstance(medium._arguments["E"], tuple):
+        return _graded(medium)
+    return MediumNumbers(Numbers(0, [], [], lambda _: medium), *plain)
+
+
+def _graded(medium: Any) -> MediumNumbers:
+    z, E, nu = medium.z, medium.E, medium.nu
+    ratios = nu if isinstance(nu, tuple) else (nu,) * len(z)
+    options = {k: v for k, v in medium._arguments.items() if k in MODELS[medium.model].options}
+    code, _, _, choice, weight_nu, tolerance = settings(medium.model, options, layers=True).native
+    names = [f"{name}[{i}]" for i in range(len(z)) for name in ("z", "E", "nu")]
+    values = [value for row in zip(z, E, ratios, strict=True) for value in row]
+    numbers = Numbers(3, names, values, lambda v: media.Graded(v[0::3], v[1::3], v[2::3], medium.model, **options))
+    return MediumNumbers(numbers, code, len(z), choice, weight_nu, tolerance)
+
+
+def _stack(medium: Any) -> MediumNumbers:
+    coated = isinstance(medium, media.Coated)
+    layers = [(medium.coating, medium.thickness)] if coated else list(medium.layers)
+    options = {k: v for k, v in medium._arguments.items() if k in MODELS[medium.model].options}
+    code, alpha, wave_factor, choice, weight_nu, tolerance = settings(medium.model, options).native
+    constant = "wave_factor" if medium.model == "wave" else "alpha"
+    takes_constant = constant in MODELS[medium.model].options
+    names, values = [], []
+    for i, (material, h) in enumerate(layers):
+        of = ("coating.", "") if coated else (f"layers[{i}].",) * 2
+        names += [f"{of[0]}E", f"{of[0]}nu", f"{of[1]}thickness"]
+        values += [material.E, material.nu, h]
+    names += ["substrate.E", "substrate.nu", constant if takes_constant else ""]
+    values += [*base(medium.substrate), wave_factor if constant == "wave_factor" else alpha]
+
+    def build(v: Sequence[float]) -> Any:
+        substrate = RIGID if medium.substrate is RIGID else Elastic(v[-3], v[-2])
+        given = {**options, constant: v[-1]} if takes_constant else options
+        stack = [(Elastic(v[3 * i], v[3 * i + 1]), v[3 * i + 2]) for i in range(len(layers))]
+        if coated:
+            return media.Coated(*stack[0], substrate, medium.model, **given)
+        return media.Layered(stack, substrate, medium.model, **given)
+
+    return MediumNumbers(Numbers(2, names, values, build), code, len(layers), choice, weight_nu, tolerance)
+
+
+def of_instrument(instrument: Instrument) -> Numbers:
+    """The instrument's seven numbers."""
+    if not isinstance(instrument, Instrument):
+        raise ArgumentTypeError(f"instrument = {instrument!r} is not allowed: it must be an Instrument(...)")
+    arguments = instrument._arguments
+    modulus = math.inf if instrument.indenter is None else instrument.indenter.contact_modulus
+    values = [modulus if name == "indenter_modulus" else arguments[name] for name in INSTRUMENT]
+
+    def build(v: Sequence[float]) -> Instrument:
+        changed: dict[str, Any] = {name: value for name, value in zip(INSTRUMENT, v, strict=True) if name != "indenter_modulus"}
+        if v[4] != modulus:
+            changed["indenter"] = Elastic(v[4], 0.0)
+        return instrument.replace(**changed)
+
+    return Numbers(0, list(INSTRUMENT), values, build)
+
+
+def read_free(free: Any, names: Sequence[str]) -> dict[str, Free]:
+    """The free parameters by name; a wrong name is answered with the nearest right one."""
+    if isinstance(free, str):
+        free = [free]
+    chosen = dict(free) if isinstance(free, Mapping) else {name: Free() for name in free}
+    known = [name for name in names if name]
+    for name, entry in chosen.items():
+        if name not in known:
+            raise InvalidArgumentError(f"free parameter {name!r} is not allowed: {nearest(str(name), known)}")
+        if isinstance(entry, Free):
+            continue
+        if entry is not None and not isinstance(entry, (int, float)):
+            raise ArgumentTypeError(f"free[{name!r}] = {entry!r} is not allowed: it must be Free(...), a starting value or None")
+        chosen[name] = Free(entry)
+    return chosen

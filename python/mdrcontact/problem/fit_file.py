@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables [data], [instrument] and [fit] of a problem file for `mdrcontact fit`."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._choices import nearest
+from ..fitting import ForceDepth, Free, Instrument, ModulusRadius, StiffnessDepth, StiffnessRadius
+from ..fitting.data import Data
+from ..fitting.parameters import of_indenter, of_instrument, of_medium
+from . import indenter as indenters
+from . import medium as mediums
+from .columns import describe, read_table
+from .section import ProblemError, Section
+from .units import ANGLE, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, Dimension
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+ADHESION = Dimension("a work of adhesion", "J/m^2", "50 mJ/m^2", (("J/m^2", 1.0),))
+COMPLIANCE = Dimension("a compliance", "m/N", "0.5 nm/mN", (("m/N", 1.0),))
+
+_KINDS: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
+    "force-depth": (ForceDepth, ("depth", "force")),
+    "stiffness-depth": (StiffnessDepth, ("depth", "force", "stiffness")),
+    "modulus-radius": (ModulusRadius, ("radius", "modulus")),
+    "stiffness-radius": (StiffnessRadius, ("radius", "stiffness")),
+}
+_ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
+    "depth": (LENGTH, ("depth", "d", "h", "displacement", "indentation", "indentation depth")),
+    "force": (FORCE, ("force", "load", "f", "p")),
+    "stiffness": (STIFFNESS, ("stiffness", "contact stiffness", "s", "k")),
+    "radius": (LENGTH, ("radius", "contact radius", "a")),
+    "modulus": (MODULUS, ("modulus", "effective modulus", "e_eff", "eeff", "er", "e_r", "reduced modulus")),
+}
+_DATA: Mapping[str, Dimension | None] = {
+    "kind": None,
+    **dict.fromkeys(_ROLES),
+    "radius_over_thickness": None,
+    "thickness": LENGTH,
+    "nu": None,
+    "sd": None,
+    "relative_sd": None,
+    "min_depth": LENGTH,
+    "max_depth": LENGTH,
+    "min_radius": LENGTH,
+    "max_radius": LENGTH,
+}
+_INSTRUMENT: Mapping[str, Dimension | None] = {
+    "work_of_adhesion": ADHESION,
+    "depth_offset": LENGTH,
+    "force_offset": FORCE,
+    "frame_compliance": COMPLIANCE,
+    "indenter": None,
+    "contact_depth_factor": None,
+    "stiffness_factor": None,
+}
+_FIT: Mapping[str, Dimension | None] = {
+    "free": None,
+    "loss": None,
+    "loss_scale": None,
+    "adhesion_rule": None,
+    "max_iterations": None,
+    "absolute_sd": None,
+}
+
+
+class FitFile(NamedTuple):
+    """What a problem file for a fit says."""
+
+    title: str
+    indenter: Any
+    medium: Any
+    instrument: Instrument
+    free: dict[str, Free]
+    options: dict[str, Any]
+    data: Section
+
+    def read_data(self, path: Path) -> tuple[Data, list[str]]:
+        """The measured data of one file, and what was understood."""
+        return _read_data(self.data, path)
+
+
+def load_fit_file(path: Path) -> FitFile:
+    """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
+    try:
+        table = tomllib.loads(path.read_text(encoding="utf-8"))
+        return _read(table, path.stem)
+    except OSError as problem:
+        raise ProblemError(f"{path}: it cannot be read: {problem.strerror or problem}") from problem
+    except UnicodeDecodeError as problem:
+        raise ProblemError(f"{path}: it is not a text file in UTF-8") from problem
+    except tomllib.TOMLDecodeError as problem:
+        raise ProblemError(f"{path}: it is not valid TOML: {problem}") from problem
+    except ProblemError as problem:
+        raise ProblemError(f"{path}: {problem}") from problem
+
+
+def _read(table: dict[str, Any], title: str) -> FitFile:
+    tables = ("title", "indenter", "medium", "instrument", "data", "fit", "compute")
+    whole = Section(table, "the file", dict.fromkeys(tables))
+    for name in ("indenter", "medium", "data", "fit"):
+        if name not in table:
+            raise ProblemError(f"the table [{name}] is missing: a fit has [indenter], [medium], [data] and [fit]")
+    shape = Section(table["indenter"], "indenter", indenters.KNOWN)
+    if "material" in shape:
+        raise ProblemError("[indenter.material]: in a fit the indenter's material stands in [instrument], as indenter = {E, nu}")
+    body = mediums.read_medium(Section(table["medium"], "medium", mediums.KNOWN), None)
+    instrument = _read_instrument(Section(table.get("instrument", {}), "instrument", _INSTRUMENT))
+    tip = indenters.read_indenter(shape)
+    fit = Section(table["fit"], "fit", _FIT)
+    names = [*of_indenter(tip).names, *of_medium(body).numbers.names, *of_instrument(instrument).names]
+    options: dict[str, Any] = {}
+    for key, known in (("loss", ("linear", "huber", "cauchy")), ("adhesion_rule", ("automatic", "paper", "energy"))):
+        if key in fit:
+            options[key] = fit.choice(key, known)
+    if "loss_scale" in fit:
+        options["loss_scale"] = fit.number("loss_scale")
+    if "max_iterations" in fit:
+        options["max_iterations"] = fit.count("max_iterations", 100, 100_000)
+    if "absolute_sd" in fit:
+        options["absolute_sd"] = bool(fit.plain("absolute_sd"))
+    data = Section(table["data"], "data", _DATA)
+    data.choice("kind", _KINDS)
+    if "title" in whole:
+        title = str(whole.plain("title"))
+    return FitFile(title, tip, body, instrument, _read_free(fit, names), options, data)
+
+
+def _read_instrument(section: Section) -> Instrument:
+    given: dict[str, Any] = {}
+    for key in ("work_of_adhesion", "depth_offset", "force_offset", "frame_compliance"):
+        if key in section:
+            given[key] = section.quantity(key)
+    for key in ("contact_depth_factor", "stiffness_factor"):
+        if key in section:
+            given[key] = section.number(key)
+    if "indenter" in section:
+        given["indenter"] = mediums.read_material(section.child("indenter", mediums.MATERIAL))
+    return Instrument(**given)
+
+
+def dimension_of(name: str) -> Dimension:
+    """What kind of quantity a parameter is, by its name."""
+    last = name.split(".")[-1].split("[")[0]
+    if last in ("E", "E0", "indenter_modulus"):
+        return MODULUS
+    if last in ("thickness", "radius", "end_radius", "blend_radius", "depth_offset", "z", "z0"):
+        return LENGTH
+    others = {"inclination": ANGLE, "force_offset": FORCE, "work_of_adhesion": ADHESION, "frame_compliance": COMPLIANCE}
+    return others.get(last, RATIO)
+
+
+def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:
+    """[fit] free = ["coating.E", ...], or a table [fit.free] with start, lower, upper, prior, prior_sd for each name."""
+    given = fit.plain("free") if "free" in fit else None
+    if isinstance(given, list) and given and all(isinstance(name, str) for name in given):
+        given = {name: {} for name in given}
+    if not isinstance(given, dict) or not given:
+        raise ProblemError('[fit]: free must name parameters, as in free = ["coating.E"], or be a table [fit.free]')
+    free = {}
+    for name, entry in given.items():
+        known = [n for n in names if n]
+        if name not in known:
+            raise ProblemError(f"[fit.free]: {name!r} is not a parameter of this problem: {nearest(name, known)}")
+        dimension = dimension_of(name)
+        keys = ("start", "lower", "upper", "prior", "prior_sd")
+        section = Section(entry, f'fit.free."{name}"', dict.fromkeys(keys, dimension if dimension.si else None))
+        value = {key: section.quantity(key) if dimension.si else section.number(key) for key in keys if key in section}
+        if ("prior" in value) != ("prior_sd" in value):
+            raise ProblemError(f"[{section.path}]: prior and prior_sd belong together: give both or none")
+        prior = (value["prior"], value["prior_sd"]) if "prior" in value else None
+        with section.words():
+            free[name] = Free(
+                value.get("start"), lower=value.get("lower", -math.inf), upper=value.get("upper", math.inf), prior=prior
+            )
+    return free
+
+
+def _read_data(section: Section, path: Path) -> tuple[Data, list[str]]:
+    table = read_table(path)
+    cls, roles = _KINDS[section.choice("kind", _KINDS)]
+    found: dict[str, tuple[str, str, NDArray[np.float64]]] = {}
+    for role in roles:
+        if role == "radius" and "radius_over_thickness" in section:
+            title = str(section.plain("radius_over_thickness"))
+            ratio, unit = table.column(title, RATIO)
+            found[role] = title, "thicknesses", ratio * section.quantity("thickness")
+            continue
+        dimension, aliases = _ROLES[role]
+        chosen = str(section.plain(role)) if role in section else table.find(aliases, dimension)
+        if chosen is None:
+            titles = ", ".join(repr(t) for t in table.titles)
+            raise ProblemError(f"{path}: no column is the {role}: name it in [data], as in {role} = \"...\"; there are {titles}")
+        values, unit = table.column(chosen, dimension)
+        found[role] = chosen, unit, values
+    options: dict[str, Any] = {"missing": "drop"}
+    last = roles[-1]
+    if "sd" in section:
+        title = str(section.plain("sd"))
+        values, unit = table.column(title, _ROLES[last][0])
+        found["standard deviation"] = title, unit, values
+        options["sd"] = values
+    if "relative_sd" in section:
+        options["relative_sd"] = section.number("relative_sd")
+    if last == "modulus" and "nu" in section:
+        factor = 1.0 / (1.0 - section.number("nu") ** 2)
+        found[last] = (*found[last][:2], found[last][2] * factor)
+        if "sd" in options:
+            options["sd"] = options["sd"] * factor
+    keep = np.ones(len(table.values), dtype=bool)
+    for role in ("depth", "radius"):
+        if role in found:
+            low = section.quantity(f"min_{role}") if f"min_{role}" in section else -math.inf
+            high = section.quantity(f"max_{role}") if f"max_{role}" in section else math.inf
+            keep &= ~((found[role][2] < low) | (found[role][2] > high))
+    if "sd" in options:
+        options["sd"] = options["sd"][keep]
+    notes = [*table.notes, *describe(found)]
+    if not keep.all():
+        notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
+    return cls(*(found[role][2][keep] for role in roles), **options), notes

@@ -1,0 +1,137 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The inversion of measured data, for C.
+module mdrcontact_api_fit
+    use, intrinsic :: iso_c_binding, only: c_double, c_int
+    use mdrcontact_api_fit_problem, only: c_fit_problem_t, read_data, read_problem
+    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_fit, only: fit_result_t, solve_fit
+    use mdrcontact_fit_interval, only: profile_interval
+    use mdrcontact_fit_predict, only: predict
+    use mdrcontact_fit_problem, only: check_points, fit_data_t, fit_problem_t
+    implicit none (type, external)
+    private
+    public :: mdr_fit_solve, mdr_fit_predict, mdr_fit_interval
+
+    !> struct mdr_fit_summary
+    type, bind(C) :: c_fit_summary_t
+        integer(c_int) :: converged
+        integer(c_int) :: iterations
+        integer(c_int) :: evaluations
+        real(c_double) :: chi_square
+        real(c_double) :: prior_chi_square
+        real(c_double) :: degrees_of_freedom
+        real(c_double) :: noise
+        real(c_double) :: log_likelihood
+        real(c_double) :: runs_probability
+        real(c_double) :: weakest
+    end type c_fit_summary_t
+
+contains
+
+    function mdr_fit_solve(problem, n, x, y, force, sd, values, covariance, at_bound, weakest_direction, fitted, residuals, &
+                           summary) &
+        result(status) bind(C)
+        type(c_fit_problem_t), intent(in), optional :: problem
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
+        real(c_double), intent(inout), optional :: values(*), covariance(*), weakest_direction(*), fitted(*), residuals(*)
+        integer(c_int), intent(inout), optional :: at_bound(*)
+        type(c_fit_summary_t), intent(inout), optional :: summary
+        integer(c_int) :: status
+        type(fit_problem_t) :: chosen
+        type(fit_data_t) :: data
+        type(fit_result_t) :: fit
+        type(error_t), allocatable :: error
+        integer :: i, j, m
+
+        call read_problem(problem, chosen, error)
+        if (.not. allocated(error)) call read_data(n, x, y, force, sd, data, error)
+        if (.not. allocated(error)) call solve_fit(chosen, data, fit, error)
+        status = status_of(error)
+        if (allocated(error)) return
+        m = size(fit%values)
+        if (present(values)) values(:m) = fit%values
+        if (present(fitted)) fitted(:n) = fit%fitted
+        if (present(residuals)) residuals(:n) = fit%residuals
+        if (present(at_bound)) then
+            at_bound(:m) = 0_c_int
+            at_bound(fit%free) = int(fit%at_bound, c_int)
+        end if
+        if (present(weakest_direction)) then
+            weakest_direction(:m) = 0.0_c_double
+            weakest_direction(fit%free) = fit%weakest_direction
+        end if
+        if (present(covariance)) then
+            covariance(:m*m) = 0.0_c_double
+            do j = 1, size(fit%free)
+                do i = 1, size(fit%free)
+                    covariance((fit%free(j) - 1)*m + fit%free(i)) = fit%covariance(i, j)
+                end do
+            end do
+        end if
+        if (present(summary)) then
+            summary = c_fit_summary_t(merge(1_c_int, 0_c_int, fit%converged), int(fit%iterations, c_int), &
+                                      int(fit%evaluations, c_int), fit%chi_square, fit%prior_chi_square, fit%degrees_of_freedom, &
+                                      fit%noise, fit%log_likelihood, fit%runs_probability, fit%weakest)
+        end if
+    end function mdr_fit_solve
+
+    function mdr_fit_predict(problem, n, x, y, force, fitted) result(status) bind(C)
+        type(c_fit_problem_t), intent(in), optional :: problem
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: x(*), y(*), force(*)
+        real(c_double), intent(inout), optional :: fitted(*)
+        integer(c_int) :: status
+        type(fit_problem_t) :: chosen
+        type(fit_data_t) :: data
+        type(error_t), allocatable :: error
+        real(c_double), allocatable :: model(:)
+
+        call check_given(error, "fitted", present(fitted))
+        if (.not. allocated(error)) call read_problem(problem, chosen, error)
+        if (.not. allocated(error)) call read_data(n, x, y, force, data=data, error=error)
+        if (.not. allocated(error)) call check_points(data, chosen, error)
+        if (.not. allocated(error)) then
+            allocate (model(n))
+            call predict(chosen, chosen%parameters%value, data, model, error)
+        end if
+        if (.not. allocated(error)) fitted(:n) = model
+        status = status_of(error)
+    end function mdr_fit_predict
+
+    function mdr_fit_interval(problem, n, x, y, force, sd, position, level, lower, upper) result(status) bind(C)
+        type(c_fit_problem_t), intent(in), optional :: problem
+        integer(c_int), value :: n, position
+        real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
+        real(c_double), value :: level
+        real(c_double), intent(inout), optional :: lower, upper
+        integer(c_int) :: status
+        type(fit_problem_t) :: chosen
+        type(fit_data_t) :: data
+        type(fit_result_t) :: fit
+        type(error_t), allocatable :: error
+        real(c_double) :: ends(2)
+
+        call check_given(error, "lower", present(lower))
+        call check_given(error, "upper", present(upper))
+        if (.not. allocated(error)) call read_problem(problem, chosen, error)
+        if (.not. allocated(error)) call read_data(n, x, y, force, sd, data, error)
+        if (.not. allocated(error)) then
+            if (position < 0 .or. position >= size(chosen%parameters)) then
+                call raise(error, error_invalid, "position = "//count_text(int(position))//" is not allowed: it must be at "// &
+                           "least 0 and less than "//count_text(size(chosen%parameters)))
+            end if
+        end if
+        if (.not. allocated(error)) call solve_fit(chosen, data, fit, error)
+        if (.not. allocated(error)) then
+            call profile_interval(chosen, data, fit, int(position) + 1, level, ends(1), ends(2), error)
+        end if
+        if (.not. allocated(error)) then
+            lower = ends(1)
+            upper = ends(2)
+        end if
+        status = status_of(error)
+    end function mdr_fit_interval
+
+end module mdrcontact_api_fit

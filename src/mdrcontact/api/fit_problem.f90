@@ -1,0 +1,167 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The problem of a fit as C describes it, and its translation.
+module mdrcontact_api_fit_problem
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_null_ptr, c_ptr
+    use mdrcontact_api_arrays, only: check_count
+    use mdrcontact_api_handles, only: open_medium, open_profile
+    use mdrcontact_api_medium_options, only: gao_options, medium_options_t
+    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_equilibrium, only: adhesion_automatic
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_fit_body, only: indenter_given
+    use mdrcontact_fit_medium_of, only: medium_given
+    use mdrcontact_fit_problem, only: check_problem, data_force_depth, fit_data_t, fit_problem_t, loss_linear, parameter_count
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: c_fit_problem_t, read_problem, read_data, read_column
+    public :: mdr_fit_problem_init, mdr_fit_parameter_count
+
+    !> struct mdr_fit_parameter
+    type, bind(C) :: c_fit_parameter_t
+        real(c_double) :: value
+        real(c_double) :: lower
+        real(c_double) :: upper
+        real(c_double) :: prior
+        real(c_double) :: prior_sd
+        integer(c_int) :: is_free
+    end type c_fit_parameter_t
+
+    !> struct mdr_fit_problem
+    type, bind(C) :: c_fit_problem_t
+        integer(c_int) :: data_kind = int(data_force_depth, c_int)
+        integer(c_int) :: indenter = int(indenter_given, c_int)
+        type(c_ptr) :: profile = c_null_ptr
+        integer(c_int) :: medium = int(medium_given, c_int)
+        type(c_ptr) :: medium_object = c_null_ptr
+        integer(c_int) :: model = 0_c_int
+        integer(c_int) :: layers = 1_c_int
+        type(medium_options_t) :: options
+        integer(c_int) :: adhesion_rule = int(adhesion_automatic, c_int)
+        integer(c_int) :: loss = int(loss_linear, c_int)
+        real(c_double) :: loss_scale = 1.345_c_double
+        integer(c_int) :: sd_is_absolute = 1_c_int
+        integer(c_int) :: max_iterations = 100_c_int
+        integer(c_int) :: check_units = 1_c_int
+        integer(c_int) :: parameter_count = 0_c_int
+        type(c_ptr) :: parameters = c_null_ptr
+    end type c_fit_problem_t
+
+contains
+
+    subroutine mdr_fit_problem_init(problem) bind(C)
+        type(c_fit_problem_t), intent(inout), optional :: problem
+
+        if (present(problem)) problem = c_fit_problem_t()
+    end subroutine mdr_fit_problem_init
+
+    function mdr_fit_parameter_count(problem, count) result(status) bind(C)
+        type(c_fit_problem_t), intent(in), optional :: problem
+        integer(c_int), intent(inout), optional :: count
+        integer(c_int) :: status
+        type(fit_problem_t) :: chosen
+        type(error_t), allocatable :: error
+        integer :: found
+
+        call check_given(error, "problem", present(problem))
+        call check_given(error, "count", present(count))
+        if (.not. allocated(error)) then
+            call read_kinds(problem, chosen)
+            found = parameter_count(chosen%body)
+            if (found < 0) then
+                call raise(error, error_invalid, "indenter = "//count_text(int(problem%indenter))//", medium = "// &
+                           count_text(int(problem%medium))//" is not allowed: they must be kinds that exist")
+            else
+                count = int(found, c_int)
+            end if
+        end if
+        status = status_of(error)
+    end function mdr_fit_parameter_count
+
+    !> Kinds and choices, without objects and parameters.
+    subroutine read_kinds(given, problem)
+        type(c_fit_problem_t), intent(in) :: given
+        type(fit_problem_t), intent(out) :: problem
+
+        problem%data_kind = int(given%data_kind)
+        problem%body%indenter = int(given%indenter)
+        problem%body%medium%kind = int(given%medium)
+        problem%body%medium%model = int(given%model)
+        problem%body%medium%layers = int(given%layers)
+        problem%body%medium%gao = gao_options(given%model, given%options)
+        problem%body%medium%tolerance = given%options%tolerance
+        problem%adhesion_rule = int(given%adhesion_rule)
+        problem%loss = int(given%loss)
+        problem%loss_scale = given%loss_scale
+        problem%sd_is_absolute = given%sd_is_absolute /= 0
+        problem%max_iterations = int(given%max_iterations)
+        problem%check_units = given%check_units /= 0
+    end subroutine read_kinds
+
+    !> The whole problem, checked.
+    subroutine read_problem(given, problem, error)
+        type(c_fit_problem_t), intent(in), optional :: given
+        type(fit_problem_t), intent(out) :: problem
+        type(error_t), allocatable, intent(out) :: error
+        class(profile_t), pointer :: profile
+        class(medium_t), pointer :: medium
+        type(c_fit_parameter_t), pointer :: parameters(:)
+
+        call check_given(error, "problem", present(given))
+        if (allocated(error)) return
+        if (given%parameter_count < 0) call raise(error, error_invalid, "parameter_count = "// &
+                                                  count_text(int(given%parameter_count))//" is not allowed: it must be at least 0")
+        if (given%layers < 1) call raise(error, error_invalid, "layers = "//count_text(int(given%layers))// &
+                                         " is not allowed: it must be at least 1")
+        call check_given(error, "parameters", c_associated(given%parameters))
+        if (allocated(error)) return
+        call read_kinds(given, problem)
+        if (problem%body%indenter == indenter_given) then
+            call open_profile(given%profile, "profile", profile, error)
+            if (allocated(error)) return
+            allocate (problem%body%profile, source=profile)
+        end if
+        if (problem%body%medium%kind == medium_given) then
+            call open_medium(given%medium_object, "medium_object", medium, error)
+            if (allocated(error)) return
+            allocate (problem%body%medium%object, source=medium)
+        end if
+        call c_f_pointer(given%parameters, parameters, [given%parameter_count])
+        allocate (problem%parameters(size(parameters)))
+        problem%parameters%value = parameters%value
+        problem%parameters%is_free = parameters%is_free /= 0
+        problem%parameters%lower = parameters%lower
+        problem%parameters%upper = parameters%upper
+        problem%parameters%prior = parameters%prior
+        problem%parameters%prior_sd = parameters%prior_sd
+        call check_problem(problem, error)
+    end subroutine read_problem
+
+    !> The data; force and sd may be absent.
+    subroutine read_data(n, x, y, force, sd, data, error)
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
+        type(fit_data_t), intent(out) :: data
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_count(error, n)
+        call check_given(error, "x", present(x))
+        call check_given(error, "y", present(y))
+        if (allocated(error)) return
+        data%x = x(:n)
+        data%y = y(:n)
+        call read_column(n, force, data%force)
+        call read_column(n, sd, data%sd)
+    end subroutine read_data
+
+    !> A column that may be absent.
+    subroutine read_column(n, given, column)
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in), optional :: given(*)
+        real(c_double), allocatable, intent(out) :: column(:)
+
+        if (present(given)) column = given(:n)
+    end subroutine read_column
+
+end module mdrcontact_api_fit_problem

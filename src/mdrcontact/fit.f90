@@ -1,0 +1,315 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The inversion: from measured data to the numbers of indenter, medium and instrument, with their uncertainty.
+!>
+!> Nonlinear least squares of the same forward model that computes contacts, over GSL's trust region. A value known beforehand
+!> enters as one more datum, and with it its uncertainty into that of everything else.
+module mdrcontact_fit
+    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
+    use mdrcontact_fit_least_squares, only: minimize, outcome_t
+    use mdrcontact_fit_problem, only: check_data, check_problem, fit_data_t, fit_problem_t, loss_linear
+    use mdrcontact_fit_residuals, only: bend_slope, bent, fit_residuals_t, new_fit_residuals
+    use mdrcontact_fit_runs, only: runs_test
+    use mdrcontact_fit_spectrum, only: new_spectrum, spectrum_t
+    use mdrcontact_fit_variables, only: new_variables, variables_t
+    use mdrcontact_kinds, only: pi, wp
+    implicit none (type, external)
+    private
+    public :: fit_result_t, solve_fit
+
+    !> Rounds in which unknown noise and estimates are brought into agreement.
+    integer, parameter :: most_rounds = 12
+    real(wp), parameter :: noise_tolerance = 1.0e-3_wp
+    !> Median of |z| of a normal distribution.
+    real(wp), parameter :: normal_median = 0.6744897501960817_wp
+    integer, parameter :: most_releases = 5
+    !> Searches with the errors of readings that enter the model propagated at the point found before.
+    integer, parameter :: propagation_rounds = 3
+    real(wp), parameter :: wrong_units = 300.0_wp
+
+    type :: fit_result_t
+        !> the best point found, all numbers of the problem
+        real(wp), allocatable :: values(:)
+        !> positions of the free ones
+        integer, allocatable :: free(:)
+        !> of the free ones; a direction that the data do not determine has a variance beyond all measure
+        real(wp), allocatable :: covariance(:, :)
+        !> of the free ones: -1 or 1 where the estimate lies at its lower or upper bound, whose covariance is then 0
+        integer, allocatable :: at_bound(:)
+        !> smallest eigenvalue of the correlation of the derivatives (1: independent; 0: a combination is not determined) and
+        !> the relative change of the free numbers that goes with it
+        real(wp) :: weakest = 1.0_wp
+        real(wp), allocatable :: weakest_direction(:)
+        !> the model at the data, and (y - model)/standard deviation
+        real(wp), allocatable :: fitted(:), residuals(:)
+        !> factor of the standard deviations of the data: 1 if they are known, else estimated
+        real(wp) :: noise = 1.0_wp
+        !> sum of the squared residuals of the data, and of the priors
+        real(wp) :: chi_square = 0.0_wp, prior_chi_square = 0.0_wp
+        !> data less the parameters that they determine
+        real(wp) :: degrees_of_freedom = 0.0_wp
+        !> of the data and the priors at the estimates
+        real(wp) :: log_likelihood = 0.0_wp
+        !> probability of so few or so many runs of equal sign along ascending x if the residuals are random
+        real(wp) :: runs_probability = 1.0_wp
+        logical :: converged = .false.
+        integer :: iterations = 0
+        integer :: evaluations = 0
+    end type fit_result_t
+
+contains
+
+    !> Fits. An error means that there was nothing to fit; a search that did not converge returns its best point and says so.
+    subroutine solve_fit(problem, data, fit, error)
+        type(fit_problem_t), intent(in) :: problem
+        type(fit_data_t), intent(in) :: data
+        type(fit_result_t), intent(out) :: fit
+        type(error_t), allocatable, intent(out) :: error
+        type(variables_t) :: variables
+        type(fit_residuals_t) :: residuals
+        type(outcome_t) :: outcome
+        real(wp), allocatable :: u(:)
+
+        call check_problem(problem, error)
+        if (.not. allocated(error)) call check_data(data, problem, error)
+        if (.not. allocated(error)) call new_variables(variables, problem, data, error)
+        if (allocated(error)) return
+        call new_fit_residuals(residuals, problem, data, variables)
+        allocate (u(size(variables%free)))
+        u = 1.0_wp
+        if (problem%check_units) call check_units_at_start(residuals, u, error)
+        if (allocated(error)) return
+        call agree_with_noise(residuals, u, outcome, fit, error)
+        if (allocated(error)) return
+        call describe(residuals, u, outcome, fit, error)
+    end subroutine solve_fit
+
+    !> Refuses data that no reasonable start is so far away from.
+    subroutine check_units_at_start(residuals, u, error)
+        type(fit_residuals_t), intent(in) :: residuals
+        real(wp), intent(in) :: u(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: y(size(residuals%data%x)), ratio
+
+        call residuals%fitted(u, y, error)
+        if (allocated(error)) then
+            error%message = "the model has no answer at the start of the search: "//error%message// &
+                            "; check the units of the data and the starting values"
+            return
+        end if
+        ratio = norm2(residuals%data%y)/max(norm2(y), tiny(1.0_wp))
+        if (ratio <= wrong_units .and. ratio >= 1.0_wp/wrong_units) return
+        call raise(error, error_invalid, "the data are "//to_text(ratio)//" times the model at the start of the search: check "// &
+                   "the units of the data, or begin closer")
+    end subroutine check_units_at_start
+
+    !> Searches; where the noise is unknown and matters for the estimates, again until both agree.
+    subroutine agree_with_noise(residuals, u, outcome, fit, error)
+        type(fit_residuals_t), intent(inout) :: residuals
+        real(wp), intent(inout) :: u(:)
+        type(outcome_t), intent(out) :: outcome
+        type(fit_result_t), intent(inout) :: fit
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: noise
+        logical :: known, propagates
+        integer :: round
+
+        known = allocated(residuals%data%sd) .and. residuals%problem%sd_is_absolute
+        if (.not. known) residuals%noise = 0.01_wp*norm2(residuals%data%y/residuals%sd)/sqrt(real(size(residuals%sd), wp))
+        propagates = residuals%readings_enter_model()
+        do round = 1, most_rounds
+            if (propagates .and. round <= propagation_rounds) call residuals%propagate_readings(u, error)
+            if (allocated(error)) return
+            residuals%readings_norm = norm2(residuals%data%y/(residuals%sd*residuals%noise))
+            call search(residuals, u, outcome, fit, error)
+            if (allocated(error)) return
+            if (propagates .and. round < propagation_rounds) cycle
+            if (known) return
+            noise = noise_of(residuals, u, outcome)
+            if (.not. noise > 0.0_wp) return
+            if (abs(noise - residuals%noise) <= noise_tolerance*residuals%noise) return
+            call rescale(residuals, outcome, residuals%noise/noise)
+            residuals%noise = noise
+            if (size(residuals%known) == 0 .and. residuals%loss == loss_linear) return
+        end do
+    end subroutine agree_with_noise
+
+    !> Data residuals in units of another noise.
+    pure subroutine rescale(residuals, outcome, factor)
+        type(fit_residuals_t), intent(in) :: residuals
+        type(outcome_t), intent(inout) :: outcome
+        real(wp), intent(in) :: factor
+
+        associate (n => size(residuals%data%x))
+            outcome%r(:n) = outcome%r(:n)*factor
+            outcome%jacobian(:n, :) = outcome%jacobian(:n, :)*factor
+        end associate
+    end subroutine rescale
+
+    !> One search. A number that ended at a bound but would move inside is let go again.
+    subroutine search(residuals, u, outcome, fit, error)
+        type(fit_residuals_t), intent(inout) :: residuals
+        real(wp), intent(inout) :: u(:)
+        type(outcome_t), intent(out) :: outcome
+        type(fit_result_t), intent(inout) :: fit
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: r(residuals%n), inside(residuals%n), moved(size(u)), step
+        integer :: round, i, side
+        logical :: released
+
+        do round = 1, most_releases
+            call minimize(residuals, u, residuals%problem%max_iterations, outcome, error)
+            if (allocated(error)) return
+            fit%iterations = fit%iterations + outcome%iterations
+            released = .false.
+            do i = 1, size(u)
+                side = residuals%variables%is_outside(i, u(i))
+                if (side == 0) cycle
+                u(i) = residuals%variables%unknown_of(i, residuals%variables%number_at(i, u(i)))
+                step = 1.0e-4_wp*side
+                moved = u
+                moved(i) = u(i) - step
+                call residuals%evaluate(u, r)
+                call residuals%evaluate(moved, inside)
+                if (allocated(residuals%error)) cycle
+                if (sum(inside**2) < sum(r**2)*(1.0_wp - 1.0e-10_wp)) then
+                    u(i) = u(i) - 10.0_wp*step
+                    released = .true.
+                end if
+            end do
+            if (.not. released) exit
+        end do
+        if (released) outcome%converged = .false.
+        fit%evaluations = residuals%evaluations
+    end subroutine search
+
+    !> The noise that the residuals show: their mean square over the degrees of freedom, or their median under a robust loss.
+    function noise_of(residuals, u, outcome) result(noise)
+        type(fit_residuals_t), intent(inout) :: residuals
+        real(wp), intent(in) :: u(:)
+        type(outcome_t), intent(in) :: outcome
+        real(wp) :: noise
+        type(error_t), allocatable :: error
+        real(wp) :: z(size(residuals%data%x))
+
+        call residuals%fitted(u, z, error)
+        z = abs(residuals%data%y - z)/residuals%sd
+        if (residuals%loss == loss_linear) then
+            noise = sqrt(sum(z**2)/degrees_of_freedom(residuals, outcome))
+        else
+            noise = median(z)/normal_median
+        end if
+    end function noise_of
+
+    !> Data less the parameters that they, and not the priors, determine: n - trace(H_data (H_data + H_prior)^-1).
+    function degrees_of_freedom(residuals, outcome) result(dof)
+        type(fit_residuals_t), intent(in) :: residuals
+        type(outcome_t), intent(in) :: outcome
+        real(wp) :: dof
+        type(spectrum_t) :: spectrum
+        real(wp) :: of_data(residuals%p, residuals%p), shares(residuals%p, residuals%p)
+        integer :: i
+
+        associate (n => size(residuals%data%x))
+            spectrum = new_spectrum(matmul(transpose(outcome%jacobian), outcome%jacobian))
+            of_data = matmul(transpose(outcome%jacobian(:n, :)), outcome%jacobian(:n, :))
+            shares = matmul(of_data, spectrum%inverse())
+            dof = n - sum([(min(1.0_wp, max(0.0_wp, shares(i, i))), i=1, residuals%p)])
+            dof = max(dof, 0.5_wp)
+        end associate
+    end function degrees_of_freedom
+
+    !> Everything that is said about the point found.
+    subroutine describe(residuals, u, outcome, fit, error)
+        type(fit_residuals_t), intent(inout) :: residuals
+        real(wp), intent(in) :: u(:)
+        type(outcome_t), intent(in) :: outcome
+        type(fit_result_t), intent(inout) :: fit
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: data_sd(:)
+        integer :: i, n
+
+        n = size(residuals%data%x)
+        fit%converged = outcome%converged
+        fit%free = residuals%variables%free
+        fit%values = residuals%values_at(u)
+        fit%noise = residuals%noise
+        fit%at_bound = residuals%variables%is_outside([(i, i=1, size(u))], u)
+        allocate (fit%fitted(n))
+        call residuals%fitted(u, fit%fitted, error)
+        if (allocated(error)) return
+        data_sd = residuals%sd*residuals%noise
+        fit%residuals = (residuals%data%y - fit%fitted)/data_sd
+        fit%chi_square = sum(fit%residuals**2)
+        fit%prior_chi_square = sum(outcome%r(n + 1:)**2)
+        fit%degrees_of_freedom = degrees_of_freedom(residuals, outcome)
+        fit%log_likelihood = -0.5_wp*(sum(bent(residuals%loss, residuals%problem%loss_scale, fit%residuals)**2) &
+                                      + fit%prior_chi_square) - sum(log(data_sd)) - 0.5_wp*n*log(2.0_wp*pi)
+        fit%runs_probability = runs_test(residuals%data%x, fit%residuals)
+        call describe_spread(residuals, u, outcome, fit)
+    end subroutine describe
+
+    !> Covariance and the weakest direction. Under a robust loss the covariance is Huber's H^-1 V H^-1.
+    subroutine describe_spread(residuals, u, outcome, fit)
+        type(fit_residuals_t), intent(in) :: residuals
+        real(wp), intent(in) :: u(:)
+        type(outcome_t), intent(in) :: outcome
+        type(fit_result_t), intent(inout) :: fit
+        type(spectrum_t) :: spectrum
+        real(wp), allocatable :: jacobian(:, :), inverse(:, :), scores(:, :), psi(:), psi_slope(:), slope(:), bend(:)
+        integer, allocatable :: inner(:)
+        integer :: i, n
+
+        n = size(residuals%data%x)
+        inner = pack([(i, i=1, size(u))], fit%at_bound == 0)
+        allocate (fit%covariance(size(u), size(u)), fit%weakest_direction(size(u)))
+        fit%covariance = 0.0_wp
+        fit%weakest_direction = 0.0_wp
+        if (size(inner) == 0) return
+        jacobian = outcome%jacobian(:, inner)
+        scores = jacobian
+        if (residuals%loss /= loss_linear) then
+            allocate (psi(n), psi_slope(n))
+            call bend_slope(residuals%loss, residuals%problem%loss_scale, fit%residuals, psi, psi_slope)
+            ! the search's Jacobian is that of the bent residuals, whose slope is psi/bent
+            bend = bent(residuals%loss, residuals%problem%loss_scale, fit%residuals)
+            where (abs(bend) > tiny(1.0_wp))
+                bend = psi/bend
+            else where
+                bend = 1.0_wp
+            end where
+            do i = 1, size(inner)
+                scores(:n, i) = jacobian(:n, i)/bend*psi
+                jacobian(:n, i) = jacobian(:n, i)/bend*sqrt(max(sum(psi_slope)/n, 0.01_wp))
+            end do
+        end if
+        spectrum = new_spectrum(matmul(transpose(jacobian), jacobian))
+        inverse = spectrum%inverse()
+        if (residuals%loss /= loss_linear) inverse = matmul(inverse, matmul(matmul(transpose(scores), scores), inverse))
+        slope = residuals%variables%slope_at([(i, i=1, size(u))], u)
+        do i = 1, size(inner)
+            fit%covariance(inner, inner(i)) = inverse(:, i)*slope(inner)*slope(inner(i))
+        end do
+        fit%weakest = max(spectrum%eigenvalues(1), 0.0_wp)
+        fit%weakest_direction(inner) = spectrum%vectors(:, 1)/spectrum%scale
+        fit%weakest_direction = fit%weakest_direction/max(maxval(abs(fit%weakest_direction)), tiny(1.0_wp))
+    end subroutine describe_spread
+
+    pure function median(values) result(middle)
+        real(wp), intent(in) :: values(:)
+        real(wp) :: middle
+        real(wp) :: sorted(size(values)), one
+        integer :: i, j
+
+        sorted = values
+        do i = 2, size(sorted)
+            one = sorted(i)
+            do j = i - 1, 1, -1
+                if (sorted(j) <= one) exit
+                sorted(j + 1) = sorted(j)
+            end do
+            sorted(j + 1) = one
+        end do
+        middle = 0.5_wp*(sorted((size(sorted) + 1)/2) + sorted(size(sorted)/2 + 1))
+    end function median
+
+end module mdrcontact_fit

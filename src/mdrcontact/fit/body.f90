@@ -1,0 +1,131 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Indenter and medium as functions of a vector of numbers: what a fit varies.
+!>
+!> The vector is [indenter, medium, instrument]. `layout_of` says how many numbers each kind has and in which order they stand;
+!> what does not fit one of the kinds is given as a finished object and then has no numbers.
+module mdrcontact_fit_body
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_fit_medium_of, only: make_medium, medium_given, medium_graded, medium_homogeneous, medium_power_graded, &
+                                        medium_stack, medium_choice_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
+    use mdrcontact_profile_flat_paraboloid, only: flat_paraboloid_t, new_flat_paraboloid
+    use mdrcontact_profile_flat_punch, only: flat_punch_t, new_flat_punch
+    use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
+    use mdrcontact_profile_rounded_cone, only: new_rounded_cone, rounded_cone_t
+    use mdrcontact_profile_sphere, only: new_sphere, sphere_t
+    implicit none (type, external)
+    private
+    public :: fit_body_t, indenter_count, medium_count, make_body
+    public :: indenter_given, indenter_paraboloid, indenter_sphere, indenter_cone, indenter_power_law, indenter_flat_punch, &
+              indenter_flat_cone, indenter_flat_paraboloid, indenter_rounded_cone
+
+    !> Kinds of indenter; their numbers are the arguments of the shape's `new_...` procedure, in its order.
+    integer, parameter :: indenter_given = 0, indenter_paraboloid = 1, indenter_sphere = 2, indenter_cone = 3, &
+                          indenter_power_law = 4, indenter_flat_punch = 5, indenter_flat_cone = 6, &
+                          indenter_flat_paraboloid = 7, indenter_rounded_cone = 8
+    integer, parameter :: indenter_numbers(0:8) = [0, 1, 1, 1, 2, 1, 2, 2, 2]
+
+    !> Which indenter on which medium.
+    type :: fit_body_t
+        !> one of indenter_...
+        integer :: indenter = indenter_given
+        !> the finished indenter for indenter_given
+        class(profile_t), allocatable :: profile
+        !> the kind of medium and its choices
+        type(medium_choice_t) :: medium
+    end type fit_body_t
+
+contains
+
+    !> How many numbers the indenter has; -1 for a kind that does not exist.
+    pure function indenter_count(self) result(count)
+        type(fit_body_t), intent(in) :: self
+        integer :: count
+
+        count = -1
+        if (self%indenter >= 0 .and. self%indenter <= ubound(indenter_numbers, 1)) count = indenter_numbers(self%indenter)
+    end function indenter_count
+
+    !> How many numbers the medium has; -1 for a kind that does not exist.
+    pure function medium_count(self) result(count)
+        type(fit_body_t), intent(in) :: self
+        integer :: count
+
+        count = -1
+        select case (self%medium%kind)
+        case (medium_given); count = 0
+        case (medium_homogeneous); count = 2
+        case (medium_stack); count = 3*max(self%medium%layers, 1) + 3
+        case (medium_graded); count = 3*max(self%medium%layers, 2)
+        case (medium_power_graded); count = 4
+        case default; count = -1
+        end select
+    end function medium_count
+
+    !> Indenter and medium from their numbers, values = [indenter, medium].
+    subroutine make_body(self, values, profile, medium, error)
+        type(fit_body_t), intent(in) :: self
+        real(wp), intent(in) :: values(:)
+        class(profile_t), allocatable, intent(out) :: profile
+        class(medium_t), allocatable, intent(out) :: medium
+        type(error_t), allocatable, intent(out) :: error
+        integer :: n
+
+        n = indenter_count(self)
+        call make_profile(self, values(:n), profile, error)
+        if (.not. allocated(error)) call make_medium(self%medium, values(n + 1:), medium, error)
+    end subroutine make_body
+
+    subroutine make_profile(self, values, profile, error)
+        type(fit_body_t), intent(in) :: self
+        real(wp), intent(in) :: values(:)
+        class(profile_t), allocatable, intent(out) :: profile
+        type(error_t), allocatable, intent(out) :: error
+        type(power_law_t) :: power_law
+        type(sphere_t) :: sphere
+        type(flat_punch_t) :: flat_punch
+        type(flat_cone_t) :: flat_cone
+        type(flat_paraboloid_t) :: flat_paraboloid
+        type(rounded_cone_t) :: rounded_cone
+
+        select case (self%indenter)
+        case (indenter_given)
+            if (allocated(self%profile)) then
+                allocate (profile, source=self%profile)
+            else
+                call raise(error, error_invalid, "the indenter is missing: a profile must be given")
+            end if
+        case (indenter_paraboloid)
+            call new_paraboloid(power_law, values(1), error)
+            allocate (profile, source=power_law)
+        case (indenter_sphere)
+            call new_sphere(sphere, values(1), error)
+            allocate (profile, source=sphere)
+        case (indenter_cone)
+            call new_cone(power_law, values(1), error)
+            allocate (profile, source=power_law)
+        case (indenter_power_law)
+            call new_power_law(power_law, values(1), values(2), error)
+            allocate (profile, source=power_law)
+        case (indenter_flat_punch)
+            call new_flat_punch(flat_punch, values(1), error)
+            allocate (profile, source=flat_punch)
+        case (indenter_flat_cone)
+            call new_flat_cone(flat_cone, values(1), values(2), error)
+            allocate (profile, source=flat_cone)
+        case (indenter_flat_paraboloid)
+            call new_flat_paraboloid(flat_paraboloid, values(1), values(2), error)
+            allocate (profile, source=flat_paraboloid)
+        case (indenter_rounded_cone)
+            call new_rounded_cone(rounded_cone, values(1), values(2), error)
+            allocate (profile, source=rounded_cone)
+        case default
+            call raise(error, error_invalid, "indenter = "//count_text(self%indenter)//" is not allowed: it must be a kind of "// &
+                       "indenter in enum mdr_fit_indenter")
+        end select
+    end subroutine make_profile
+
+end module mdrcontact_fit_body

@@ -1,0 +1,164 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Profile-likelihood intervals: how far one number can be moved, all others following, before the data protest.
+module mdrcontact_fit_interval
+    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_value
+    use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise, to_text
+    use mdrcontact_fit, only: fit_result_t, solve_fit
+    use mdrcontact_fit_problem, only: fit_data_t, fit_problem_t
+    use mdrcontact_fit_predict, only: predict
+    use mdrcontact_fit_residuals, only: bent
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: profile_interval
+
+    !> How well the rise of the sum of squares must meet the threshold, in its square root.
+    real(wp), parameter :: tolerance = 1.0e-3_wp
+    integer, parameter :: most_steps = 40
+    !> So many standard errors away the data still do not protest: there is no end on this side.
+    real(wp), parameter :: farthest = 1.0e3_wp
+
+    interface
+        function gsl_cdf_ugaussian_pinv(p) result(x) bind(C, name="gsl_cdf_ugaussian_Pinv")
+            import :: c_double
+            real(c_double), value :: p
+            real(c_double) :: x
+        end function gsl_cdf_ugaussian_pinv
+
+        function gsl_cdf_tdist_pinv(p, nu) result(x) bind(C, name="gsl_cdf_tdist_Pinv")
+            import :: c_double
+            real(c_double), value :: p, nu
+            real(c_double) :: x
+        end function gsl_cdf_tdist_pinv
+    end interface
+
+contains
+
+    !> The interval of one free number in which the sum of squares rises by less than the quantile of `level`. An end that lies
+    !> beyond a bound is the bound; one that does not exist is infinite.
+    subroutine profile_interval(problem, data, fit, position, level, lower, upper, error)
+        type(fit_problem_t), intent(in) :: problem
+        type(fit_data_t), intent(in) :: data
+        !> the result of solve_fit for the same problem and data
+        type(fit_result_t), intent(in) :: fit
+        !> among all numbers; it must be free
+        integer, intent(in) :: position
+        !> of confidence, 0 < level < 1
+        real(wp), intent(in) :: level
+        real(wp), intent(out) :: lower, upper
+        type(error_t), allocatable, intent(out) :: error
+        type(fit_problem_t) :: fixed
+        type(fit_data_t) :: weighted
+        real(wp) :: threshold, best, step, probability
+        integer :: i
+
+        lower = 0.0_wp
+        upper = 0.0_wp
+        if (.not. any(fit%free == position)) call raise(error, error_invalid, "parameter "//count_text(position)// &
+                                                        " is not free: it has no interval")
+        if (.not. (level > 0.0_wp .and. level < 1.0_wp)) call raise(error, error_invalid, "level = "//to_text(level)// &
+                                                                    " is not allowed: it must be between 0 and 1")
+        if (allocated(error)) return
+        probability = 0.5_wp*(1.0_wp + level)
+        if (allocated(data%sd) .and. problem%sd_is_absolute) then
+            threshold = gsl_cdf_ugaussian_pinv(probability)
+        else
+            threshold = gsl_cdf_tdist_pinv(probability, fit%degrees_of_freedom)
+        end if
+        ! the noise stays that of the best fit
+        weighted = data
+        if (.not. allocated(weighted%sd)) weighted%sd = spread(1.0_wp, 1, size(data%x))
+        weighted%sd = weighted%sd*fit%noise
+        fixed = problem
+        fixed%sd_is_absolute = .true.
+        fixed%check_units = .false.
+        fixed%parameters%value = fit%values
+        best = objective(fixed, weighted, position, fit%values(position))
+        fixed%parameters(position)%is_free = .false.
+        i = findloc(fit%free, position, dim=1)
+        step = sqrt(fit%covariance(i, i))
+        if (.not. step > 0.0_wp) step = 0.01_wp*max(abs(fit%values(position)), tiny(1.0_wp))
+        lower = end_of(fixed, weighted, position, fit%values(position), -step, threshold, best, &
+                       problem%parameters(position)%lower)
+        upper = end_of(fixed, weighted, position, fit%values(position), step, threshold, best, &
+                       problem%parameters(position)%upper)
+    end subroutine profile_interval
+
+    !> One end: secant steps on the root of the rise, which is nearly a straight line, held in a bracket.
+    function end_of(problem, data, position, centre, direction, threshold, best, bound) result(p)
+        type(fit_problem_t), intent(inout) :: problem
+        type(fit_data_t), intent(in) :: data
+        integer, intent(in) :: position
+        real(wp), intent(in) :: centre, direction, threshold, best, bound
+        real(wp) :: p
+        real(wp) :: inner, outer, t, rise, inner_rise, limit
+        integer :: i
+
+        limit = farthest*threshold
+        if (abs(bound) < huge(1.0_wp)) limit = min(limit, max((bound - centre)/direction, 0.0_wp))
+        inner = 0.0_wp
+        inner_rise = 0.0_wp
+        outer = -1.0_wp
+        t = min(threshold, limit)
+        p = centre
+        do i = 1, most_steps
+            p = centre + t*direction
+            rise = sqrt(max(objective(problem, data, position, p) - best, 0.0_wp))
+            if (abs(rise - threshold) <= tolerance*threshold) return
+            if (rise > threshold) then
+                outer = t
+            else
+                if (t >= limit) exit
+                inner = t
+                inner_rise = rise
+            end if
+            if (outer < 0.0_wp) then
+                t = min(merge(min(1.1_wp*t*threshold/rise, 3.0_wp*t), 3.0_wp*t, rise > 0.05_wp*threshold), limit)
+            else if (rise > threshold .and. rise < 1.0e6_wp .and. mod(i, 3) /= 0) then
+                t = inner + (outer - inner)*(threshold - inner_rise)/(rise - inner_rise)
+            else
+                t = 0.5_wp*(inner + outer)
+            end if
+            if (outer > 0.0_wp .and. outer - inner <= 1.0e-6_wp*outer) return
+        end do
+        if (t < limit) return
+        if (abs(bound) < huge(1.0_wp) .and. limit < farthest*threshold) then
+            p = bound
+        else
+            p = ieee_value(1.0_wp, ieee_positive_inf)
+            if (direction < 0.0_wp) p = ieee_value(1.0_wp, ieee_negative_inf)
+        end if
+    end function end_of
+
+    !> The lowest sum of squares, priors included, with one number held; huge where the model has no value.
+    function objective(problem, data, position, p) result(total)
+        type(fit_problem_t), intent(in) :: problem
+        type(fit_data_t), intent(in) :: data
+        integer, intent(in) :: position
+        real(wp), intent(in) :: p
+        real(wp) :: total
+        type(fit_problem_t) :: held
+        type(fit_result_t) :: fit
+        type(error_t), allocatable :: error
+        real(wp) :: y(size(data%x))
+
+        total = 1.0e12_wp
+        held = problem
+        held%parameters(position)%value = p
+        held%parameters(position)%is_free = .false.
+        if (any(held%parameters%is_free)) then
+            call solve_fit(held, data, fit, error)
+            if (allocated(error)) return
+            total = sum(bent(held%loss, held%loss_scale, fit%residuals)**2) + fit%prior_chi_square
+        else
+            call predict(held, held%parameters%value, data, y, error)
+            if (allocated(error)) return
+            total = sum(bent(held%loss, held%loss_scale, (data%y - y)/data%sd)**2)
+        end if
+        associate (parameter => held%parameters(position))
+            if (parameter%prior_sd > 0.0_wp) total = total + ((p - parameter%prior)/parameter%prior_sd)**2
+        end associate
+    end function objective
+
+end module mdrcontact_fit_interval

@@ -1,0 +1,284 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Least squares over GSL's trust region (Levenberg-Marquardt steps, scaled after More, solved by QR).
+!>
+!> The search ends when one more step could lower the sum of squares by a negligible part of its own statistical spread
+!> only: an ending that knows no units. Where the function has no value it is taken to be very large, so the step is refused.
+module mdrcontact_fit_least_squares
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, c_loc, c_null_funptr, c_null_ptr, &
+                                           c_ptr, c_size_t
+    use mdrcontact_error, only: error_memory, error_t, raise
+    use mdrcontact_fit_gsl, only: gsl_enoprog, gsl_matrix, gsl_multifit_nlinear_alloc, gsl_multifit_nlinear_default_parameters, &
+                                  gsl_multifit_nlinear_fdf, gsl_multifit_nlinear_free, gsl_multifit_nlinear_init, &
+                                  gsl_multifit_nlinear_iterate, gsl_multifit_nlinear_jac, gsl_multifit_nlinear_parameters, &
+                                  gsl_multifit_nlinear_position, gsl_multifit_nlinear_residual, &
+                                  gsl_multifit_nlinear_solver_qr, gsl_multifit_nlinear_trust, gsl_vector
+    use mdrcontact_fit_spectrum, only: newton_decrement
+    use mdrcontact_gsl, only: disable_gsl_abort, gsl_success
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: residuals_t, outcome_t, minimize
+
+    !> Half of what one more Newton step would gain, in units of the mean square of the residuals.
+    real(wp), parameter :: negligible_gain = 1.0e-8_wp
+    !> Residuals this small against the readings are an exact fit, as far as the model itself is exact: noise-free data.
+    real(wp), parameter :: exact_fit = 1.0e-8_wp
+    !> Steps in the internal variables for the differences of the Jacobian: far above the model's rounding, far below its curvature.
+    real(wp), parameter :: difference_step = 1.0e-5_wp
+    !> Refused steps in a row are as good as no progress after so many.
+    integer, parameter :: most_refusals = 3
+
+    !> r(u), a vector of residuals of a vector of unknowns of order one.
+    type, abstract :: residuals_t
+        integer :: n = 0, p = 0
+        integer :: evaluations = 0
+        !> norm of the readings in the units of the residuals
+        real(wp) :: readings_norm = 0.0_wp
+        !> norm of the residuals at the start; set by minimize
+        real(wp) :: start_norm = 0.0_wp
+        !> why the last evaluation failed
+        type(error_t), allocatable :: error
+        !> the unknowns of the last step and their residuals, from which differences are taken
+        real(wp), allocatable :: last_u(:), last_r(:)
+    contains
+        procedure :: evaluate_counted
+        procedure(residual_vector), deferred :: evaluate
+        procedure(neighbours_of), deferred :: neighbours
+    end type residuals_t
+
+    abstract interface
+        !> Writes r(u) (n); allocates self%error where there is none.
+        subroutine residual_vector(self, u, r)
+            import :: residuals_t, wp
+            class(residuals_t), intent(inout) :: self
+            real(wp), intent(in) :: u(:)
+            real(wp), intent(out) :: r(:)
+        end subroutine residual_vector
+
+        !> Two values of unknown i on either side of u(i) for the difference quotient, the same where it cannot move.
+        subroutine neighbours_of(self, u, i, step, below, above)
+            import :: residuals_t, wp
+            class(residuals_t), intent(inout) :: self
+            real(wp), intent(in) :: u(:)
+            integer, intent(in) :: i
+            real(wp), intent(in) :: step
+            real(wp), intent(out) :: below, above
+        end subroutine neighbours_of
+    end interface
+
+    !> How a search ended.
+    type :: outcome_t
+        logical :: converged = .false.
+        integer :: iterations = 0
+        !> residuals (n) and their derivatives (n, p) at the end
+        real(wp), allocatable :: r(:), jacobian(:, :)
+    end type outcome_t
+
+    !> Lets a polymorphic object travel through GSL's `void *params`.
+    type :: carrier_t
+        class(residuals_t), pointer :: residuals => null()
+    end type carrier_t
+
+contains
+
+    !> Lowers |r(u)|^2 from the given u, which is overwritten with the best point found.
+    subroutine minimize(residuals, u, max_iterations, outcome, error)
+        class(residuals_t), intent(inout), target :: residuals
+        real(wp), intent(inout), target :: u(:)
+        integer, intent(in) :: max_iterations
+        type(outcome_t), intent(out) :: outcome
+        type(error_t), allocatable, intent(out) :: error
+        type(carrier_t), target :: carrier
+        type(gsl_multifit_nlinear_fdf), target :: fdf
+        type(gsl_multifit_nlinear_parameters) :: parameters
+        type(gsl_vector) :: start
+        type(c_ptr) :: workspace
+        real(wp) :: r(residuals%n)
+
+        call disable_gsl_abort()
+        if (allocated(residuals%last_u)) deallocate (residuals%last_u)
+        call residuals%evaluate_counted(u, r)
+        if (allocated(residuals%error)) then
+            error = residuals%error
+            return
+        end if
+        residuals%start_norm = norm2(r)
+        residuals%last_u = u
+        residuals%last_r = r
+        parameters = gsl_multifit_nlinear_default_parameters()
+        parameters%solver = gsl_multifit_nlinear_solver_qr
+        workspace = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, parameters, int(residuals%n, c_size_t), &
+                                               int(residuals%p, c_size_t))
+        if (.not. c_associated(workspace)) then
+            call raise(error, error_memory, "not enough memory for a fit")
+            return
+        end if
+        carrier%residuals => residuals
+        fdf = gsl_multifit_nlinear_fdf(c_funloc(residual_callback), c_funloc(jacobian_callback), c_null_funptr, &
+                                       int(residuals%n, c_size_t), int(residuals%p, c_size_t), c_loc(carrier), 0, 0, 0)
+        start = gsl_vector(int(residuals%p, c_size_t), 1_c_size_t, c_loc(u), c_null_ptr, 0_c_int)
+        if (gsl_multifit_nlinear_init(start, c_loc(fdf), workspace) == gsl_success) then
+            call iterate(workspace, max_iterations, (exact_fit*residuals%readings_norm)**2, outcome)
+        else
+            allocate (outcome%r(residuals%n), outcome%jacobian(residuals%n, residuals%p))
+            outcome%r = r
+            outcome%jacobian = 0.0_wp
+        end if
+        call read_vector(gsl_multifit_nlinear_position(workspace), u)
+        call gsl_multifit_nlinear_free(workspace)
+        if (allocated(residuals%error)) deallocate (residuals%error)
+    end subroutine minimize
+
+    subroutine iterate(workspace, max_iterations, exact_sum, outcome)
+        type(c_ptr), intent(in) :: workspace
+        integer, intent(in) :: max_iterations
+        !> a sum of squares that is an exact fit
+        real(wp), intent(in) :: exact_sum
+        type(outcome_t), intent(inout) :: outcome
+        real(wp) :: sum_of_squares
+        integer(c_int) :: status
+        integer :: refusals
+
+        call read_state(workspace, outcome)
+        refusals = 0
+        do
+            sum_of_squares = sum(outcome%r**2)
+            outcome%converged = is_at_minimum(outcome, sum_of_squares) .or. sum_of_squares <= exact_sum
+            if (outcome%converged .or. outcome%iterations >= max_iterations) return
+            status = gsl_multifit_nlinear_iterate(workspace)
+            outcome%iterations = outcome%iterations + 1
+            call read_state(workspace, outcome)
+            if (status /= gsl_success) then
+                ! no step lowers the sum: at the minimum but for rounding, or stuck
+                sum_of_squares = sum(outcome%r**2)
+                outcome%converged = newton_decrement(outcome%jacobian, outcome%r) <= 1.0e4_wp*negligible_gain &
+                                    *sum_of_squares/size(outcome%r) .or. sum_of_squares <= exact_sum
+                if (status == gsl_enoprog .or. refusals >= most_refusals) return
+                refusals = refusals + 1
+            end if
+        end do
+    end subroutine iterate
+
+    function is_at_minimum(outcome, sum_of_squares) result(answer)
+        type(outcome_t), intent(in) :: outcome
+        real(wp), intent(in) :: sum_of_squares
+        logical :: answer
+
+        answer = newton_decrement(outcome%jacobian, outcome%r) <= negligible_gain*sum_of_squares/size(outcome%r)
+    end function is_at_minimum
+
+    subroutine read_state(workspace, outcome)
+        type(c_ptr), intent(in) :: workspace
+        type(outcome_t), intent(inout) :: outcome
+        type(gsl_matrix), pointer :: matrix
+        real(c_double), pointer :: rows(:, :)
+
+        call c_f_pointer(gsl_multifit_nlinear_jac(workspace), matrix)
+        call c_f_pointer(matrix%data, rows, [matrix%tda, matrix%size1])
+        outcome%jacobian = transpose(rows(:matrix%size2, :))
+        if (.not. allocated(outcome%r)) allocate (outcome%r(matrix%size1))
+        call read_vector(gsl_multifit_nlinear_residual(workspace), outcome%r)
+    end subroutine read_state
+
+    subroutine read_vector(pointer, values)
+        type(c_ptr), intent(in) :: pointer
+        real(wp), intent(out) :: values(:)
+        type(gsl_vector), pointer :: vector
+        real(c_double), pointer :: entries(:)
+
+        call c_f_pointer(pointer, vector)
+        call c_f_pointer(vector%data, entries, [vector%stride*vector%size])
+        values = entries(::vector%stride)
+    end subroutine read_vector
+
+    function residual_callback(x, params, f) result(status) bind(C)
+        type(gsl_vector), intent(in) :: x
+        type(c_ptr), value :: params
+        type(gsl_vector), intent(in) :: f
+        integer(c_int) :: status
+        type(carrier_t), pointer :: carrier
+        real(c_double), pointer :: u(:), r(:)
+        real(wp), allocatable :: values(:)
+
+        call c_f_pointer(params, carrier)
+        call c_f_pointer(x%data, u, [x%stride*x%size])
+        call c_f_pointer(f%data, r, [f%stride*f%size])
+        allocate (values(carrier%residuals%n))
+        call residuals_or_penalty(carrier%residuals, u(::x%stride), values)
+        r(::f%stride) = values
+        status = gsl_success
+    end function residual_callback
+
+    !> The residuals, or where there are none, values that no step would accept.
+    subroutine residuals_or_penalty(residuals, u, r)
+        class(residuals_t), intent(inout) :: residuals
+        real(wp), intent(in) :: u(:)
+        real(wp), intent(out) :: r(:)
+
+        if (allocated(residuals%last_u)) then
+            if (all(residuals%last_u == u)) then
+                r = residuals%last_r
+                return
+            end if
+        end if
+        call residuals%evaluate_counted(u, r)
+        if (allocated(residuals%error)) r = 1.0e3_wp*(residuals%start_norm + 1.0_wp)
+        residuals%last_u = u
+        residuals%last_r = r
+    end subroutine residuals_or_penalty
+
+    function jacobian_callback(x, params, j) result(status) bind(C)
+        type(gsl_vector), intent(in) :: x
+        type(c_ptr), value :: params
+        type(gsl_matrix), intent(in) :: j
+        integer(c_int) :: status
+        type(carrier_t), pointer :: carrier
+        real(c_double), pointer :: u(:), rows(:, :)
+        real(wp), allocatable :: jacobian(:, :)
+
+        call c_f_pointer(params, carrier)
+        call c_f_pointer(x%data, u, [x%stride*x%size])
+        call c_f_pointer(j%data, rows, [j%tda, j%size1])
+        allocate (jacobian(carrier%residuals%n, carrier%residuals%p))
+        call differences(carrier%residuals, u(::x%stride), jacobian)
+        rows(:j%size2, :) = transpose(jacobian)
+        status = gsl_success
+    end function jacobian_callback
+
+    !> Forward differences from the residuals of the step just taken; backward at a bound or where the model has no value ahead.
+    subroutine differences(residuals, u, jacobian)
+        class(residuals_t), intent(inout) :: residuals
+        real(wp), intent(in) :: u(:)
+        real(wp), intent(out) :: jacobian(:, :)
+        real(wp) :: base(residuals%n), moved(residuals%n), v(size(u)), below, above
+        integer :: i
+
+        call residuals_or_penalty(residuals, u, base)
+        do i = 1, size(u)
+            jacobian(:, i) = 0.0_wp
+            call residuals%neighbours(u, i, difference_step, below, above)
+            v = u
+            v(i) = above
+            if (above > u(i)) call residuals%evaluate_counted(v, moved)
+            if (.not. above > u(i) .or. allocated(residuals%error)) then
+                v(i) = below
+                if (.not. below < u(i)) cycle
+                call residuals%evaluate_counted(v, moved)
+                if (allocated(residuals%error)) cycle
+            end if
+            jacobian(:, i) = (moved - base)/(v(i) - u(i))
+        end do
+    end subroutine differences
+
+    !> One evaluation, with a clean slate.
+    subroutine evaluate_counted(self, u, r)
+        class(residuals_t), intent(inout) :: self
+        real(wp), intent(in) :: u(:)
+        real(wp), intent(out) :: r(:)
+
+        if (allocated(self%error)) deallocate (self%error)
+        call self%evaluate(u, r)
+        self%evaluations = self%evaluations + 1
+    end subroutine evaluate_counted
+
+end module mdrcontact_fit_least_squares

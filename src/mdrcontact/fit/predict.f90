@@ -1,0 +1,245 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The forward model: what the instrument reads where the problem's numbers are the given ones.
+module mdrcontact_fit_predict
+    use mdrcontact_equilibrium, only: equilibrium_t
+    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
+                                error_unreachable, raise, to_text
+    use mdrcontact_fit_body, only: indenter_count, make_body, medium_count
+    use mdrcontact_fit_force_curve, only: force_curve_t, new_force_curve
+    use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
+                                      at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_force_depth, &
+                                      data_modulus_radius, data_stiffness_depth, fit_data_t, fit_problem_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_profile, only: profile_t
+    use mdrcontact_radius_law, only: new_radius_law_from_function, radius_law_t
+    use mdrcontact_scalar_function, only: scalar_function_t
+    implicit none (type, external)
+    private
+    public :: predict, contact_radii
+
+    !> So many radii are worth the sampling of E_eff(a) where each value is a solution of its own.
+    integer, parameter :: worth_sampling = 400
+    real(wp), parameter :: sampling_tolerance = 1.0e-9_wp
+    integer, parameter :: most_steps = 200
+
+    !> E_eff as a function of the radius.
+    type, extends(scalar_function_t) :: modulus_t
+        class(medium_t), pointer :: medium => null()
+    contains
+        procedure :: value => modulus_value
+    end type modulus_t
+
+contains
+
+    !> The y of each point.
+    subroutine predict(problem, values, data, y, error)
+        type(fit_problem_t), intent(in) :: problem
+        !> [indenter, medium, instrument]
+        real(wp), intent(in) :: values(:)
+        type(fit_data_t), intent(in) :: data
+        !> same size as data%x
+        real(wp), intent(out) :: y(:)
+        type(error_t), allocatable, intent(out) :: error
+        class(profile_t), allocatable :: profile
+        class(medium_t), allocatable, target :: medium
+        real(wp), allocatable :: a(:), modulus(:)
+        integer :: n
+
+        y = 0.0_wp
+        n = indenter_count(problem%body) + medium_count(problem%body)
+        call make_body(problem%body, values(:n), profile, medium, error)
+        if (allocated(error)) return
+        associate (instrument => values(n + 1:))
+            call check_instrument(instrument, error)
+            if (allocated(error)) return
+            if (problem%data_kind == data_force_depth) then
+                call predict_force(problem, instrument, profile, medium, data, y, error)
+                return
+            end if
+            if (problem%data_kind == data_stiffness_depth) then
+                call contact_radii(profile, instrument, data, a, error)
+                if (allocated(error)) return
+            else
+                a = data%x
+            end if
+            call reduced_moduli(medium, instrument(at_indenter_modulus), a, modulus, error)
+            if (allocated(error)) return
+            y = modulus
+            if (problem%data_kind == data_modulus_radius) return
+            y = 1.0_wp/(1.0_wp/(2.0_wp*instrument(at_stiffness_factor)*a*modulus) + instrument(at_frame_compliance))
+        end associate
+    end subroutine predict
+
+    pure subroutine check_instrument(instrument, error)
+        real(wp), intent(in) :: instrument(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_not_negative(error, "work_of_adhesion", instrument(at_work_of_adhesion))
+        call check_finite(error, "depth_offset", instrument(at_depth_offset))
+        call check_finite(error, "force_offset", instrument(at_force_offset))
+        call check_finite(error, "frame_compliance", instrument(at_frame_compliance))
+        if (.not. instrument(at_indenter_modulus) > 0.0_wp) then
+            call raise(error, error_invalid, "indenter_modulus = "//to_text(instrument(at_indenter_modulus))// &
+                       " is not allowed: it must be greater than 0, or infinite for a rigid indenter")
+        end if
+        call check_positive(error, "contact_depth_factor", instrument(at_contact_depth_factor))
+        call check_positive(error, "stiffness_factor", instrument(at_stiffness_factor))
+    end subroutine check_instrument
+
+    !> F + force offset at depths freed of the offset and of what the frame gives way: d = x - offset - C (y - force offset).
+    subroutine predict_force(problem, instrument, profile, medium, data, y, error)
+        type(fit_problem_t), intent(in) :: problem
+        real(wp), intent(in) :: instrument(:)
+        class(profile_t), intent(in) :: profile
+        class(medium_t), intent(in) :: medium
+        type(fit_data_t), intent(in) :: data
+        real(wp), intent(out) :: y(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(equilibrium_t) :: equilibrium
+        type(force_curve_t) :: curve
+        real(wp) :: d(size(y)), smallest
+        logical :: reached(size(y))
+
+        if (instrument(at_indenter_modulus) <= huge(1.0_wp)) then
+            call raise(error, error_invalid, "indenter_modulus = "//to_text(instrument(at_indenter_modulus))// &
+                       " is not allowed with force against depth: there the indenter is rigid; it enters stiffness data only")
+            return
+        end if
+        d = data%x - instrument(at_depth_offset)
+        if (instrument(at_frame_compliance) /= 0.0_wp) then
+            d = d - instrument(at_frame_compliance)*(data%y - instrument(at_force_offset))
+        end if
+        y = instrument(at_force_offset)
+        if (maxval(d) <= 0.0_wp .and. .not. instrument(at_work_of_adhesion) > 0.0_wp) return
+        call make_equilibrium(problem, instrument, profile, medium, equilibrium, error)
+        if (allocated(error)) return
+        smallest = minval(d)
+        if (.not. instrument(at_work_of_adhesion) > 0.0_wp) smallest = minval(d, mask=d > 0.0_wp)
+        call new_force_curve(curve, equilibrium, smallest, maxval(d), error)
+        if (allocated(error)) return
+        call curve%at(d, y, reached)
+        y = y + instrument(at_force_offset)
+        if (.not. all(reached)) call raise(error, error_unreachable, "depth = "//to_text(maxval(d))//" cannot be reached by "// &
+                                           "this indenter on this medium")
+    end subroutine predict_force
+
+    subroutine make_equilibrium(problem, instrument, profile, medium, equilibrium, error)
+        type(fit_problem_t), intent(in) :: problem
+        real(wp), intent(in) :: instrument(:)
+        class(profile_t), intent(in) :: profile
+        class(medium_t), intent(in) :: medium
+        type(equilibrium_t), intent(out) :: equilibrium
+        type(error_t), allocatable, intent(out) :: error
+
+        if (profile%end_radius() > medium%largest_radius()) then
+            call raise(error, error_domain, "the indenter's flat end, radius "//to_text(profile%end_radius())// &
+                       ", is larger than the largest contact radius of the medium")
+            return
+        end if
+        allocate (equilibrium%profile, source=profile)
+        allocate (equilibrium%medium, source=medium)
+        equilibrium%work_of_adhesion = instrument(at_work_of_adhesion)
+        equilibrium%rule = problem%adhesion_rule
+        equilibrium%last_radius = min(profile%largest_radius()*merge(1.0_wp, 1.0_wp - epsilon(1.0_wp), profile%has_wall()), &
+                                      medium%largest_radius(), 1.0e100_wp)
+    end subroutine make_equilibrium
+
+    !> Oliver and Pharr's contact radius of each point: that of the tip at height h - epsilon P/S, S freed of the frame.
+    subroutine contact_radii(profile, instrument, data, a, error)
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: instrument(:)
+        type(fit_data_t), intent(in) :: data
+        real(wp), allocatable, intent(out) :: a(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: load, compliance, height
+        integer :: i
+
+        allocate (a(size(data%x)))
+        do i = 1, size(a)
+            load = data%force(i) - instrument(at_force_offset)
+            compliance = 1.0_wp/data%y(i) - instrument(at_frame_compliance)
+            height = data%x(i) - instrument(at_depth_offset) - instrument(at_frame_compliance)*load &
+                     - instrument(at_contact_depth_factor)*load*compliance
+            if (.not. (height > 0.0_wp .and. compliance > 0.0_wp)) then
+                call raise(error, error_domain, "the contact depth at depth "//to_text(data%x(i))//" is "//to_text(height)// &
+                           ": it must be greater than 0; leave out the first points, or check units, offset and frame compliance")
+                return
+            end if
+            a(i) = radius_at_height(profile, height)
+            if (.not. a(i) > 0.0_wp .or. a(i) >= profile%largest_radius()) then
+                call raise(error, error_domain, "the contact depth "//to_text(height)//" is beyond the end of the indenter")
+                return
+            end if
+        end do
+    end subroutine contact_radii
+
+    !> The radius at which f(r) has a value: bisection in ln r, then Newton.
+    function radius_at_height(profile, height) result(radius)
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: height
+        real(wp) :: radius
+        real(wp) :: low, high, middle, excess, step
+        integer :: i
+
+        low = profile%end_radius()
+        high = min(profile%largest_radius(), max(10.0_wp*low, height))
+        do i = 1, most_steps
+            if (high >= profile%largest_radius() .or. profile%height(high) >= height) exit
+            low = high
+            high = min(2.0_wp*high, profile%largest_radius())
+        end do
+        radius = high
+        do i = 1, most_steps
+            excess = profile%height(radius) - height
+            if (excess > 0.0_wp) then
+                high = radius
+            else
+                low = radius
+            end if
+            step = -excess/max(profile%slope(radius), tiny(1.0_wp))
+            middle = radius + step
+            if (.not. (middle > low .and. middle < high)) middle = 0.5_wp*(low + high)
+            if (abs(middle - radius) <= 4.0_wp*epsilon(1.0_wp)*radius) exit
+            radius = middle
+        end do
+    end function radius_at_height
+
+    !> E_r(a): E_eff of the medium and the indenter's own compliance in series.
+    subroutine reduced_moduli(medium, indenter_modulus, a, modulus, error)
+        class(medium_t), intent(in), target :: medium
+        real(wp), intent(in) :: indenter_modulus
+        real(wp), intent(in) :: a(:)
+        real(wp), allocatable, intent(out) :: modulus(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(modulus_t) :: f
+        type(radius_law_t) :: law
+
+        if (maxval(a) > medium%largest_radius() .or. minval(a) < medium%smallest_radius()) then
+            call raise(error, error_domain, "the contact radii "//to_text(minval(a))//" to "//to_text(maxval(a))// &
+                       " leave the range in which the medium is known")
+            return
+        end if
+        allocate (modulus(size(a)))
+        if (size(a) < worth_sampling .or. .not. medium%edge_is_exact()) then
+            call medium%modulus(a, modulus, error)
+        else
+            f%medium => medium
+            call new_radius_law_from_function(law, f, "modulus", minval(a), maxval(a), sampling_tolerance, error)
+            if (.not. allocated(error)) modulus = law%at(a)
+        end if
+        if (allocated(error)) return
+        if (indenter_modulus <= huge(1.0_wp)) modulus = 1.0_wp/(1.0_wp/modulus + 1.0_wp/indenter_modulus)
+    end subroutine reduced_moduli
+
+    function modulus_value(self, x) result(y)
+        class(modulus_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: values(1)
+
+        call self%medium%modulus([x], values, self%error)
+        y = values(1)
+    end function modulus_value
+
+end module mdrcontact_fit_predict

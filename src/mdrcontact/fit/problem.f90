@@ -1,0 +1,205 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What is fitted to what: the numbers of indenter, medium and instrument, and the measured data.
+module mdrcontact_fit_problem
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+    use mdrcontact_equilibrium, only: adhesion_automatic
+    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_invalid, error_t, &
+                                raise, to_text
+    use mdrcontact_fit_body, only: fit_body_t, indenter_count, medium_count
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, check_points, parameter_count
+    public :: data_force_depth, data_stiffness_depth, data_modulus_radius, data_stiffness_radius
+    public :: loss_linear, loss_huber, loss_cauchy
+    public :: at_work_of_adhesion, at_depth_offset, at_force_offset, at_frame_compliance, at_indenter_modulus, &
+              at_contact_depth_factor, at_stiffness_factor, instrument_numbers
+
+    !> What x and y are: d and F; d, F and k (dynamic nanoindentation); a and E_eff; a and k.
+    integer, parameter :: data_force_depth = 1, data_stiffness_depth = 2, data_modulus_radius = 3, data_stiffness_radius = 4
+
+    !> What of a residual r in standard deviations is summed: r^2; Huber's; Cauchy's s^2 ln(1 + r^2/s^2).
+    integer, parameter :: loss_linear = 0, loss_huber = 1, loss_cauchy = 2
+
+    !> Positions of the instrument's numbers behind those of indenter and medium:
+    !> gamma [modulus length]; depth and force at which the instrument reads first contact [length], [force]; compliance of the
+    !> frame [length/force]; contact modulus E*_i of the indenter, infinite for a rigid one [modulus]; epsilon of Oliver and
+    !> Pharr's contact depth h - epsilon P/S; beta of S = 2 beta a E_r.
+    integer, parameter :: at_work_of_adhesion = 1, at_depth_offset = 2, at_force_offset = 3, at_frame_compliance = 4, &
+                          at_indenter_modulus = 5, at_contact_depth_factor = 6, at_stiffness_factor = 7, instrument_numbers = 7
+
+    !> One number of the problem: fixed, or free within bounds and known beforehand to a standard deviation.
+    type :: fit_parameter_t
+        !> the value, or where the search begins
+        real(wp) :: value = 0.0_wp
+        logical :: is_free = .false.
+        real(wp) :: lower = -huge(1.0_wp), upper = huge(1.0_wp)
+        !> the value known beforehand and its standard deviation; 0: nothing is known
+        real(wp) :: prior = 0.0_wp, prior_sd = 0.0_wp
+    end type fit_parameter_t
+
+    type :: fit_problem_t
+        type(fit_body_t) :: body
+        !> one of data_...
+        integer :: data_kind = data_force_depth
+        !> [indenter, medium, instrument]
+        type(fit_parameter_t), allocatable :: parameters(:)
+        !> one of adhesion_...
+        integer :: adhesion_rule = adhesion_automatic
+        !> one of loss_...
+        integer :: loss = loss_linear
+        !> beyond how many standard deviations a residual counts less
+        real(wp) :: loss_scale = 1.345_wp
+        !> whether the standard deviations of the data are known, or only their ratios
+        logical :: sd_is_absolute = .true.
+        integer :: max_iterations = 100
+        !> refuses data that are more than 300 times larger or smaller than the model at the start: they are in other units
+        logical :: check_units = .true.
+    end type fit_problem_t
+
+    type :: fit_data_t
+        !> d or a [length]
+        real(wp), allocatable :: x(:)
+        !> F, k or E_eff, same size
+        real(wp), allocatable :: y(:)
+        !> F at each point, same size; used by data_stiffness_depth only
+        real(wp), allocatable :: force(:)
+        !> standard deviations of y > 0, same size; not allocated: equal and unknown
+        real(wp), allocatable :: sd(:)
+    end type fit_data_t
+
+contains
+
+    !> How many numbers a problem has.
+    pure function parameter_count(body) result(count)
+        type(fit_body_t), intent(in) :: body
+        integer :: count
+
+        count = -1
+        if (indenter_count(body) >= 0 .and. medium_count(body) >= 0) then
+            count = indenter_count(body) + medium_count(body) + instrument_numbers
+        end if
+    end function parameter_count
+
+    !> Raises unless the problem is well-formed.
+    subroutine check_problem(self, error)
+        type(fit_problem_t), intent(in) :: self
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i, expected
+
+        expected = parameter_count(self%body)
+        if (expected < 0) then
+            call raise(error, error_invalid, "indenter = "//count_text(self%body%indenter)//", medium = "// &
+                       count_text(self%body%medium%kind)//" is not allowed: they must be kinds that exist")
+        else if (.not. allocated(self%parameters)) then
+            call raise(error, error_invalid, "the parameters are missing")
+        else if (size(self%parameters) /= expected) then
+            call raise(error, error_invalid, "there are "//count_text(size(self%parameters))//" parameters: this indenter, "// &
+                       "this medium and the instrument have "//count_text(expected)//" together")
+        end if
+        if (self%data_kind < data_force_depth .or. self%data_kind > data_stiffness_radius) then
+            call raise(error, error_invalid, "data_kind = "//count_text(self%data_kind)//" is not allowed: it must be 1 to 4")
+        end if
+        if (self%loss < loss_linear .or. self%loss > loss_cauchy) then
+            call raise(error, error_invalid, "loss = "//count_text(self%loss)//" is not allowed: it must be 0 (linear), 1 "// &
+                       "(Huber) or 2 (Cauchy)")
+        end if
+        call check_positive(error, "loss_scale", self%loss_scale)
+        if (self%max_iterations < 1) call raise(error, error_invalid, "max_iterations = "//count_text(self%max_iterations)// &
+                                                " is not allowed: it must be at least 1")
+        if (allocated(error)) return
+        do i = 1, expected
+            call check_parameter(self%parameters(i), entry_name("parameters", i), error)
+        end do
+    end subroutine check_problem
+
+    subroutine check_parameter(parameter, name, error)
+        type(fit_parameter_t), intent(in) :: parameter
+        character(len=*), intent(in) :: name
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (ieee_is_nan(parameter%value)) call check_finite(error, name, parameter%value)
+        if (.not. parameter%is_free) return
+        call check_finite(error, name//": the value of a free parameter", parameter%value)
+        call check_not_negative(error, name//": prior_sd", parameter%prior_sd)
+        if (parameter%prior_sd > 0.0_wp) call check_finite(error, name//": prior", parameter%prior)
+        if (allocated(error)) return
+        if (.not. parameter%lower < parameter%upper) then
+            call raise(error, error_invalid, name//": lower = "//to_text(parameter%lower)//" is not allowed: it must be less "// &
+                       "than upper = "//to_text(parameter%upper))
+        else if (parameter%value < parameter%lower .or. parameter%value > parameter%upper) then
+            call raise(error, error_invalid, name//" = "//to_text(parameter%value)//" is not allowed: the search must begin "// &
+                       "between the bounds "//to_text(parameter%lower)//" and "//to_text(parameter%upper))
+        end if
+    end subroutine check_parameter
+
+    !> Raises unless the data are numbers, enough of them for a fit, and not all the same.
+    subroutine check_data(self, problem, error)
+        type(fit_data_t), intent(in) :: self
+        type(fit_problem_t), intent(in) :: problem
+        type(error_t), allocatable, intent(out) :: error
+        integer :: free, priors
+
+        call check_points(self, problem, error)
+        if (allocated(error)) return
+        free = count(problem%parameters%is_free)
+        priors = count(problem%parameters%is_free .and. problem%parameters%prior_sd > 0.0_wp)
+        if (free == 0) then
+            call raise(error, error_invalid, "no parameter is free: there is nothing to fit")
+        else if (size(self%x) < free + 1 - min(priors, free - 1)) then
+            call raise(error, error_invalid, "too few points: "//count_text(size(self%x))//" for "//count_text(free)// &
+                       " free parameters, of which "//count_text(priors)//" have priors; at least "// &
+                       count_text(free + 1 - min(priors, free - 1))//" are needed")
+        else if (maxval(self%x) <= minval(self%x)) then
+            call raise(error, error_invalid, "all points have the same x, "//to_text(self%x(1))//": they determine no curve")
+        else if (maxval(self%y) <= minval(self%y)) then
+            call raise(error, error_invalid, "all points have the same y, "//to_text(self%y(1))//": data without variance "// &
+                       "determine no curve")
+        end if
+    end subroutine check_data
+
+    !> Raises unless each point is a point.
+    subroutine check_points(self, problem, error)
+        type(fit_data_t), intent(in) :: self
+        type(fit_problem_t), intent(in) :: problem
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i
+
+        if (.not. (allocated(self%x) .and. allocated(self%y))) then
+            call raise(error, error_invalid, "the data are missing")
+            return
+        end if
+        call check_column(self%y, "y", size(self%x), error)
+        if (allocated(self%sd)) call check_column(self%sd, "sd", size(self%x), error)
+        if (problem%data_kind == data_stiffness_depth) then
+            if (allocated(self%force)) then
+                call check_column(self%force, "force", size(self%x), error)
+            else
+                call raise(error, error_invalid, "force is missing: stiffness against depth needs the force of each point")
+            end if
+        end if
+        if (allocated(error)) return
+        do i = 1, size(self%x)
+            call check_finite(error, entry_name("x", i), self%x(i))
+            call check_finite(error, entry_name("y", i), self%y(i))
+            if (problem%data_kind >= data_modulus_radius) call check_positive(error, entry_name("radius", i), self%x(i))
+            if (allocated(self%sd)) call check_positive(error, entry_name("sd", i), self%sd(i))
+            if (problem%data_kind == data_stiffness_depth) then
+                call check_positive(error, entry_name("stiffness", i), self%y(i))
+                call check_finite(error, entry_name("force", i), self%force(i))
+            end if
+            if (allocated(error)) return
+        end do
+    end subroutine check_points
+
+    pure subroutine check_column(values, name, expected, error)
+        real(wp), intent(in) :: values(:)
+        character(len=*), intent(in) :: name
+        integer, intent(in) :: expected
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (size(values) /= expected) call raise(error, error_invalid, name//" has "//count_text(size(values))// &
+                                                 " entries and x "//count_text(expected)//": they must have the same number")
+    end subroutine check_column
+
+end module mdrcontact_fit_problem

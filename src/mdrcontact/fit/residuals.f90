@@ -1,0 +1,184 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The residuals of a fit: data in their standard deviations, bent by the loss, and below them what was known beforehand.
+module mdrcontact_fit_residuals
+    use mdrcontact_error, only: error_t
+    use mdrcontact_fit_least_squares, only: residuals_t
+    use mdrcontact_fit_predict, only: predict
+    use mdrcontact_fit_body, only: indenter_count, medium_count
+    use mdrcontact_fit_problem, only: at_frame_compliance, data_stiffness_depth, fit_data_t, fit_problem_t, loss_cauchy, &
+                                      loss_huber, loss_linear
+    use mdrcontact_fit_variables, only: variables_t
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: fit_residuals_t, new_fit_residuals, bent, bend_slope
+
+    !> Relative step of a reading for the difference quotient, and the least share of its error that is left in a residual.
+    real(wp), parameter :: reading_step = 1.0e-4_wp, smallest_share = 0.1_wp
+
+    type, extends(residuals_t) :: fit_residuals_t
+        type(fit_problem_t) :: problem
+        type(fit_data_t) :: data
+        type(variables_t) :: variables
+        !> positions, among the free numbers, of those with priors
+        integer, allocatable :: known(:)
+        !> standard deviations of the data, up to the factor `noise`
+        real(wp), allocatable :: sd(:)
+        real(wp) :: noise = 1.0_wp
+        !> one of loss_...
+        integer :: loss = loss_linear
+    contains
+        procedure :: evaluate
+        procedure :: neighbours
+        procedure :: values_at
+        procedure :: fitted
+        procedure :: readings_enter_model
+        procedure :: propagate_readings
+    end type fit_residuals_t
+
+contains
+
+    subroutine new_fit_residuals(self, problem, data, variables)
+        type(fit_residuals_t), intent(out) :: self
+        type(fit_problem_t), intent(in) :: problem
+        type(fit_data_t), intent(in) :: data
+        type(variables_t), intent(in) :: variables
+        integer :: i
+
+        self%problem = problem
+        self%data = data
+        self%variables = variables
+        self%loss = problem%loss
+        self%known = pack([(i, i=1, size(variables%free))], problem%parameters(variables%free)%prior_sd > 0.0_wp)
+        self%p = size(variables%free)
+        self%n = size(data%x) + size(self%known)
+        allocate (self%sd(size(data%x)))
+        self%sd = 1.0_wp
+        if (allocated(data%sd)) self%sd = data%sd
+    end subroutine new_fit_residuals
+
+    !> All numbers of the problem at the unknowns u.
+    pure function values_at(self, u) result(values)
+        class(fit_residuals_t), intent(in) :: self
+        real(wp), intent(in) :: u(:)
+        real(wp) :: values(size(self%problem%parameters))
+        integer :: i
+
+        values = self%problem%parameters%value
+        values(self%variables%free) = self%variables%number_at([(i, i=1, size(u))], u)
+    end function values_at
+
+    !> What the model says at the unknowns u.
+    subroutine fitted(self, u, y, error)
+        class(fit_residuals_t), intent(in) :: self
+        real(wp), intent(in) :: u(:)
+        real(wp), intent(out) :: y(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        call predict(self%problem, self%values_at(u), self%data, y, error)
+    end subroutine fitted
+
+    !> Whether the model is computed from the readings y too: contact depths from stiffnesses, the give of the frame from forces.
+    pure function readings_enter_model(self) result(answer)
+        class(fit_residuals_t), intent(in) :: self
+        logical :: answer
+        integer :: i
+
+        i = indenter_count(self%problem%body) + medium_count(self%problem%body) + at_frame_compliance
+        answer = self%problem%data_kind == data_stiffness_depth &
+                 .or. (self%problem%parameters(i)%is_free .or. self%problem%parameters(i)%value /= 0.0_wp)
+    end function readings_enter_model
+
+    !> Standard deviations of y - model where the model is computed from y too: a reading that is off by e moves the residual by
+    !> e (1 - d model/dy).
+    subroutine propagate_readings(self, u, error)
+        class(fit_residuals_t), intent(inout) :: self
+        real(wp), intent(in) :: u(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(fit_data_t) :: shifted
+        real(wp) :: below(size(self%data%x)), above(size(self%data%x)), step(size(self%data%x))
+
+        shifted = self%data
+        step = reading_step*maxval(abs(self%data%y))
+        if (self%problem%data_kind == data_stiffness_depth) step = reading_step*self%data%y
+        shifted%y = self%data%y - step
+        call predict(self%problem, self%values_at(u), shifted, below, error)
+        if (allocated(error)) return
+        shifted%y = self%data%y + step
+        call predict(self%problem, self%values_at(u), shifted, above, error)
+        if (allocated(error)) return
+        self%sd = 1.0_wp
+        if (allocated(self%data%sd)) self%sd = self%data%sd
+        self%sd = self%sd*max(abs(1.0_wp - (above - below)/(2.0_wp*step)), smallest_share)
+    end subroutine propagate_readings
+
+    subroutine evaluate(self, u, r)
+        class(fit_residuals_t), intent(inout) :: self
+        real(wp), intent(in) :: u(:)
+        real(wp), intent(out) :: r(:)
+        real(wp) :: values(size(self%problem%parameters))
+        integer :: i, n
+
+        r = 0.0_wp
+        n = size(self%data%x)
+        call self%fitted(u, r(:n), self%error)
+        if (allocated(self%error)) return
+        r(:n) = bent(self%loss, self%problem%loss_scale, (self%data%y - r(:n))/(self%sd*self%noise))
+        values = self%values_at(u)
+        do i = 1, size(self%known)
+            associate (j => self%variables%free(self%known(i)))
+                r(n + i) = (values(j) - self%problem%parameters(j)%prior)/self%problem%parameters(j)%prior_sd
+            end associate
+        end do
+    end subroutine evaluate
+
+    subroutine neighbours(self, u, i, step, below, above)
+        class(fit_residuals_t), intent(inout) :: self
+        real(wp), intent(in) :: u(:)
+        integer, intent(in) :: i
+        real(wp), intent(in) :: step
+        real(wp), intent(out) :: below, above
+        real(wp) :: lowest, highest
+
+        ! the differences must be those of the numbers, which stay at their bounds; beyond a bound nothing moves
+        lowest = self%variables%unknown_of(i, max(self%variables%lower(i), self%variables%number_at(i, u(i) - step)))
+        highest = self%variables%unknown_of(i, min(self%variables%upper(i), self%variables%number_at(i, u(i) + step)))
+        below = min(lowest, highest)
+        above = max(lowest, highest)
+        if (u(i) < below .or. u(i) > above) then
+            below = u(i)
+            above = u(i)
+        end if
+    end subroutine neighbours
+
+    !> The residual whose square is the loss of z.
+    elemental function bent(loss, scale, z) result(r)
+        integer, intent(in) :: loss
+        real(wp), intent(in) :: scale, z
+        real(wp) :: r
+
+        r = z
+        if (loss == loss_huber .and. abs(z) > scale) r = sign(sqrt(scale*(2.0_wp*abs(z) - scale)), z)
+        if (loss == loss_cauchy) r = sign(scale*sqrt(log(1.0_wp + (z/scale)**2)), z)
+    end function bent
+
+    !> psi(z), half the derivative of the loss, and psi'(z).
+    elemental subroutine bend_slope(loss, scale, z, psi, psi_slope)
+        integer, intent(in) :: loss
+        real(wp), intent(in) :: scale, z
+        real(wp), intent(out) :: psi, psi_slope
+        real(wp) :: t
+
+        psi = z
+        psi_slope = 1.0_wp
+        if (loss == loss_huber .and. abs(z) > scale) then
+            psi = sign(scale, z)
+            psi_slope = 0.0_wp
+        else if (loss == loss_cauchy) then
+            t = (z/scale)**2
+            psi = z/(1.0_wp + t)
+            psi_slope = (1.0_wp - t)/(1.0_wp + t)**2
+        end if
+    end subroutine bend_slope
+
+end module mdrcontact_fit_residuals

@@ -1,0 +1,175 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> From the free numbers of a problem to unknowns of order one, and back.
+!>
+!> What must be positive is sought as its logarithm, u = 1 + ln(p/p0); what may have either sign as u = 1 + (p - p0)/scale.
+!> Beyond a bound the number stays at the bound.
+module mdrcontact_fit_variables
+    use mdrcontact_error, only: entry_name, error_invalid, error_t, raise, to_text
+    use mdrcontact_fit_body, only: fit_body_t, indenter_count, medium_count
+    use mdrcontact_fit_medium_of, only: medium_graded, medium_homogeneous, medium_power_graded, medium_stack
+    use mdrcontact_fit_problem, only: at_depth_offset, at_force_offset, at_frame_compliance, data_force_depth, &
+                                      data_stiffness_depth, fit_data_t, fit_problem_t, instrument_numbers
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: variables_t, new_variables, natures
+
+    integer, parameter :: positive = 1, poisson = 2, signed = 3
+    real(wp), parameter :: smallest_poisson = -0.999_wp, largest_poisson = 0.5_wp
+    !> ln of the largest ratio to the start that is tried
+    real(wp), parameter :: widest_logarithm = 9.0_wp
+
+    type :: variables_t
+        !> positions of the free numbers among all
+        integer, allocatable :: free(:)
+        !> of the free numbers: start, scale (0: logarithmic), bounds
+        real(wp), allocatable :: start(:), scale(:), lower(:), upper(:)
+    contains
+        procedure :: number_at
+        procedure :: unknown_of
+        procedure :: slope_at
+        procedure :: is_outside
+    end type variables_t
+
+contains
+
+    subroutine new_variables(self, problem, data, error)
+        type(variables_t), intent(out) :: self
+        type(fit_problem_t), intent(in) :: problem
+        type(fit_data_t), intent(in) :: data
+        type(error_t), allocatable, intent(out) :: error
+        integer :: kinds(size(problem%parameters)), i, j, instrument
+
+        kinds = natures(problem%body)
+        self%free = pack([(i, i=1, size(kinds))], problem%parameters%is_free)
+        self%start = problem%parameters(self%free)%value
+        self%lower = problem%parameters(self%free)%lower
+        self%upper = problem%parameters(self%free)%upper
+        allocate (self%scale(size(self%free)))
+        self%scale = 0.0_wp
+        instrument = indenter_count(problem%body) + medium_count(problem%body)
+        do i = 1, size(self%free)
+            j = self%free(i)
+            select case (kinds(j))
+            case (poisson)
+                self%scale(i) = 1.0_wp
+                self%lower(i) = max(self%lower(i), smallest_poisson)
+                self%upper(i) = min(self%upper(i), largest_poisson)
+                if (self%start(i) < self%lower(i) .or. self%start(i) > self%upper(i)) then
+                    call raise(error, error_invalid, entry_name("parameters", j)//" = "//to_text(self%start(i))// &
+                               " is not allowed: Poisson's ratio must be greater than -1 and at most 0.5")
+                end if
+            case (signed)
+                self%scale(i) = typical(j - instrument, self%start(i), problem%data_kind, data)
+            case default
+                if (.not. self%start(i) > 0.0_wp) then
+                    call raise(error, error_invalid, entry_name("parameters", j)//" = "//to_text(self%start(i))// &
+                               " is not allowed: the search for a positive quantity must begin above 0")
+                end if
+            end select
+            if (allocated(error)) return
+        end do
+    end subroutine new_variables
+
+    !> What kind of number each is: positive, a Poisson's ratio, or of either sign.
+    pure function natures(body) result(kinds)
+        type(fit_body_t), intent(in) :: body
+        integer :: kinds(indenter_count(body) + medium_count(body) + instrument_numbers)
+        integer :: first, last
+
+        kinds = positive
+        first = indenter_count(body) + 1
+        last = indenter_count(body) + medium_count(body)
+        select case (body%medium%kind)
+        case (medium_homogeneous); kinds(first + 1) = poisson
+        case (medium_stack); kinds(first + 1:last - 1:3) = poisson
+        case (medium_graded); kinds(first + 2:last:3) = poisson
+        case (medium_power_graded); kinds(first + 2:last) = [signed, poisson]
+        case default; continue
+        end select
+        kinds(last + at_depth_offset) = signed
+        kinds(last + at_force_offset) = signed
+        kinds(last + at_frame_compliance) = signed
+    end function natures
+
+    !> The scale of a number of either sign.
+    pure function typical(position, start, data_kind, data) result(scale)
+        !> among the instrument's numbers; less than 1 for others
+        integer, intent(in) :: position
+        real(wp), intent(in) :: start
+        integer, intent(in) :: data_kind
+        type(fit_data_t), intent(in) :: data
+        real(wp) :: scale
+
+        select case (position)
+        case (at_depth_offset)
+            scale = maxval(abs(data%x))
+        case (at_force_offset)
+            scale = maxval(abs(data%y))
+            if (data_kind == data_stiffness_depth) scale = maxval(abs(data%force))
+        case (at_frame_compliance)
+            ! of the order of the sample's own compliance
+            if (data_kind /= data_force_depth) then
+                scale = 1.0_wp/maxval(abs(data%y))
+            else
+                scale = maxval(abs(data%x))/maxval(abs(data%y))
+            end if
+        case default
+            scale = max(1.0_wp, abs(start))
+        end select
+    end function typical
+
+    !> Number i at an unknown, held within its bounds.
+    elemental function number_at(self, i, u) result(p)
+        class(variables_t), intent(in) :: self
+        integer, intent(in) :: i
+        real(wp), intent(in) :: u
+        real(wp) :: p
+
+        if (self%scale(i) > 0.0_wp) then
+            p = self%start(i) + (u - 1.0_wp)*self%scale(i)
+        else
+            p = self%start(i)*exp(max(-widest_logarithm, min(u - 1.0_wp, widest_logarithm)))
+        end if
+        p = max(self%lower(i), min(p, self%upper(i)))
+    end function number_at
+
+    elemental function unknown_of(self, i, p) result(u)
+        class(variables_t), intent(in) :: self
+        integer, intent(in) :: i
+        real(wp), intent(in) :: p
+        real(wp) :: u
+
+        if (self%scale(i) > 0.0_wp) then
+            u = 1.0_wp + (p - self%start(i))/self%scale(i)
+        else
+            u = 1.0_wp + log(max(p/self%start(i), tiny(1.0_wp)))
+        end if
+    end function unknown_of
+
+    !> dp/du inside the bounds.
+    elemental function slope_at(self, i, u) result(slope)
+        class(variables_t), intent(in) :: self
+        integer, intent(in) :: i
+        real(wp), intent(in) :: u
+        real(wp) :: slope
+
+        slope = self%scale(i)
+        if (.not. slope > 0.0_wp) slope = self%number_at(i, u)
+    end function slope_at
+
+    !> -1 at or below the lower bound, 1 at or above the upper one, else 0.
+    elemental function is_outside(self, i, u) result(side)
+        class(variables_t), intent(in) :: self
+        integer, intent(in) :: i
+        real(wp), intent(in) :: u
+        integer :: side
+        real(wp) :: p
+
+        p = self%number_at(i, u)
+        side = 0
+        if (p <= self%lower(i)) side = -1
+        if (p >= self%upper(i)) side = 1
+    end function is_outside
+
+end module mdrcontact_fit_variables

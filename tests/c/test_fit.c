@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Fits through the C API: noise-free data give the truth back, bad input is refused. */
+#include "check.h"
+
+enum { POINTS = 40, NUMBERS = 14 };
+
+/* A paraboloid on a film under the Gao model; numbers: R; E, nu, h; E, nu, constant; the instrument's seven. */
+static void fill(mdr_fit_problem *problem, mdr_fit_parameter parameters[NUMBERS])
+{
+    static const double values[NUMBERS] = { 10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1, 0, 0, 0, 0, INFINITY, 0.75, 1 };
+
+    mdr_fit_problem_init(problem);
+    problem->data_kind = MDR_FIT_FORCE_DEPTH;
+    problem->indenter = MDR_FIT_INDENTER_PARABOLOID;
+    problem->medium = MDR_FIT_MEDIUM_STACK;
+    problem->model = MDR_MODEL_GAO;
+    problem->options.weight_nu_choice = MDR_WEIGHT_NU_SURFACE;
+    problem->parameter_count = NUMBERS;
+    problem->parameters = parameters;
+    for (int i = 0; i < NUMBERS; i++) {
+        parameters[i] = (mdr_fit_parameter){ values[i], -INFINITY, INFINITY, 0, 0, 0 };
+    }
+}
+
+static void truth_comes_back(void)
+{
+    mdr_fit_problem problem;
+    mdr_fit_parameter parameters[NUMBERS];
+    double d[POINTS], F[POINTS], expected[POINTS], values[NUMBERS], covariance[NUMBERS * NUMBERS], direction[NUMBERS];
+    double fitted[POINTS], residuals[POINTS], lower, upper;
+    int at_bound[NUMBERS], count;
+    mdr_fit_summary summary;
+    mdr_profile *profile = NULL;
+    mdr_medium *medium = NULL;
+    mdr_contact *contact = NULL;
+
+    fill(&problem, parameters);
+    CHECK_INT(mdr_fit_parameter_count(&problem, &count), MDR_SUCCESS);
+    CHECK_INT(count, NUMBERS);
+    for (int i = 0; i < POINTS; i++) d[i] = 2.5e-9 * (i + 1), F[i] = 0.0;
+    CHECK_INT(mdr_fit_predict(&problem, POINTS, d, d, NULL, F), MDR_SUCCESS);
+
+    /* the same curve by way of a contact */
+    CHECK_INT(mdr_profile_paraboloid(10e-6, &profile), MDR_SUCCESS);
+    CHECK_INT(mdr_medium_coated(72e9, 0.17, 500e-9, 163e9, 0.22, MDR_MODEL_GAO, NULL, &medium), MDR_SUCCESS);
+    CHECK_INT(mdr_contact_new(profile, medium, NULL, &contact), MDR_SUCCESS);
+    CHECK_INT(mdr_contact_from_depth(contact, POINTS, d, NULL, NULL, expected, NULL), MDR_SUCCESS);
+    for (int i = 0; i < POINTS; i++) CHECK_CLOSE(F[i], expected[i], 1e-9);
+
+    parameters[1].value = 100e9;
+    parameters[1].is_free = 1;
+    parameters[3].value = 300e-9;
+    parameters[3].is_free = 1;
+    CHECK_INT(mdr_fit_solve(&problem, POINTS, d, expected, NULL, NULL, values, covariance, at_bound, direction, fitted, residuals,
+                            &summary), MDR_SUCCESS);
+    CHECK_INT(summary.converged, 1);
+    CHECK_CLOSE(values[1], 72e9, 1e-6);
+    CHECK_CLOSE(values[3], 500e-9, 1e-6);
+    CHECK_CLOSE(values[0], 10e-6, 0.0);
+    CHECK_CLOSE(covariance[1 * NUMBERS + 3], covariance[3 * NUMBERS + 1], 1e-9);
+    CHECK_TRUE(covariance[1 * NUMBERS + 1] > 0.0 && covariance[0] == 0.0);
+    CHECK_INT(at_bound[1], 0);
+
+    /* with a spread of 1 % the interval of E holds the truth and has a width of that order */
+    for (int i = 0; i < POINTS; i++) residuals[i] = 0.01 * expected[i];
+    CHECK_INT(mdr_fit_interval(&problem, POINTS, d, expected, NULL, residuals, 1, 0.95, &lower, &upper), MDR_SUCCESS);
+    CHECK_TRUE(lower < 72e9 && 72e9 < upper);
+    CHECK_TRUE(upper - lower > 0.2e9 && upper - lower < 20e9);
+
+    CHECK_INT(mdr_contact_free(&contact), MDR_SUCCESS);
+    CHECK_INT(mdr_medium_free(&medium), MDR_SUCCESS);
+    CHECK_INT(mdr_profile_free(&profile), MDR_SUCCESS);
+}
+
+static void bad_input_is_refused(void)
+{
+    mdr_fit_problem problem;
+    mdr_fit_parameter parameters[NUMBERS];
+    double d[3] = { 1e-8, 2e-8, 3e-8 }, F[3] = { 1e-4, 3e-4, 5e-4 }, values[NUMBERS] = { 7 }, lower = 7, upper;
+    int count;
+
+    fill(&problem, parameters);
+    CHECK_INT(mdr_fit_solve(NULL, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    parameters[1].is_free = 1;
+    CHECK_INT(mdr_fit_solve(&problem, 3, NULL, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
+    CHECK_INT(mdr_fit_solve(&problem, -1, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    CHECK_INT(mdr_fit_solve(&problem, 1, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    F[1] = NAN;
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    F[1] = 3e-4;
+    parameters[1].lower = 80e9;
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    parameters[1].lower = -INFINITY;
+    problem.parameter_count = NUMBERS - 1;
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    problem.parameter_count = NUMBERS;
+    problem.data_kind = MDR_FIT_STIFFNESS_DEPTH; /* needs forces */
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    problem.data_kind = 9;
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    problem.data_kind = MDR_FIT_FORCE_DEPTH;
+    CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 0, 0.95, &lower, &upper), MDR_EINVALID); /* fixed */
+    CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 99, 0.95, &lower, &upper), MDR_EINVALID);
+    CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 1, 1.5, &lower, &upper), MDR_EINVALID);
+    problem.indenter = MDR_FIT_INDENTER_GIVEN; /* and none is */
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
+    problem.indenter = 42;
+    CHECK_INT(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID);
+    CHECK_CLOSE(values[0], 7.0, 0.0);
+    CHECK_CLOSE(lower, 7.0, 0.0);
+}
+
+int main(void)
+{
+    truth_comes_back();
+    bad_input_is_refused();
+    return check_report("fit");
+}
