@@ -3,7 +3,7 @@
 !> The manual is include/mdrcontact.h; this is its Fortran picture, for the wrappers only.
 module mdrcontact_c_fit
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_c_medium, only: medium_options_t
+    use mdrcontact_api_medium_options, only: medium_options_t
     implicit none (type, external)
     private
     public :: fit_problem_t, fit_parameter_t, fit_summary_t

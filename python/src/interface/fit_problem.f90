@@ -4,7 +4,7 @@ module mdrcontact_flat_fit
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_pointer
     use mdrcontact_c_fit, only: fit_parameter_t, fit_problem_t
-    use mdrcontact_c_medium, only: medium_options_t
+    use mdrcontact_api_medium_options, only: medium_options_t
     implicit none (type, external)
     private
     public :: to_parameters, to_problem, optional_column
