@@ -508,7 +508,12 @@ contains
         real(wp) :: depth, force
 
         y = 0.0_wp
-        call self%equilibrium%first_touch(self%equilibrium%radius_of(x), depth, force, self%error)
+        force = 0.0_wp
+        if (self%control%force_weight > 0.0_wp) then
+            call self%equilibrium%first_touch(self%equilibrium%radius_of(x), depth, force, self%error)
+        else
+            call self%equilibrium%medium%first_depth(self%equilibrium%profile, self%equilibrium%radius_of(x), depth, self%error)
+        end if
         if (allocated(self%error)) return
         y = log(max(self%control%of(depth, force), tiny(depth))/self%target_value)
     end function mismatch_value

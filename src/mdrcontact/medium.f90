@@ -29,6 +29,8 @@ module mdrcontact_medium
         procedure(field), deferred :: pressure
         !> displacement of the surface u(r) [length], r > a, positive into the medium
         procedure(field), deferred :: displacement_outside
+        !> depth alone [length]; a medium that finds it without the force overrides it
+        procedure :: first_depth
         !> depth, force, modulus and its slope at one radius; a medium that finds them together overrides it
         procedure :: response
         !> whether the medium meets an adhesive edge exactly, with the energy balance; otherwise the rule is a choice (theory 5)
@@ -74,6 +76,17 @@ module mdrcontact_medium
     end interface
 
 contains
+
+    subroutine first_depth(self, profile, a, value, error)
+        class(medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: value
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: force
+
+        call self%depth_and_force(profile, a, value, force, error)
+    end subroutine first_depth
 
     subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
         class(medium_t), intent(in) :: self
