@@ -99,6 +99,22 @@ def exact_scaling():
     return radius_rows, layer_rows
 
 
+def exact_curve():
+    """Seconds of a curve F(d) of 200 points on an exact film, up to a = h: from radii, by a law made for it, from depths."""
+    contact = mdr.Contact(mdr.Paraboloid(50.0), mdr.Coated(mdr.Elastic(2.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3), "exact"))
+    radius = np.linspace(0.005, 1.0, 200)
+    depth = np.linspace(1.0, 200.0, 200) * float(contact.at_radius(1.0).depth) / 200.0
+
+    def by_law():
+        mdr.ContactLaw(contact, depth[-1], smallest_depth=depth[0]).force(depth)
+
+    return [
+        ("200 contact radii", seconds_each(lambda: contact.at_radius(radius))),
+        ("a law made for the curve, 200 depths", seconds_each(by_law)),
+        ("200 depths, one by one", seconds_each(lambda: contact.at_depth(depth))),
+    ]
+
+
 def batch_scaling():
     """Nanoseconds of a point of a law in Python, over the number of points and of threads."""
     law = mdr.ContactLaw(HERTZ, 1.0)
@@ -153,6 +169,8 @@ def main():
     elements = boundary_elements()
     radius_rows, layer_rows = exact_scaling()
     points_rows = batch_scaling()
+    curve_rows = exact_curve()
+    solve_128 = next((row[2] for row in elements if row[:2] == ("tamaas", 128)), None)
 
     text = ["# Benchmarks", "", "Made by `benchmarks/run.sh`, all in one run.", ""]
     text += [f"Machine: {machine()}.", "", "## One force", ""]
@@ -174,6 +192,10 @@ def main():
         text += [f"| {code} | {points} x {points} | {found} |"]
     if not aspher_runs():
         text += ["", "aspher is not compared: its package from PyPI did not install on this machine."]
+    text += ["", "## A curve F(d) of an exact film, 200 points up to a = h", ""]
+    text += ["| from | seconds | in units of one 128 x 128 solve of tamaas for a homogeneous body |", "|---|---|---|"]
+    for name, seconds in curve_rows:
+        text += [f"| {name} | {seconds:.1e} | {seconds / solve_128:.3f} |" if solve_128 else f"| {name} | {seconds:.1e} | - |"]
     text += ["", "## Against SciPy", ""]
     text += ["The paper's rule for a coated paraboloid, as brentq and quad with relative tolerance 1e-10, takes"]
     text += [f"{1e6 * straightforward:.0f} us a force; the contact of this library {direct / straightforward:.2f} times that,"]
