@@ -181,7 +181,7 @@ def main():
     text += [f"| the same with dF/dd | {cost['scalar_with_slope_ratio']:.2f} |"]
     text += [f"| contact with the paper's weights, from depth | {cost['direct_solve_ratio']:.0f} |"]
     text += [f"| contact, exact film, from depth | {cost['exact_solve_ratio']:.0f} |", ""]
-    text += [f"Law of an exact film over four decades of depth: {cost['exact_solutions']:.0f} exact solutions, "]
+    text += [f"Law of an exact film over four decades of depth: {cost['exact_solutions']:.0f} exact solutions,"]
     text += [f"{1e3 * cost['build_seconds']:.0f} ms; error found on verification {cost['verified_error']:.0e}."]
     text += [f"Error at a million random depths against the closed form (24): {cost['error_at_1e6_random_depths']:.0e}."]
     text += [f"Two threads against one: {cost['two_threads_speedup']:.2f} times the throughput.", "", "## Hertz's F(d)", ""]

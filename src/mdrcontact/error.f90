@@ -11,7 +11,6 @@ module mdrcontact_error
     private
     public :: error_t, raise, check_finite, check_positive, check_not_negative, check_poisson, check_inclination, &
               check_table, count_text, entry_name, to_text
-    public :: status_name
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file
 
@@ -171,24 +170,5 @@ contains
 
         text = padded_number(value)
     end function to_text
-
-    !> The symbolic name of a status code, as in the C header.
-    pure function status_name(code) result(name)
-        integer, intent(in) :: code
-        character(len=18) :: name
-
-        select case (code)
-        case (success); name = "MDR_SUCCESS"
-        case (error_null); name = "MDR_ENULL"
-        case (error_invalid); name = "MDR_EINVALID"
-        case (error_domain); name = "MDR_EDOMAIN"
-        case (error_unreachable); name = "MDR_EUNREACHABLE"
-        case (error_no_convergence); name = "MDR_ENOCONVERGENCE"
-        case (error_memory); name = "MDR_ENOMEMORY"
-        case (error_callback); name = "MDR_ECALLBACK"
-        case (error_file); name = "MDR_EFILE"
-        case default; name = "unknown status"
-        end select
-    end function status_name
 
 end module mdrcontact_error

@@ -4,7 +4,7 @@ module mdrcontact_lapack
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: dgemm, dpotrf, dpotrs, dsyev, dsymv
+    public :: dgemm, dpotrf, dpotrs, dsyev
 
     interface
         subroutine dpotrf(uplo, n, a, lda, info)
@@ -32,14 +32,6 @@ module mdrcontact_lapack
             real(wp), intent(out) :: w(*)
             integer, intent(out) :: info
         end subroutine dsyev
-
-        subroutine dsymv(uplo, n, alpha, a, lda, x, incx, beta, y, incy)
-            import :: wp
-            character(len=1), intent(in) :: uplo
-            integer, intent(in) :: n, lda, incx, incy
-            real(wp), intent(in) :: alpha, beta, a(lda, *), x(*)
-            real(wp), intent(inout) :: y(*)
-        end subroutine dsymv
 
         subroutine dgemm(transa, transb, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc)
             import :: wp

@@ -30,7 +30,7 @@ module mdrcontact_medium
         !> displacement of the surface u(r) [length], r > a, positive into the medium
         procedure(field), deferred :: displacement_outside
         !> depth alone [length]; a medium that finds it without the force overrides it
-        procedure :: first_depth
+        procedure :: first_touch_depth
         !> depth, force, modulus and its slope at one radius; a medium that finds them together overrides it
         procedure :: response
         !> whether the medium meets an adhesive edge exactly, with the energy balance; otherwise the rule is a choice (theory 5)
@@ -77,7 +77,7 @@ module mdrcontact_medium
 
 contains
 
-    subroutine first_depth(self, profile, a, value, error)
+    subroutine first_touch_depth(self, profile, a, value, error)
         class(medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
@@ -86,7 +86,7 @@ contains
         real(wp) :: force
 
         call self%depth_and_force(profile, a, value, force, error)
-    end subroutine first_depth
+    end subroutine first_touch_depth
 
     subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
         class(medium_t), intent(in) :: self

@@ -109,7 +109,8 @@ def test_tiles_make_the_map():
 
 
 def test_dask_tiles_are_the_same():
-    dask_array = pytest.importorskip("dask.array")
+    import dask.array as dask_array
+
     voxels = composite(10)
     lazy = voxels.replace(labels=dask_array.from_array(voxels.labels, chunks=(3, 5, 5)))
     result = lateral.tiled_map(lazy, RADII, tile=6, halo=4)

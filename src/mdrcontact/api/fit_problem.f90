@@ -15,7 +15,7 @@ module mdrcontact_api_fit_problem
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: c_fit_problem_t, read_problem, read_data, read_column
+    public :: c_fit_problem_t, read_problem, read_data
     public :: mdr_fit_problem_init, mdr_fit_parameter_count
 
     !> struct mdr_fit_parameter

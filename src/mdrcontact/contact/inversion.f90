@@ -117,7 +117,8 @@ contains
         if (self%control%force_weight > 0.0_wp) then
             call self%equilibrium%first_touch(self%equilibrium%radius_of(x), depth, force, self%error)
         else
-            call self%equilibrium%medium%first_depth(self%equilibrium%profile, self%equilibrium%radius_of(x), depth, self%error)
+            call self%equilibrium%medium%first_touch_depth(self%equilibrium%profile, self%equilibrium%radius_of(x), depth, &
+                                                           self%error)
         end if
         if (allocated(self%error)) return
         y = log(max(self%control%of(depth, force), tiny(depth))/self%target_value)

@@ -16,7 +16,7 @@ module mdrcontact_fit_predict
     use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: predict, contact_radii
+    public :: predict
 
     !> So many radii are worth the sampling of E_eff(a) where each value is a solution of its own.
     integer, parameter :: worth_sampling = 400

@@ -12,7 +12,7 @@ module mdrcontact_fit_variables
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: variables_t, new_variables, natures
+    public :: variables_t, new_variables
 
     integer, parameter :: positive = 1, poisson = 2, signed = 3
     real(wp), parameter :: smallest_poisson = -0.999_wp, largest_poisson = 0.5_wp

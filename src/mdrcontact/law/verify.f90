@@ -10,7 +10,7 @@ module mdrcontact_law_verify
     use mdrcontact_law_table, only: law_table_t, segment_in, values_in
     implicit none (type, external)
     private
-    public :: largest_error, relative_errors
+    public :: largest_error
 
     !> Where in each panel of the samples, away from its nodes, law and contact are compared.
     real(wp), parameter :: probes(3) = [0.027_wp, 0.452_wp, 0.964_wp]

@@ -26,7 +26,7 @@ module mdrcontact_layered_exact
     use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: layered_exact_t, new_layered_exact, new_graded_exact, new_graded_exact_from_functions, new_exact_from_surface
+    public :: layered_exact_t, new_layered_exact, new_graded_exact, new_graded_exact_from_functions
 
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 

@@ -27,7 +27,7 @@ module mdrcontact_medium_effective
         procedure :: modulus_breaks => no_breaks
         procedure :: modulus
         procedure :: modulus_slope
-        procedure :: first_depth
+        procedure :: first_touch_depth
         procedure :: depth_and_force
         procedure :: line_load
         procedure :: pressure
@@ -114,7 +114,7 @@ contains
         allocate (radii(0))
     end function no_breaks
 
-    subroutine first_depth(self, profile, a, value, error)
+    subroutine first_touch_depth(self, profile, a, value, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
@@ -122,7 +122,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         value = depth_at(self, profile, a)
-    end subroutine first_depth
+    end subroutine first_touch_depth
 
     !> d = zeta(a) g(a), F = int_0^a 2 s E_eff(s) d'(s) ds. Below the lowest panel E_eff is constant to rounding.
     subroutine depth_and_force(self, profile, a, depth, force, error)

@@ -11,7 +11,7 @@ module mdrcontact_profile_area_function
     use mdrcontact_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: new_area_function_profile, projected_area
+    public :: new_area_function_profile
 
     !> The height f at radius r, from A(f) = pi r^2.
     type, extends(scalar_function_t) :: height_t
