@@ -18,7 +18,8 @@ module mdrcontact_layered_exact
     use mdrcontact_layered_solve, only: solution_t
     use mdrcontact_layered_stack, only: new_stack, stack_t
     use mdrcontact_layered_surface, only: surface_t
-    use mdrcontact_layered_tabulate, only: tabulate_kernel
+    use mdrcontact_layered_tabulate, only: attempts, tabulate_kernel
+    use mdrcontact_layered_waves, only: wave_table_t
     use mdrcontact_material, only: material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
@@ -121,6 +122,7 @@ contains
         class(surface_t), intent(in) :: surface
         type(error_t), allocatable, intent(out) :: error
         real(wp), intent(in), optional :: tolerance
+        type(wave_table_t) :: tables(attempts)
 
         call disable_gsl_abort()
         if (present(tolerance)) then
@@ -134,7 +136,7 @@ contains
         self%surface_modulus = surface%surface_modulus()
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (allocated(error)) return
-        call tabulate_kernel(self%kernel, surface, error)
+        call tabulate_kernel(self%kernel, surface, tables, error)
         if (allocated(error)) return
         allocate (self%rules, source=make_rules())
     end subroutine new_exact_from_surface

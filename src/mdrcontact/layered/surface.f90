@@ -20,6 +20,8 @@ module mdrcontact_layered_surface
         procedure(number), deferred :: long_wave_limit
         !> depth of the first interface [length]; 0 if the body is homogeneous
         procedure(number), deferred :: first_depth
+        !> depth below which the body is homogeneous, or rigid [length]
+        procedure(number), deferred :: last_depth
     end type surface_t
 
     abstract interface
