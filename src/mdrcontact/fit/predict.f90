@@ -10,6 +10,7 @@ module mdrcontact_fit_predict
                                       at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_force_depth, &
                                       data_modulus_radius, data_stiffness_depth, fit_data_t, fit_problem_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_shared, only: shared_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_radius_law, only: new_radius_law_from_function, radius_law_t
@@ -33,11 +34,13 @@ module mdrcontact_fit_predict
 contains
 
     !> The y of each point.
-    subroutine predict(problem, values, data, y, error)
+    subroutine predict(problem, values, data, shared, y, error)
         type(fit_problem_t), intent(in) :: problem
         !> [indenter, medium, instrument]
         real(wp), intent(in) :: values(:)
         type(fit_data_t), intent(in) :: data
+        !> what exact media have in common from one call to the next
+        type(shared_t), intent(inout) :: shared
         !> same size as data%x
         real(wp), intent(out) :: y(:)
         type(error_t), allocatable, intent(out) :: error
@@ -48,7 +51,7 @@ contains
 
         y = 0.0_wp
         n = indenter_count(problem%body) + medium_count(problem%body)
-        call make_body(problem%body, values(:n), profile, medium, error)
+        call make_body(problem%body, values(:n), shared, profile, medium, error)
         if (allocated(error)) return
         associate (instrument => values(n + 1:))
             call check_instrument(instrument, error)

@@ -43,6 +43,7 @@ module mdrcontact_layered_graded
         procedure :: long_wave_limit
         procedure :: first_depth
         procedure :: last_depth
+        procedure :: ratios
     end type graded_surface_t
 
     !> G(z) and nu(z), from a table or from sampled functions.
@@ -255,5 +256,14 @@ contains
 
         value = self%ends(size(self%ends))
     end function last_depth
+
+    pure function ratios(self) result(values)
+        class(graded_surface_t), intent(in) :: self
+        real(wp), allocatable :: values(:)
+
+        associate (unused => self)
+        end associate
+        allocate (values(0))
+    end function ratios
 
 end module mdrcontact_layered_graded

@@ -36,6 +36,7 @@ module mdrcontact_layered_stack
         procedure :: long_wave_limit
         procedure :: first_depth
         procedure :: last_depth
+        procedure :: ratios
     end type stack_t
 
 contains
@@ -217,5 +218,19 @@ contains
 
         value = self%total_thickness
     end function last_depth
+
+    pure function ratios(self) result(values)
+        class(stack_t), intent(in) :: self
+        real(wp), allocatable :: values(:)
+
+        allocate (values(3*size(self%thickness) + 5))
+        associate (n => size(self%thickness))
+            if (n > 0) values(:n) = self%thickness/self%thickness(1)
+            values(n + 1:2*n) = self%shear
+            values(2*n + 1:3*n) = self%modes%poisson
+            values(3*n + 1:3*n + 4) = real([self%base(:, 1), self%base(:, 2)], wp)
+            values(3*n + 5) = self%sigma_zero
+        end associate
+    end function ratios
 
 end module mdrcontact_layered_stack

@@ -1,0 +1,66 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What exact media that are made one after the other share: the quadrature rules, the waves of the kernel's tabulation, and
+!> the kernel itself where only the unit of length changes. It belongs to whoever makes the media; media do not refer to it.
+module mdrcontact_layered_shared
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_converge, only: make_rules
+    use mdrcontact_layered_kernel, only: kernel_t
+    use mdrcontact_layered_rule, only: rule_t
+    use mdrcontact_layered_surface, only: surface_t
+    use mdrcontact_layered_tabulate, only: attempts, tabulate_kernel
+    use mdrcontact_layered_waves, only: wave_table_t
+    implicit none (type, external)
+    private
+    public :: shared_t, shared_rules, shared_kernel
+
+    !> Empty at first, and filled as media are made. Not for several threads at a time.
+    type :: shared_t
+        private
+        type(wave_table_t) :: tables(attempts)
+        type(rule_t), allocatable :: rules(:)
+        !> the kernel made last, and the ratios that determine it
+        type(kernel_t) :: kernel
+        real(wp), allocatable :: ratios(:)
+    end type shared_t
+
+contains
+
+    subroutine shared_rules(shared, rules)
+        type(shared_t), intent(inout) :: shared
+        type(rule_t), allocatable, intent(out) :: rules(:)
+
+        if (.not. allocated(shared%rules)) allocate (shared%rules, source=make_rules())
+        allocate (rules, source=shared%rules)
+    end subroutine shared_rules
+
+    !> The kernel of a body: that of the last one where both are the same but for their size.
+    subroutine shared_kernel(shared, surface, kernel, error)
+        type(shared_t), intent(inout) :: shared
+        class(surface_t), intent(in) :: surface
+        type(kernel_t), intent(out) :: kernel
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: ratios(:)
+
+        allocate (ratios, source=surface%ratios())
+        if (.not. is_last(shared, ratios)) then
+            if (allocated(shared%ratios)) deallocate (shared%ratios)
+            call tabulate_kernel(shared%kernel, surface, shared%tables, error)
+            if (allocated(error)) return
+            call move_alloc(ratios, shared%ratios)
+        end if
+        kernel = shared%kernel
+        if (.not. kernel%vanishes) kernel%unit = surface%first_depth()
+    end subroutine shared_kernel
+
+    pure function is_last(shared, ratios) result(answer)
+        type(shared_t), intent(in) :: shared
+        real(wp), intent(in) :: ratios(:)
+        logical :: answer
+
+        answer = .false.
+        if (.not. allocated(shared%ratios) .or. size(ratios) == 0) return
+        if (size(shared%ratios) == size(ratios)) answer = all(shared%ratios == ratios)
+    end function is_last
+
+end module mdrcontact_layered_shared
