@@ -331,7 +331,7 @@ contains
         depth = solution%depth + excess
         call self%surface%displacement_outside(profile, a, depth - profile%mdr(a), r, values, error)
         if (allocated(error) .or. self%kernel%vanishes) return
-        call new_load(self%kernel, profile, solution%grid, self%rules(level_of(self, solution)), load)
+        call new_load(self%kernel, profile, solution%grid, self%rules, level_of(self, solution), load)
         do i = 1, size(r)
             values(i) = values(i) + displacement_beyond(self%kernel, self%rules(size(self%rules)), solution, &
                                                         self%rules(level_of(self, solution)), load, depth, &
