@@ -63,8 +63,12 @@ contains
         end if
         do first = 1, size(y), block_size
             count = min(block_size, size(y) - first + 1)
-            call evaluate_block(count, y(first:first + count - 1), self%coefficients, self%octaves(), self%tail, &
-                                x(first:first + count - 1))
+            if (all(y(first:first + count - 1) < 1.0_wp)) then
+                call evaluate_near(count, y(first:first + count - 1), self%coefficients(:, 0), x(first:first + count - 1))
+            else
+                call evaluate_block(count, y(first:first + count - 1), self%coefficients, self%octaves(), self%tail, &
+                                    x(first:first + count - 1))
+            end if
         end do
     end subroutine evaluate_fast
 
@@ -98,6 +102,23 @@ contains
             end do
         end do
     end subroutine evaluate_long
+
+    !> y < 1 throughout: one polynomial.
+    pure subroutine evaluate_near(n, y, coefficients, x)
+        integer, intent(in) :: n
+        real(wp), intent(in) :: y(n), coefficients(0:degree)
+        real(wp), intent(out) :: x(n)
+        integer :: i, j
+        real(wp) :: u(n)
+
+        u = 2.0_wp*y**2 - 1.0_wp
+        x = coefficients(degree)
+        do j = degree - 1, 0, -1
+            do i = 1, n
+                x(i) = x(i)*u(i) + coefficients(j)
+            end do
+        end do
+    end subroutine evaluate_near
 
     pure subroutine evaluate_block(n, y, coefficients, octaves, tail, x)
         integer, intent(in) :: n, octaves

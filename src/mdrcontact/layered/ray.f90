@@ -58,8 +58,8 @@ contains
         largest = 0.0_wp
         do i = ray%top, negligible_octave, -1
             call extend_ray(ray, surface, unit, table, i)
-            largest = max(largest, sum(abs(ray%weighted_chi(:, i))))
-            if (i <= latest .and. sum(abs(ray%weighted_change(:, i))) <= negligible_part*largest) exit
+            largest = max(largest, abs(sum(ray%weighted_chi(:, i))))
+            if (i <= latest .and. abs(ray%moments(0, i)) <= negligible_part*largest) exit
         end do
         ray%lowest = ray%bottom
     end subroutine start_ray

@@ -14,14 +14,23 @@ module mdrcontact_layered_shared
     private
     public :: shared_t, shared_rules, shared_kernel
 
+    !> A trial, its neighbours in two moduli, and the trial before.
+    integer, parameter :: most_kernels = 4
+
+    !> A kernel and the ratios that determine it.
+    type :: kept_kernel_t
+        type(kernel_t) :: kernel
+        real(wp), allocatable :: ratios(:)
+    end type kept_kernel_t
+
     !> Empty at first, and filled as media are made. Not for several threads at a time.
     type :: shared_t
         private
         type(wave_table_t) :: tables(attempts)
         type(rule_t), allocatable :: rules(:)
-        !> the kernel made last, and the ratios that determine it
-        type(kernel_t) :: kernel
-        real(wp), allocatable :: ratios(:)
+        !> the kernels made last, and the one to be overwritten next
+        type(kept_kernel_t) :: kernels(most_kernels)
+        integer :: oldest = 1
     end type shared_t
 
 contains
@@ -34,33 +43,39 @@ contains
         allocate (rules, source=shared%rules)
     end subroutine shared_rules
 
-    !> The kernel of a body: that of the last one where both are the same but for their size.
+    !> The kernel of a body: that of one made before where both are the same but for their size.
     subroutine shared_kernel(shared, surface, kernel, error)
         type(shared_t), intent(inout) :: shared
         class(surface_t), intent(in) :: surface
         type(kernel_t), intent(out) :: kernel
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: ratios(:)
+        integer :: i
 
         allocate (ratios, source=surface%ratios())
-        if (.not. is_last(shared, ratios)) then
-            if (allocated(shared%ratios)) deallocate (shared%ratios)
-            call tabulate_kernel(shared%kernel, surface, shared%tables, error)
+        do i = 1, most_kernels
+            if (is_same(shared%kernels(i), ratios)) exit
+        end do
+        if (i > most_kernels) then
+            i = shared%oldest
+            if (allocated(shared%kernels(i)%ratios)) deallocate (shared%kernels(i)%ratios)
+            call tabulate_kernel(shared%kernels(i)%kernel, surface, shared%tables, error)
             if (allocated(error)) return
-            call move_alloc(ratios, shared%ratios)
+            call move_alloc(ratios, shared%kernels(i)%ratios)
+            shared%oldest = modulo(i, most_kernels) + 1
         end if
-        kernel = shared%kernel
+        kernel = shared%kernels(i)%kernel
         if (.not. kernel%vanishes) kernel%unit = surface%first_depth()
     end subroutine shared_kernel
 
-    pure function is_last(shared, ratios) result(answer)
-        type(shared_t), intent(in) :: shared
+    pure function is_same(kept, ratios) result(answer)
+        type(kept_kernel_t), intent(in) :: kept
         real(wp), intent(in) :: ratios(:)
         logical :: answer
 
         answer = .false.
-        if (.not. allocated(shared%ratios) .or. size(ratios) == 0) return
-        if (size(shared%ratios) == size(ratios)) answer = all(shared%ratios == ratios)
-    end function is_last
+        if (.not. allocated(kept%ratios) .or. size(ratios) == 0) return
+        if (size(kept%ratios) == size(ratios)) answer = all(kept%ratios == ratios)
+    end function is_same
 
 end module mdrcontact_layered_shared

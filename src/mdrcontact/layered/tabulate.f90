@@ -174,12 +174,13 @@ contains
         real(wp) :: powers(0:degree)
         real(wp) :: coefficients(0:degree), before(0:degree), here(0:degree), next(0:degree)
         integer :: i, j
+        !> (i, j): T_j at the Chebyshev point i
+        real(wp), parameter :: cosines(0:degree, 0:degree) = &
+                               reshape([((cos(real(j*(2*i + 1), wp)*half_pi/real(degree + 1, wp)), i=0, degree), j=0, degree)], &
+                                       [degree + 1, degree + 1])
 
         do j = 0, degree
-            coefficients(j) = 0.0_wp
-            do i = 0, degree
-                coefficients(j) = coefficients(j) + values(i)*cos(real(j*(2*i + 1), wp)*half_pi/real(degree + 1, wp))
-            end do
+            coefficients(j) = sum(values*cosines(:, j))
         end do
         coefficients = coefficients*(2.0_wp/real(degree + 1, wp))
         before = 0.0_wp
