@@ -17,7 +17,7 @@ module mdrcontact_layered_indenter
     public :: load_t, choose_panels, new_load, add_fine_interaction
 
     !> Size of the last Legendre coefficients of g on a panel that count as resolved, relative to g at the edge of the contact.
-    real(wp), parameter :: resolved = 1.0e-13_wp
+    real(wp), parameter :: resolved = 1.0e-12_wp
     integer, parameter :: most_splits = 40
     !> Panels up to this length, in widths of the kernel, integrate a smooth g by a finer rule: the kernel is no rougher there.
     real(wp), parameter :: longest_smooth = longest_panel

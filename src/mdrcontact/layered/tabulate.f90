@@ -11,7 +11,7 @@ module mdrcontact_layered_tabulate
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: half_pi, long, pi, wp
     use mdrcontact_lapack, only: dgemv
-    use mdrcontact_layered_kernel, only: degree, kernel_t
+    use mdrcontact_layered_kernel, only: degree, kernel_t, near_degree
     use mdrcontact_layered_ray, only: extend_ray, path_holds, ray_t, rest_below, start_ray
     use mdrcontact_layered_surface, only: surface_t
     use mdrcontact_layered_waves, only: first_wave, new_wave_table, order, wave_table_t, waves_at
@@ -67,12 +67,12 @@ contains
         real(wp) :: level, spread
 
         call near_values(ray, table, x(:n))
-        coefficients(:, 0) = powers_from_values(x(:n))
+        coefficients(:, 0) = powers_from_values(x(:n), near_degree)
         do octave = 0, most_octaves - 1
             call extend_ray(ray, surface, kernel%unit, table, ray%lowest - octave)
             call far_values(ray, table, octave, x)
-            coefficients(:, 1 + 2*octave) = powers_from_values(x(:n))
-            coefficients(:, 2 + 2*octave) = powers_from_values(x(n + 1:))
+            coefficients(:, 1 + 2*octave) = powers_from_values(x(:n), degree)
+            coefficients(:, 2 + 2*octave) = powers_from_values(x(n + 1:), degree)
             x = x*table%far_y**2
             level = sum(x)/real(size(x), wp)
             spread = maxval(abs(x - level))
@@ -169,8 +169,10 @@ contains
     !> Coefficients of powers of u from values at the Chebyshev points. By way of Chebyshev coefficients: those of high
     !> degree are small,
     !> and so are the rounding errors of the powers that they make.
-    pure function powers_from_values(values) result(powers)
+    pure function powers_from_values(values, highest) result(powers)
         real(wp), intent(in) :: values(0:)
+        !> degree of the polynomial
+        integer, intent(in) :: highest
         real(wp) :: powers(0:degree)
         real(wp) :: coefficients(0:degree), before(0:degree), here(0:degree), next(0:degree)
         integer :: i, j
@@ -188,7 +190,7 @@ contains
         here = 0.0_wp
         here(1) = 1.0_wp
         powers = 0.5_wp*coefficients(0)*before + coefficients(1)*here
-        do j = 2, degree
+        do j = 2, highest
             next(0) = -before(0)
             next(1:) = 2.0_wp*here(:degree - 1) - before(1:)
             powers = powers + coefficients(j)*next
