@@ -33,6 +33,7 @@ module mdrcontact
     use mdrcontact_law, only: contact_law_t, law_options_t, law_point_t, new_contact_law
     use mdrcontact_law_file, only: load_law, save_law
     use mdrcontact_layered_exact, only: layered_exact_t, new_graded_exact, new_graded_exact_from_functions, new_layered_exact
+    use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t

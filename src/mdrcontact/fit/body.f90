@@ -8,7 +8,7 @@ module mdrcontact_fit_body
     use mdrcontact_fit_medium_of, only: make_medium, medium_given, medium_graded, medium_homogeneous, medium_power_graded, &
                                         medium_stack, medium_choice_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: shared_t
+    use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
@@ -71,7 +71,7 @@ contains
         type(fit_body_t), intent(in) :: self
         real(wp), intent(in) :: values(:)
         !> what exact media have in common from one trial to the next
-        type(shared_t), intent(inout) :: shared
+        type(layered_shared_t), intent(inout) :: shared
         class(profile_t), allocatable, intent(out) :: profile
         class(medium_t), allocatable, intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error

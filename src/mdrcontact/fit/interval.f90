@@ -9,7 +9,7 @@ module mdrcontact_fit_interval
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_residuals, only: bent
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: shared_t
+    use mdrcontact_layered_shared, only: layered_shared_t
     implicit none (type, external)
     private
     public :: profile_interval
@@ -142,7 +142,7 @@ contains
         type(fit_problem_t) :: held
         type(fit_result_t) :: fit
         type(error_t), allocatable :: error
-        type(shared_t) :: shared
+        type(layered_shared_t) :: shared
         real(wp) :: y(size(data%x))
 
         total = 1.0e12_wp

@@ -4,7 +4,7 @@ module mdrcontact_fit_medium_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
-    use mdrcontact_layered_shared, only: shared_t
+    use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_bec, only: bec_t, new_bec
@@ -56,7 +56,7 @@ contains
         type(medium_choice_t), intent(in) :: choice
         real(wp), intent(in) :: values(:)
         !> what exact media have in common from one trial to the next
-        type(shared_t), intent(inout) :: shared
+        type(layered_shared_t), intent(inout) :: shared
         class(medium_t), allocatable, intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
         type(material_t) :: material
@@ -91,7 +91,7 @@ contains
     subroutine make_stack(choice, values, shared, medium, error)
         type(medium_choice_t), intent(in) :: choice
         real(wp), intent(in) :: values(:)
-        type(shared_t), intent(inout) :: shared
+        type(layered_shared_t), intent(inout) :: shared
         class(medium_t), allocatable, intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
         type(material_t) :: layers(max(choice%layers, 1)), substrate

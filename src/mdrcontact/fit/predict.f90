@@ -10,7 +10,7 @@ module mdrcontact_fit_predict
                                       at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_force_depth, &
                                       data_modulus_radius, data_stiffness_depth, fit_data_t, fit_problem_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: shared_t
+    use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_radius_law, only: new_radius_law_from_function, radius_law_t
@@ -40,7 +40,7 @@ contains
         real(wp), intent(in) :: values(:)
         type(fit_data_t), intent(in) :: data
         !> what exact media have in common from one call to the next
-        type(shared_t), intent(inout) :: shared
+        type(layered_shared_t), intent(inout) :: shared
         !> same size as data%x
         real(wp), intent(out) :: y(:)
         type(error_t), allocatable, intent(out) :: error

@@ -9,7 +9,7 @@ module mdrcontact_fit_residuals
                                       loss_huber, loss_linear
     use mdrcontact_fit_variables, only: variables_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: shared_t
+    use mdrcontact_layered_shared, only: layered_shared_t
     implicit none (type, external)
     private
     public :: fit_residuals_t, new_fit_residuals, bent, bend_slope
@@ -34,7 +34,7 @@ module mdrcontact_fit_residuals
         !> one of loss_...
         integer :: loss = loss_linear
         !> what exact media have in common from one trial to the next
-        type(shared_t) :: shared
+        type(layered_shared_t) :: shared
         !> the last predictions, as many as a point and its neighbours are, and the one to be overwritten next
         type(prediction_t), allocatable :: recent(:)
         integer :: oldest = 1

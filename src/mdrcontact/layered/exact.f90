@@ -15,7 +15,7 @@ module mdrcontact_layered_exact
     use mdrcontact_layered_indenter, only: load_t, new_load
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_rule, only: rule_t
-    use mdrcontact_layered_shared, only: shared_kernel, shared_rules, shared_t
+    use mdrcontact_layered_shared, only: shared_kernel, shared_rules, layered_shared_t
     use mdrcontact_layered_solve, only: solution_t
     use mdrcontact_layered_stack, only: new_stack, stack_t
     use mdrcontact_layered_surface, only: surface_t
@@ -72,7 +72,7 @@ contains
         !> a rigid base instead of the substrate, which is then ignored; default false
         logical, intent(in), optional :: rigid_base
         !> what this medium has in common with others made before it, which then costs less
-        type(shared_t), intent(inout), optional :: shared
+        type(layered_shared_t), intent(inout), optional :: shared
         type(stack_t) :: stack
         logical :: rigid
 
@@ -84,7 +84,7 @@ contains
     end subroutine new_layered_exact
 
     !> E and nu at given depths, linear between them, constant below the last.
-    subroutine new_graded_exact(self, z, young, poisson, error, tolerance)
+    subroutine new_graded_exact(self, z, young, poisson, error, tolerance, shared)
         type(layered_exact_t), intent(out) :: self
         !> ascending depths from z(1) = 0, at least 2; a thin interval makes a step [length]
         real(wp), intent(in) :: z(:)
@@ -93,15 +93,17 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
         real(wp), intent(in), optional :: tolerance
+        !> what this medium has in common with others made before it, which then costs less
+        type(layered_shared_t), intent(inout), optional :: shared
         type(graded_surface_t) :: graded
 
         call new_graded_surface(graded, z, young, poisson, error)
         if (allocated(error)) return
-        call new_exact_from_surface(self, graded, error, tolerance)
+        call new_exact_from_surface(self, graded, error, tolerance, shared)
     end subroutine new_graded_exact
 
     !> E(z) and nu(z) as functions on [0, depth], constant below. They are called here and never again.
-    subroutine new_graded_exact_from_functions(self, young, poisson, depth, error, tolerance)
+    subroutine new_graded_exact_from_functions(self, young, poisson, depth, error, tolerance, shared)
         type(layered_exact_t), intent(out) :: self
         !> E(z) > 0 [modulus] and -1 < nu(z) <= 1/2, smooth
         class(scalar_function_t), intent(inout) :: young, poisson
@@ -110,11 +112,13 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
         real(wp), intent(in), optional :: tolerance
+        !> what this medium has in common with others made before it, which then costs less
+        type(layered_shared_t), intent(inout), optional :: shared
         type(graded_surface_t) :: graded
 
         call new_graded_surface_from_functions(graded, young, poisson, depth, error)
         if (allocated(error)) return
-        call new_exact_from_surface(self, graded, error, tolerance)
+        call new_exact_from_surface(self, graded, error, tolerance, shared)
     end subroutine new_graded_exact_from_functions
 
     !> Any body whose surface compliance is known.
@@ -123,8 +127,8 @@ contains
         class(surface_t), intent(in) :: surface
         type(error_t), allocatable, intent(out) :: error
         real(wp), intent(in), optional :: tolerance
-        type(shared_t), intent(inout), optional :: shared
-        type(shared_t) :: own
+        type(layered_shared_t), intent(inout), optional :: shared
+        type(layered_shared_t) :: own
 
         call disable_gsl_abort()
         if (present(tolerance)) then
@@ -148,7 +152,7 @@ contains
     subroutine share(self, surface, shared, error)
         type(layered_exact_t), intent(inout) :: self
         class(surface_t), intent(in) :: surface
-        type(shared_t), intent(inout) :: shared
+        type(layered_shared_t), intent(inout) :: shared
         type(error_t), allocatable, intent(out) :: error
 
         call shared_kernel(shared, surface, self%kernel, error)

@@ -143,7 +143,8 @@ contains
         answer = maxval(abs(matmul(rule%to_legendre(rule%n - 1:, :), values))) <= resolved*largest
     end function resolves
 
-    !> The first rule from `first` on that resolves g, on a panel that is short against the kernel's width; beyond the last rule if there is none.
+    !> The first rule from `first` on that resolves g on a panel that is short against the kernel's width; beyond the last rule
+    !> if there is none.
     function level_that_resolves(kernel, profile, low, high, largest, rules, first) result(level)
         type(kernel_t), intent(in) :: kernel
         class(profile_t), intent(in) :: profile

@@ -12,7 +12,7 @@ module mdrcontact_layered_shared
     use mdrcontact_layered_waves, only: wave_table_t
     implicit none (type, external)
     private
-    public :: shared_t, shared_rules, shared_kernel
+    public :: layered_shared_t, shared_rules, shared_kernel
 
     !> A trial, its neighbours in two moduli, and the trial before.
     integer, parameter :: most_kernels = 4
@@ -24,19 +24,19 @@ module mdrcontact_layered_shared
     end type kept_kernel_t
 
     !> Empty at first, and filled as media are made. Not for several threads at a time.
-    type :: shared_t
+    type :: layered_shared_t
         private
         type(wave_table_t) :: tables(attempts)
         type(rule_t), allocatable :: rules(:)
         !> the kernels made last, and the one to be overwritten next
         type(kept_kernel_t) :: kernels(most_kernels)
         integer :: oldest = 1
-    end type shared_t
+    end type layered_shared_t
 
 contains
 
     subroutine shared_rules(shared, rules)
-        type(shared_t), intent(inout) :: shared
+        type(layered_shared_t), intent(inout) :: shared
         type(rule_t), allocatable, intent(out) :: rules(:)
 
         if (.not. allocated(shared%rules)) allocate (shared%rules, source=make_rules())
@@ -45,7 +45,7 @@ contains
 
     !> The kernel of a body: that of one made before where both are the same but for their size.
     subroutine shared_kernel(shared, surface, kernel, error)
-        type(shared_t), intent(inout) :: shared
+        type(layered_shared_t), intent(inout) :: shared
         class(surface_t), intent(in) :: surface
         type(kernel_t), intent(out) :: kernel
         type(error_t), allocatable, intent(out) :: error
