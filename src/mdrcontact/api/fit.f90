@@ -9,7 +9,6 @@ module mdrcontact_api_fit
     use mdrcontact_fit_interval, only: profile_interval
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_problem, only: check_points, fit_data_t, fit_problem_t
-    use mdrcontact_layered_shared, only: layered_shared_t
     implicit none (type, external)
     private
     public :: mdr_fit_solve, mdr_fit_predict, mdr_fit_interval
@@ -86,7 +85,6 @@ contains
         integer(c_int) :: status
         type(fit_problem_t) :: chosen
         type(fit_data_t) :: data
-        type(layered_shared_t) :: shared
         type(error_t), allocatable :: error
         real(c_double), allocatable :: model(:)
 
@@ -96,7 +94,7 @@ contains
         if (.not. allocated(error)) call check_points(data, chosen, error)
         if (.not. allocated(error)) then
             allocate (model(n))
-            call predict(chosen, chosen%parameters%value, data, shared, model, error)
+            call predict(chosen, chosen%parameters%value, data, model, error)
         end if
         if (.not. allocated(error)) fitted(:n) = model
         status = status_of(error)

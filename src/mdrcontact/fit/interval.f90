@@ -9,7 +9,6 @@ module mdrcontact_fit_interval
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_residuals, only: bent
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: layered_shared_t
     implicit none (type, external)
     private
     public :: profile_interval
@@ -142,7 +141,6 @@ contains
         type(fit_problem_t) :: held
         type(fit_result_t) :: fit
         type(error_t), allocatable :: error
-        type(layered_shared_t) :: shared
         real(wp) :: y(size(data%x))
 
         total = 1.0e12_wp
@@ -154,7 +152,7 @@ contains
             if (allocated(error)) return
             total = sum(bent(held%loss, held%loss_scale, fit%residuals)**2) + fit%prior_chi_square
         else
-            call predict(held, held%parameters%value, data, shared, y, error)
+            call predict(held, held%parameters%value, data, y, error)
             if (allocated(error)) return
             total = sum(bent(held%loss, held%loss_scale, (data%y - y)/data%sd)**2)
         end if

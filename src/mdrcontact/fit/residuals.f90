@@ -94,7 +94,7 @@ contains
             y = self%recent(i)%y
             return
         end do
-        call predict(self%problem, self%values_at(u), self%data, self%shared, y, error)
+        call predict(self%problem, self%values_at(u), self%data, y, error, self%shared)
         if (allocated(error)) return
         self%recent(self%oldest)%u = u
         self%recent(self%oldest)%y = y
@@ -125,10 +125,10 @@ contains
         step = reading_step*maxval(abs(self%data%y))
         if (self%problem%data_kind == data_stiffness_depth) step = reading_step*self%data%y
         shifted%y = self%data%y - step
-        call predict(self%problem, self%values_at(u), shifted, self%shared, below, error)
+        call predict(self%problem, self%values_at(u), shifted, below, error, self%shared)
         if (allocated(error)) return
         shifted%y = self%data%y + step
-        call predict(self%problem, self%values_at(u), shifted, self%shared, above, error)
+        call predict(self%problem, self%values_at(u), shifted, above, error, self%shared)
         if (allocated(error)) return
         self%sd = 1.0_wp
         if (allocated(self%data%sd)) self%sd = self%data%sd
