@@ -7,11 +7,12 @@
 !> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (13)-(18).
 module mdrcontact_weights
     use mdrcontact_batch, only: map_t
-    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_kinds, only: half_pi, pi, wp
     implicit none (type, external)
     private
     public :: weight_phi, weight_i0, weight_i1, weight_j0, weight_j1, weight_i0_slope, weight_i1_slope, &
               weight_i0_poisson_slope
+    public :: all_weights
     public :: weight_map_t, of_i0_slope, of_i0, of_i1, of_j0, of_j1
 
     !> Beyond these the weights equal their limits' leading term; squares stay inside the range of a double.
@@ -79,6 +80,33 @@ contains
         x = clamped(xi)
         weight = j1_inside(x)
     end function weight_j1
+
+    !> I0 and I1 with their complements, for the price of one arctangent and one logarithm.
+    elemental subroutine all_weights(xi, nu, i0, j0, i1, j1)
+        !> xi >= 0, -1 < nu <= 1/2
+        real(wp), intent(in) :: xi, nu
+        real(wp), intent(out) :: i0, j0, i1, j1
+        real(wp) :: x, above, below, logarithm, part
+
+        x = clamped(xi)
+        ! Whichever angle is small is computed, the other is large enough to be its complement.
+        if (x < 1.0_wp) then
+            above = atan(x)
+            below = half_pi - above
+        else
+            below = atan(1.0_wp/x)
+            above = half_pi - below
+        end if
+        logarithm = x*log_term(x)
+        part = ((1.0_wp - 2.0_wp*nu)*logarithm - x/(1.0_wp + x**2))/(2.0_wp*pi*(1.0_wp - nu))
+        i0 = (2.0_wp/pi)*above + part
+        j0 = (2.0_wp/pi)*below - part
+        i1 = ((2.0_wp*above) + logarithm)/pi
+        j1 = ((2.0_wp*below) - logarithm)/pi
+        if (xi > 0.0_wp) return
+        i0 = 0.0_wp
+        i1 = 0.0_wp
+    end subroutine all_weights
 
     !> dI0/dxi.
     elemental function weight_i0_slope(xi, nu) result(slope)

@@ -7,8 +7,7 @@ module mdrcontact_medium_gao
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_weights, only: weight_i0, weight_i0_poisson_slope, weight_i0_slope, weight_i1, weight_i1_slope, &
-                                  weight_j0, weight_j1
+    use mdrcontact_weights, only: all_weights, weight_i0_poisson_slope, weight_i0_slope, weight_i1_slope
     implicit none (type, external)
     private
     public :: gao_t, new_gao, new_gao_layered, gao_options_t, i0_poisson_choice
@@ -110,10 +109,10 @@ contains
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
         real(wp) :: value
-        real(wp) :: nu
+        real(wp) :: nu, shear
 
-        nu = averaged_poisson(self, a)
-        value = 2.0_wp*averaged_shear(self, a, i0_poisson(self%options, nu))/(1.0_wp - nu)
+        call averages(self, a, nu, shear)
+        value = 2.0_wp*shear/(1.0_wp - nu)
     end function effective_modulus
 
     elemental function effective_modulus_slope(self, a) result(value)
@@ -122,34 +121,30 @@ contains
         real(wp) :: value
         real(wp) :: nu, nu_slope, shear, shear_slope
 
-        nu = averaged_poisson(self, a)
+        call averages(self, a, nu, shear)
         nu_slope = -sum((self%poisson(:size(self%depth)) - self%poisson(2:))*weight_i1_slope(self%depth/a)*(self%depth/a))/a
-        shear = averaged_shear(self, a, i0_poisson(self%options, nu))
         shear_slope = averaged_shear_slope(self, a, i0_poisson(self%options, nu), shear, nu_slope)
         value = 2.0_wp*(shear_slope + shear*nu_slope/(1.0_wp - nu))/(1.0_wp - nu)
     end function effective_modulus_slope
 
-    pure function averaged_poisson(self, a) result(nu)
+    !> nu_eff and G_eff
+    pure subroutine averages(self, a, nu, shear)
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
-        real(wp) :: nu
-
-        nu = sum(self%poisson*shares(size(self%depth), weight_i1(self%depth/a), weight_j1(self%depth/a)))
-    end function averaged_poisson
-
-    pure function averaged_shear(self, a, nu) result(shear)
-        class(gao_t), intent(in) :: self
-        real(wp), intent(in) :: a, nu
-        real(wp) :: shear
+        real(wp), intent(out) :: nu, shear
+        real(wp), dimension(size(self%depth)) :: i0, j0, i1, j1
         real(wp) :: share(size(self%shear))
 
-        share = shares(size(self%depth), weight_i0(self%depth/a, nu), weight_j0(self%depth/a, nu))
+        call all_weights(self%depth/a, self%options%weight_nu, i0, j0, i1, j1)
+        nu = sum(self%poisson*shares(size(self%depth), i1, j1))
+        if (self%options%weight_nu_choice == gao_nu_effective) call all_weights(self%depth/a, nu, i0, j0, i1, j1)
+        share = shares(size(self%depth), i0, j0)
         if (self%options%in_series) then
             shear = 1.0_wp/sum(share/self%shear)
         else
             shear = sum(share*self%shear)
         end if
-    end function averaged_shear
+    end subroutine averages
 
     pure function averaged_shear_slope(self, a, nu, shear, nu_slope) result(slope)
         class(gao_t), intent(in) :: self
