@@ -63,6 +63,8 @@ contains
         mismatch%equilibrium => equilibrium
         mismatch%control = control
         mismatch%target_value = s
+        ! Behind a flat end the radius has lost digits of its distance from it, and with them the integrals.
+        mismatch%is_rough = equilibrium%profile%end_radius() > 0.0_wp
         call find_radius(mismatch, closest, found, error)
         if (allocated(error)) return
         if (found .and. is_close(mismatch, closest)) then
@@ -93,7 +95,8 @@ contains
         logical :: answer
 
         associate (state => mismatch%state, wanted => mismatch%target_value)
-            answer = mismatch%has_state .and. abs(radius - state%radius) <= linear*(radius - mismatch%flat_end()) &
+            answer = mismatch%has_state .and. .not. mismatch%is_rough &
+                     .and. abs(radius - state%radius) <= linear*(radius - mismatch%flat_end()) &
                      .and. abs(wanted - mismatch%control%of(state%depth, state%force)) <= linear*wanted
         end associate
     end function is_close
@@ -186,6 +189,8 @@ contains
         self%known_slope = max(0.0_wp, exp(x)*depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*modulus)/s)
         ! At the rim of a flat end d' is infinite.
         if (self%known_slope > huge(s)) self%known_slope = 0.0_wp
+        ! The radius closest to x is not exactly there, least so next to a flat end.
+        if (radius < self%equilibrium%last_radius) y = y + self%known_slope*(x - self%equilibrium%coordinate_of(radius))
     end function mismatch_value
 
 end module mdrcontact_inversion

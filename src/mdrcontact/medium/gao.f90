@@ -132,19 +132,59 @@ contains
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
         real(wp), intent(out) :: nu, shear
-        real(wp), dimension(size(self%depth)) :: i0, j0, i1, j1
-        real(wp) :: share(size(self%shear))
+        real(wp) :: unused
 
-        call all_weights(self%depth/a, self%options%weight_nu, i0, j0, i1, j1)
-        nu = sum(self%poisson*shares(size(self%depth), i1, j1))
-        if (self%options%weight_nu_choice == gao_nu_effective) call all_weights(self%depth/a, nu, i0, j0, i1, j1)
-        share = shares(size(self%depth), i0, j0)
-        if (self%options%in_series) then
-            shear = 1.0_wp/sum(share/self%shear)
-        else
-            shear = sum(share*self%shear)
-        end if
+        call average(self, a, self%options%weight_nu, nu, shear)
+        if (self%options%weight_nu_choice == gao_nu_effective) call average(self, a, nu, unused, shear)
+        if (self%options%in_series) shear = 1.0_wp/shear
     end subroutine averages
+
+    !> nu_eff, and G_eff or 1/G_eff, with nu_weight in I0. The weight of each layer comes from the weights above (i) and below
+    !> (j = 1 - i) its interfaces, as the difference of whichever is smaller, so that a thin or remote layer's share keeps its
+    !> relative accuracy. Called at every node of every force: no arrays.
+    pure subroutine average(self, a, nu_weight, nu, shear)
+        class(gao_t), intent(in) :: self
+        real(wp), intent(in) :: a, nu_weight
+        real(wp), intent(out) :: nu, shear
+        real(wp) :: i0, j0, i1, j1, i0_above, j0_above, i1_above, j1_above
+        integer :: layer
+
+        i0_above = 0.0_wp
+        j0_above = 1.0_wp
+        i1_above = 0.0_wp
+        j1_above = 1.0_wp
+        nu = 0.0_wp
+        shear = 0.0_wp
+        do layer = 1, size(self%depth)
+            call all_weights(self%depth(layer)/a, nu_weight, i0, j0, i1, j1)
+            nu = nu + self%poisson(layer)*share(i1, i1_above, j1, j1_above)
+            shear = shear + modulus_of(layer)*share(i0, i0_above, j0, j0_above)
+            i0_above = i0
+            j0_above = j0
+            i1_above = i1
+            j1_above = j1
+        end do
+        nu = nu + self%poisson(layer)*j1_above
+        shear = shear + modulus_of(layer)*j0_above
+
+    contains
+
+        pure function modulus_of(layer) result(value)
+            integer, intent(in) :: layer
+            real(wp) :: value
+
+            value = self%shear(layer)
+            if (self%options%in_series) value = 1.0_wp/value
+        end function modulus_of
+
+        pure function share(i, i_above, j, j_above) result(value)
+            real(wp), intent(in) :: i, i_above, j, j_above
+            real(wp) :: value
+
+            value = merge(i - i_above, j_above - j, i < 0.5_wp .or. layer == 1)
+        end function share
+
+    end subroutine average
 
     pure function averaged_shear_slope(self, a, nu, shear, nu_slope) result(slope)
         class(gao_t), intent(in) :: self
@@ -172,20 +212,5 @@ contains
 
         nu = merge(effective, options%weight_nu, options%weight_nu_choice == gao_nu_effective)
     end function i0_poisson
-
-    !> The weight of each layer from the weights above (i) and below (j = 1 - i) each interface: the difference of whichever is
-    !> smaller, so that a thin or remote layer's share keeps its relative accuracy.
-    pure function shares(n, i, j) result(share)
-        integer, intent(in) :: n
-        real(wp), intent(in) :: i(n), j(n)
-        real(wp) :: share(n + 1)
-        integer :: layer
-
-        share(1) = i(1)
-        do layer = 2, n
-            share(layer) = merge(i(layer) - i(layer - 1), j(layer - 1) - j(layer), i(layer) < 0.5_wp)
-        end do
-        share(n + 1) = j(n)
-    end function shares
 
 end module mdrcontact_medium_gao

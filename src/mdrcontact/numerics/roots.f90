@@ -69,7 +69,8 @@ contains
 
     !> The root of an increasing f in [smallest, largest] that is close to linear: Newton's steps where f knows its slope, else
     !> secant steps, from `guess` until they converge, bracketed by the signs seen on the way; Brent's method if they do not.
-    !> The last step, which leaves less than rounding, is taken without looking at f again.
+    !> The last step, which leaves less than rounding, is taken without looking at f again, unless f is
+    !> rough.
     !> `found` is false, and `root` the nearer end, if f keeps its sign over the whole interval.
     subroutine solve_increasing(f, guess, slope, smallest, largest, root, found, error)
         class(scalar_function_t), intent(inout) :: f
@@ -117,7 +118,7 @@ contains
             end if
             if (iteration > most_secants .and. has_low .and. has_high) exit
             call take_step()
-            if (left <= negligible) then
+            if (left <= negligible .and. .not. f%is_rough) then
                 root = x
                 return
             end if
