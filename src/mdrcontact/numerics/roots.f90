@@ -130,16 +130,19 @@ contains
         !> Moves x; a step that is not finite or leaves the bracket becomes a bisection or a wide stride.
         subroutine take_step()
             real(wp) :: next, rate
+            logical :: newton
 
+            ! Where the last step did not help, as close to a vertical wall, the slope at x says little about the way back.
+            newton = f%known_slope > 0.0_wp .and. (iteration == 1 .or. abs(y) < 0.5_wp*abs(y_before))
             rate = slope
-            if (f%known_slope > 0.0_wp) then
+            if (newton) then
                 rate = f%known_slope
             else if (iteration > 1) then
                 rate = (y - y_before)/(x - x_before)
             end if
             if (.not. rate > 0.0_wp) rate = slope
             next = x - min(max(y/rate, -widest_step), widest_step)
-            left = error_after(next - x)
+            left = error_after(next - x, newton)
             if (next <= low .or. next >= high) then
                 left = huge(left)
                 if (has_low .and. has_high) next = 0.5_wp*(low + high)
@@ -152,17 +155,20 @@ contains
 
         !> What a step will leave of the distance to the root, from how the steps have shrunk: after Newton by the square of the last
         !> ratio, after secants by the product of the last two.
-        function error_after(step) result(distance)
+        function error_after(step, newton) result(distance)
             real(wp), intent(in) :: step
+            logical, intent(in) :: newton
             real(wp) :: distance, ratio
 
             distance = huge(distance)
             ratio = 1.0_wp
-            if (step_before /= 0.0_wp) ratio = abs(step/step_before)
-            if (ratio < largest_ratio .and. f%known_slope > 0.0_wp) then
-                distance = abs(step)*ratio**2
-            else if (ratio < largest_ratio .and. ratio_before < largest_ratio) then
-                distance = abs(step)*ratio*ratio_before
+            if (step_before /= 0.0_wp .and. y_before /= 0.0_wp) ratio = max(abs(step/step_before), abs(y/y_before))
+            if (ratio < largest_ratio) then
+                if (newton) then
+                    distance = abs(step)*ratio**2
+                else if (ratio_before < largest_ratio) then
+                    distance = abs(step)*ratio*ratio_before
+                end if
             end if
             ratio_before = ratio
         end function error_after
