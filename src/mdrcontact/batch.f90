@@ -11,7 +11,8 @@ module mdrcontact_batch
     private
     public :: batch_t, map_t, run_batch, run_map, team_size, check_threads
 
-    !> What is to be done with each entry. It is shared by the threads: results go to arrays it points to.
+    !> What is to be done with each entry. It is shared by the threads: results go to arrays it points to. (It is passed as
+    !> intent(inout): of an intent(in) argument gfortran 12 takes what its pointers point to as unchanged, too.)
     type, abstract :: batch_t
     contains
         procedure(entries), deferred :: work
@@ -27,7 +28,7 @@ module mdrcontact_batch
         !> Does entries first to last in ascending order, up to the first that fails.
         subroutine entries(self, first, last, error)
             import :: batch_t, error_t
-            class(batch_t), intent(in) :: self
+            class(batch_t), intent(inout) :: self
             integer, intent(in) :: first, last
             type(error_t), allocatable, intent(out) :: error
         end subroutine entries
@@ -58,7 +59,7 @@ contains
     !> Works on entries 1 to n, `block` at a time, on several threads from `smallest` entries on. Where entries fail, the error is
     !> that of the first of them.
     subroutine run_batch(batch, n, block, smallest, threads, error)
-        class(batch_t), intent(in) :: batch
+        class(batch_t), intent(inout) :: batch
         integer, intent(in) :: n, block, smallest
         !> at least 1, or 0 for as many as OpenMP offers
         integer, intent(in) :: threads
@@ -83,7 +84,7 @@ contains
 
     !> One block, unless an earlier one has failed.
     subroutine run_block(batch, number, first, last, failed, error)
-        class(batch_t), intent(in) :: batch
+        class(batch_t), intent(inout) :: batch
         integer, intent(in) :: number, first, last
         !> number of the earliest block that has failed, and its error; both shared by the threads
         integer, intent(inout) :: failed
@@ -122,7 +123,7 @@ contains
     end subroutine run_map
 
     subroutine map_entries(self, first, last, error)
-        class(map_batch_t), intent(in) :: self
+        class(map_batch_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(out) :: error
 

@@ -122,6 +122,14 @@ static void test_one_by_one(const objects *o, const double *alone)
         CHECK_SUCCESS(mdr_medium_modulus(o->medium, 1, &place[i], &one));
         CHECK_CLOSE(one, alone[4 * QUICK + i], 0.0);
     }
+    /* in place */
+    for (int i = 0; i < STATES; i++) all[i] = small_place[i];
+    CHECK_SUCCESS(mdr_weight_i0_threads(STATES, all, 0.3, all, 2));
+    for (int i = 0; i < STATES; i++) {
+        CHECK_SUCCESS(mdr_weight_i0(1, &small_place[i], 0.3, &one));
+        CHECK_CLOSE(all[i], one, 0.0);
+    }
+    CHECK_CLOSE(all[0], 0.0, 0.0);
     CHECK_SUCCESS(mdr_contact_from_depth_on(o->contact, MDR_ON_LOADING, STATES, small_place, NULL, NULL, all, NULL));
     CHECK_INT(memcmp(all, alone + 11 * QUICK, sizeof all), 0);
     CHECK_SUCCESS(mdr_contact_pressure(o->contact, 1.0, STATES, small_place, all));

@@ -110,7 +110,7 @@ contains
     end subroutine run
 
     subroutine solve_states(self, first, last, error)
-        class(states_batch_t), intent(in) :: self
+        class(states_batch_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(out) :: error
         integer :: i
@@ -200,7 +200,7 @@ contains
     end subroutine run_field
 
     subroutine evaluate_field(self, first, last, error)
-        class(field_batch_t), intent(in) :: self
+        class(field_batch_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(out) :: error
         integer :: i

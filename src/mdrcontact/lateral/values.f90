@@ -56,7 +56,7 @@ contains
     end subroutine structure_values
 
     subroutine evaluate(self, first, last, error)
-        class(structure_batch_t), intent(in) :: self
+        class(structure_batch_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(out) :: error
 
@@ -83,7 +83,7 @@ contains
     end subroutine density_values
 
     subroutine weigh(self, first, last, error)
-        class(density_batch_t), intent(in) :: self
+        class(density_batch_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: shear, poisson

@@ -76,7 +76,7 @@ contains
     end subroutine run
 
     subroutine work(self, first, last, error)
-        class(law_batch_t), intent(in) :: self
+        class(law_batch_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(out) :: error
         integer :: i

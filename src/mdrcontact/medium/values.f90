@@ -50,7 +50,7 @@ contains
     end subroutine modulus_values
 
     subroutine work(self, first, last, error)
-        class(modulus_batch_t), intent(in) :: self
+        class(modulus_batch_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(out) :: error
 
