@@ -11,7 +11,7 @@ import pytest
 from conftest import OXIDE, SILICON
 
 import mdrcontact as mdr
-from mdrcontact.lateral import Shapes, Sphere, density
+from mdrcontact.lateral import Ball, Shapes, density
 
 MANY = np.geomspace(1e-3, 1e3, 40_001)
 SOME = np.linspace(1e-9, 4e-7, 150)
@@ -21,7 +21,7 @@ GAO = mdr.Contact(BALL, mdr.Coated(OXIDE, 5e-7, SILICON, "gao"))
 STICKY = mdr.Contact(BALL, mdr.Coated(OXIDE, 5e-7, SILICON, "gao"), work_of_adhesion=0.1)
 EXACT = mdr.Contact(BALL, mdr.Coated(OXIDE, 5e-7, SILICON, "exact"))
 HERTZ = mdr.Contact(BALL, mdr.Homogeneous(SILICON))
-INCLUSION = Shapes(SILICON, [(Sphere((0.0, 0.0, 1e-6), 5e-7), OXIDE)])
+INCLUSION = Shapes(SILICON, [Ball((0.0, 0.0, 1e-6), 5e-7, OXIDE)])
 
 CALLS = {
     "height": lambda t: BALL.height(MANY, threads=t),

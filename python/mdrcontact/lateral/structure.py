@@ -32,7 +32,8 @@ class Structure(Described):
         shape = points[0].shape
         if not points[0].size:
             return np.empty(shape)
-        values = self._values(*(np.ascontiguousarray(p, dtype=np.float64).ravel() for p in points), thread_count(threads))
+        px, py, pa = (np.ascontiguousarray(p, dtype=np.float64).ravel() for p in points)
+        values = self._values(px, py, pa, thread_count(threads))
         return values.reshape(shape) if shape else float(values[0])
 
     def _values(self, x: Any, y: Any, a: Any, threads: int) -> Any:
