@@ -8,7 +8,7 @@
 #include <omp.h>
 #endif
 
-enum { QUICK = 40000, STATES = 203, EXACT = 24, OUTPUTS = 30, CALLERS = 3 };
+enum { QUICK = 17000, STATES = 203, EXACT = 24, OUTPUTS = 30, CALLERS = 3 };
 
 typedef struct objects {
     mdr_profile *profile;
@@ -99,10 +99,10 @@ static double *rows(void)
 
 static void test_every_number_of_threads(const objects *o, const double *alone)
 {
-    const int counts[] = {2, 3, 5, 0, 1000000};
+    const int counts[] = {2, 3, 0, 1000000};
     double *found = rows();
 
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 4; i++) {
         CHECK_INT(evaluate(o, counts[i], found), 0);
         CHECK_INT(memcmp(found, alone, sizeof(double) * OUTPUTS * QUICK), 0);
     }
