@@ -30,6 +30,7 @@ module mdrcontact_medium_effective
         procedure :: first_touch_depth
         procedure :: first_touch_slope
         procedure :: depth_and_force
+        procedure :: response
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
@@ -156,6 +157,18 @@ contains
         force = 2.0_wp*(self%effective_modulus(lowest)*first_moment(self, profile, lowest) &
                         + sum(s*self%effective_modulus(s)*depth_slope(self, profile, s)*ds))
     end subroutine depth_and_force
+
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force, modulus, modulus_slope
+        type(error_t), allocatable, intent(out) :: error
+
+        call self%depth_and_force(profile, a, depth, force, error)
+        modulus = self%effective_modulus(a)
+        modulus_slope = self%effective_modulus_slope(a)
+    end subroutine response
 
     !> The share of a below which the modulus may be taken as constant: what lies there is too little of the force for its
     !> variation, even by a factor of a thousand between the radii looked at, to show.
