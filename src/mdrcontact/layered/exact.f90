@@ -30,8 +30,10 @@ module mdrcontact_layered_exact
 
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 
-    !> Contact radii up to this many kernel widths are offered.
+    !> Contact radii up to this many depths of all layers are offered.
     real(wp), parameter :: largest_ratio = 1.0e6_wp
+    !> The same where all layers are of one material [length].
+    real(wp), parameter :: largest_homogeneous = 1.0e100_wp
 
     !> A layered or graded half-space, solved exactly.
     type, extends(medium_t) :: layered_exact_t
@@ -41,6 +43,8 @@ module mdrcontact_layered_exact
         !> a half-space of the surface material, and its contact modulus E0* [modulus]
         type(homogeneous_t) :: surface
         real(wp) :: surface_modulus = 0.0_wp
+        !> depth below which the body is homogeneous [length]
+        real(wp) :: depth = 0.0_wp
         real(wp) :: tolerance = default_tolerance
     contains
         procedure :: modulus
@@ -140,6 +144,7 @@ contains
             self%tolerance = tolerance
         end if
         self%surface_modulus = surface%surface_modulus()
+        self%depth = surface%last_depth()
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (allocated(error)) return
         if (present(shared)) then
@@ -243,7 +248,8 @@ contains
         class(layered_exact_t), intent(in) :: self
         real(wp) :: radius
 
-        radius = largest_ratio*self%kernel%unit
+        radius = largest_ratio*self%depth
+        if (self%kernel%vanishes) radius = largest_homogeneous
     end function largest_radius
 
     !> zeta(a) = d/g(a), equation (9): what the depth is to that of a homogeneous body at the same contact radius.

@@ -114,7 +114,9 @@ contains
             parts(1, :, octave) = real(ray%weighted_chi(:, octave), wp)
             parts(2, :, octave) = -aimag(ray%weighted_chi(:, octave))
         end do
-        call dgemv("N", size(x), size(parts), 1.0_wp, table%near, size(x), parts, 1, 1.0_wp, x, 1)
+        do octave = first_wave, ubound(parts, 3)
+            call add_waves(table%near(:, :, :, octave), parts(:, :, octave), x)
+        end do
         do octave = ubound(parts, 3) + 1, ray%top
             do i = 1, size(table%nodes)
                 call waves_at(table%direction, scale(table%nodes(i), octave)*table%near_y, waves)
@@ -150,8 +152,18 @@ contains
             parts(1, :, m) = real(factor, wp)
             parts(2, :, m) = -aimag(factor)
         end do
-        call dgemv("N", size(x), size(parts), 1.0_wp, table%far, size(x), parts, 1, 1.0_wp, x, 1)
+        do m = first_wave, ubound(parts, 3)
+            call add_waves(table%far(:, :, :, m), parts(:, :, m), x)
+        end do
     end subroutine far_values
+
+    !> One octave at a time: products so small that no BLAS starts threads for them.
+    subroutine add_waves(waves, parts, x)
+        real(wp), intent(in), contiguous :: waves(:, :, :), parts(:, :)
+        real(wp), intent(inout), contiguous :: x(:)
+
+        call dgemv("N", size(x), size(parts), 1.0_wp, waves, size(x), parts, 1, 1.0_wp, x, 1)
+    end subroutine add_waves
 
     !> Re sum_n moments(n) y^n.
     pure function power_series(moments, y) result(x)
