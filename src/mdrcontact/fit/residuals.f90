@@ -16,6 +16,7 @@ module mdrcontact_fit_residuals
     !> Relative step of a reading for the difference quotient, and the least share of its error that is left in a residual.
     real(wp), parameter :: reading_step = 1.0e-4_wp, smallest_share = 0.1_wp
 
+    !> Residuals of the data, then of the priors.
     type, extends(residuals_t) :: fit_residuals_t
         type(fit_problem_t) :: problem
         type(fit_data_t) :: data
@@ -38,6 +39,7 @@ module mdrcontact_fit_residuals
 
 contains
 
+    !> Residuals of a problem that has been checked.
     subroutine new_fit_residuals(self, problem, data, variables)
         type(fit_residuals_t), intent(out) :: self
         type(fit_problem_t), intent(in) :: problem

@@ -10,15 +10,19 @@ module mdrcontact_scalar_function
     !> Extend it with the data that the function needs. A failed evaluation allocates `error` and
     !> returns any number; whoever called the function looks at `error` before using the number.
     type, abstract :: scalar_function_t
+        !> allocated by an evaluation that failed
         type(error_t), allocatable :: error
     contains
+        !> f(x)
         procedure(value_at), deferred :: value
     end type scalar_function_t
 
     abstract interface
+        !> y = f(x).
         function value_at(self, x) result(y)
             import :: scalar_function_t, wp
             class(scalar_function_t), intent(inout) :: self
+            !> in the unit of the function's argument
             real(wp), intent(in) :: x
             real(wp) :: y
         end function value_at
