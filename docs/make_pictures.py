@@ -76,7 +76,8 @@ def springs(quick: bool) -> Any:
     left.fill_between(r, surface, -0.85, color="#e3e8ee")
     left.plot(r, surface, color="#1c2430", linewidth=1.0)
     left.plot(r, r**2 / 2.0 - d, color=BLUE)
-    left.set(title="three dimensions: $f(r)$ on a half-space", xlabel="$r/R$", ylabel="height$/R$", xlim=(-1.2, 1.2), ylim=(-0.85, 0.45))
+    left.set(title="three dimensions: $f(r)$ on a half-space", xlabel="$r/R$", ylabel="height$/R$")
+    left.set(xlim=(-1.2, 1.2), ylim=(-0.85, 0.45))
     for x in np.linspace(-1.1, 1.1, 23):
         top = min(x**2 - d, 0.0)
         y = np.linspace(-0.62, top, 9)
@@ -86,7 +87,8 @@ def springs(quick: bool) -> Any:
     right.axhline(0.0, color="#1c2430", linewidth=0.8, linestyle=":")
     right.set(title="one dimension: $g(x)$ on independent springs", xlabel="$x/R$")
     for axis in (left, right):
-        axis.annotate("", (a, -0.74), (0.0, -0.74), arrowprops={"arrowstyle": "<->", "color": "#1c2430", "shrinkA": 0, "shrinkB": 0})
+        arrow = {"arrowstyle": "<->", "color": "#1c2430", "shrinkA": 0, "shrinkB": 0}
+        axis.annotate("", (a, -0.74), (0.0, -0.74), arrowprops=arrow)
         axis.text(a + 0.05, -0.74, "$a$", va="center")
         axis.spines[["top", "right"]].set_visible(False)
     return figure
@@ -122,7 +124,8 @@ def accuracy(quick: bool) -> Any:
     for i, model in enumerate(models):
         for j, errors in enumerate((result.modulus_error, result.force_error)):
             axis = axes[i // 3, 2 * (i % 3) + j]
-            shown = axis.contourf(result.radius_ratio, result.modulus_ratio, 100.0 * errors[i], levels, colors=colours, extend="both")
+            percent = 100.0 * errors[i]
+            shown = axis.contourf(result.radius_ratio, result.modulus_ratio, percent, levels, colors=colours, extend="both")
             axis.set(xscale="log", yscale="log")
             axis.set_title(f"{model}\n" + ("error of $E_\\mathrm{eff}$", "error of $F$")[j], fontsize=8)
     for axis in axes[-1]:

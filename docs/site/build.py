@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Builds guide and Fortran API into one folder of HTML. python docs/site/build.py OUTPUT
 
-Ends with status 1 if FORD or anything here has a warning: an undocumented public entity, a link that leads nowhere, a page that FORD
-cannot read. What it writes needs no network: FORD's links to style sheets and scripts elsewhere are replaced.
+Ends with status 1 if FORD or anything here has a warning: an undocumented public entity, a link that leads nowhere, a page that
+FORD cannot read. What it writes needs no network: FORD's links to style sheets and scripts elsewhere are replaced.
 """
 
 from __future__ import annotations
@@ -25,7 +25,9 @@ DOCS, SOURCE = ROOT / "docs", ROOT / "src"
 C_LAYER = SOURCE / "mdrcontact" / "api"
 """Its manual is mdrcontact.h."""
 
-_ELSEWHERE = re.compile(r"<!-- MathJax -->.*?(?=<!-- Other)|<link[^>]*https://[^>]*>|<script[^>]*https://[^>]*>\s*</script>", re.DOTALL)
+_ELSEWHERE = re.compile(
+    r"<!-- MathJax -->.*?(?=<!-- Other)|<link[^>]*https://[^>]*>|<script[^>]*https://[^>]*>\s*</script>", re.DOTALL
+)
 _TROUBLE = re.compile(r"Warning:|Error|Traceback")
 
 
@@ -53,12 +55,9 @@ def _write_pages(folder: Path, copies: Path) -> None:
     copies.mkdir()
 
     def copy(file: Path) -> str:
-        inside = Path("files") / file.relative_to(ROOT)
-        if file.suffix == ".png":
-            inside = Path("pictures") / file.name
-        else:
-            # a browser shows text and saves what it does not know
-            inside = inside.with_name(inside.name + ".txt")
+        # a browser shows text and saves what it does not know
+        text = Path("files") / file.relative_to(ROOT).with_name(file.name + ".txt")
+        inside = Path("pictures") / file.name if file.suffix == ".png" else text
         (copies / inside).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(file, copies / inside)
         return str(inside)
@@ -93,8 +92,8 @@ max_frontpage_items: 0
 The [guide](page/index.html) leads to what you need, in Python, C, Fortran and on the command line.
 
 The Fortran interface is described module by module: [all modules](lists/modules.html), [all types](lists/types.html),
-[all procedures](lists/procedures.html). A program uses one of them, [`mdrcontact`](module/mdrcontact.html), which exports what is meant
-for users. The C interface is described in `mdrcontact.h`.
+[all procedures](lists/procedures.html). A program uses one of them, [`mdrcontact`](module/mdrcontact.html), which exports what is
+meant for users. The C interface is described in `mdrcontact.h`.
 """
     (work / "project.md").write_text(settings, encoding="utf-8")
     ford = subprocess.run([sys.executable, "-m", "ford", work / "project.md"], capture_output=True, text=True, check=False)

@@ -17,6 +17,7 @@ FENCE = re.compile(r"^```(\w*)(?: file=(\S+))?$")
 _CODE = re.compile(r"(`+[^`]*`+)")
 _DISPLAYED = re.compile(r"\$\$(.+?)\$\$")
 _INLINE = re.compile(r"(?<![\w$\\])\$(?=\S)([^$]+?)(?<=\S)\$(?!\w)")
+_PRIME = '<mo lspace="0" rspace="0">&#x02032;</mo>'
 _LINK = re.compile(r"\]\(([^)\s]+)\)")
 
 
@@ -32,7 +33,7 @@ def ordered(docs: Path) -> list[Path]:
 
 
 def page(path: Path, copy: Callable[[Path], str]) -> str:
-    """The text of a page for FORD. `copy` brings a file of the repository into the site and says where it is, seen from the page."""
+    """The text of a page for FORD. `copy` brings a file of the repository into the site and says where it is from the page."""
     lines = path.read_text(encoding="utf-8").split("\n")
     if not lines[0].startswith("# "):
         raise PageError(f"{path.name}: the first line must be the title, as in '# Title'")
@@ -67,7 +68,13 @@ def _prose(line: str, path: Path, copy: Callable[[Path], str]) -> str:
 
 def _formula(text: str, display: str) -> str:
     # signs that Markdown would read as emphasis
-    return convert(text, display=display).replace("*", "&#42;").replace("_", "&#95;").replace("|", "&#124;")
+    formula = convert(text, display=display).replace("*", "&#42;").replace("_", "&#95;").replace("|", "&#124;")
+    formula = re.sub(r"(<m([io])>(?:arc)?(?:cos|sin|tan|ln)</m\2>)(?!<mo)", r'\1<mspace width="0.167em"></mspace>', formula)
+    # a prime is a small sign high up already: as a superscript most fonts leave a dot of it
+    formula = re.sub(r"<msup>(<mi>\w</mi>)<mi>&#x02032;</mi></msup>", rf"\1{_PRIME}", formula)
+    formula = re.sub(r"<msubsup>(.*?)<mi>&#x02032;</mi></msubsup>", rf"<msub>\1</msub>{_PRIME}", formula)
+    # at the beginning of a line <math> alone would be a paragraph of its own
+    return formula if display == "block" else f"<span>{formula}</span>"
 
 
 def _target(link: str, path: Path, copy: Callable[[Path], str]) -> str:

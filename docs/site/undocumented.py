@@ -2,9 +2,9 @@
 """Which public Fortran entities have no docstring, by FORD's own parser.
 
 FORD's `warn` asks for a docstring on every local variable too, so the question is put here. Every public module, constant, type,
-interface and procedure needs one. What the facade module exports is for users: there the components and bindings of types
-and the numbers, texts and arrays among the arguments need one as well. An argument of derived type is told by its type, and a binding that
-overrides another one by that.
+interface and procedure needs one. What the facade module exports is for users: there the components and bindings of types and the
+numbers, texts and arrays among the arguments need one as well. An argument of derived type is told by its type, and a binding
+that overrides another one by that.
 """
 
 from __future__ import annotations

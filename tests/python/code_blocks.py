@@ -164,9 +164,9 @@ _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?")
 
 
 def same_output(said: str, printed: str) -> bool:
-    """Whether the words are the same and the numbers agree to a unit of the last digit that is said. A line `...` stands for any lines."""
+    """Whether the words are the same and the numbers agree to a unit of the last digit said. A line `...` stands for any lines."""
     parts = [part.splitlines() for part in re.split(r"^\.\.\.\n", said, flags=re.MULTILINE)]
-    lines = printed.splitlines()
+    lines = printed.rstrip().splitlines()
     at = 0
     for i, part in enumerate(parts):
         last = len(lines) - len(part)
@@ -176,11 +176,15 @@ def same_output(said: str, printed: str) -> bool:
             places = [last] if last >= at else []
         else:
             places = list(range(at, last + 1))
-        fitting = next((p for p in places if p <= last and all(map(_same_line, part, lines[p : p + len(part)], strict=True))), None)
+        fitting = next((p for p in places if p <= last and _same_lines(part, lines[p : p + len(part)])), None)
         if fitting is None or len(parts) == 1 and len(part) != len(lines):
             return False
         at = fitting + len(part)
     return True
+
+
+def _same_lines(said: list[str], printed: list[str]) -> bool:
+    return all(_same_line(*pair) for pair in zip(said, printed, strict=True))
 
 
 def _same_line(said: str, printed: str) -> bool:
@@ -188,7 +192,9 @@ def _same_line(said: str, printed: str) -> bool:
         return _NUMBER.sub("#", line).split()
 
     numbers = _NUMBER.findall(said), _NUMBER.findall(printed)
-    return words(said) == words(printed) and all(abs(float(a) - float(b)) <= 1.0001 * _unit(a) for a, b in zip(*numbers, strict=True))
+    if words(said) != words(printed):
+        return False
+    return all(abs(float(a) - float(b)) <= 1.0001 * _unit(a) for a, b in zip(*numbers, strict=True))
 
 
 def _unit(number: str) -> float:
