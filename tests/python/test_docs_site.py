@@ -45,6 +45,8 @@ end module shapes
 """
 
 
+# FORD leaves the files that it reads to the garbage collector
+@pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.parametrize(
     ("docstring", "name"),
     [
