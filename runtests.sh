@@ -31,20 +31,22 @@ check() {
 say "1/5 System packages"
 install_system_packages valgrind:valgrind g++:g++
 say "2/5 Python package in .venv"
-install_python_package test fortitude-lint ruff
+install_python_package test,docs fortitude-lint ruff
 
-say "3/5 Linters"
+say "3/5 Linters and documentation"
 existing=()
 for folder in src tests examples python; do
     [[ -d $folder ]] && existing+=("$folder")
 done
 check fortitude .venv/bin/fortitude check "${existing[@]}"
 if grep -q '^\[tool\.ruff' pyproject.toml; then
-    check ruff .venv/bin/ruff check python tests
+    check ruff .venv/bin/ruff check python tests examples docs
 fi
 if grep -q '^\[tool\.mypy\]' pyproject.toml; then
     check mypy .venv/bin/python -m mypy
 fi
+
+check documentation with_progress "$log_dir/docs.log" .venv/bin/python docs/site/build.py build/docs
 
 say "4/5 Library, examples, Fortran and C tests (ctest)"
 build_all() {
@@ -57,7 +59,7 @@ ctest --test-dir "$build" --parallel "$jobs" --output-on-failure --no-tests=erro
     --test-output-size-passed 1000000 --test-output-size-failed 1000000 --output-junit "$PWD/$results/ctest.xml"
 
 say "5/5 Python tests (pytest)"
-# the README's Fortran and C examples use the library as installed
+# the Fortran and C code of README and guide uses the library as installed
 if with_progress "$log_dir/install.log" cmake --install "$build" --prefix "$PWD/build/prefix"; then
     export MDRCONTACT_PREFIX="$PWD/build/prefix"
 fi

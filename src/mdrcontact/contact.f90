@@ -62,9 +62,12 @@ contains
     !> A contact of `profile` with `medium`.
     subroutine new_contact(self, profile, medium, error, options)
         type(contact_t), intent(out) :: self
+        !> copied
         class(profile_t), intent(in) :: profile
+        !> copied
         class(medium_t), intent(in) :: medium
         type(error_t), allocatable, intent(out) :: error
+        !> without it: no adhesion, zeta = 1
         type(contact_options_t), intent(in), optional :: options
 
         call disable_gsl_abort()
@@ -234,6 +237,7 @@ contains
         type(control_t), intent(in) :: control
         !> what s is called in error messages
         character(len=*), intent(in) :: name
+        !> value of what is controlled, in its unit: [length] or [modulus length^2]
         real(wp), intent(in) :: s
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
@@ -310,6 +314,7 @@ contains
         class(contact_t), intent(in) :: self
         type(control_t), intent(in) :: control
         type(stretch_t), intent(in) :: stretch
+        !> between the lowest and the highest value of the stretch
         real(wp), intent(in) :: s
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error

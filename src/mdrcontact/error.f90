@@ -35,7 +35,9 @@ module mdrcontact_error
 
     !> A failure: `code` is one of the constants above, `message` the reason in words.
     type :: error_t
+        !> one of the constants of this module; a status of mdrcontact.h
         integer :: code = success
+        !> names the argument, its value and what is allowed
         character(len=:), allocatable :: message
     end type error_t
 

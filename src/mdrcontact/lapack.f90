@@ -7,6 +7,7 @@ module mdrcontact_lapack
     public :: dgemm, dgemv, dpotrf, dpotrs, dsyev
 
     interface
+        !> Cholesky factor of a symmetric positive definite matrix.
         subroutine dpotrf(uplo, n, a, lda, info)
             import :: wp
             character(len=1), intent(in) :: uplo
@@ -15,6 +16,7 @@ module mdrcontact_lapack
             integer, intent(out) :: info
         end subroutine dpotrf
 
+        !> Solves with the factor of dpotrf.
         subroutine dpotrs(uplo, n, nrhs, a, lda, b, ldb, info)
             import :: wp
             character(len=1), intent(in) :: uplo
@@ -24,6 +26,7 @@ module mdrcontact_lapack
             integer, intent(out) :: info
         end subroutine dpotrs
 
+        !> Eigenvalues, ascending, and eigenvectors of a symmetric matrix.
         subroutine dsyev(jobz, uplo, n, a, lda, w, work, lwork, info)
             import :: wp
             character(len=1), intent(in) :: jobz, uplo
@@ -33,6 +36,7 @@ module mdrcontact_lapack
             integer, intent(out) :: info
         end subroutine dsyev
 
+        !> Product of matrices, alpha A B + beta C.
         subroutine dgemm(transa, transb, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc)
             import :: wp
             character(len=1), intent(in) :: transa, transb

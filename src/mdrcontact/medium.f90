@@ -58,7 +58,9 @@ module mdrcontact_medium
             import :: error_t, medium_t, profile_t, wp
             class(medium_t), intent(in) :: self
             class(profile_t), intent(in) :: profile
+            !> contact radius [length]
             real(wp), intent(in) :: a
+            !> d [length] and F [modulus length^2]
             real(wp), intent(out) :: depth, force
             type(error_t), allocatable, intent(out) :: error
         end subroutine first_touch
@@ -82,7 +84,9 @@ contains
     subroutine first_touch_depth(self, profile, a, value, error)
         class(medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
+        !> contact radius [length]
         real(wp), intent(in) :: a
+        !> depth of the contact without adhesion [length]
         real(wp), intent(out) :: value
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: force
@@ -93,7 +97,9 @@ contains
     subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
         class(medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
+        !> contact radius [length]
         real(wp), intent(in) :: a
+        !> without adhesion: d [length], F [modulus length^2], E_eff [modulus] and dE_eff/da [modulus/length]
         real(wp), intent(out) :: depth, force, modulus, modulus_slope
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: value(1), slope(1)

@@ -38,6 +38,7 @@ contains
 
     !> Phi(xi) = (1 + 3 xi^2)/(pi (1 + xi^2)^2) = dI0/dxi at nu = 1/2, equation (18); xi = z/a >= 0. Its integral is 1.
     elemental function weight_phi(xi) result(phi)
+        !> z/a >= 0 [1]
         real(wp), intent(in) :: xi
         real(wp) :: phi, square
 
@@ -47,6 +48,7 @@ contains
 
     !> I0(xi), the weight of the shear modulus between the surface and depth z = a xi, equation (14); xi >= 0, -1 < nu <= 1/2.
     elemental function weight_i0(xi, nu) result(weight)
+        !> z/a >= 0 [1], and Poisson's ratio of the medium, -1 < nu <= 1/2 [1]
         real(wp), intent(in) :: xi, nu
         real(wp) :: weight, x
 
@@ -56,6 +58,7 @@ contains
 
     !> 1 - I0(xi), the weight of everything below depth a xi.
     elemental function weight_j0(xi, nu) result(weight)
+        !> as in weight_i0
         real(wp), intent(in) :: xi, nu
         real(wp) :: weight, x
 
@@ -65,6 +68,7 @@ contains
 
     !> I1(xi), the weight of Poisson's ratio between the surface and depth z = a xi, equation (15); xi >= 0.
     elemental function weight_i1(xi) result(weight)
+        !> z/a >= 0 [1]
         real(wp), intent(in) :: xi
         real(wp) :: weight, x
 
@@ -74,6 +78,7 @@ contains
 
     !> 1 - I1(xi).
     elemental function weight_j1(xi) result(weight)
+        !> z/a >= 0 [1]
         real(wp), intent(in) :: xi
         real(wp) :: weight, x
 

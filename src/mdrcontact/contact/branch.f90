@@ -18,13 +18,17 @@ module mdrcontact_branch
 
     !> What the machine prescribes: s = depth_weight d + force_weight F.
     type :: control_t
+        !> [1], or [modulus length] where s is a force
         real(wp) :: depth_weight = 1.0_wp
+        !> [length^-1 modulus^-1], or [1] where s is a force
         real(wp) :: force_weight = 0.0_wp
     contains
         procedure :: of
     end type control_t
 
+    !> The machine prescribes the indentation depth.
     type(control_t), parameter :: depth_control = control_t(1.0_wp, 0.0_wp)
+    !> The machine prescribes the normal force.
     type(control_t), parameter :: force_control = control_t(0.0_wp, 1.0_wp)
 
     !> A stable stretch of the branch: s grows from `lowest` to `highest` as the coordinate goes from `first` to `last`.
@@ -97,6 +101,7 @@ contains
     !> s of a state.
     elemental function of(self, depth, force) result(s)
         class(control_t), intent(in) :: self
+        !> d [length], F [modulus length^2]
         real(wp), intent(in) :: depth, force
         real(wp) :: s
 

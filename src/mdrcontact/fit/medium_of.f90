@@ -34,6 +34,7 @@ module mdrcontact_fit_medium_of
                           model_mencik_exponential = 4, model_mencik_reciprocal = 5, model_bec = 6, model_perriot_barthel = 7, &
                           model_hay_crawford = 8, model_dimitriadis = 9, model_garcia = 10, model_exact = 11
 
+    !> Which medium the numbers belong to.
     type :: medium_choice_t
         !> one of medium_...
         integer :: kind = medium_given

@@ -32,13 +32,17 @@ module mdrcontact_fit_problem
     type :: fit_parameter_t
         !> the value, or where the search begins
         real(wp) :: value = 0.0_wp
+        !> whether the fit may change the value
         logical :: is_free = .false.
+        !> bounds of a free number
         real(wp) :: lower = -huge(1.0_wp), upper = huge(1.0_wp)
         !> the value known beforehand and its standard deviation; 0: nothing is known
         real(wp) :: prior = 0.0_wp, prior_sd = 0.0_wp
     end type fit_parameter_t
 
+    !> The question of a fit: what the numbers mean, which are free, and how residuals count.
     type :: fit_problem_t
+        !> kinds of indenter and medium
         type(fit_body_t) :: body
         !> one of data_...
         integer :: data_kind = data_force_depth
@@ -52,11 +56,13 @@ module mdrcontact_fit_problem
         real(wp) :: loss_scale = 1.345_wp
         !> whether the standard deviations of the data are known, or only their ratios
         logical :: sd_is_absolute = .true.
+        !> of one search, at least 1
         integer :: max_iterations = 100
         !> refuses data that are more than 300 times larger or smaller than the model at the start: they are in other units
         logical :: check_units = .true.
     end type fit_problem_t
 
+    !> Measured points, in any order.
     type :: fit_data_t
         !> d or a [length]
         real(wp), allocatable :: x(:)

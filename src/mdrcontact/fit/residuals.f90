@@ -22,6 +22,7 @@ module mdrcontact_fit_residuals
         real(wp), allocatable :: u(:), y(:)
     end type prediction_t
 
+    !> Residuals of the data, then of the priors.
     type, extends(residuals_t) :: fit_residuals_t
         type(fit_problem_t) :: problem
         type(fit_data_t) :: data
@@ -49,6 +50,7 @@ module mdrcontact_fit_residuals
 
 contains
 
+    !> Residuals of a problem that has been checked.
     subroutine new_fit_residuals(self, problem, data, variables)
         type(fit_residuals_t), intent(out) :: self
         type(fit_problem_t), intent(in) :: problem

@@ -27,6 +27,7 @@ module mdrcontact_layered_graded
     integer, parameter :: table_octaves = 30, function_octaves = 50
     real(wp), parameter :: function_tolerance = 1.0e-13_wp
 
+    !> The surface compliance of a graded half-space.
     type, extends(surface_t) :: graded_surface_t
         private
         !> depths of the sublayers' ends, 0 first [length]

@@ -17,6 +17,7 @@ module mdrcontact_layered_stack
     integer, parameter :: series_order = 10
     real(wp), parameter :: longest = 0.1_wp
 
+    !> The surface compliance of bonded layers.
     type, extends(surface_t) :: stack_t
         private
         type(layer_modes_t), allocatable :: modes(:)

@@ -48,6 +48,7 @@ contains
         !> h > 0 [length]
         real(wp), intent(in) :: thickness
         type(error_t), allocatable, intent(out) :: error
+        !> without it: in parallel, nu of the surface in I0
         type(gao_options_t), intent(in), optional :: options
 
         call check_positive(error, "thickness", thickness)
@@ -64,6 +65,7 @@ contains
         real(wp), intent(in) :: thickness(:)
         type(material_t), intent(in) :: substrate
         type(error_t), allocatable, intent(out) :: error
+        !> as in new_gao
         type(gao_options_t), intent(in), optional :: options
         integer :: i
 
