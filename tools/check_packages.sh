@@ -43,6 +43,7 @@ tar -xzf "$sdist" -C "$place"
 PATH=$tools:$PATH with_progress "$log_dir/packages-repair.log" "$tools/auditwheel" repair --wheel-dir "$packages" "$place"/*.whl ||
     give_up "auditwheel could not put the libraries into the wheel."
 wheel=$(echo "$packages"/mdrcontact-*.whl)
+"$tools/python" tools/add_licences.py "$wheel"
 "$tools/python" tests/packages/contents.py . "$sdist" "$wheel"
 
 note "the wheel in an empty environment"

@@ -62,6 +62,10 @@ def check_wheel(root, wheel):
     complain(wheel, "not meant to be there", tops - information - {"mdrcontact", "mdrcontact.libs"})
     if not any(name.endswith(".dist-info/licenses/LICENSE") for name in names):
         sys.exit(f"{wheel.name}: LICENSE is missing")
+    libraries = {name for name in names if name.startswith("mdrcontact.libs/") and ".so" in name}
+    licences = {name.split("/")[2] for name in names if ".dist-info/licenses/" in name and name.count("/") > 2}
+    if not libraries or not licences:
+        sys.exit(f"{wheel.name}: {len(libraries)} libraries inside, with the licences of {sorted(licences)}")
     if sum(name.startswith("mdrcontact/_native.") and name.endswith(".so") for name in names) != 1:
         sys.exit(f"{wheel.name}: one extension module mdrcontact/_native is meant")
     if "manylinux" not in wheel.name:

@@ -17,7 +17,7 @@ import numpy as np
 
 import mdrcontact as mdr
 
-NUMERICAL = re.compile(r"/lib(gsl|gslcblas|\w*blas|\w*lapack|gfortran|quadmath|gomp)\b[^/]*\.so")
+NUMERICAL = re.compile(r"/lib(gslcblas|gsl|openblas|blas|lapack|gfortran|quadmath|gomp)[^/]*\.so[^/]*$")
 """Libraries that a self-contained package must bring along."""
 
 
@@ -91,8 +91,8 @@ def loaded_libraries():
     if foreign:
         sys.exit("smoke test: loaded from outside of the environment: " + ", ".join(foreign))
     ours = {NUMERICAL.search(path)[1] for path in numerical if "/mdrcontact.libs/" in path}
-    if not {"gsl", "gfortran"} <= ours:
-        sys.exit(f"smoke test: mdrcontact brings along {sorted(ours)}: GSL and gfortran's library are not among them")
+    if not {"gsl", "gfortran"} <= ours or not {"openblas", "lapack"} & ours:
+        sys.exit(f"smoke test: mdrcontact brings along {sorted(ours)}: GSL, gfortran's library or LAPACK is not among them")
     print(f"   brought along: {', '.join(sorted(ours))}")
 
 
