@@ -33,7 +33,7 @@ tools=(g++:g++)
 on_macos || tools+=(valgrind:valgrind)
 install_system_packages "${tools[@]}"
 say "2/6 Python package in .venv"
-install_python_package test fortitude-lint ruff
+install_python_package test fortitude-lint ruff yamllint
 
 say "3/6 Linters"
 existing=()
@@ -42,11 +42,12 @@ for folder in src tests examples python; do
 done
 check fortitude .venv/bin/fortitude check "${existing[@]}"
 if grep -q '^\[tool\.ruff' pyproject.toml; then
-    check ruff .venv/bin/ruff check python tests
+    check ruff .venv/bin/ruff check python tests examples docs tools
 fi
 if grep -q '^\[tool\.mypy\]' pyproject.toml; then
     check mypy .venv/bin/python -m mypy
 fi
+check yamllint .venv/bin/yamllint --strict .
 
 say "4/6 Library, examples, Fortran and C tests (ctest)"
 build_all() {

@@ -6,6 +6,7 @@ line, and, on Linux, where every numerical library of the process was loaded fro
 """
 
 import math
+import os
 import platform
 import re
 import subprocess
@@ -87,7 +88,7 @@ def loaded_libraries():
     """Numerical libraries come from this environment, and those of the package's own language are among them."""
     loaded = {line.split()[-1] for line in Path("/proc/self/maps").read_text().splitlines() if ".so" in line}
     numerical = sorted(path for path in loaded if NUMERICAL.search(path))
-    foreign = [path for path in numerical if not path.startswith(sys.prefix + "/")]
+    foreign = [path for path in numerical if not path.startswith(os.path.realpath(sys.prefix) + "/")]
     if foreign:
         sys.exit("smoke test: loaded from outside of the environment: " + ", ".join(foreign))
     ours = {NUMERICAL.search(path)[1] for path in numerical if "/mdrcontact.libs/" in path}
