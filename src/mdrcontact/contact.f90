@@ -11,6 +11,7 @@ module mdrcontact_contact
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
+    use mdrcontact_medium_homogeneous, only: homogeneous_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_quadrature, only: merged_breaks
     use mdrcontact_radius_law, only: radius_law_t
@@ -49,6 +50,7 @@ module mdrcontact_contact
         procedure :: state_on_stretch
         procedure :: work_between
         procedure :: is_adhesive
+        procedure :: is_formula
         procedure :: radius_range
         procedure :: line_load
         procedure :: pressure
@@ -132,6 +134,18 @@ contains
 
         answer = allocated(self%branch)
     end function is_adhesive
+
+    !> Whether a state is a formula and costs less than to wake a thread for it.
+    pure function is_formula(self) result(answer)
+        class(contact_t), intent(in) :: self
+        logical :: answer
+
+        answer = .false.
+        select type (medium => self%equilibrium%medium)
+        type is (homogeneous_t)
+            answer = .not. (self%is_adhesive() .or. allocated(medium%zeta))
+        end select
+    end function is_formula
 
     !> Between which contact radii the contact is defined, and where it is not analytic in between.
     subroutine radius_range(self, end_radius, smallest, largest, breaks)

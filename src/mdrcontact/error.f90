@@ -125,6 +125,7 @@ contains
         end if
         if (allocated(error)) return
         do i = 1, size(x)
+            if (ieee_is_finite(x(i)) .and. ieee_is_finite(y(i))) cycle
             call check_finite(error, entry_name(x_name, i), x(i))
             call check_finite(error, entry_name(y_name, i), y(i))
             if (allocated(error)) return

@@ -85,7 +85,7 @@ contains
 
     !> Refuses data that no reasonable start is so far away from.
     subroutine check_units_at_start(residuals, u, error)
-        type(fit_residuals_t), intent(in) :: residuals
+        type(fit_residuals_t), intent(inout) :: residuals
         real(wp), intent(in) :: u(:)
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: y(size(residuals%data%x)), ratio

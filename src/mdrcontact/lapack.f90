@@ -4,7 +4,7 @@ module mdrcontact_lapack
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: dgemm, dpotrf, dpotrs, dsyev
+    public :: dgemm, dgemv, dpotrf, dpotrs, dsyev
 
     interface
         subroutine dpotrf(uplo, n, a, lda, info)
@@ -40,6 +40,14 @@ module mdrcontact_lapack
             real(wp), intent(in) :: alpha, beta, a(lda, *), b(ldb, *)
             real(wp), intent(inout) :: c(ldc, *)
         end subroutine dgemm
+
+        subroutine dgemv(trans, m, n, alpha, a, lda, x, incx, beta, y, incy)
+            import :: wp
+            character(len=1), intent(in) :: trans
+            integer, intent(in) :: m, n, lda, incx, incy
+            real(wp), intent(in) :: alpha, beta, a(lda, *), x(*)
+            real(wp), intent(inout) :: y(*)
+        end subroutine dgemv
     end interface
 
 end module mdrcontact_lapack

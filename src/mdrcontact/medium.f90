@@ -31,6 +31,8 @@ module mdrcontact_medium
         procedure(field), deferred :: displacement_outside
         !> depth alone [length]; a medium that finds it without the force overrides it
         procedure :: first_touch_depth
+        !> d'(a) of first touch [1] where the medium knows it without solving anything; negative if it does not
+        procedure :: first_touch_slope => unknown_slope
         !> depth, force, modulus and its slope at one radius; a medium that finds them together overrides it
         procedure :: response
         !> whether the medium meets an adhesive edge exactly, with the energy balance; otherwise the rule is a choice (theory 5)
@@ -105,6 +107,17 @@ contains
         modulus = value(1)
         modulus_slope = slope(1)
     end subroutine response
+
+    pure function unknown_slope(self, profile, a) result(slope)
+        class(medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp) :: slope
+
+        associate (unused => self, also_unused => profile, unused_too => a)
+        end associate
+        slope = -1.0_wp
+    end function unknown_slope
 
     pure function no(self) result(answer)
         class(medium_t), intent(in) :: self

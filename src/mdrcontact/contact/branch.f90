@@ -343,6 +343,7 @@ contains
             quantity%equilibrium => equilibrium
             quantity%control = control
             quantity%offset = s
+            quantity%is_rough = equilibrium%profile%end_radius() > 0.0_wp
             call find_coordinate(self, quantity, control, stretch, x, found, error)
             if (allocated(error)) return
             if (.not. found) then

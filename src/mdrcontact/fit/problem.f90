@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is fitted to what: the numbers of indenter, medium and instrument, and the measured data.
 module mdrcontact_fit_problem
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use mdrcontact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_invalid, error_t, &
                                 raise, to_text
@@ -180,6 +180,7 @@ contains
         end if
         if (allocated(error)) return
         do i = 1, size(self%x)
+            if (is_good(self, problem%data_kind, i)) cycle
             call check_finite(error, entry_name("x", i), self%x(i))
             call check_finite(error, entry_name("y", i), self%y(i))
             if (problem%data_kind >= data_modulus_radius) call check_positive(error, entry_name("radius", i), self%x(i))
@@ -191,6 +192,18 @@ contains
             if (allocated(error)) return
         end do
     end subroutine check_points
+
+    !> Whether a point passes; names of points are made for those that do not.
+    pure function is_good(self, data_kind, i) result(answer)
+        type(fit_data_t), intent(in) :: self
+        integer, intent(in) :: data_kind, i
+        logical :: answer
+
+        answer = all(ieee_is_finite([self%x(i), self%y(i)]))
+        if (answer .and. data_kind >= data_modulus_radius) answer = self%x(i) > 0.0_wp
+        if (answer .and. allocated(self%sd)) answer = ieee_is_finite(self%sd(i)) .and. self%sd(i) > 0.0_wp
+        if (answer .and. data_kind == data_stiffness_depth) answer = self%y(i) > 0.0_wp .and. ieee_is_finite(self%force(i))
+    end function is_good
 
     pure subroutine check_column(values, name, expected, error)
         real(wp), intent(in) :: values(:)

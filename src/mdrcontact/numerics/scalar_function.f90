@@ -11,6 +11,10 @@ module mdrcontact_scalar_function
     !> returns any number; whoever called the function looks at `error` before using the number.
     type, abstract :: scalar_function_t
         type(error_t), allocatable :: error
+        !> df/dx at the x of the last evaluation, if the function knows it; 0 if it does not
+        real(wp) :: known_slope = 0.0_wp
+        !> f is rough at the level of its rounding errors: a root counts only if f was looked at there
+        logical :: is_rough = .false.
     contains
         procedure(value_at), deferred :: value
     end type scalar_function_t
