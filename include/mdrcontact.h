@@ -490,7 +490,8 @@ int mdr_contact_free(mdr_contact **c);
  *  @param d        or NULL: indentation depth [length]
  *  @param a        or NULL: contact radius [length]
  *  @param F        or NULL: normal force [modulus length^2]
- *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_ENOCONVERGENCE */
+ *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_EDOMAIN if the contact is still stable at the
+ *          smallest radius for which the medium is defined, MDR_ENOCONVERGENCE */
 int mdr_contact_pull_off(const mdr_contact *c, int control, double *d, double *a, double *F);
 
 /** Where each stable stretch of an adhesive contact ends: first that of mdr_contact_pull_off(), then the others by radius.

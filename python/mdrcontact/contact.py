@@ -103,7 +103,7 @@ class Contact(Described):
         """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "displacement".
 
         It is the global minimum over the whole branch; `.others` are the ends of the other stable stretches. All 0 without
-        adhesion.
+        adhesion. A contact that is still stable at the smallest radius of a tabulated medium raises DomainError.
         """
         return adhesion.pull_offs(self, control)
 

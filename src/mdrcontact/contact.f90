@@ -275,6 +275,7 @@ contains
         type(contact_state_t), allocatable, intent(out), optional :: others(:)
         type(stretch_t), allocatable :: list(:)
         type(contact_state_t), allocatable :: ends(:)
+        real(wp) :: smallest
         integer :: i, global
 
         if (present(others)) allocate (others(0))
@@ -291,6 +292,12 @@ contains
             if (allocated(error)) return
         end do
         global = minloc(list%lowest, dim=1)
+        smallest = self%equilibrium%medium%smallest_radius()
+        if (smallest > self%equilibrium%profile%end_radius() .and. ends(global)%radius <= smallest*(1.0_wp + 1.0e-12_wp)) then
+            call raise(error, error_domain, "the contact does not break at radii for which the medium is defined, from "// &
+                       to_text(smallest)//" on: it is still stable there")
+            return
+        end if
         state = ends(global)
         if (present(others)) others = [ends(:global - 1), ends(global + 1:)]
     end subroutine pull_off

@@ -137,6 +137,19 @@ def test_loops(control, largest, spring):
     np.testing.assert_allclose(loop.force[inside], states.force, rtol=1e-9, atol=1e-12)
 
 
+@pytest.mark.parametrize("control", ["force", "displacement"])
+def test_pull_off_lies_where_the_medium_is_defined(control):
+    expected = mdr.Contact(mdr.Cone(0.3), mdr.Homogeneous(mdr.Elastic(1.0, 0.0)), work_of_adhesion=GAMMA).pull_off(control)
+    for start, reaches in ((0.5, True), (2.0, False)):
+        medium = mdr.TabulatedMedium(expected.radius * np.array([start, 10.0, 100.0]), [1.0, 1.0, 1.0])
+        contact = mdr.Contact(mdr.Cone(0.3), medium, work_of_adhesion=GAMMA)
+        if reaches:
+            assert contact.pull_off(control)[:3] == pytest.approx(expected[:3], rel=1e-6)
+        else:
+            with pytest.raises(mdr.DomainError, match="does not break at radii"):
+                contact.pull_off(control)
+
+
 def test_jkr_loss():
     loss = jkr().loop("displacement", 0.5, 10).dissipated_energy
     assert loss / (GAMMA**5 * R**4 / 9.0) ** (1 / 3) == pytest.approx(7.0922, abs=5e-5)

@@ -17,6 +17,8 @@ module mdrcontact_roots
     integer, parameter :: most_secants = 12
     real(wp), parameter :: relative_width = 4.0_wp*epsilon(1.0_wp)
     real(wp), parameter :: widest_step = 50.0_wp
+    !> A slope between points that are not farther apart speaks for the function near them.
+    real(wp), parameter :: nearby = 0.1_wp
     !> Steps that shrink less do not converge yet; how far from the root they end.
     real(wp), parameter :: largest_ratio = 0.1_wp, negligible = 0.1_wp*epsilon(1.0_wp)
 
@@ -81,9 +83,10 @@ contains
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: x, y, x_before, y_before, low, high, left, step_before, ratio_before
-        logical :: has_low, has_high
+        logical :: has_low, has_high, slope_is_local
         integer :: iteration
 
+        slope_is_local = .true.
         has_low = .false.
         has_high = .false.
         low = smallest
@@ -109,7 +112,7 @@ contains
                 has_high = .true.
                 high = x
             end if
-            if (iteration > 1) then
+            if (iteration > 1 .and. slope_is_local) then
                 if (abs(x - x_before) <= relative_width*max(1.0_wp, abs(x))) return
             end if
             if ((x >= largest .and. y < 0.0_wp) .or. (x <= smallest .and. y > 0.0_wp)) then
@@ -127,7 +130,8 @@ contains
 
     contains
 
-        !> Moves x; a step that is not finite or leaves the bracket becomes a bisection or a wide stride.
+        !> Moves x; a step that is not finite or leaves the bracket becomes a bisection or a wide stride. A step of nothing along
+        !> a secant from afar does not mean that the root is here: it becomes a short one, which shows the slope near x.
         subroutine take_step()
             real(wp) :: next, rate
             logical :: newton
@@ -135,14 +139,20 @@ contains
             ! Where the last step did not help, as close to a vertical wall, the slope at x says little about the way back.
             newton = f%known_slope > 0.0_wp .and. (iteration == 1 .or. abs(y) < 0.5_wp*abs(y_before))
             rate = slope
+            slope_is_local = .true.
             if (newton) then
                 rate = f%known_slope
             else if (iteration > 1) then
                 rate = (y - y_before)/(x - x_before)
+                slope_is_local = abs(x - x_before) <= nearby
             end if
             if (.not. rate > 0.0_wp) rate = slope
             next = x - min(max(y/rate, -widest_step), widest_step)
             left = error_after(next - x, newton)
+            if (.not. slope_is_local) then
+                left = huge(left)
+                if (abs(next - x) <= relative_width*max(1.0_wp, abs(x))) next = x - sign(0.1_wp*nearby, y)
+            end if
             if (next <= low .or. next >= high) then
                 left = huge(left)
                 if (has_low .and. has_high) next = 0.5_wp*(low + high)
