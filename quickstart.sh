@@ -19,10 +19,10 @@ say "3/3 Contact of coated bodies"
 for problem in examples/problems/*.toml; do
     name=$(basename "$problem" .toml)
     note "$problem"
-    .venv/bin/mdrcontact curve "$problem" --csv "output/$name.csv" --plot "output/$name.png" --force
-    .venv/bin/mdrcontact compare "$problem" --plot "output/$name-models.png" --force
+    .venv/bin/mdrcontact curve "$problem" --csv "output/$name.csv" --plot "output/$name.png" --overwrite
+    .venv/bin/mdrcontact compare "$problem" --plot "output/$name-models.png" --overwrite
     if grep -q '^\[adhesion\]' "$problem"; then
-        .venv/bin/mdrcontact adhesion "$problem" --csv "output/$name-loop.csv" --plot "output/$name-loop.png" --force
+        .venv/bin/mdrcontact adhesion "$problem" --csv "output/$name-loop.csv" --plot "output/$name-loop.png" --overwrite
     fi
 done
 

@@ -42,7 +42,7 @@ def main() -> None:
         maps = lateral.effective_map(voxels, radii)
         map_time = time.perf_counter() - start
         stated = lateral.map_memory(voxels, radii) / 2**20
-        x, y = voxels.centers()
+        x, y = voxels.centres()
         # the library's own copy of the array is made before the clock runs
         voxels.modulus(x[0], y[0], radii[0] * 1e-3)
         start = time.perf_counter()

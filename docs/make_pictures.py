@@ -42,7 +42,7 @@ def indenters(quick: bool) -> Any:
         ("RoundedCone(0.5e-6, 0.4)", mdr.RoundedCone(0.5e-6, 0.4)),
         ("Berkovich(), Vickers()", mdr.Berkovich()),
         ("CubeCorner()", mdr.CubeCorner()),
-        ("AreaFunction([24.5, 1.5e-6], 1e-6)", mdr.AreaFunction([24.5, 1.5e-6], 1e-6)),
+        ("AreaFunction([24.5, 1.5e-6], max_height=1e-6)", mdr.AreaFunction([24.5, 1.5e-6], max_height=1e-6)),
         ("TabulatedProfile(r, f)", mdr.TabulatedProfile(r, 0.04e-6 * (1.0 - np.cos(4e6 * r)) + 0.4 * r)),
     ]
     figure, axes = plt.subplots(4, 3, figsize=(9.0, 8.6), sharex=True, sharey=True, layout="constrained")

@@ -293,7 +293,7 @@ int mdr_medium_layered(int n, const double E[], const double nu[], const double 
  *  @param z        [n] depths, strictly ascending from z[0] = 0 [length]
  *  @param E        [n] Young's moduli > 0 [modulus]
  *  @param nu       [n] Poisson's ratios, -1 < nu <= 1/2 [1]
- *  @param model    MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES
+ *  @param model    MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT
  *  @param options  NULL for the defaults
  *  @param out      receives the handle */
 int mdr_medium_graded(int n, const double z[], const double E[], const double nu[], int model,
@@ -304,7 +304,7 @@ int mdr_medium_graded(int n, const double z[], const double E[], const double nu
  *  @param nu       Poisson's ratio nu(z), -1 < nu <= 1/2 [1]
  *  @param context  passed on to both, may be NULL
  *  @param depth    > 0, below which the body is homogeneous [length]
- *  @param model    MDR_MODEL_GAO or MDR_MODEL_GAO_SERIES
+ *  @param model    MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT
  *  @param options  NULL for the defaults
  *  @param out      receives the handle
  *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if a function is not smooth enough to be sampled */
@@ -352,7 +352,7 @@ int mdr_medium_stiffness(const mdr_medium *m, int n, const double a[], double ou
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *m is not a medium */
 int mdr_medium_free(mdr_medium **m);
 
-/* ---- Gao's weights of a depth z, xi = z/a, equations (13)-(15), (18) -------------------------------------------- */
+/* ---- Gao's weights of a depth z, xi = z/a, equations (12)-(15), (18) -------------------------------------------- */
 
 /** Phi(xi) = dI0/dxi, the weight of the depth a xi itself; equation (18) at nu = 1/2.
  *  @param n    number of depths
@@ -361,10 +361,10 @@ int mdr_medium_free(mdr_medium **m);
  *  @param out  [n] weights [1] */
 int mdr_weight_phi(int n, const double xi[], double nu, double out[]);
 
-/** I0(xi), the weight of the shear modulus above the depth a xi, equation (14). Arguments as mdr_weight_phi(). */
+/** I0(xi), the weight of the shear modulus above the depth a xi, equations (12)-(15). Arguments as mdr_weight_phi(). */
 int mdr_weight_i0(int n, const double xi[], double nu, double out[]);
 
-/** I1(xi), the weight of Poisson's ratio above the depth a xi, equation (15). Arguments as mdr_weight_phi(); nu is
+/** I1(xi), the weight of Poisson's ratio above the depth a xi, equations (12)-(15). Arguments as mdr_weight_phi(); nu is
  *  checked but does not enter. */
 int mdr_weight_i1(int n, const double xi[], double nu, double out[]);
 
@@ -509,13 +509,13 @@ int mdr_contact_pull_offs(const mdr_contact *c, int control, int capacity, doubl
 /** A cycle: approach from afar, jump into contact, press to `largest`, retract until the bodies are apart again.
  *  @param c                 contact
  *  @param control           one of enum mdr_control: what the positions of the loop are
- *  @param spring_stiffness  > 0 for MDR_CONTROL_SPRING [modulus length], not looked at otherwise
  *  @param largest           position where the motion turns back, > 0 [length, or modulus length^2 under force control]
  *  @param points            points on each way, at least 2; jumps and their ends come on top
+ *  @param spring_stiffness  > 0 for MDR_CONTROL_SPRING [modulus length], not looked at otherwise
  *  @param out               receives the handle
  *  @return also MDR_EUNREACHABLE if `largest` cannot be reached or the bodies do not stick when they touch,
  *          MDR_ENOCONVERGENCE */
-int mdr_loop_new(const mdr_contact *c, int control, double spring_stiffness, double largest, int points, mdr_loop **out);
+int mdr_loop_new(const mdr_contact *c, int control, double largest, int points, double spring_stiffness, mdr_loop **out);
 
 /** The sizes of a loop. Outputs that are NULL are skipped.
  *  @param l              loop
@@ -601,7 +601,7 @@ typedef int (*mdr_field)(double x, double y, double z, double *E, double *nu, vo
 enum mdr_shape {                       /* 7 parameters for each shape, those not named here are ignored; lengths */
     MDR_SHAPE_LAYER = 0,               /* z_top, z_bottom (INFINITY is allowed) */
     MDR_SHAPE_HALF_SPACE = 1,          /* point x, y, z on the interface; normal x, y, z into the material */
-    MDR_SHAPE_SPHERE = 2,              /* centre x, y, z; radius */
+    MDR_SHAPE_BALL = 2,              /* centre x, y, z; radius */
     MDR_SHAPE_FIBRE = 3,               /* point x, y, z on the axis; direction x, y, z; radius: endless round cylinder */
     MDR_SHAPE_PILLAR = 4,              /* axis x, y; radius; z_top, z_bottom (INFINITY is allowed): upright round cylinder */
     MDR_SHAPE_BOX = 5                  /* x_low, x_high, y_low, y_high, z_top, z_bottom */

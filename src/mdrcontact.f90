@@ -28,7 +28,7 @@ module mdrcontact
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
     use mdrcontact_lateral_medium, only: new_lateral_medium
     use mdrcontact_lateral_shape, only: new_shape, shape_box, shape_fibre, shape_half_space, shape_layer, shape_pillar, &
-                                        shape_sphere, shape_t
+                                        shape_ball, shape_t
     use mdrcontact_lateral_shapes, only: new_shapes, shapes_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_lateral_voxels, only: new_voxels, voxels_t
@@ -69,7 +69,7 @@ module mdrcontact
     use mdrcontact_profile_tabulated, only: new_profile_from_function, new_profile_from_mdr, new_tabulated_profile
     use mdrcontact_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
     use mdrcontact_scalar_function, only: scalar_function_t
-    use mdrcontact_version, only: version_string
+    use mdrcontact_version, only: version_major, version_minor, version_patch, version_string
     use mdrcontact_weights, only: weight_i0, weight_i1, weight_j0, weight_j1, weight_phi
     implicit none (type, external)
     public

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import weakref
 from collections.abc import Callable
 from typing import Any
@@ -17,12 +18,17 @@ FloatOrArray = float | NDArray[np.float64]
 """What an evaluation returns: a float for a number, an array of the same shape for an array."""
 
 _ONE_POINT = np.ones(1)
+_FIRST_ENTRY = re.compile(r"^entry 1(?: of |: )")
 
 
-def check(status: int) -> None:
-    """Raises the exception that belongs to `status`, with the library's words; does nothing on success."""
+def check(status: int, *, single: bool = False) -> None:
+    """Raises the exception that belongs to `status`, with the library's words; does nothing on success.
+
+    single : whether the array in question is one number of the user's, which has no entry 1
+    """
     if status:
-        raise error_class(status)(_native.last_error().decode("utf-8", "replace").rstrip("\0 "))
+        words = _native.last_error().decode("utf-8", "replace").rstrip("\0 ")
+        raise error_class(status)(_FIRST_ENTRY.sub("", words) if single else words)
 
 
 def number(name: str, value: Any) -> float:
@@ -77,7 +83,7 @@ def evaluate_all(function: Callable[..., Any], *leading: Any, name: str, values:
     *results, status = function(*leading, points.ravel() if points.size else _ONE_POINT)
     if not points.size:
         return [np.empty(points.shape) for _ in results]
-    check(status)
+    check(status, single=not points.shape)
     return [result.reshape(points.shape) if points.shape else float(result[0]) for result in results]
 
 

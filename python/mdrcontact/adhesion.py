@@ -34,9 +34,9 @@ class PullOff(NamedTuple):
     radius: float
     """a, contact radius [length]"""
     force: float
-    """F, normal force, positive in compression [pressure length^2]"""
+    """F, normal force, positive in compression [modulus length^2]"""
     stiffness: float
-    """k = 2 a E_eff(a), contact stiffness at constant radius [pressure length]"""
+    """k = 2 a E_eff(a), contact stiffness at constant radius [modulus length]"""
     others: tuple[PullOff, ...] = ()
     """where the other stable stretches of the branch end, by ascending radius: a coated body can have several"""
 
@@ -51,13 +51,13 @@ class Loop(NamedTuple):
     radius: NDArray[np.float64]
     """a, 0 where they are apart [length]"""
     force: NDArray[np.float64]
-    """F [pressure length^2]"""
+    """F [modulus length^2]"""
     turning_point: int
     """index of the last point of the approach"""
     jumps: NDArray[np.int64]
     """indices of the points just before each jump; a jump leads to the next point, at the same position"""
     dissipated_energy: float
-    """energy lost in the cycle, the area of the loop [pressure length^3]"""
+    """energy lost in the cycle, the area of the loop [modulus length^3]"""
     control: str
     """"force", "displacement" or "spring"."""
 
@@ -118,7 +118,7 @@ def loop(contact: Any, control: str, largest: Any, points: Any, spring_stiffness
     stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
     if isinstance(points, bool) or not isinstance(points, (int, np.integer)) or not 2 <= points <= 1_000_000:
         raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number from 2 to 1000000")
-    created = _native.loop_new(contact._handle.address, chosen, stiffness, number("largest", largest), points)
+    created = _native.loop_new(contact._handle.address, chosen, number("largest", largest), points, stiffness)
     handle = Handle(created, _native.loop_free)
     count, turning_point, jumps, status = _native.loop_size(handle.address)
     check(status)

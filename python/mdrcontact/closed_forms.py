@@ -28,11 +28,11 @@ __all__ = [
 def coated_paraboloid_force(
     a: ArrayLike, radius: float, coating_shear: float, substrate_shear: float, thickness: float, *, threads: int = 1
 ) -> FloatOrArray:
-    """F(a) [pressure length^2] of a paraboloid without adhesion, equation (24).
+    """F(a) [modulus length^2] of a paraboloid without adhesion, equation (24).
 
     a : contact radii > 0 [length], any shape
     radius : R > 0 [length]
-    coating_shear, substrate_shear : shear moduli G0, G1 > 0 [pressure]
+    coating_shear, substrate_shear : shear moduli G0, G1 > 0 [modulus]
     thickness : h > 0 [length]
     """
     given = _numbers(radius=radius, coating_shear=coating_shear, substrate_shear=substrate_shear, thickness=thickness)
@@ -42,9 +42,9 @@ def coated_paraboloid_force(
 def coated_cone_force(
     a: ArrayLike, inclination: float, coating_shear: float, substrate_shear: float, thickness: float, *, threads: int = 1
 ) -> FloatOrArray:
-    """F(a) [pressure length^2] of a cone without adhesion, equation (27): 2 pi a^2 tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
+    """F(a) [modulus length^2] of a cone without adhesion, equation (27): 2 pi a^2 tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
 
-    inclination : phi, 0 < phi < pi/2 [rad]; the others as in `coated_paraboloid_force`
+    inclination : phi, 0 < phi < pi/2 [radian]; the others as in `coated_paraboloid_force`
     """
     given = _numbers(inclination=inclination, coating_shear=coating_shear, substrate_shear=substrate_shear, thickness=thickness)
     return evaluate(_native.coated_cone_force, thread_count(threads), *given, name="a", values=a)
@@ -62,7 +62,7 @@ def coated_paraboloid_adhesive_depth(
 ) -> FloatOrArray:
     """d(a) [length] of an adhesive paraboloid by the source's rule, equation (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)).
 
-    work_of_adhesion : gamma >= 0 [pressure length]; the others as in `coated_paraboloid_force`
+    work_of_adhesion : gamma >= 0 [modulus length]; the others as in `coated_paraboloid_force`
     """
     given = _numbers(
         radius=radius,
@@ -79,8 +79,8 @@ def adhesive_radius_scale(radius: float, substrate_shear: float, work_of_adhesio
     substrate breaks off under prescribed displacement.
 
     radius : R > 0 [length]
-    substrate_shear : G1 > 0 [pressure]
-    work_of_adhesion : gamma > 0 [pressure length]
+    substrate_shear : G1 > 0 [modulus]
+    work_of_adhesion : gamma > 0 [modulus length]
     """
     return _scale(_native.adhesive_radius_scale, radius, substrate_shear, work_of_adhesion)
 

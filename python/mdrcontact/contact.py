@@ -27,9 +27,9 @@ class State(NamedTuple):
     radius: FloatOrArray
     """a, contact radius [length]"""
     force: FloatOrArray
-    """F, normal force, positive in compression [pressure length^2]"""
+    """F, normal force, positive in compression [modulus length^2]"""
     stiffness: FloatOrArray
-    """k = dF/dd = 2 a E_eff(a), contact stiffness [pressure length]"""
+    """k = dF/dd = 2 a E_eff(a), contact stiffness [modulus length]"""
 
 
 class Contact(Described):
@@ -37,7 +37,7 @@ class Contact(Described):
 
     indenter : a profile: Sphere(...), Cone(...), ...
     medium : Coated(...), Homogeneous(...), ...
-    work_of_adhesion : gamma >= 0 [pressure length], J/m^2 in SI units; 0 is the contact without adhesion
+    work_of_adhesion : gamma >= 0 [modulus length], J/m^2 in SI units; 0 is the contact without adhesion
     adhesion_rule : how far the springs at the edge hang
         "paper": sqrt(2 pi a gamma/E_eff), equation (28); "energy": sqrt(4 pi a gamma/k'(a)), the balance of energy;
         "automatic": energy for exact media, where it is exact, and the paper's rule for all others
@@ -86,7 +86,7 @@ class Contact(Described):
         return self._states(_native.contact_from_depth, threads, "depth", depth, adhesion.code("branch", branch, BRANCHES))
 
     def at_force(self, force: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> State:
-        """The stable states under normal forces F >= 0 [pressure length^2], any shape; with adhesion down to the pull-off force.
+        """The stable states under normal forces F >= 0 [modulus length^2], any shape; with adhesion down to the pull-off force.
 
         branch : as in `at_depth`
         """
@@ -111,9 +111,9 @@ class Contact(Described):
         """A cycle of approach and retraction, with its jumps and the energy lost.
 
         control : what the machine prescribes: "force", "displacement", or the far end of a "spring" such as an AFM cantilever
-        largest : where the motion turns back, > 0 [length, or pressure length^2 under force control]
+        largest : where the motion turns back, > 0 [length, or modulus length^2 under force control]
         points : points on each way, at least 2; jumps and their ends come on top
-        spring_stiffness : > 0 [pressure length], for "spring" only
+        spring_stiffness : > 0 [modulus length], for "spring" only
         """
         return adhesion.loop(self, control, largest, points, spring_stiffness)
 
@@ -127,7 +127,7 @@ class Contact(Described):
         branch: str = "unloading",
         threads: int = 1,
     ) -> FloatOrArray:
-        """Contact pressure p(r) [pressure], equation (6), at 0 <= r <= a, any shape; of the state given by radius, depth or force.
+        """Contact pressure p(r) [modulus], equation (6), at 0 <= r <= a, any shape; of the state given by radius, depth or force.
 
         Infinite where theory says so: at the edge of a flat punch, at the apex of a cone; minus infinity at an adhesive edge.
         branch : which state of that depth or force, as in `at_depth`
@@ -161,7 +161,7 @@ class Contact(Described):
         branch: str = "unloading",
         threads: int = 1,
     ) -> FloatOrArray:
-        """Line load q(x) [pressure length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, any shape; of the
+        """Line load q(x) [modulus length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, any shape; of the
         state given by radius, depth or force.
 
         branch : as in `pressure`

@@ -11,14 +11,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native
+from . import _native, adhesion
 from ._boundary import FloatOrArray, Handle, check, evaluate, evaluate_all, number, thread_count
+from .adhesion import BRANCHES
 from .contact import Contact
 from .errors import ArgumentTypeError, FileError, InvalidArgumentError
 
 __all__ = ["ContactLaw", "LawState"]
-
-_BRANCHES = {"loading": 1, "unloading": 2}
 
 
 class LawState(NamedTuple):
@@ -30,11 +29,11 @@ class LawState(NamedTuple):
     radius: FloatOrArray
     """a, contact radius [length]"""
     force: FloatOrArray
-    """F, normal force [pressure length^2]"""
+    """F, normal force [modulus length^2]"""
     stiffness: FloatOrArray
-    """k = 2 a E_eff(a), stiffness at constant contact radius [pressure length]"""
+    """k = 2 a E_eff(a), stiffness at constant contact radius [modulus length]"""
     slope: FloatOrArray
-    """dF/dd along the branch [pressure length], the derivative that implicit codes need; equal to k without adhesion"""
+    """dF/dd along the branch [modulus length], the derivative that implicit codes need; equal to k without adhesion"""
 
 
 class ContactLaw:
@@ -95,15 +94,13 @@ class ContactLaw:
         return LawState(_as_given(depth), a, F, k, slope)
 
     def at_force(self, force: ArrayLike, *, branch: str = "unloading", threads: int = 1) -> LawState:
-        """The states under forces F of the compiled range [pressure length^2], any shape."""
+        """The states under forces F of the compiled range [modulus length^2], any shape."""
         d, compliance, a, k = evaluate_all(_native.law_from_force, *self._how(branch, threads), name="force", values=force)
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) > 0.0)
         return LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
 
     def _how(self, branch: str, threads: int) -> tuple[int, int, int]:
-        if branch not in _BRANCHES:
-            raise InvalidArgumentError(f"branch = {branch!r} is not allowed: it must be 'loading' or 'unloading'")
-        return self._handle.address, _BRANCHES[branch], thread_count(threads)
+        return self._handle.address, adhesion.code("branch", branch, BRANCHES), thread_count(threads)
 
     @property
     def depth_range(self) -> tuple[float, float]:
@@ -112,7 +109,7 @@ class ContactLaw:
 
     @property
     def force_range(self) -> tuple[float, float]:
-        """The compiled forces [pressure length^2]."""
+        """The compiled forces [modulus length^2]."""
         return float(self._numbers[2]), float(self._numbers[3])
 
     @property

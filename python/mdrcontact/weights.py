@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Depth weights of the flat punch's strain energy, equations (13)-(18).
+"""Depth weights of the flat punch's strain energy, equations (12)-(18).
 
 threads : for arrays, see `Contact`
 """
@@ -22,12 +22,12 @@ def weight_phi(xi: ArrayLike, nu: float = 0.5, *, threads: int = 1) -> FloatOrAr
 
 
 def weight_i0(xi: ArrayLike, nu: float = 0.5, *, threads: int = 1) -> FloatOrArray:
-    """I0(xi), equation (15): the share of the shear modulus above the depth z = xi a; xi >= 0, any shape."""
+    """I0(xi), equations (12)-(15): the share of the shear modulus above the depth z = xi a; xi >= 0, any shape."""
     return evaluate(_native.weight_i0, thread_count(threads), number("nu", nu), name="xi", values=xi)
 
 
 def weight_i1(xi: ArrayLike, *, threads: int = 1) -> FloatOrArray:
-    """I1(xi), equation (14): the share of Poisson's ratio above the depth z = xi a; xi >= 0, any shape."""
+    """I1(xi), equations (12)-(15): the share of Poisson's ratio above the depth z = xi a; xi >= 0, any shape."""
     return evaluate(_native.weight_i1, thread_count(threads), _NO_NU, name="xi", values=xi)
 
 

@@ -21,7 +21,7 @@ subroutine contact_pull_offs(n, handle, control, d, a, F, count, status)
 end subroutine contact_pull_offs
 
 !> See mdr_loop_new.
-subroutine loop_new(contact, control, spring_stiffness, largest, points, handle, status)
+subroutine loop_new(contact, control, largest, points, spring_stiffness, handle, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_address, to_pointer
     use mdrcontact_api_adhesion, only: mdr_loop_new
@@ -35,7 +35,7 @@ subroutine loop_new(contact, control, spring_stiffness, largest, points, handle,
     type(c_ptr) :: object
 
     object = c_null_ptr
-    status = mdr_loop_new(to_pointer(contact), control, spring_stiffness, largest, points, object)
+    status = mdr_loop_new(to_pointer(contact), control, largest, points, spring_stiffness, object)
     handle = to_address(object)
 end subroutine loop_new
 

@@ -46,7 +46,7 @@ contains
         phi = (1.0_wp + 3.0_wp*square)/(1.0_wp + square)/(1.0_wp + square)/pi
     end function weight_phi
 
-    !> I0(xi), the weight of the shear modulus between the surface and depth z = a xi, equation (14); xi >= 0, -1 < nu <= 1/2.
+    !> I0(xi), the weight of the shear modulus between the surface and depth z = a xi, equations (12)-(15); xi >= 0, -1 < nu <= 1/2.
     elemental function weight_i0(xi, nu) result(weight)
         !> z/a >= 0 [1], and Poisson's ratio of the medium, -1 < nu <= 1/2 [1]
         real(wp), intent(in) :: xi, nu
@@ -66,7 +66,7 @@ contains
         weight = j0_inside(x, nu)
     end function weight_j0
 
-    !> I1(xi), the weight of Poisson's ratio between the surface and depth z = a xi, equation (15); xi >= 0.
+    !> I1(xi), the weight of Poisson's ratio between the surface and depth z = a xi, equations (12)-(15); xi >= 0.
     elemental function weight_i1(xi) result(weight)
         !> z/a >= 0 [1]
         real(wp), intent(in) :: xi

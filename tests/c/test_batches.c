@@ -21,7 +21,7 @@ static double place[QUICK], small_place[STATES];
 
 static void make(objects *o)
 {
-    const int kind = MDR_SHAPE_SPHERE;
+    const int kind = MDR_SHAPE_BALL;
     const double sphere[7] = {0.5, 0.0, 1.0, 0.4}, E = 9.0, nu = 0.2;
     mdr_contact_options options;
 
@@ -152,9 +152,9 @@ static void test_errors(const objects *o)
     fill_untouched(STATES, out);
     for (int threads = 0; threads < 6; threads++) {
         CHECK_STATUS(mdr_contact_from_depth_on_threads(o->exact, MDR_ON_UNLOADING, STATES, bad, out, NULL, NULL, NULL, threads),
-                     MDR_EUNREACHABLE, "entry 4 of in: depth = -4 ");
+                     MDR_EUNREACHABLE, "entry 4: depth = -4 ");
         CHECK_STATUS(mdr_contact_from_force_on_threads(o->contact, MDR_ON_LOADING, STATES, bad, NULL, out, NULL, NULL, threads),
-                     MDR_EUNREACHABLE, "entry 4 of in: force = -4 ");
+                     MDR_EUNREACHABLE, "entry 4: force = -4 ");
         CHECK_STATUS(mdr_contact_pressure_threads(o->exact, 1.0, STATES, x, out, threads), MDR_EDOMAIN, "r = 3 ");
         CHECK_STATUS(mdr_weight_i0_threads(STATES, bad, 0.3, out, threads), MDR_EINVALID, "entry 4 of xi");
         CHECK_STATUS(mdr_structure_modulus_threads(o->structure, EXACT, x, x, bad, out, threads), MDR_EINVALID, "a = -4 ");

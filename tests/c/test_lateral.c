@@ -21,7 +21,7 @@ static int failing(double x, double y, double z, double *E, double *nu, void *co
 
 static void refusals(void)
 {
-    const int kind[1] = {MDR_SHAPE_SPHERE}, unknown[1] = {6}, size[3] = {1, 1, 1}, label[1] = {0}, wrong_label[1] = {1};
+    const int kind[1] = {MDR_SHAPE_BALL}, unknown[1] = {6}, size[3] = {1, 1, 1}, label[1] = {0}, wrong_label[1] = {1};
     const double good[7] = {0.0, 0.0, 1.0, 0.5}, bad[7] = {0.0, 0.0, 1.0, -0.5}, E[1] = {2.0}, nu[1] = {0.3}, wrong_nu[1] = {0.6};
     const double spacing[3] = {1.0, 1.0, 1.0}, flat[3] = {1.0, 1.0, 0.0}, negative[3] = {0.1, -1.0, 10.0};
     double out[3];

@@ -85,7 +85,7 @@ static void test_history(void)
     CHECK_SUCCESS(mdr_law_force(law, MDR_ON_LOADING, -1e-9, &F, NULL));
     CHECK_TRUE(F == 0.0);
     CHECK_STATUS(mdr_law_from_force(law, MDR_ON_UNLOADING, 1, &(double){2.0 * facts.lowest_force}, &F, NULL, NULL, NULL, 1),
-                 MDR_EUNREACHABLE, "entry 1 of f");
+                 MDR_EUNREACHABLE, "entry 1: force = ");
     CHECK_SUCCESS(mdr_law_free(&law));
     CHECK_SUCCESS(mdr_contact_free(&contact));
 }
@@ -164,7 +164,7 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, 1.5, out, NULL), MDR_EDOMAIN, "compiled up to");
     CHECK_STATUS(mdr_law_force(NULL, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_ENULL, "law");
     CHECK_STATUS(mdr_law_force((const mdr_law *)contact, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_EINVALID, "mdr_law handle");
-    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL, 1), MDR_EINVALID, "entry 2 of d");
+    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL, 1), MDR_EINVALID, "entry 2: depth = ");
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, -1, in, out, NULL, NULL, NULL, 1), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL, -2), MDR_EINVALID, "threads");
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, NULL, out, NULL, NULL, NULL, 1), MDR_ENULL, "d is NULL");

@@ -47,15 +47,15 @@ static void loop_refuses(const mdr_contact *c)
     int number = -7;
     mdr_loop *l = NULL;
 
-    CHECK_STATUS(mdr_loop_new(NULL, MDR_CONTROL_DEPTH, 0.0, 0.5, 10, &l), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.0, 0.5, 10, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_loop_new(c, 9, 0.0, 0.5, 10, &l), MDR_EINVALID, "control = 9");
+    CHECK_STATUS(mdr_loop_new(NULL, MDR_CONTROL_DEPTH, 0.5, 10, 0.0, &l), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, 10, 0.0, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_loop_new(c, 9, 0.5, 10, 0.0, &l), MDR_EINVALID, "control = 9");
     for (int i = 0; i < 4; i++) {
-        CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.0, bad[i], 10, &l), MDR_EINVALID, "largest = ");
-        CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_SPRING, bad[i], 0.5, 10, &l), MDR_EINVALID, "spring_stiffness = ");
+        CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, bad[i], 10, 0.0, &l), MDR_EINVALID, "largest = ");
+        CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_SPRING, 0.5, 10, bad[i], &l), MDR_EINVALID, "spring_stiffness = ");
     }
-    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.0, 0.5, 1, &l), MDR_EINVALID, "points = 1");
-    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.0, 0.5, -1, &l), MDR_EINVALID, "points = -1");
+    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, 1, 0.0, &l), MDR_EINVALID, "points = 1");
+    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, -1, 0.0, &l), MDR_EINVALID, "points = -1");
     CHECK_TRUE(l == NULL);
     CHECK_STATUS(mdr_loop_size(NULL, &number, &number, &number), MDR_ENULL, "l is NULL");
     CHECK_STATUS(mdr_loop_path(NULL, 1, d, d, d, d), MDR_ENULL, "l is NULL");
@@ -64,7 +64,7 @@ static void loop_refuses(const mdr_contact *c)
     CHECK_STATUS(mdr_loop_size((const mdr_loop *)(const void *)c, &number, NULL, NULL), MDR_EINVALID, "not an mdr_loop");
     CHECK_SUCCESS(mdr_loop_free(NULL));
     CHECK_SUCCESS(mdr_loop_free(&l));
-    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.0, 0.5, 10, &l));
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, 10, 0.0, &l));
     CHECK_STATUS(mdr_loop_path(l, -1, d, d, d, d), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_loop_jumps(l, -1, &number), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_loop_jumps(l, 1, NULL), MDR_ENULL, "index is NULL");
@@ -126,7 +126,7 @@ static void loop_under_depth_control(const mdr_contact *c)
     int points = 0, turning_point = 0, jumps = 0, index[2] = {-1, -1};
     mdr_loop *l = NULL;
 
-    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.0, 0.5, 20, &l));
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, 20, 0.0, &l));
     CHECK_SUCCESS(mdr_loop_size(l, &points, &turning_point, &jumps));
     CHECK_TRUE(points > 40 && points <= CAPACITY);
     CHECK_INT(jumps, 2);
@@ -147,7 +147,7 @@ static void loop_under_depth_control(const mdr_contact *c)
     CHECK_SUCCESS(mdr_loop_path(l, 0, NULL, NULL, NULL, NULL));
     CHECK_SUCCESS(mdr_loop_size(l, NULL, NULL, NULL));
     CHECK_SUCCESS(mdr_loop_free(&l));
-    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_SPRING, 1e6, 0.5, 20, &l)); /* a stiff spring is depth control */
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_SPRING, 0.5, 20, 1e6, &l)); /* a stiff spring is depth control */
     CHECK_SUCCESS(mdr_loop_dissipated_energy(l, &energy));
     CHECK_CLOSE(energy, lost_under_depth_control(), 1e-3);
     CHECK_SUCCESS(mdr_loop_free(&l));
@@ -164,7 +164,7 @@ static void without_adhesion(void)
     CHECK_TRUE(d == 0 && a == 0 && F == 0);
     CHECK_SUCCESS(mdr_contact_pull_offs(c, MDR_CONTROL_FORCE, 1, &d, &a, &F, &count));
     CHECK_INT(count, 0);
-    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_FORCE, 0.0, 2.0, 5, &l));
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_FORCE, 2.0, 5, 0.0, &l));
     CHECK_SUCCESS(mdr_loop_size(l, NULL, NULL, &jumps));
     CHECK_INT(jumps, 0);
     CHECK_SUCCESS(mdr_loop_dissipated_energy(l, &energy));

@@ -34,7 +34,7 @@ def every_profile() -> list[mdr.Profile]:
         mdr.Berkovich(),
         mdr.Vickers(),
         mdr.CubeCorner(),
-        mdr.AreaFunction([24.5, 2e-7], 1e-6),
+        mdr.AreaFunction([24.5, 2e-7], max_height=1e-6),
         mdr.TabulatedProfile(r, [x * x / 1e-5 for x in r]),
         mdr.TabulatedMDRProfile(r, [x * x / 5e-6 for x in r]),
         mdr.CallableProfile(parabola, 2e-6),

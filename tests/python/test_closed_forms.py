@@ -48,7 +48,7 @@ def test_pyramids_have_the_area_of_the_pyramid():
 
 def test_area_function_is_inverted():
     c0, c1 = 24.5, 2e-7
-    tip = mdr.AreaFunction([c0, c1], 1e-6)
+    tip = mdr.AreaFunction([c0, c1], max_height=1e-6)
     f = np.array([1e-8, 1e-7, 9e-7])
     r = np.sqrt((c0 * f**2 + c1 * f) / math.pi)
     assert tip.height(r) == pytest.approx(f, rel=1e-9)

@@ -142,10 +142,10 @@ def test_existing_files_are_safe(problem, capsys):
         for command in ("curve", "compare"):
             assert main([command, problem, *arguments]) == 1
             out, err = capsys.readouterr()
-            assert out == "" and "exists; --force overwrites it" in err
+            assert out == "" and "exists; --overwrite replaces it" in err
     assert Path("curve.csv").read_text() == "mine"
     assert _files() == ["curve.csv", "curve.png", "problem.toml"]
-    assert main(["curve", problem, "--csv", "curve.csv", "--plot", "curve.png", "--force"]) == 0
+    assert main(["curve", problem, "--csv", "curve.csv", "--plot", "curve.png", "--overwrite"]) == 0
     assert _png_size("curve.png") and len(_rows("curve.csv")[1]) == 4
     assert _files() == ["curve.csv", "curve.png", "problem.toml"]
     assert os.stat("curve.csv").st_mode & 0o777 == 0o666 & ~_umask()

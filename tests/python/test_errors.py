@@ -21,7 +21,13 @@ INVALID = [
     (lambda: mdr.Paraboloid(0.0), r"radius = 0 "),
     (lambda: mdr.Sphere(-2.0), r"radius = -2 "),
     (lambda: mdr.Cone(2.0), r"inclination = 2 "),
-    (lambda: mdr.Cone(half_angle=0.0, degrees=True), r"inclination = 1.5707963 "),
+    (lambda: mdr.Cone(half_angle=0.0, degrees=True), r"^half_angle = 0 .*90 degrees$"),
+    (lambda: mdr.Cone(half_angle=-3.0, degrees=True), r"^half_angle = -3 "),
+    (lambda: mdr.Cone(half_angle=1.6), r"^half_angle = 1.6 .*radian$"),
+    (lambda: mdr.Cone(90.0, degrees=True), r"^inclination = 90 .*90 degrees$"),
+    (lambda: mdr.FlatEndedCone(1.0, NAN), r"^inclination = nan "),
+    (lambda: mdr.CallableProfile(lambda r: r, r_max=-1.0), r"^r_max = -1 .*greater than 0"),
+    (lambda: mdr.CallableProfile(lambda r: r, r_max=math.inf), r"^r_max = inf "),
     (lambda: mdr.PowerLaw(0.0, 1.0), r"exponent = 0 "),
     (lambda: mdr.PowerLaw(1.0, NAN), r"coefficient = NaN "),
     (lambda: mdr.FlatPunch(NAN), r"radius = NaN "),
@@ -32,7 +38,7 @@ INVALID = [
     (lambda: mdr.TabulatedProfile([0.0, 1.0, 2.0], [0.0, NAN, 2.0]), r"f = NaN|entry 2 of f"),
     (lambda: mdr.TabulatedProfile([0.0, 1.0], [0.0]), r"r and f must have the same length; it is 2 and 1"),
     (lambda: mdr.TabulatedProfile([], []), r"r is not allowed: it is empty"),
-    (lambda: mdr.AreaFunction([-1.0], 1.0), r"."),
+    (lambda: mdr.AreaFunction([-1.0], max_height=1.0), r"."),
     (lambda: mdr.SumProfile([]), r"terms is not allowed: it is empty"),
     (lambda: mdr.Coated(OXIDE, 0.0, SILICON), r"thickness = 0 "),
     (lambda: mdr.Coated(OXIDE, NAN, SILICON), r"thickness = NaN "),
@@ -115,8 +121,9 @@ def test_things_of_the_wrong_kind(number):
 
 def test_states_that_do_not_exist(coated):
     for make, words in (
-        (lambda: coated.at_depth(-1e-9), r"depth = -1\.0+E-009 cannot be reached"),
-        (lambda: coated.at_force([1e-3, -1.0]), r"entry 2 .*force = -1 cannot be reached"),
+        (lambda: coated.at_depth(-1e-9), r"^depth = -1\.0+E-009 cannot be reached"),
+        (lambda: coated.at_force([1e-3, -1.0]), r"^entry 2: force = -1 cannot be reached"),
+        (lambda: coated.at_force([-1.0]), r"^entry 1: force = -1 cannot be reached"),
         (lambda: coated.at_depth(1e-3), r"depth = .*cannot be reached"),
         (lambda: mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(OXIDE)).at_radius(1.0), r"radius = 1 does not determine a state"),
     ):
@@ -144,6 +151,18 @@ def test_nan_is_found_anywhere_in_an_array(coated):
     depth[777] = NAN
     with pytest.raises(mdr.InvalidArgumentError, match=r"entry 778 .*NaN"):
         coated.at_depth(depth)
+
+
+def test_a_number_has_no_first_entry(coated):
+    for make, words in (
+        (lambda a: coated.medium.modulus(a), "a = -1 is not allowed"),
+        (lambda r: mdr.Cone(0.3).height(r), "r = -1 is not allowed"),
+        (lambda xi: mdr.weight_i0(xi), "xi = -1 is not allowed"),
+    ):
+        with pytest.raises(mdr.InvalidArgumentError, match=f"^{words}"):
+            make(-1.0)
+        with pytest.raises(mdr.InvalidArgumentError, match=f"^entry 1 of {words}"):
+            make([-1.0])
 
 
 class Oops(Exception):

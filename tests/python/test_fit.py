@@ -35,7 +35,7 @@ EVERY = [
     (mdr.RoundedCone(1e-7, 0.3), FILM.with_model("hay-crawford"), ["coating.E", "indenter.blend_radius"]),
     (mdr.FlatPunch(1e-6), FILM.with_model("wave"), ["coating.E"]),
     (mdr.Berkovich(), FILM.with_model("doerner-nix"), ["coating.E", "alpha"]),
-    (mdr.AreaFunction([24.5, 2e-7], 1e-6), FILM, ["coating.E"]),
+    (mdr.AreaFunction([24.5, 2e-7], max_height=1e-6), FILM, ["coating.E"]),
     (BALL, mdr.Homogeneous(OXIDE), ["E", "depth_offset", "force_offset"]),
     (BALL, mdr.Layered([(OXIDE, 2e-7), (SILICON, 3e-7)], OXIDE, "exact"), ["layers[0].E", "layers[1].E"]),
     (BALL, mdr.PowerLawGraded(70e9, 1e-6, 0.3, 0.2), ["E0", "exponent"]),

@@ -80,7 +80,7 @@ def test_map_agrees_with_points(beside):
     for n in (8, 9):
         voxels = composite(n, beside=beside, origin=(-1e-6, 2e-6))
         maps = lateral.effective_map(voxels, RADII, workers=2)
-        x, y = voxels.centers()
+        x, y = voxels.centres()
         for j, i in ((0, 0), (3, 5), (n - 1, n + 2)):
             np.testing.assert_allclose(maps[:, j, i], voxels.modulus(x[i], y[j], RADII), rtol=1e-7)
 
@@ -164,7 +164,7 @@ def test_lateral_medium_in_a_contact():
 
 def test_indentation_map_agrees_with_contacts():
     voxels = composite()
-    x, y = voxels.centers()
+    x, y = voxels.centres()
     medium = lateral.LateralMedium(voxels, x[4], y[7], 1e-8, 3e-6, points=200)
     for indenter in (mdr.Sphere(10e-6), mdr.Cone(0.3), mdr.FlatPunch(1e-6), mdr.FlatEndedCone(3e-7, 0.3)):
         found = lateral.indentation_map(voxels, indenter, 5e-8, nodes=32)

@@ -209,7 +209,7 @@ SHAPES = [
     ({"shape": "cube-corner"}, mdr.CubeCorner()),
     (
         {"shape": "area-function", "coefficients": [24.5, 200, 3], "length_unit": "nm", "max_height": "1 um"},
-        mdr.AreaFunction([24.5, 200e-9, 3 * (1e-9) ** 1.5], 1e-6),
+        mdr.AreaFunction([24.5, 200e-9, 3 * (1e-9) ** 1.5], max_height=1e-6),
     ),
     ({"shape": "table", "r_um": [0, 1, 2], "f_nm": [0, 100, 400]}, mdr.TabulatedProfile([0, 1e-6, 2e-6], [0, 1e-7, 4e-7])),
 ]

@@ -51,7 +51,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.csv, arguments.plot, force=arguments.force)
+    files.check(arguments.csv, arguments.plot, overwrite=arguments.overwrite)
     if arguments.plot:
         from . import figures
 
@@ -78,7 +78,7 @@ def run(arguments: argparse.Namespace) -> None:
         results[arguments.plot] = figures.loop_figure(problem, loop, pull_offs, files.figure_format(arguments.plot))
     if results:
         print()
-        files.write(results, arguments.force)
+        files.write(results, arguments.overwrite)
 
 
 def cycle(contact: Contact, problem: Problem, adhesion: Adhesion) -> Loop:

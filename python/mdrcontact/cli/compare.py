@@ -61,7 +61,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.csv, arguments.plot, force=arguments.force)
+    files.check(arguments.csv, arguments.plot, overwrite=arguments.overwrite)
     if arguments.plot:
         from . import figures
 
@@ -85,7 +85,7 @@ def run(arguments: argparse.Namespace) -> None:
         results[arguments.csv] = _long_csv(answers)
     if arguments.plot:
         results[arguments.plot] = figures.compare_figure(problem, answers, files.figure_format(arguments.plot))
-    files.write(results, arguments.force)
+    files.write(results, arguments.overwrite)
 
 
 def ask(problem: Problem) -> tuple[list[Answer], list[tuple[str, str]]]:

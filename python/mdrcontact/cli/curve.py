@@ -46,7 +46,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.csv, arguments.plot, arguments.pressure_csv, force=arguments.force)
+    files.check(arguments.csv, arguments.plot, arguments.pressure_csv, overwrite=arguments.overwrite)
     if arguments.plot:
         from . import figures
 
@@ -72,7 +72,7 @@ def run(arguments: argparse.Namespace) -> None:
             results[arguments.plot] = figures.curve_figure(problem, curve, pressures, files.figure_format(arguments.plot))
     if results:
         print()
-        files.write(results, arguments.force)
+        files.write(results, arguments.overwrite)
 
 
 def thickness_note(problem: Problem, curve: Curve) -> str | None:

@@ -20,10 +20,10 @@ def add_options(parser: argparse.ArgumentParser, what: str) -> None:
     """The options that every command with results has."""
     parser.add_argument("--csv", type=Path, metavar="FILE.csv", help=f"write {what} to a CSV file, units in its header")
     parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the figure (.png, .pdf or .svg)")
-    parser.add_argument("--force", action="store_true", help="overwrite files that exist")
+    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
 
 
-def check(*paths: Path | None, force: bool) -> None:
+def check(*paths: Path | None, overwrite: bool) -> None:
     """Raises before any work is done if a file could not be written afterwards."""
     given = [path for path in paths if path is not None]
     if len({path.resolve() for path in given}) < len(given):
@@ -33,8 +33,8 @@ def check(*paths: Path | None, force: bool) -> None:
             raise OutputError(f"{path} is a folder, not a file")
         if not path.parent.is_dir():
             raise OutputError(f"{path}: there is no folder {path.parent}")
-        if path.exists() and not force:
-            raise OutputError(f"{path} exists; --force overwrites it")
+        if path.exists() and not overwrite:
+            raise OutputError(f"{path} exists; --overwrite replaces it")
 
 
 def figure_format(path: Path) -> str:
@@ -45,9 +45,9 @@ def figure_format(path: Path) -> str:
     return suffix
 
 
-def write(contents: Mapping[Path, bytes], force: bool) -> None:
+def write(contents: Mapping[Path, bytes], overwrite: bool) -> None:
     """Writes each file beside its place first and moves it there when it is complete."""
-    check(*contents, force=force)
+    check(*contents, overwrite=overwrite)
     for path, content in contents.items():
         try:
             _replace(path, content)

@@ -78,7 +78,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Fits, prints, writes."""
-    files.check(arguments.csv, arguments.plot, arguments.json, force=arguments.force)
+    files.check(arguments.csv, arguments.plot, arguments.json, overwrite=arguments.overwrite)
     if arguments.plot:
         from . import figures
 
@@ -123,7 +123,7 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile) -> None:
         results[arguments.plot] = _rendered(result.plot(), files.figure_format(arguments.plot))
     if results:
         print()
-        files.write(results, arguments.force)
+        files.write(results, arguments.overwrite)
 
 
 def _points(result: FitResult) -> list[Column]:
@@ -220,7 +220,7 @@ def _write_folder(
         contents[arguments.plot] = _overview(good, names, files.figure_format(arguments.plot))
     if contents:
         print()
-        files.write(contents, arguments.force)
+        files.write(contents, arguments.overwrite)
 
 
 def _overview(good: list[tuple[Path, FitResult]], names: tuple[str, ...], form: str) -> bytes:

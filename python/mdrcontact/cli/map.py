@@ -76,7 +76,7 @@ def add(subparsers: Any) -> None:
     parser.add_argument("problem", metavar="MAP.toml", help="the map file")
     parser.add_argument("--npy", type=Path, metavar="FILE.npy", help="write the maps as a NumPy array (radii, ny, nx) [Pa]")
     parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw structure and maps (.png, .pdf or .svg)")
-    parser.add_argument("--force", action="store_true", help="overwrite files that exist")
+    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
     parser.add_argument("--workers", type=int, metavar="N", help="threads (default: one per core)")
     parser.add_argument("--memory", type=float, metavar="GIB", help="refuse to use more memory than this [GiB]")
     parser.set_defaults(run=run)
@@ -84,7 +84,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.npy, arguments.plot, force=arguments.force)
+    files.check(arguments.npy, arguments.plot, overwrite=arguments.overwrite)
     if arguments.plot:
         from . import figures
 
@@ -116,7 +116,7 @@ def run(arguments: argparse.Namespace) -> None:
         results[arguments.plot] = map_figure(problem.title, problem.voxels, problem.radii, maps, form)
     if results:
         print()
-        files.write(results, arguments.force)
+        files.write(results, arguments.overwrite)
 
 
 def read(path: Path) -> MapProblem:

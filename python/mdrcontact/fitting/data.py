@@ -112,7 +112,7 @@ def _column(name: str, values: ArrayLike) -> Array:
 class ForceDepth(Data):
     """Elastic force-depth curve: loading of a sphere, AFM; with adhesion, the part in contact of the unloading curve.
 
-    depth, force : what the instrument reads [length], [pressure length^2]; n numbers each
+    depth, force : what the instrument reads [length], [modulus length^2]; n numbers each
     sd : standard deviation of the force, a number or n numbers; relative_sd: the same as a part of the force. Without either it is
         estimated from the scatter about the fit, and taken to be the same for all points
     missing : "raise" or "drop" rows with NaN or infinity
@@ -136,7 +136,7 @@ class StiffnessDepth(Data):
     """Contact stiffness against depth: dynamic (CSM) nanoindentation. The contact radius of each point is that of the tip at Oliver
     and Pharr's contact depth h - epsilon P/S, so plastic contacts are fine as long as they do not pile up.
 
-    depth, force, stiffness : h [length], P [pressure length^2], S [pressure length]; n numbers each
+    depth, force, stiffness : h [length], P [modulus length^2], S [modulus length]; n numbers each
     sd, relative_sd : of the stiffness, as in ForceDepth
     """
 
@@ -159,7 +159,7 @@ class ModulusRadius(Data):
     """Effective contact modulus against contact radius, as instruments export it.
 
     radius : contact radius a [length]; where the export has a/h, multiply with the thickness that the instrument was told
-    modulus : E_eff = k/(2a) [pressure]. If the indenter's own compliance is still in it (reduced modulus), say
+    modulus : E_eff = k/(2a) [modulus]. If the indenter's own compliance is still in it (reduced modulus), say
         Instrument(indenter=...). A Young's modulus that was printed for an assumed nu: E_eff = E/(1 - nu^2)
     sd, relative_sd : of the modulus, as in ForceDepth
     """
@@ -181,7 +181,7 @@ class ModulusRadius(Data):
 class StiffnessRadius(Data):
     """Contact stiffness against contact radius.
 
-    radius, stiffness : a [length], k = dF/dd [pressure length]; n numbers each
+    radius, stiffness : a [length], k = dF/dd [modulus length]; n numbers each
     sd, relative_sd : of the stiffness, as in ForceDepth
     """
 

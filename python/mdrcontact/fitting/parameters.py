@@ -59,7 +59,7 @@ class Free(Described):
 class Instrument(Described):
     """What stands between the contact and the data.
 
-    work_of_adhesion : gamma >= 0 [pressure length]; for ForceDepth
+    work_of_adhesion : gamma >= 0 [modulus length]; for ForceDepth
     depth_offset, force_offset : what the instrument reads at first contact [length], [force]
     frame_compliance : of frame and holder, beyond what the instrument has already taken off [length/force]
     indenter : material of the indenter, an Elastic, or None for a rigid one. Its compliance adds to that of the medium in stiffness

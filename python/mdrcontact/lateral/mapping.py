@@ -39,7 +39,7 @@ class _Job(NamedTuple):
 def effective_map(
     voxels: Voxels, a: ArrayLike, *, workers: int | None = None, progress: bool = False, memory_limit: float | None = None
 ) -> Array:
-    """E_eff [pressure] at all cell centres for all contact radii a > 0 [length], in one pass over the slices: (len(a), ny, nx).
+    """E_eff [modulus] at all cell centres for all contact radii a > 0 [length], in one pass over the slices: (len(a), ny, nx).
 
     workers : threads, None: one per core. progress : show a bar
     memory_limit : bytes; more than this, by `map_memory`, is refused before any work is done

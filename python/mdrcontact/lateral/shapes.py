@@ -59,7 +59,7 @@ class HalfSpace(NamedTuple):
 class Ball(NamedTuple):
     """A spherical inclusion, whole or cut by the surface."""
 
-    center: Vector
+    centre: Vector
     radius: float
     material: Elastic
 
@@ -67,11 +67,11 @@ class Ball(NamedTuple):
     @property
     def parameters(self) -> tuple[float, ...]:
         """As in mdrcontact.h, enum mdr_shape."""
-        return *self.center, self.radius
+        return *self.centre, self.radius
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
         """Whether points lie inside."""
-        cx, cy, cz = self.center
+        cx, cy, cz = self.centre
         return (x - cx) ** 2 + (y - cy) ** 2 + (z - cz) ** 2 < self.radius**2
 
 

@@ -31,13 +31,13 @@ class Sliding(NamedTuple):
     depth: Array
     """d [length]"""
     force: Array
-    """F, normal force [pressure length^2]"""
+    """F, normal force [modulus length^2]"""
     radius: Array
     """a [length]"""
     energy: Array
-    """U, elastic energy [pressure length^3]"""
+    """U, elastic energy [modulus length^3]"""
     lateral_force: Array
-    """force of the medium on the indenter along x: -dU/dx at constant depth, -d(U - F d)/dx at constant load [pressure length^2]"""
+    """force of the medium on the indenter along x: -dU/dx at constant depth, -d(U - F d)/dx at constant load [modulus length^2]"""
 
 
 class IndentationMap(NamedTuple):
@@ -46,11 +46,11 @@ class IndentationMap(NamedTuple):
     depth: float
     radius: float
     force: Array
-    """F at the depth [pressure length^2]"""
+    """F at the depth [modulus length^2]"""
     apparent_modulus: Array
-    """contact modulus of the homogeneous body that gives this force at this depth [pressure]"""
+    """contact modulus of the homogeneous body that gives this force at this depth [modulus]"""
     stiffness: Array
-    """dF/dd at the depth [pressure length]"""
+    """dF/dd at the depth [modulus length]"""
 
 
 def indentation_map(
@@ -126,7 +126,7 @@ def slide(
 
 
 def elastic_energy(contact: Contact, depth: float) -> float:
-    """U = int_0^d F dd [pressure length^3]."""
+    """U = int_0^d F dd [modulus length^3]."""
     u, w = np.polynomial.legendre.leggauss(24)
     u, w = 0.5 * (u + 1.0), 0.5 * w
     # forces begin as powers of depth, often broken ones: d u^2

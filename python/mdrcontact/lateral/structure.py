@@ -23,7 +23,7 @@ class Structure(Described):
         object.__setattr__(self, "_structure", Handle(created, _native.structure_free))
 
     def modulus(self, x: ArrayLike, y: ArrayLike, a: ArrayLike, *, threads: int = 1) -> FloatOrArray:
-        """E_eff(a, x, y) = 2 G_eff/(1 - nu_eff) [pressure], equation (33), for contacts of radius a > 0 at (x, y) [length].
+        """E_eff(a, x, y) = 2 G_eff/(1 - nu_eff) [modulus], equation (33), for contacts of radius a > 0 at (x, y) [length].
 
         The three broadcast: a line is x = array, y = 0; several radii at each of its points are a[:, None].
         threads : see `Contact`; a structure that is a Python function (`Field`) stays on one

@@ -97,7 +97,7 @@ class Voxels(Structure):
         options.setdefault("below", shapes.background)
         return cls(labels, phases, (dz, dy, dx), origin=origin, **options)
 
-    def centers(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def centres(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """x and y of the cells' centres: where maps have their points [length]."""
         _, ny, nx = self.labels.shape
         _, dy, dx = self.spacing

@@ -28,7 +28,7 @@ class Medium(Described):
         self._describe(**arguments)
 
     def modulus(self, a: ArrayLike, *, threads: int = 1) -> FloatOrArray:
-        """E_eff(a) [pressure] at contact radii a > 0 [length], any shape."""
+        """E_eff(a) [modulus] at contact radii a > 0 [length], any shape."""
         return evaluate(_native.medium_modulus, thread_count(threads), self._handle.address, name="a", values=a)
 
     def stiffness(self, a: ArrayLike, *, threads: int = 1) -> FloatOrArray:

@@ -22,7 +22,7 @@ DepthFunction = Callable[[float], float]
 class Graded(Medium):
     """A body whose moduli depend on the depth z below the surface. Two ways to say how:
 
-    z, E, nu tables : depths z[0] = 0, ascending [length], E(z) > 0 [pressure] and nu(z) there; linear in between, constant below.
+    z, E, nu tables : depths z[0] = 0, ascending [length], E(z) > 0 [modulus] and nu(z) there; linear in between, constant below.
         nu may be one number
     z a number, E and nu functions : E(z) and nu(z) on 0 <= z <= that depth [length], constant below; nu may be a number. They are
         called while the object is made and never later; what they raise is raised to the caller
@@ -82,7 +82,7 @@ class _Constant:
 class PowerLawGraded(Medium):
     """A half-space with E(z) = E0 (z/z0)^m and constant nu, solved exactly (Hess 2016).
 
-    E0 : modulus at the depth z0, > 0 [pressure]
+    E0 : modulus at the depth z0, > 0 [modulus]
     z0 : > 0 [length]
     exponent : m, -1 < m < 1
     nu : Poisson's ratio, -1 < nu <= 0.5

@@ -19,7 +19,7 @@ class TabulatedMedium(Medium):
 
     a : contact radii > 0, ascending, at least 3 [length]. States are offered between the first and the last; below the first, where
         every contact begins, the modulus is taken as constant
-    modulus : E_eff there, > 0 [pressure]; interpolated in ln a without overshoot
+    modulus : E_eff there, > 0 [modulus]; interpolated in ln a without overshoot
     """
 
     a: tuple[float, ...]
@@ -34,7 +34,7 @@ class TabulatedMedium(Medium):
 class CallableMedium(Medium):
     """A medium known by a function E_eff(a).
 
-    function : takes a contact radius and returns the effective contact modulus > 0 [pressure]. It is called while the object is
+    function : takes a contact radius and returns the effective contact modulus > 0 [modulus]. It is called while the object is
         made and never later; what it raises is raised to the caller
     smallest_radius, largest_radius : the range of contact radii, 0 < smallest < largest [length]; as in `TabulatedMedium`
 

@@ -57,7 +57,7 @@ def _area_function(section: Section) -> profile.Profile:
     given = section.numbers("coefficients")
     terms = [c * unit ** (2.0 - (2.0 if k == 0 else 0.5 ** (k - 1))) for k, c in enumerate(given)]
     min_height = section.quantity("min_height") if "min_height" in section else 0.0
-    return profile.AreaFunction(terms, section.quantity("max_height"), min_height)
+    return profile.AreaFunction(terms, max_height=section.quantity("max_height"), min_height=min_height)
 
 
 _SHAPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], profile.Profile]]] = {

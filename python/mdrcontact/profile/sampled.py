@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from numpy.typing import ArrayLike
@@ -66,6 +67,9 @@ class CallableProfile(Profile):
 
     def __init__(self, f: Callable[[float], float], r_max: float) -> None:
         callback, r_max = Callback("f", f), number("r_max", r_max)
+        # the library calls it largest_radius
+        if not 0.0 < r_max < math.inf:
+            raise InvalidArgumentError(f"r_max = {r_max:g} is not allowed: it must be finite and greater than 0")
         created = _native.profile_callback(callback.address, r_max)
         callback.reraise()
         self._own(created, f=f, r_max=r_max)

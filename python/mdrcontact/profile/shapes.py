@@ -7,7 +7,7 @@ import math
 
 from .. import _native
 from .._boundary import number
-from ..errors import ArgumentTypeError
+from ..errors import ArgumentTypeError, InvalidArgumentError
 from .base import Profile
 
 
@@ -34,9 +34,9 @@ class Sphere(Profile):
 class Cone(Profile):
     """A cone, f = r tan(phi). Give one of:
 
-    inclination : phi, angle between the cone's face and the surface, 0 < phi < pi/2 [rad]
-    half_angle : angle between the cone's face and its axis, pi/2 - phi [rad]
-    degrees : whether the angle is in degrees
+    inclination : phi, angle between the cone's face and the surface, 0 < phi < pi/2 [radian]
+    half_angle : angle between the cone's face and its axis, pi/2 - phi, 0 < half_angle < pi/2 [radian]
+    degrees : whether the angle is in degrees; `.inclination` is in radian all the same
     """
 
     inclination: float
@@ -47,13 +47,13 @@ class Cone(Profile):
         if inclination is not None:
             phi = _radians("inclination", inclination, degrees)
         else:
-            angle = number("half_angle", half_angle)
+            angle = _acute("half_angle", number("half_angle", half_angle), degrees)
             phi = math.radians(90.0 - angle) if degrees else math.pi / 2 - angle
         self._own(_native.profile_cone(phi), inclination=phi)
 
 
 class PowerLaw(Profile):
-    """A power law, f = c r^n. exponent: n > 0; coefficient: c > 0 [length^(1-n)]."""
+    """A power law, f = c r^n. exponent: n, 0 < n <= 100; coefficient: c > 0 [length^(1-n)]."""
 
     exponent: float
     coefficient: float
@@ -77,7 +77,7 @@ class FlatEndedCone(Profile):
     """A truncated cone, f = (r - b) tan(phi) for r > b.
 
     end_radius : b > 0, radius of the flat end [length]
-    inclination : phi, angle between face and surface, 0 < phi < pi/2 [rad, or degrees with degrees=True]
+    inclination : phi, angle between face and surface, 0 < phi < pi/2 [radian, or degrees with degrees=True]
     """
 
     end_radius: float
@@ -107,7 +107,7 @@ class RoundedCone(Profile):
     """A cone whose tip is a paraboloid that meets it without a kink: f = r^2 tan(phi)/(2b) up to r = b, (r - b/2) tan(phi) beyond.
 
     blend_radius : b > 0, where the rounding ends [length]; the tip's radius of curvature is b/tan(phi)
-    inclination : phi, angle between face and surface, 0 < phi < pi/2 [rad, or degrees with degrees=True]
+    inclination : phi, angle between face and surface, 0 < phi < pi/2 [radian, or degrees with degrees=True]
     """
 
     blend_radius: float
@@ -119,5 +119,13 @@ class RoundedCone(Profile):
 
 
 def _radians(name: str, angle: float, degrees: bool) -> float:
-    value = number(name, angle)
+    value = _acute(name, number(name, angle), degrees)
     return math.radians(value) if degrees else value
+
+
+def _acute(name: str, angle: float, degrees: bool) -> float:
+    """`angle` if it is one of a cone. The library knows the inclination in radian only, and would name that one."""
+    right, unit = (90.0, "90 degrees") if degrees else (math.pi / 2, "pi/2 = 1.570796 radian")
+    if not 0.0 < angle < right:
+        raise InvalidArgumentError(f"{name} = {angle:g} is not allowed: it must be greater than 0 and less than {unit}")
+    return angle

@@ -14,7 +14,7 @@ from .base import Profile
 
 
 class _Pyramid(Profile):
-    """A pyramid as the cone of the same projected area at every height; `inclination` is that cone's [rad]."""
+    """A pyramid as the cone of the same projected area at every height; `inclination` is that cone's [radian]."""
 
     half_angle_degrees: ClassVar[float]
 
@@ -23,7 +23,7 @@ class _Pyramid(Profile):
 
     @property
     def inclination(self) -> float:
-        """phi of the equivalent cone, angle between face and surface [rad]."""
+        """phi of the equivalent cone, angle between face and surface [radian]."""
         return math.radians(90.0 - self.half_angle_degrees)
 
 
@@ -49,15 +49,16 @@ class AreaFunction(Profile):
     """A calibrated tip by its area function A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., A = pi r^2.
 
     coefficients : C0 [1], C1 [length], C2 [length^(3/2)], ...; A must grow with f between min_height and max_height
-    max_height : f up to which the calibration holds [length], > 0
-    min_height : below it A is continued linearly to 0 [length]; 0: the calibration holds from the apex on
+    max_height : f up to which the tip is used, > min_height [length]
+    min_height : f below which the fitted A is not to be trusted: there the tip is a paraboloid that meets A at min_height [length];
+        0: the calibration holds from the apex on
     """
 
     coefficients: tuple[float, ...]
     max_height: float
     min_height: float
 
-    def __init__(self, coefficients: ArrayLike, max_height: float, min_height: float = 0.0) -> None:
+    def __init__(self, coefficients: ArrayLike, *, max_height: float, min_height: float = 0.0) -> None:
         terms = row("coefficients", coefficients)
         max_height, min_height = number("max_height", max_height), number("min_height", min_height)
         self._own(

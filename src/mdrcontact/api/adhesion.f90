@@ -77,7 +77,7 @@ contains
         if (present(f)) f(:n) = all_states(:n)%force
     end function mdr_contact_pull_offs
 
-    function mdr_loop_new(c, control, spring_stiffness, largest, points, out) result(status) bind(C)
+    function mdr_loop_new(c, control, largest, points, spring_stiffness, out) result(status) bind(C)
         type(c_ptr), value :: c
         integer(c_int), value :: control, points
         real(c_double), value :: spring_stiffness, largest

@@ -95,7 +95,7 @@ contains
 
         call open_law(law, inside, error)
         call check_branch(error, int(branch))
-        if (.not. allocated(error)) call check_below(error, "d", d, inside%by_depth%highest)
+        if (.not. allocated(error)) call check_below(error, "depth", d, inside%by_depth%highest)
         status = 0_c_int
         if (allocated(error)) then
             status = status_of(error)

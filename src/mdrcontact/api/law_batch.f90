@@ -6,7 +6,7 @@ module mdrcontact_api_law_batch
     use mdrcontact_api_law_handle, only: open_law
     use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_batch, only: check_threads
-    use mdrcontact_error, only: entry_name, error_t, error_unreachable, raise, to_text
+    use mdrcontact_error, only: count_text, error_t, error_unreachable, raise, to_text
     use mdrcontact_law, only: check_below, check_branch, contact_law_t, lowest_force
     use mdrcontact_law_evaluate, only: all_of, values_of
     use mdrcontact_law_table, only: law_table_t
@@ -29,7 +29,7 @@ contains
         call open_law(law, inside, error)
         call check_call(error, branch, n, "d", present(d), threads)
         if (.not. allocated(error) .and. n > 0) then
-            call check_all(error, "d", d(:n), -huge(1.0_c_double), inside%by_depth%highest)
+            call check_all(error, "depth", d(:n), -huge(1.0_c_double), inside%by_depth%highest)
             if (.not. allocated(error)) then
                 call evaluate(inside%by_depth, int(branch), int(n), d, f, slope, a, k, int(threads), error)
             end if
@@ -48,9 +48,9 @@ contains
         type(error_t), allocatable :: error
 
         call open_law(law, inside, error)
-        call check_call(error, branch, n, "f", present(f), threads)
+        call check_call(error, branch, n, "F", present(f), threads)
         if (.not. allocated(error) .and. n > 0) then
-            call check_all(error, "f", f(:n), lowest_force(inside, int(branch)), inside%by_force%highest)
+            call check_all(error, "force", f(:n), lowest_force(inside, int(branch)), inside%by_force%highest)
             if (.not. allocated(error)) then
                 call evaluate(inside%by_force, int(branch), int(n), f, d, compliance, a, k, int(threads), error)
             end if
@@ -83,10 +83,10 @@ contains
         end do
         if (outside == 0) return
         do i = 1, size(s)
-            call check_below(error, entry_name(name, i), s(i), highest)
+            call check_below(error, "entry "//count_text(i)//": "//name, s(i), highest)
             if (.not. allocated(error) .and. s(i) < lowest) then
-                call raise(error, error_unreachable, entry_name(name, i)//" = "//to_text(s(i))//" cannot be reached: no "// &
-                           "contact carries less than "//to_text(lowest))
+                call raise(error, error_unreachable, "entry "//count_text(i)//": "//name//" = "//to_text(s(i))// &
+                           " cannot be reached: no contact carries less than "//to_text(lowest))
             end if
             if (allocated(error)) return
         end do

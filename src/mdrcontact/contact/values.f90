@@ -125,7 +125,7 @@ contains
                 call self%contact%at_radius(self%input(i), self%states(i), error)
             end select
             if (.not. allocated(error)) cycle
-            error%message = entry_name("in", i)//": "//error%message
+            error%message = "entry "//count_text(i)//": "//error%message
             return
         end do
     end subroutine solve_states

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Bodies embedded in a half-space z > 0: layers, half-spaces, spheres, fibres, pillars, boxes (theory 7).
+!> Bodies embedded in a half-space z > 0: layers, half-spaces, balls, fibres, pillars, boxes (theory 7).
 module mdrcontact_lateral_shape
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan, ieee_positive_inf, ieee_value
     use mdrcontact_error, only: check_finite, check_positive, count_text, error_invalid, error_t, raise, to_text
@@ -9,14 +9,14 @@ module mdrcontact_lateral_shape
     implicit none (type, external)
     private
     public :: shape_t, new_shape, section_at, depth_breaks, most_depths
-    public :: shape_layer, shape_half_space, shape_sphere, shape_fibre, shape_pillar, shape_box
+    public :: shape_layer, shape_half_space, shape_ball, shape_fibre, shape_pillar, shape_box
 
     !> parameters: z_top, z_bottom (infinite is allowed)
     integer, parameter :: shape_layer = 0
     !> point x, y, z on the interface; normal x, y, z into the material
     integer, parameter :: shape_half_space = 1
     !> centre x, y, z; radius
-    integer, parameter :: shape_sphere = 2
+    integer, parameter :: shape_ball = 2
     !> point x, y, z on the axis; direction x, y, z of the axis; radius: an endless round cylinder
     integer, parameter :: shape_fibre = 3
     !> axis x, y; radius; z_top, z_bottom (infinite is allowed): an upright round cylinder
@@ -60,8 +60,8 @@ contains
         case (shape_half_space)
             call check_all(error, "the interface", parameters(:6))
             call normalize(error, "normal", self%parameters(4:6))
-        case (shape_sphere)
-            call check_all(error, "the sphere", parameters(:3))
+        case (shape_ball)
+            call check_all(error, "the ball", parameters(:3))
             call check_positive(error, "radius", parameters(4))
         case (shape_fibre)
             call check_all(error, "the fibre", parameters(:6))
@@ -78,7 +78,7 @@ contains
             call check_interval(error, "z_top", parameters(5), "z_bottom", parameters(6))
         case default
             call raise(error, error_invalid, "kind = "//count_text(kind)//" is not allowed: layer (0), half-space (1), "// &
-                       "sphere (2), fibre (3), pillar (4) or box (5)")
+                       "ball (2), fibre (3), pillar (4) or box (5)")
         end select
     end subroutine new_shape
 
@@ -104,7 +104,7 @@ contains
                 section%kind = strip
                 section%direction = p(4:5)/slope
                 section%extent = [(z - p(3))/a*p(6)/slope, ieee_value(1.0_wp, ieee_positive_inf)]
-            case (shape_sphere)
+            case (shape_ball)
                 half = (p(4) - (z - p(3)))*(p(4) + (z - p(3)))
                 if (half <= 0.0_wp) return
                 section%kind = ellipse
@@ -153,7 +153,7 @@ contains
             select case (self%kind)
             case (shape_layer)
                 depths = p(1:2)
-            case (shape_sphere)
+            case (shape_ball)
                 depths = p(3) + [-1.0_wp, 1.0_wp]*p(4)
             case (shape_pillar)
                 depths = p(4:5)
