@@ -5,9 +5,11 @@
  *
  * A rigid axisymmetric indenter (mdr_profile) is pressed into an elastic half-space (mdr_medium); the two make a contact
  * (mdr_contact), which gives indentation depth d, contact radius a, normal force F and stiffness k from any one of
- * the first three, and the pressure, line load and surface displacement. Equation numbers are those of V. L. Popov,
+ * the first three, and the pressure, line load and surface displacement. A structure (mdr_structure) whose moduli vary in
+ * all directions gives a medium for each place on it; a compiled law (mdr_law) is a contact for programs that ask
+ * millions of times; a fit goes from measured curves back to the moduli. Equation numbers are those of V. L. Popov,
  * "Method of dimensionality reduction in contact mechanics and tribology. Heterogeneous media", Physical
- * Mesomechanics 17 (2014) 50-57.
+ * Mesomechanics 17 (2014) 50-57; docs/theory.md states the equations and says where they are misprinted.
  *
  * @par Units
  * Any consistent set: choose a unit of length and one of modulus (pressure); forces are then in modulus length^2, stiffnesses
@@ -25,12 +27,14 @@
  *
  * @par Arrays
  * `n` is the number of elements of all arrays of the call; n = 0 is allowed, and then the arrays may be NULL. An
- * output array may be the input array itself; otherwise arrays must not overlap. Error messages count entries from 1.
+ * output array may be the input array itself; otherwise arrays must not overlap. Error messages count entries from 1,
+ * indices in arguments and results begin at 0.
  *
  * @par Handles and who frees them
- * mdr_profile, mdr_medium, mdr_contact and mdr_loop are made by the functions with an `out` argument, belong to the caller, and
- * are freed by mdr_profile_free() and so on, which also set the caller's pointer to NULL. What a handle was made from
- * may be freed at once: it holds copies. A handle never changes after its creation.
+ * mdr_profile, mdr_medium, mdr_contact, mdr_loop, mdr_structure and mdr_law are made by the functions with an `out` argument,
+ * belong to the caller, and are freed by mdr_profile_free() and so on, which also set the caller's pointer to NULL. What a
+ * handle was made from may be freed at once: it holds copies (but mdr_structure_callback() keeps the user's function and
+ * context). A handle never changes after its creation.
  *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
@@ -591,54 +595,148 @@ int mdr_adhesive_depth_scale(double radius, double substrate_shear, double work_
  *  @param out                [n] d/d_c [1] */
 int mdr_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness, double out[]);
 
-/* ---- laterally heterogeneous structures (theory 7) ----------------------------------------------------------- */
-typedef struct mdr_structure mdr_structure;   /* made by mdr_structure_{shapes,voxels,callback}, ended by mdr_structure_free;
-                                                 never changes: any number of threads may share it */
-/* E [modulus] > 0 and nu, -1 < nu <= 1/2, at a point of the half-space z > 0. Returns 0, or another value to report failure.
-   Kept by the structure and called in every evaluation, from the calling thread. */
+/* ---- laterally heterogeneous structures: E_eff(a, x, y), equation (33); docs/lateral.md ------------------------------- */
+
+/** A half-space z > 0 whose moduli vary in all directions. Made by mdr_structure_shapes(), mdr_structure_voxels() or
+ *  mdr_structure_callback(), freed by mdr_structure_free(). */
+typedef struct mdr_structure mdr_structure;
+
+/**
+ * A user's structure. Unlike an mdr_function it is kept, and called in every evaluation, in the thread that evaluates.
+ * @param x        position along the surface [length]
+ * @param y        position along the surface [length]
+ * @param z        depth > 0 [length]
+ * @param E        receives Young's modulus > 0 [modulus]
+ * @param nu       receives Poisson's ratio, -1 < nu <= 1/2 [1]
+ * @param context  the pointer given with the function
+ * @return         0, or any other number to report a failure: the evaluation then ends with MDR_ECALLBACK
+ */
 typedef int (*mdr_field)(double x, double y, double z, double *E, double *nu, void *context);
 
-enum mdr_shape {                       /* 7 parameters for each shape, those not named here are ignored; lengths */
-    MDR_SHAPE_LAYER = 0,               /* z_top, z_bottom (INFINITY is allowed) */
-    MDR_SHAPE_HALF_SPACE = 1,          /* point x, y, z on the interface; normal x, y, z into the material */
-    MDR_SHAPE_BALL = 2,              /* centre x, y, z; radius */
-    MDR_SHAPE_FIBRE = 3,               /* point x, y, z on the axis; direction x, y, z; radius: endless round cylinder */
-    MDR_SHAPE_PILLAR = 4,              /* axis x, y; radius; z_top, z_bottom (INFINITY is allowed): upright round cylinder */
-    MDR_SHAPE_BOX = 5                  /* x_low, x_high, y_low, y_high, z_top, z_bottom */
+/** Shapes of bodies in a half-space, with their parameters in order; all but directions are [length]. */
+enum mdr_shape {
+    MDR_SHAPE_LAYER = 0,      /**< z_top, z_bottom > z_top; INFINITY is allowed. */
+    MDR_SHAPE_HALF_SPACE = 1, /**< x, y, z of a point on the interface; x, y, z of the normal, of any length, into the material. */
+    MDR_SHAPE_BALL = 2,       /**< x, y, z of the centre; radius > 0. */
+    MDR_SHAPE_FIBRE = 3,      /**< Endless round cylinder: x, y, z of a point on the axis; x, y, z of its direction, of any
+                                   length; radius > 0. */
+    MDR_SHAPE_PILLAR = 4,     /**< Upright round cylinder: x, y of the axis; radius > 0; z_top, z_bottom > z_top; INFINITY is
+                                   allowed. */
+    MDR_SHAPE_BOX = 5         /**< x_low, x_high, y_low, y_high, z_top, z_bottom, ascending in pairs. */
 };
+
+/** What a structure leaves to choose. Set by mdr_structure_options_init(), then changed; a structure looks only at what concerns
+ *  it. */
 typedef struct mdr_structure_options {
-    double reference_nu;               /* Poisson's ratio of the weights; NAN (default): the background's, or the mean over all voxels */
-    double tolerance;                  /* shapes: relative error of G_eff and nu_eff, 1e-10 ... 0.1, default 1e-5 */
-    int padded;                        /* voxels: 0 (default) the array repeats itself in x and y, else beside_E, beside_nu lie beside it */
-    int images;                        /* voxels that repeat: periods that count cell by cell, default 1 */
-    double beside_E, beside_nu;
-    double origin[2];                  /* voxels: x and y of the array's lower corner, default 0 [length] */
+    double reference_nu; /**< Poisson's ratio of the weights, -1 < nu <= 1/2 [1]; default NAN: that of the background, or the mean
+                              over all voxels. */
+    double tolerance;    /**< Shapes: relative error of G_eff and nu_eff, 1e-10 to 0.1; default 1e-5. */
+    int padded;          /**< Voxels: 0: the array repeats itself in x and y (default); else one material lies beside it. */
+    int images;          /**< Voxels that repeat: periods that count cell by cell, at least 1; beyond them each slice counts with
+                              its mean; default 1. */
+    double beside_E;     /**< Padded voxels: Young's modulus of what lies beside, > 0 [modulus]. */
+    double beside_nu;    /**< Padded voxels: its Poisson's ratio, -1 < nu <= 1/2 [1]. */
+    double origin[2];    /**< Voxels: x and y of the array's lower corner; default 0 [length]. */
 } mdr_structure_options;
+
+/** Sets all options to their defaults. options = NULL is allowed. Never fails. */
 void mdr_structure_options_init(mdr_structure_options *options);
 
-/* n bodies in a background; where they overlap, the later one is there */
-int mdr_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[/* n*7 */],
-                         const double shape_E[], const double shape_nu[], const mdr_structure_options *options, mdr_structure **out);
-/* cell (i, j, k) has the phase labels[(k*size[1] + j)*size[0] + i], 0 ... phases-1, and fills the depths k*spacing[2] ... (k+1)*spacing[2];
-   a half-space of below_E, below_nu lies under the array */
-int mdr_structure_voxels(const int size[3], const int labels[], int phases, const double E[], const double nu[], const double spacing[3],
-                         double below_E, double below_nu, const mdr_structure_options *options, mdr_structure **out);
+/** Bodies in a background; where they overlap, the later one is there. What lies above the surface z = 0 does not count.
+ *  @param E           Young's modulus of the background > 0 [modulus]
+ *  @param nu          its Poisson's ratio, -1 < nu <= 1/2 [1]
+ *  @param n           number of bodies
+ *  @param kind        [n] one of enum mdr_shape each
+ *  @param parameters  [7 n] seven numbers for each body, those of its shape first; the rest is not looked at
+ *  @param shape_E     [n] Young's moduli > 0 [modulus]
+ *  @param shape_nu    [n] Poisson's ratios, -1 < nu <= 1/2 [1]
+ *  @param options     NULL for the defaults
+ *  @param out         receives the handle */
+int mdr_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[],
+                         const double shape_E[], const double shape_nu[], const mdr_structure_options *options,
+                         mdr_structure **out);
+
+/** An array of cells of one phase each, on a half-space. Cell (i, j, k) fills origin + (i ... i+1) spacing[0] in x, (j ... j+1)
+ *  spacing[1] in y, and the depths k spacing[2] ... (k+1) spacing[2].
+ *  @param size      [3] number of cells in x, y and z, each at least 1
+ *  @param labels    [size[0] size[1] size[2]] phase of cell (i, j, k), 0 ... phases - 1, at (k size[1] + j) size[0] + i
+ *  @param phases    number of phases, at least 1
+ *  @param E         [phases] Young's moduli > 0 [modulus]
+ *  @param nu        [phases] Poisson's ratios, -1 < nu <= 1/2 [1]
+ *  @param spacing   [3] edge lengths of a cell in x, y and z > 0 [length]
+ *  @param below_E   Young's modulus of the half-space under the array > 0 [modulus]
+ *  @param below_nu  its Poisson's ratio, -1 < nu <= 1/2 [1]
+ *  @param options   NULL for the defaults
+ *  @param out       receives the handle */
+int mdr_structure_voxels(const int size[3], const int labels[], int phases, const double E[], const double nu[],
+                         const double spacing[3], double below_E, double below_nu,
+                         const mdr_structure_options *options, mdr_structure **out);
+
+/** A structure of smooth functions of position; for those with jumps shapes or voxels are the better description.
+ *  @param field         E and nu at a point; it and its context must live as long as the structure
+ *  @param context       passed on to field, may be NULL
+ *  @param reference_nu  Poisson's ratio of the weights, -1 < nu <= 1/2 [1]
+ *  @param tolerance     relative error of G_eff and nu_eff, 1e-10 to 0.1
+ *  @param out           receives the handle */
 int mdr_structure_callback(mdr_field field, void *context, double reference_nu, double tolerance, mdr_structure **out);
-/* E_eff(a, x, y) = 2 G_eff/(1 - nu_eff), equation (33), for contacts of radius a[i] at (x[i], y[i]): points, lines, many radii [modulus] */
+
+/** E_eff(a, x, y) = 2 G_eff/(1 - nu_eff), to first order in the contrast of the moduli, equation (33).
+ *  @param s    structure
+ *  @param n    number of contacts
+ *  @param x    [n] centres of the contacts [length]
+ *  @param y    [n] centres of the contacts [length]
+ *  @param a    [n] contact radii > 0 [length]
+ *  @param out  [n] E_eff [modulus]
+ *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE where the tolerance is not met */
 int mdr_structure_modulus(const mdr_structure *s, int n, const double x[], const double y[], const double a[], double out[]);
-/* the medium an indenter meets at (x, y): E_eff at so many radii, evenly spaced in ln a; the structure may be freed afterwards */
+
+/** The medium that an indenter meets at (x, y): a table of E_eff(a, x, y) as mdr_medium_table() takes it.
+ *  @param s                structure
+ *  @param x                centre of the contact [length]
+ *  @param y                centre of the contact [length]
+ *  @param smallest_radius  > 0 [length]
+ *  @param largest_radius   > smallest_radius [length]
+ *  @param points           number of radii, evenly spaced in ln a, at least 3
+ *  @param out              receives the handle
+ *  @return also as mdr_structure_modulus() */
 int mdr_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius, int points,
                          mdr_medium **out);
+
+/** Frees a structure and sets *s to NULL. s = NULL and *s = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *s is not a structure */
 int mdr_structure_free(mdr_structure **s);
 
-/* weights of G (shear) and of nu (poisson), densities with integral 1 over the half-space, at distances rho and depths z in units of a */
+/** The weights with which shear modulus and Poisson's ratio at a point enter G_eff and nu_eff: densities whose integral over the
+ *  half-space is 1, in units of a. Both are infinite at the edge of the contact, rho = 1, z = 0.
+ *  @param n        number of points
+ *  @param rho      [n] distances from the contact's axis >= 0, in units of a [1]
+ *  @param z        [n] depths >= 0, in units of a [1]
+ *  @param nu       Poisson's ratio of the weights, -1 < nu <= 1/2 [1]
+ *  @param shear    [n] weights of the shear modulus [1]
+ *  @param poisson  [n] weights of Poisson's ratio [1] */
 int mdr_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[]);
-/* their integrals over the cells between lines x[0 ... nx], y[0 ... ny] (ascending, relative to the contact's axis) and depths
-   z_top ... z_bottom: shear[j*nx + i], poisson[j*nx + i] */
+
+/** The weights integrated over the cells between lines, relative to the contact's axis, and two depths.
+ *  @param nu        Poisson's ratio of the weights, -1 < nu <= 1/2 [1]
+ *  @param a         contact radius > 0 [length]
+ *  @param z_top     >= 0 [length]
+ *  @param z_bottom  > z_top [length]
+ *  @param nx        number of cells in x, at least 1
+ *  @param x         [nx + 1] lines, strictly ascending [length]
+ *  @param ny        number of cells in y, at least 1
+ *  @param y         [ny + 1] lines, strictly ascending [length]
+ *  @param shear     [ny nx] weights of the shear modulus, that of cell (i, j) at j nx + i [1]
+ *  @param poisson   [ny nx] weights of Poisson's ratio, in the same order [1] */
 int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx, const double x[], int ny, const double y[],
                       double shear[], double poisson[]);
-/* a rule for smooth structures: 6 order^3 points (x, y, z) in units of a and their weights (shear, poisson) */
-int mdr_lateral_rule(int order, double nu, double points[/* n*3 */], double weights[/* n*2 */]);
+
+/** Points and weights for sums over smooth structures, G_eff = sum of weight * G(x + a point): what mdr_structure_callback()
+ *  uses.
+ *  @param order    1 to 200; the rule has N = 6 order^3 points
+ *  @param nu       Poisson's ratio of the weights, -1 < nu <= 1/2 [1]
+ *  @param points   [3 N] x, y, z of each point, relative to the contact's centre and in units of a [1]
+ *  @param weights  [2 N] weights of the shear modulus and of Poisson's ratio at each point, with sum 1 each [1] */
+int mdr_lateral_rule(int order, double nu, double points[], double weights[]);
 
 /* ---- the same on several threads ------------------------------------------------------------------------------- */
 
@@ -691,66 +789,156 @@ int mdr_reduced_adhesive_depth_threads(int n, const double reduced_radius[], dou
 
 /** A structure made by mdr_structure_callback() stays on the calling thread. */
 int mdr_structure_modulus_threads(const mdr_structure *s, int n, const double x[], const double y[], const double a[],
-                                  double out[],
-                                  int threads);
+                                  double out[], int threads);
 int mdr_lateral_density_threads(int n, const double rho[], const double z[], double nu, double shear[], double poisson[],
                                 int threads);
 /** @} */
 
-/* ---- compiled laws (docs/laws.md) -------------------------------------------------------------- */
-/** F(d), a(d), k(d) and their inverses over a range of depths, verified, for the price of a short polynomial. It never
- *  changes: any number of threads may evaluate one law. The caller frees it with mdr_law_free; the contact may be freed before. */
+/* ---- compiled laws: F(d), a(d), k(d) and their inverses for the price of a short polynomial; docs/laws.md ------------ */
+
+/** The law of one contact over a range of depths, made once, verified against the contact, then evaluated in nanoseconds.
+ *  Unlike a contact it has an answer for bodies that are apart: 0. Made by mdr_law_new(), mdr_law_load() or mdr_law_read(), freed
+ *  by mdr_law_free(). */
 typedef struct mdr_law mdr_law;
+
+/** What a law can be asked for. Set by mdr_law_options_init(), then changed. */
 typedef struct mdr_law_options {
-    double smallest_depth;             /* without adhesion: the tolerance holds from here on [length]; 0: 1e-4 of the largest */
-    double tolerance;                  /* relative, 1e-12 to 1e-2, default 1e-9 */
-    const char *description;           /* the problem in words, kept in the file; NULL: none */
+    double smallest_depth;   /**< Without adhesion: depth > 0 from which on the tolerance holds, at most half the largest; nearer
+                                  to first touch the law follows a power of d. Default 0: 1e-4 of the largest [length]. */
+    double tolerance;        /**< Of F, a and k, relative, 1e-12 to 1e-2; with adhesion relative to |F| + |d dF/dd|;
+                                  default 1e-9. */
+    const char *description; /**< The problem in words, kept in the file; default NULL: none. */
 } mdr_law_options;
+
+/** Sets all options to their defaults. options = NULL is allowed. Never fails. */
 void mdr_law_options_init(mdr_law_options *options);
+
+/** Compiles the law of a contact.
+ *  @param contact        contact, with or without adhesion
+ *  @param largest_depth  > 0 [length]
+ *  @param options        NULL for the defaults
+ *  @param out            receives the handle
+ *  @return also as mdr_contact_from_depth() and mdr_contact_pull_off(); MDR_ENOCONVERGENCE if the tolerance is not met */
 int mdr_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_options *options, mdr_law **out);
 
-/** F and dF/dd, the derivative along the branch [modulus length], at one depth; NULL outputs are skipped. branch: enum mdr_branch.
- *  Any d up to the largest one: where the bodies are apart (d below 0, with adhesion on unloading below pull-off) all is 0. */
+/** The force at one depth. Outputs that are NULL are skipped.
+ *  @param law     law
+ *  @param branch  one of enum mdr_branch
+ *  @param d       indentation depth up to the largest one; F and slope are 0 where the bodies are apart [length]
+ *  @param F       or NULL: normal force [modulus length^2]
+ *  @param slope   or NULL: dF/dd along the branch, which implicit codes need; k without adhesion [modulus length]
+ *  @return also MDR_EDOMAIN beyond the largest depth */
 int mdr_law_force(const mdr_law *law, int branch, double d, double *F, double *slope);
-/** The same with a history: *stretch is 0 before the first call (open), and stays where the contact is. An open contact closes at
- *  d >= 0, a closed one stays on its branch until that ends (pull-off, or the jump to another stable state). */
+
+/** The state at one depth of a contact with a history: an open contact closes at d >= 0, a closed one stays on its stable
+ *  stretch until that ends, by pull-off or by a jump to another one. Outputs that are NULL are skipped.
+ *  @param law      law
+ *  @param d        indentation depth up to the largest one [length]
+ *  @param stretch  where the contact is: 0 for open before the first call, then what the last call left there
+ *  @param F        or NULL: normal force [modulus length^2]
+ *  @param slope    or NULL: dF/dd along the stretch [modulus length]
+ *  @param a        or NULL: contact radius [length]
+ *  @param k        or NULL: stiffness dF/dd at constant a [modulus length]
+ *  @return also MDR_EDOMAIN beyond the largest depth */
 int mdr_law_follow(const mdr_law *law, double d, int *stretch, double *F, double *slope, double *a, double *k);
-/** Arrays of n points, on threads (at least 1; 0: as many as OpenMP offers) where there are enough of them; within a
- *  parallel region of the caller always on the calling thread. NULL outputs are skipped; with an error nothing is written. */
+
+/** States from indentation depths. Outputs that are NULL are skipped.
+ *  @param law      law
+ *  @param branch   one of enum mdr_branch
+ *  @param n        number of states
+ *  @param d        [n] depths up to the largest one; all outputs are 0 where the bodies are apart [length]
+ *  @param F        [n] or NULL: normal forces [modulus length^2]
+ *  @param slope    [n] or NULL: dF/dd along the branch [modulus length]
+ *  @param a        [n] or NULL: contact radii [length]
+ *  @param k        [n] or NULL: stiffnesses dF/dd at constant a [modulus length]
+ *  @param threads  as in "Arrays on several threads"
+ *  @return also MDR_EDOMAIN beyond the largest depth */
 int mdr_law_from_depth(const mdr_law *law, int branch, int n, const double d[], double F[], double slope[], double a[], double k[],
                        int threads);
+
+/** States from normal forces. Outputs that are NULL are skipped.
+ *  @param law         law
+ *  @param branch      one of enum mdr_branch
+ *  @param n           number of states
+ *  @param F           [n] forces >= 0, with adhesion on unloading down to the pull-off force [modulus length^2]
+ *  @param d           [n] or NULL: indentation depths [length]
+ *  @param compliance  [n] or NULL: dd/dF along the branch [1/(modulus length)]
+ *  @param a           [n] or NULL: contact radii [length]
+ *  @param k           [n] or NULL: stiffnesses dF/dd at constant a [modulus length]
+ *  @param threads     as in "Arrays on several threads"
+ *  @return also MDR_EUNREACHABLE below the lowest force, MDR_EDOMAIN beyond the largest */
 int mdr_law_from_force(const mdr_law *law, int branch, int n, const double F[], double d[], double compliance[], double a[],
                        double k[], int threads);
 
+/** What a law is. */
 typedef struct mdr_law_facts {
-    double lowest_depth, highest_depth;   /* compiled range; lowest: pull-off with adhesion */
-    double lowest_force, highest_force;
-    double tolerance, error;              /* asked for; the largest found on verification against the contact */
-    int solutions;                        /* contact states computed to make and verify the law */
-    int adhesive;                         /* 1 with adhesion */
-    int stretches;                        /* stable stretches under depth control */
-    int description_length;               /* without the final zero */
+    double lowest_depth;    /**< The compiled range begins here: at pull-off with adhesion [length]. */
+    double highest_depth;   /**< The compiled range ends here [length]. */
+    double lowest_force;    /**< The same for the force [modulus length^2]. */
+    double highest_force;   /**< The same for the force [modulus length^2]. */
+    double tolerance;       /**< What was asked for, relative. */
+    double error;           /**< The largest relative error found when the law was verified against the contact. */
+    int solutions;          /**< Contact states computed to make and verify the law. */
+    int adhesive;           /**< 1 with adhesion, else 0. */
+    int stretches;          /**< Number of stable stretches under depth control. */
+    int description_length; /**< Of the description, without its closing zero. */
 } mdr_law_facts;
+
+/** What a law is.
+ *  @param law    law
+ *  @param facts  receives it */
 int mdr_law_info(const mdr_law *law, mdr_law_facts *facts);
+
+/** The problem a law was made from, in the words of the options.
+ *  @param law     law
+ *  @param buffer  receives the text; may be NULL if length < 1
+ *  @param length  size of buffer, description_length + 1 for all of it; what does not fit is cut off */
 int mdr_law_description(const mdr_law *law, char *buffer, int length);
 
-/** A file with version, description and checksum; a damaged or foreign file is refused with MDR_EFILE and its reason. */
+/** Writes a law to a file, which it replaces: a text with version, description and checksum, for any machine.
+ *  @param law   law
+ *  @param path  name of the file
+ *  @return also MDR_EFILE if it cannot be written */
 int mdr_law_save(const mdr_law *law, const char *path);
+
+/** Reads a law that was saved from any of the library's languages.
+ *  @param path  name of the file
+ *  @param out   receives the handle
+ *  @return also MDR_EFILE if the file cannot be read, is damaged, or is none of a law */
 int mdr_law_load(const char *path, mdr_law **out);
-/** The same content in memory: *full_length bytes, written only if they fit into `length`. */
+
+/** The content of a law's file, in memory.
+ *  @param law          law
+ *  @param buffer       receives the content, if it fits; may be NULL if length < 1
+ *  @param length       size of buffer
+ *  @param full_length  receives the number of bytes of the content */
 int mdr_law_write(const mdr_law *law, char *buffer, int length, int *full_length);
+
+/** A law from the content of its file.
+ *  @param buffer  the content
+ *  @param length  number of bytes
+ *  @param out     receives the handle
+ *  @return also MDR_EFILE if the content is damaged, or is none of a law */
 int mdr_law_read(const char *buffer, int length, mdr_law **out);
+
+/** Frees a law and sets *law to NULL. law = NULL and *law = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *law is not a law */
 int mdr_law_free(mdr_law **law);
 
-/* ---- fit: from measured data to the numbers of indenter, medium and instrument --------------------------------- */
-enum mdr_fit_data_kind {               /* what x and y are */
-    MDR_FIT_FORCE_DEPTH = 1,           /* indentation depth, force */
-    MDR_FIT_STIFFNESS_DEPTH = 2,       /* depth, contact stiffness; with the force of each point (dynamic nanoindentation) */
-    MDR_FIT_MODULUS_RADIUS = 3,        /* contact radius, effective contact modulus */
-    MDR_FIT_STIFFNESS_RADIUS = 4       /* contact radius, contact stiffness */
+/* ---- fit: from measured data to the numbers of indenter, medium and instrument; docs/fitting.md ---------------------- */
+
+/** What x and y of the data are. */
+enum mdr_fit_data_kind {
+    MDR_FIT_FORCE_DEPTH = 1,     /**< Indentation depth [length] and force [modulus length^2]. */
+    MDR_FIT_STIFFNESS_DEPTH = 2, /**< Indentation depth [length] and contact stiffness > 0 [modulus length]; with the force of each
+                                      point (dynamic nanoindentation). */
+    MDR_FIT_MODULUS_RADIUS = 3,  /**< Contact radius > 0 [length] and effective contact modulus [modulus]. */
+    MDR_FIT_STIFFNESS_RADIUS = 4 /**< Contact radius > 0 [length] and contact stiffness [modulus length]. */
 };
-enum mdr_fit_indenter {                /* its numbers are the arguments of mdr_profile_...; GIVEN: `profile`, no numbers */
-    MDR_FIT_INDENTER_GIVEN = 0,
+
+/** Kinds of indenter. Their numbers are the arguments of mdr_profile_paraboloid() and so on, in that order. */
+enum mdr_fit_indenter {
+    MDR_FIT_INDENTER_GIVEN = 0, /**< The handle `profile`; no numbers. */
     MDR_FIT_INDENTER_PARABOLOID = 1,
     MDR_FIT_INDENTER_SPHERE = 2,
     MDR_FIT_INDENTER_CONE = 3,
@@ -760,78 +948,137 @@ enum mdr_fit_indenter {                /* its numbers are the arguments of mdr_p
     MDR_FIT_INDENTER_FLAT_PARABOLOID = 7,
     MDR_FIT_INDENTER_ROUNDED_CONE = 8
 };
-enum mdr_fit_medium {
-    MDR_FIT_MEDIUM_GIVEN = 0,          /* `medium_object`, no numbers */
-    MDR_FIT_MEDIUM_HOMOGENEOUS = 1,    /* E, nu */
-    MDR_FIT_MEDIUM_STACK = 2,          /* E, nu, h of each of `layers` from the surface down; E, nu of the substrate; the
-                                          model's alpha or wave factor (1 if it has none) */
-    MDR_FIT_MEDIUM_GRADED = 3,         /* z, E, nu at each of `layers` depths */
-    MDR_FIT_MEDIUM_POWER_GRADED = 4    /* E0, z0, exponent, nu */
-};
-enum mdr_fit_instrument {              /* the last seven numbers */
-    MDR_FIT_WORK_OF_ADHESION = 0,      /* >= 0; > 0 if free */
-    MDR_FIT_DEPTH_OFFSET = 1,          /* what the instrument reads at first contact */
-    MDR_FIT_FORCE_OFFSET = 2,
-    MDR_FIT_FRAME_COMPLIANCE = 3,
-    MDR_FIT_INDENTER_MODULUS = 4,      /* its contact modulus E*_i; INFINITY: rigid. Stiffness and modulus data only */
-    MDR_FIT_CONTACT_DEPTH_FACTOR = 5,  /* epsilon of h_c = h - epsilon P/S, 0.75 */
-    MDR_FIT_STIFFNESS_FACTOR = 6,      /* beta of S = 2 beta a E_r, 1 */
-    MDR_FIT_INSTRUMENT_COUNT = 7
-};
-enum mdr_fit_loss { MDR_FIT_LINEAR = 0, MDR_FIT_HUBER = 1, MDR_FIT_CAUCHY = 2 };
 
+/** Kinds of medium, with their numbers in order. */
+enum mdr_fit_medium {
+    MDR_FIT_MEDIUM_GIVEN = 0,       /**< The handle `medium_object`; no numbers. */
+    MDR_FIT_MEDIUM_HOMOGENEOUS = 1, /**< E, nu. */
+    MDR_FIT_MEDIUM_STACK = 2,       /**< E, nu, h of each layer from the surface down; E, nu of the substrate (E INFINITY: rigid);
+                                         alpha or wave_factor of the model, 1 if it has neither. */
+    MDR_FIT_MEDIUM_GRADED = 3,      /**< z, E, nu at each depth from the surface down. */
+    MDR_FIT_MEDIUM_POWER_GRADED = 4 /**< E0, z0, exponent, nu. */
+};
+
+/** The numbers of the instrument, by their place behind those of indenter and medium. */
+enum mdr_fit_instrument {
+    MDR_FIT_WORK_OF_ADHESION = 0,     /**< gamma >= 0, > 0 if free [modulus length]. */
+    MDR_FIT_DEPTH_OFFSET = 1,         /**< Depth that the instrument reads at first contact [length]. */
+    MDR_FIT_FORCE_OFFSET = 2,         /**< Force that it reads there [modulus length^2]. */
+    MDR_FIT_FRAME_COMPLIANCE = 3,     /**< Of the instrument's frame [1/(modulus length)]. */
+    MDR_FIT_INDENTER_MODULUS = 4,     /**< Contact modulus E*_i of the indenter > 0; INFINITY: rigid, which force against depth
+                                           demands [modulus]. */
+    MDR_FIT_CONTACT_DEPTH_FACTOR = 5, /**< epsilon of the contact depth h_c = h - epsilon P/S (Oliver, Pharr 1992); usually 0.75
+                                           [1]. */
+    MDR_FIT_STIFFNESS_FACTOR = 6,     /**< beta of S = 2 beta a E_r; usually 1 [1]. */
+    MDR_FIT_INSTRUMENT_COUNT = 7      /**< How many there are. */
+};
+
+/** How residuals r, in standard deviations, count; s is loss_scale. */
+enum mdr_fit_loss {
+    MDR_FIT_LINEAR = 0, /**< r^2: least squares. */
+    MDR_FIT_HUBER = 1,  /**< r^2 up to s, then growing in proportion to r. */
+    MDR_FIT_CAUCHY = 2  /**< s^2 ln(1 + r^2/s^2). */
+};
+
+/** One number of the problem, in its own unit. */
 typedef struct mdr_fit_parameter {
-    double value;                      /* the value, or where the search begins */
-    double lower, upper;               /* bounds of a free one; -INFINITY, INFINITY for none */
-    double prior, prior_sd;            /* what is known beforehand, and its standard deviation; 0: nothing */
-    int is_free;
+    double value;    /**< The value, or where the search begins. */
+    double lower;    /**< Lower bound of a free one; -INFINITY for none. */
+    double upper;    /**< Upper bound of a free one, > lower; INFINITY for none. */
+    double prior;    /**< The value known beforehand. */
+    double prior_sd; /**< Standard deviation of the prior >= 0; 0: nothing is known. */
+    int is_free;     /**< 0: fixed; else the fit may change it. */
 } mdr_fit_parameter;
 
+/** The question of a fit. Set by mdr_fit_problem_init(), then changed. Handles and parameters are only read, during the call. */
 typedef struct mdr_fit_problem {
-    int data_kind;                     /* enum mdr_fit_data_kind */
-    int indenter;                      /* enum mdr_fit_indenter */
-    const mdr_profile *profile;
-    int medium;                        /* enum mdr_fit_medium */
-    const mdr_medium *medium_object;
-    int model;                         /* enum mdr_model, for stacks and graded media */
-    int layers;                        /* >= 1 */
-    mdr_medium_options options;        /* weight_nu_choice, weight_nu, tolerance; alpha and wave_factor are among the numbers */
-    int adhesion_rule;                 /* 0: automatic, 1: the source's (28), 2: energy balance */
-    int loss;                          /* enum mdr_fit_loss */
-    double loss_scale;                 /* beyond so many standard deviations a residual counts less; 1.345 */
-    int sd_is_absolute;                /* 1: the standard deviations of the data are known; 0: their ratios only */
-    int max_iterations;                /* 100 */
-    int check_units;                   /* 1: data more than 300 times off the model at the start are refused */
-    int parameter_count;
-    const mdr_fit_parameter *parameters; /* [parameter_count]: indenter, medium, instrument, in this order */
+    int data_kind;                       /**< One of enum mdr_fit_data_kind; default MDR_FIT_FORCE_DEPTH. */
+    int indenter;                        /**< One of enum mdr_fit_indenter; default MDR_FIT_INDENTER_GIVEN. */
+    const mdr_profile *profile;          /**< For MDR_FIT_INDENTER_GIVEN. */
+    int medium;                          /**< One of enum mdr_fit_medium; default MDR_FIT_MEDIUM_GIVEN. */
+    const mdr_medium *medium_object;     /**< For MDR_FIT_MEDIUM_GIVEN. */
+    int model;                           /**< One of enum mdr_model, for stacks and graded media; default MDR_MODEL_GAO. */
+    int layers;                          /**< Layers of a stack, or depths of a graded medium, at least 1; default 1. */
+    mdr_medium_options options;          /**< weight_nu_choice, weight_nu and tolerance; alpha and wave_factor are not looked at:
+                                              they are among the numbers. */
+    int adhesion_rule;                   /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
+    int loss;                            /**< One of enum mdr_fit_loss; default MDR_FIT_LINEAR. */
+    double loss_scale;                   /**< Standard deviations > 0 beyond which a residual counts less; default 1.345. */
+    int sd_is_absolute;                  /**< 1: the standard deviations of the data are known; 0: only their ratios; default 1. */
+    int max_iterations;                  /**< Of one search, at least 1; default 100. */
+    int check_units;                     /**< 1: data more than 300 times larger or smaller than the model at the start are refused;
+                                              default 1. */
+    int parameter_count;                 /**< See mdr_fit_parameter_count(). */
+    const mdr_fit_parameter *parameters; /**< [parameter_count] those of the indenter, the medium, and the instrument. */
 } mdr_fit_problem;
+
+/** Sets everything to its default. problem = NULL is allowed. Never fails. */
 void mdr_fit_problem_init(mdr_fit_problem *problem);
 
+/** What speaks for or against a fit. */
 typedef struct mdr_fit_summary {
-    int converged;                     /* 0: the best point found is returned all the same */
-    int iterations, evaluations;
-    double chi_square;                 /* of the data in their standard deviations */
-    double prior_chi_square;
-    double degrees_of_freedom;         /* data less the parameters they determine */
-    double noise;                      /* factor of the standard deviations: 1 if known, else estimated */
-    double log_likelihood;
-    double runs_probability;           /* of so few or many runs of equal sign, were the residuals random */
-    double weakest;                    /* smallest eigenvalue of the derivatives' correlation; 0: a combination is undetermined */
+    int converged;             /**< 1, or 0: the numbers are the best point found. */
+    int iterations;            /**< Steps of the search. */
+    int evaluations;           /**< How often the model was computed at all data. */
+    double chi_square;         /**< Sum of the squared residuals of the data, in their standard deviations. */
+    double prior_chi_square;   /**< The same of the priors. */
+    double degrees_of_freedom; /**< Number of data less that of the parameters they determine. */
+    double noise;              /**< Factor of the standard deviations of the data: 1 if they are known, else estimated. */
+    double log_likelihood;     /**< Of the data and the priors, at the estimates. */
+    double runs_probability;   /**< Probability of so few or many runs of equal sign, were the residuals random. */
+    double weakest;            /**< Smallest eigenvalue of the correlation of the derivatives: 1: the parameters are independent,
+                                    0: a combination of them is not determined. */
 } mdr_fit_summary;
 
-/* how many numbers the kinds of indenter and medium, `layers` and the instrument make together */
+/** How many numbers a problem has: those of its kinds of indenter and medium, `layers`, and the instrument.
+ *  @param problem  problem; its parameters need not be there yet
+ *  @param count    receives the number */
 int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
-/* n points; force[] for MDR_FIT_STIFFNESS_DEPTH only; sd NULL: equal and unknown. Every output may be NULL. m = parameter_count:
-   values[m]; covariance[m*m], 0 for fixed numbers; at_bound[m]: -1, 0 or 1; weakest_direction[m]: the change of all free
-   numbers that the data notice least; fitted[n]: the model at the data; residuals[n]: (y - model)/standard deviation */
+
+/** Fits. A search that does not converge is no failure: it returns its best point, and says so in the summary. Outputs that are
+ *  NULL are skipped; m is parameter_count.
+ *  @param problem            problem; at least one parameter is free
+ *  @param n                  number of points, more than free parameters without a prior
+ *  @param x                  [n] see enum mdr_fit_data_kind; in any order, not all equal
+ *  @param y                  [n] see enum mdr_fit_data_kind; not all equal
+ *  @param force              [n] forces, for MDR_FIT_STIFFNESS_DEPTH; otherwise may be NULL [modulus length^2]
+ *  @param sd                 [n] standard deviations of y > 0, in its unit; NULL: equal and unknown
+ *  @param values             [m] or NULL: all numbers, each in its unit
+ *  @param covariance         [m m] or NULL: their covariance, 0 for fixed ones; symmetric
+ *  @param at_bound           [m] or NULL: -1 or 1 for a number at its lower or upper bound, else 0
+ *  @param weakest_direction  [m] or NULL: the relative change of the free numbers that the data notice least
+ *  @param fitted             [n] or NULL: the model at the data, in the unit of y
+ *  @param residuals          [n] or NULL: (y - model)/standard deviation [1]
+ *  @param summary            or NULL: what speaks for or against the fit
+ *  @return MDR_EINVALID also for data in other units than the start, or too few; what the model answers at the start */
 int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
                   const double sd[], double values[], double covariance[], int at_bound[], double weakest_direction[],
                   double fitted[], double residuals[], mdr_fit_summary *summary);
-/* what the instrument reads where the numbers are the `value`s; y is used where the frame gives way or contact depths
-   follow from it */
+
+/** What the instrument reads if the numbers are the `value`s of the parameters. Data as for mdr_fit_solve().
+ *  @param problem  problem
+ *  @param n        number of points
+ *  @param x        [n] see enum mdr_fit_data_kind
+ *  @param y        [n] readings; they enter where the frame gives way or contact depths follow from them
+ *  @param force    [n] forces, for MDR_FIT_STIFFNESS_DEPTH; otherwise may be NULL [modulus length^2]
+ *  @param fitted   [n] the model, in the unit of y
+ *  @return also what the model answers: MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
                     double fitted[]);
-/* profile-likelihood interval of the free number at `position` (from 0); an end that does not exist is infinite */
+
+/** Profile-likelihood interval of one free number: how far it can be moved, all others following, before the data protest. An end
+ *  beyond a bound is the bound; one that does not exist is infinite. Data as for mdr_fit_solve().
+ *  @param problem   problem
+ *  @param n         number of points
+ *  @param x         [n] see enum mdr_fit_data_kind
+ *  @param y         [n] see enum mdr_fit_data_kind
+ *  @param force     [n] or NULL, as for mdr_fit_solve() [modulus length^2]
+ *  @param sd        [n] or NULL, as for mdr_fit_solve()
+ *  @param position  index of the number among the parameters, from 0
+ *  @param level     of confidence, 0 < level < 1
+ *  @param lower     receives the lower end, in the number's unit
+ *  @param upper     receives the upper end, in the number's unit
+ *  @return as mdr_fit_solve() */
 int mdr_fit_interval(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
                      const double sd[], int position, double level, double *lower, double *upper);
 

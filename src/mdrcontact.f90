@@ -1,5 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The public Fortran surface of the library: `use mdrcontact, only: ...`.
+!>
+!> In comments the unit of each number stands in brackets: [length], [modulus] (that of pressure), [1] for none; any consistent
+!> set does. Angles are in radian. Equation numbers are those of the source; `theory 5` is section 5 of docs/theory.md, which
+!> states the equations.
 module mdrcontact
     use mdrcontact_branch, only: control_t, depth_control, force_control
     use mdrcontact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &

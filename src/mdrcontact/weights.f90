@@ -4,7 +4,7 @@
 !> I0 weighs the shear modulus, I1 Poisson's ratio; both rise from 0 at the surface to 1 at infinite depth. Each comes with its
 !> complement J = 1 - I and its slope dI/dxi, computed directly and not by subtraction, so that all keep full relative
 !> precision at both ends: contrasts of 1e6 and a/h from 1e-9 to 1e6 need it.
-!> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (13)-(18).
+!> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(18).
 module mdrcontact_weights
     use mdrcontact_batch, only: map_t
     use mdrcontact_kinds, only: half_pi, pi, wp

@@ -159,8 +159,8 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_new(contact, 1.0, NULL, NULL), MDR_ENULL, "out");
     CHECK_SUCCESS(mdr_law_new(contact, 1.0, NULL, &law));
     CHECK_STATUS(mdr_law_force(law, 0, 0.1, out, NULL), MDR_EINVALID, "branch");
-    CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, NAN, out, NULL), MDR_EINVALID, "d = NaN");
-    CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, INFINITY, out, NULL), MDR_EINVALID, "d = ");
+    CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, NAN, out, NULL), MDR_EINVALID, "depth = NaN");
+    CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, INFINITY, out, NULL), MDR_EINVALID, "depth = infinity");
     CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, 1.5, out, NULL), MDR_EDOMAIN, "compiled up to");
     CHECK_STATUS(mdr_law_force(NULL, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_ENULL, "law");
     CHECK_STATUS(mdr_law_force((const mdr_law *)contact, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_EINVALID, "mdr_law handle");

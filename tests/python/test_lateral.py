@@ -79,7 +79,7 @@ def test_interface_mean_for_every_radius():
 def test_map_agrees_with_points(beside):
     for n in (8, 9):
         voxels = composite(n, beside=beside, origin=(-1e-6, 2e-6))
-        maps = lateral.effective_map(voxels, RADII, workers=2)
+        maps = lateral.effective_map(voxels, RADII, threads=2)
         x, y = voxels.centres()
         for j, i in ((0, 0), (3, 5), (n - 1, n + 2)):
             np.testing.assert_allclose(maps[:, j, i], voxels.modulus(x[i], y[j], RADII), rtol=1e-7)
@@ -133,10 +133,10 @@ def test_stated_memory_bounds_what_numpy_allocates():
     voxels = lateral.Voxels(np.random.default_rng(2).integers(0, 2, (8, 64, 96)).astype(np.uint8), [MATRIX, GLASS], 1e-6)
     lateral.effective_map(voxels, RADII[:1])
     tracemalloc.start()
-    lateral.effective_map(voxels, RADII, workers=2)
+    lateral.effective_map(voxels, RADII, threads=2)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    assert peak < lateral.map_memory(voxels, RADII, workers=2)
+    assert peak < lateral.map_memory(voxels, RADII, threads=2)
 
 
 def test_field_is_the_layered_medium_for_a_smooth_gradient():
@@ -226,7 +226,7 @@ def test_bad_input_is_refused():
         (lambda: lateral.Field(wave, 0.5, tolerance=0.0), "tolerance"),
         (lambda: lateral.Field(lambda x, y, z: (-1.0, 0.3), 0.3).modulus(0.0, 0.0, 1.0), "E > 0"),
         (lambda: lateral.effective_map(composite(), [0.0]), "contact radii"),
-        (lambda: lateral.effective_map(composite(), 1e-6, workers=0), "workers"),
+        (lambda: lateral.effective_map(composite(), 1e-6, threads=-1), "threads"),
         (lambda: lateral.tiled_map(composite(), 1e-6, tile=0, halo=1), "tile"),
         (lambda: lateral.LateralMedium(composite(), 0.0, 0.0, 1e-6, 1e-7), "smallest"),
         (lambda: lateral.slide(composite(), mdr.Sphere(1e-5), [0, 1e-6, 2e-6, 3e-6]), "one of depth and force"),

@@ -60,7 +60,9 @@ simple_tips = st.one_of(
     st.tuples(st.floats(0.5, 6.0), lengths).map(lambda v: Tip(lambda s: mdr.PowerLaw(v[0], v[1] * s ** (1.0 - v[0])))),
     st.tuples(flats, inclinations).map(lambda v: Tip(lambda s: mdr.RoundedCone(v[0] * s, v[1]), corner=v[0])),
     st.sampled_from([Tip(lambda s: mdr.Berkovich()), Tip(lambda s: mdr.CubeCorner())]),
-    st.tuples(st.floats(5.0, 30.0), flats).map(lambda v: Tip(lambda s: mdr.AreaFunction([v[0], v[1] * s], max_height=4.0 * s), high=2.5)),
+    st.tuples(st.floats(5.0, 30.0), flats).map(
+        lambda v: Tip(lambda s: mdr.AreaFunction([v[0], v[1] * s], max_height=4.0 * s), high=2.5)
+    ),
 )
 
 

@@ -24,13 +24,13 @@ stability of the branch, and a cycle of approach and retraction with the energy 
     mdrcontact adhesion problem.toml
     mdrcontact adhesion problem.toml --csv loop.csv --plot loop.png
 
-The problem file has a table more than for the other commands:
+The problem file has one table more than for the other commands:
 
     [adhesion]
     work_of_adhesion = "50 mJ/m^2"
-    control = "spring"                  # or "displacement" (default), "force": what the machine prescribes
+    control = "spring"                  # or "displacement" (the depth; default), "force": what the machine prescribes
     spring_stiffness = "0.2 N/m"        # with control = "spring": an AFM cantilever
-    rule = "automatic"                  # or "paper" (28), "energy"
+    adhesion_rule = "automatic"         # or "paper", "energy": how far the springs at the edge hang, see docs/adhesion.md
 
 The motion turns back at the last depth, force or radius of [compute].
 """
@@ -65,7 +65,7 @@ def run(arguments: argparse.Namespace) -> None:
     print(f"{problem.title}\n")
     gamma = problem.adhesion.work_of_adhesion
     unit = practical(WORK_OF_ADHESION, [gamma])
-    print(f"work of adhesion: {number(float(unit.of(gamma)))} {unit.name}, rule: {problem.adhesion.rule}\n")
+    print(f"work of adhesion: {number(float(unit.of(gamma)))} {unit.name}, adhesion rule: {problem.adhesion.adhesion_rule}\n")
     print(_states(pull_offs))
     print(f"\n{_jumps(loop)}")
     energy = practical(ENERGY, [loop.dissipated_energy])

@@ -77,7 +77,7 @@ def add(subparsers: Any) -> None:
     parser.add_argument("--npy", type=Path, metavar="FILE.npy", help="write the maps as a NumPy array (radii, ny, nx) [Pa]")
     parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw structure and maps (.png, .pdf or .svg)")
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
-    parser.add_argument("--workers", type=int, metavar="N", help="threads (default: one per core)")
+    parser.add_argument("--threads", type=int, default=0, metavar="N", help="how many threads (default: 0, one per core)")
     parser.add_argument("--memory", type=float, metavar="GIB", help="refuse to use more memory than this [GiB]")
     parser.set_defaults(run=run)
 
@@ -90,12 +90,12 @@ def run(arguments: argparse.Namespace) -> None:
 
         figures.require(arguments.plot)
     problem = read(Path(arguments.problem))
-    needed = lateral.map_memory(problem.voxels, problem.radii, workers=arguments.workers)
+    needed = lateral.map_memory(problem.voxels, problem.radii, threads=arguments.threads)
     nz, ny, nx = problem.voxels.labels.shape
     print(f"{problem.title}\n")
     print(f"{nx} x {ny} x {nz} voxels, {len(problem.radii)} radii: at most {needed / 2**20:.0f} MiB of memory", flush=True)
     maps = lateral.effective_map(
-        problem.voxels, problem.radii, workers=arguments.workers, progress=sys.stderr.isatty(),
+        problem.voxels, problem.radii, threads=arguments.threads, progress=sys.stderr.isatty(),
         memory_limit=None if arguments.memory is None else arguments.memory * 2**30,
     )  # fmt: skip
     length, modulus = practical(LENGTH, problem.radii), practical(MODULUS, maps.ravel())

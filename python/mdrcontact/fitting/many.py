@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
+from .._boundary import thread_count
 from ..errors import InvalidArgumentError, MDRError
 from .data import Data
 from .result import FitResult
@@ -30,7 +31,7 @@ def fit_many(
     medium: Any,
     free: Any,
     *,
-    workers: int | None = None,
+    threads: int = 0,
     progress: Callable[[int], Any] | None = None,
     **options: Any,
 ) -> list[FitResult | FailedFit]:
@@ -38,11 +39,11 @@ def fit_many(
     stop the others.
 
     curves : data, or functions that make them (a curve with NaN is then one failure and not the end)
-    workers : threads; default: one for each core. progress: called with the number of curves done after each
+    threads : at least 1, or 0 for one per core. progress : called with the number of curves done after each
     """
     tasks = list(curves)
-    if workers is not None and (not isinstance(workers, int) or workers < 1):
-        raise InvalidArgumentError(f"workers = {workers!r} is not allowed: it must be a whole number, at least 1")
+    if thread_count(threads) < 0:
+        raise InvalidArgumentError(f"threads = {threads!r} is not allowed: it must be at least 1, or 0 for one per core")
     results: list[FitResult | FailedFit] = []
 
     def one(index: int) -> FitResult | FailedFit:
@@ -52,7 +53,7 @@ def fit_many(
         except MDRError as problem:
             return FailedFit(index, problem)
 
-    with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
+    with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
         for done, result in enumerate(pool.map(one, range(len(tasks))), start=1):
             results.append(result)
             if progress is not None:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from .. import _native
 from .._boundary import check, number
-from .._choices import nearest
+from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from .advice import advice
 from .data import Data
@@ -20,7 +20,6 @@ from .parameters import Free, Instrument, MediumNumbers, Numbers, of_indenter, o
 from .result import FitResult
 
 _LOSSES = {"linear": 0, "huber": 1, "cauchy": 2}
-_RULES = {"automatic": 0, "paper": 1, "energy": 2}
 
 
 class Problem(NamedTuple):
@@ -76,7 +75,7 @@ def fit(
     loss: str = "linear",
     loss_scale: float = 1.345,
     adhesion_rule: str = "automatic",
-    absolute_sd: bool = True,
+    sd_is_absolute: bool = True,
     max_iterations: int = 100,
     check_units: bool = True,
 ) -> FitResult:
@@ -91,13 +90,13 @@ def fit(
     instrument : Instrument(...): adhesion, offsets, frame compliance, the indenter's material
     loss : "linear"; "huber" or "cauchy" are robust against outliers beyond loss_scale standard deviations
     adhesion_rule : "automatic" (energy balance for the exact medium, the source's rule else), "paper" or "energy"
-    absolute_sd : whether the standard deviations of the data are known, or their ratios only
+    sd_is_absolute : whether the standard deviations of the data are known, or their ratios only
     check_units : refuses data more than 300 times larger or smaller than the model at the start
 
     Bad data raise an exception; a search that does not converge returns its best point, and says so in `converged` and `warnings`.
     """
     problem = make_problem(
-        data, indenter, medium, free, instrument, loss, loss_scale, adhesion_rule, absolute_sd, max_iterations, check_units
+        data, indenter, medium, free, instrument, loss, loss_scale, adhesion_rule, sd_is_absolute, max_iterations, check_units
     )
     return solve(problem)
 
@@ -111,16 +110,14 @@ def make_problem(
     loss: str = "linear",
     loss_scale: float = 1.345,
     adhesion_rule: str = "automatic",
-    absolute_sd: bool = True,
+    sd_is_absolute: bool = True,
     max_iterations: int = 100,
     check_units: bool = True,
 ) -> Problem:
     """Checks the arguments of `fit` and translates them."""
     if not isinstance(data, Data):
         raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be ForceDepth(...), StiffnessDepth(...), ...")
-    for name, value, known in (("loss", loss, _LOSSES), ("adhesion_rule", adhesion_rule, _RULES)):
-        if value not in known:
-            raise InvalidArgumentError(f"{name} = {value!r} is not allowed: {nearest(str(value), known)}")
+    rule, loss_code = code("adhesion_rule", adhesion_rule, RULES), code("loss", loss, _LOSSES)
     if not isinstance(max_iterations, int) or max_iterations < 1:
         raise InvalidArgumentError(f"max_iterations = {max_iterations!r} is not allowed: it must be a whole number, at least 1")
     parts = of_indenter(indenter), of_medium(medium), of_instrument(instrument or Instrument())
@@ -136,7 +133,7 @@ def make_problem(
         start = values[i] if entry.start is None else entry.start
         table[:, i] = start, entry.lower, entry.upper, *(entry.prior or (0.0, 0.0)), 1.0
     problem_codes = [data.code, parts[0].code, parts[1].numbers.code, parts[1].model, parts[1].layers, parts[1].weight_nu_choice]
-    problem_codes += [_RULES[adhesion_rule], _LOSSES[loss], int(bool(absolute_sd)), max_iterations, int(bool(check_units))]
+    problem_codes += [rule, loss_code, int(bool(sd_is_absolute)), max_iterations, int(bool(check_units))]
     if not len(data):
         raise InvalidArgumentError("too few points: there are none")
     return Problem(

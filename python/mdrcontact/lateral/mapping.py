@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
-from .._boundary import check, row
+from .._boundary import check, row, thread_count
 from ..errors import ArgumentTypeError, InvalidArgumentError, OutOfMemoryError
 from ..weights import weight_j0, weight_j1
 from . import _scipy
@@ -37,28 +37,28 @@ class _Job(NamedTuple):
 
 
 def effective_map(
-    voxels: Voxels, a: ArrayLike, *, workers: int | None = None, progress: bool = False, memory_limit: float | None = None
+    voxels: Voxels, a: ArrayLike, *, threads: int = 0, progress: bool = False, memory_limit: float | None = None
 ) -> Array:
     """E_eff [modulus] at all cell centres for all contact radii a > 0 [length], in one pass over the slices: (len(a), ny, nx).
 
-    workers : threads, None: one per core. progress : show a bar
+    threads : at least 1, or 0 for one per core. progress : show a bar
     memory_limit : bytes; more than this, by `map_memory`, is refused before any work is done
 
     The integrals of the weights over the cells are those of Voxels.modulus, so map and points agree to 1e-7.
     """
-    radii, threads = _radii(a), _workers(workers)
-    needed = map_memory(voxels, radii, workers=threads)
+    radii, team = _radii(a), _team(threads)
+    needed = map_memory(voxels, radii, threads=team)
     if memory_limit is not None and needed > memory_limit:
         raise OutOfMemoryError(
             f"the map needs {needed / 2**20:.0f} MiB, more than memory_limit = {memory_limit / 2**20:.0f} MiB: use fewer radii or "
-            "workers, or tiled_map"
+            "threads, or tiled_map"
         )
     periodic = voxels.beside == "periodic"
     job = _Job(lambda k: voxels.labels[k], voxels.labels.shape[1:], _bases(voxels), periodic, voxels)
-    return _convolve(job, radii, threads, progress)
+    return _convolve(job, radii, team, progress)
 
 
-def map_memory(voxels: Voxels, a: ArrayLike, *, workers: int | None = None, shape: tuple[int, int] | None = None) -> int:
+def map_memory(voxels: Voxels, a: ArrayLike, *, threads: int = 0, shape: tuple[int, int] | None = None) -> int:
     """Bytes that `effective_map` will hold at most beyond the labels; `shape`: of a tile with its halo instead of all."""
     ny, nx = voxels.labels.shape[1:] if shape is None else shape
     periodic = voxels.beside == "periodic" and shape is None
@@ -69,7 +69,7 @@ def map_memory(voxels: Voxels, a: ArrayLike, *, workers: int | None = None, shap
     quadrant = 8 * (reach * ny + 1) * (reach * nx + 1)
     sums = radii * kernels * spectrum
     each = kernels * (spectrum + plane) + 2 * plane + 2 * spectrum + 8 * quadrant
-    return int(sums + _workers(workers) * each + 3 * radii * 8 * ny * nx + 3 * plane)
+    return int(sums + _team(threads) * each + 3 * radii * 8 * ny * nx + 3 * plane)
 
 
 def tiled_map(
@@ -78,7 +78,7 @@ def tiled_map(
     *,
     tile: int | tuple[int, int],
     halo: int | tuple[int, int],
-    workers: int | None = None,
+    threads: int = 0,
     progress: bool = False,
     out: Any = None,
 ) -> Any:
@@ -90,7 +90,7 @@ def tiled_map(
     Where voxels.labels is a Dask array the result is one too, computed when asked for, tile by tile on any cluster. Else it is an
     array, or `out` (for instance a numpy.memmap), of shape (len(a), ny, nx).
     """
-    radii, threads = _radii(a), _workers(workers)
+    radii, team = _radii(a), _team(threads)
     rows, columns = _pair("tile", tile, 1)
     margin = _pair("halo", halo, 0)
     ny, nx = voxels.labels.shape[1:]
@@ -105,7 +105,7 @@ def tiled_map(
     for y0, y1, x0, x1 in _bar(spans, progress, "tiles"):
         iy, ix = _window(y0, y1, ny, margin[0], periodic), _window(x0, x1, nx, margin[1], periodic)
         job = _Job(partial(_cut, voxels.labels, np.ix_(iy, ix)), (len(iy), len(ix)), base, False, voxels)
-        part = _convolve(job, radii, threads, False)
+        part = _convolve(job, radii, team, False)
         cy, cx = _inside(y0, iy, margin[0], periodic), _inside(x0, ix, margin[1], periodic)
         result[:, y0:y1, x0:x1] = part[:, cy : cy + y1 - y0, cx : cx + x1 - x0]
     return result
@@ -121,7 +121,7 @@ def weight_beyond(a: float, distance: float, depth: float = np.inf, nu: float = 
     return float(weights[0, counts].sum())
 
 
-def _convolve(job: _Job, radii: Array, workers: int, progress: bool) -> Array:
+def _convolve(job: _Job, radii: Array, threads: int, progress: bool) -> Array:
     """E_eff at all cells of the job: (radii, ny, nx)."""
     _scipy.require()
     import scipy.fft
@@ -151,7 +151,7 @@ def _convolve(job: _Job, radii: Array, workers: int, progress: bool) -> Array:
                 with locks[r]:
                     sums[r, i] += product
 
-    with ThreadPoolExecutor(workers) as pool:
+    with ThreadPoolExecutor(threads) as pool:
         for _ in _bar(pool.map(add, range(slices)), progress, "slices", slices):
             pass
     edges = np.arange(slices + 1) * dz
@@ -223,12 +223,13 @@ def _radii(a: ArrayLike) -> Array:
     return radii
 
 
-def _workers(workers: int | None) -> int:
-    if workers is None:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
-        raise InvalidArgumentError(f"workers = {workers!r} is not allowed: it must be a whole number, at least 1")
-    return workers
+def _team(threads: int) -> int:
+    """How many threads `threads` asks for; 0: one per core."""
+    if thread_count(threads) < 0:
+        raise InvalidArgumentError(f"threads = {threads!r} is not allowed: it must be at least 1, or 0 for one per core")
+    if threads:
+        return threads
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _pair(name: str, value: Any, least: int) -> tuple[int, int]:

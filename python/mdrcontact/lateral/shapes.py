@@ -20,12 +20,11 @@ Vector = tuple[float, float, float]
 
 
 class Layer(NamedTuple):
-    """All between two depths; an infinite `bottom` is allowed."""
+    """All between two depths, top < bottom [length]; an infinite `bottom` is allowed."""
 
     top: float
     bottom: float
     material: Elastic
-
 
     @property
     def parameters(self) -> tuple[float, ...]:
@@ -38,12 +37,12 @@ class Layer(NamedTuple):
 
 
 class HalfSpace(NamedTuple):
-    """All on one side of a plane interface, vertical or inclined: `point` lies on it, `normal` points into the material."""
+    """All on one side of a plane interface: `point` (x, y, z) [length] lies on it, `normal` points into the material and has any
+    length."""
 
     point: Vector
     normal: Vector
     material: Elastic
-
 
     @property
     def parameters(self) -> tuple[float, ...]:
@@ -57,12 +56,11 @@ class HalfSpace(NamedTuple):
 
 
 class Ball(NamedTuple):
-    """A spherical inclusion, whole or cut by the surface."""
+    """A spherical inclusion, whole or cut by the surface: centre (x, y, z), radius > 0 [length]."""
 
     centre: Vector
     radius: float
     material: Elastic
-
 
     @property
     def parameters(self) -> tuple[float, ...]:
@@ -76,13 +74,12 @@ class Ball(NamedTuple):
 
 
 class Fibre(NamedTuple):
-    """An endless round cylinder in any direction: `point` lies on its axis."""
+    """An endless round cylinder: `point` (x, y, z) lies on its axis, `direction` has any length; radius > 0 [length]."""
 
     point: Vector
     direction: Vector
     radius: float
     material: Elastic
-
 
     @property
     def parameters(self) -> tuple[float, ...]:
@@ -99,7 +96,8 @@ class Fibre(NamedTuple):
 
 
 class Pillar(NamedTuple):
-    """An upright round cylinder between two depths; an infinite `bottom` is allowed."""
+    """An upright round cylinder between two depths, top < bottom: axis at (x, y), radius > 0 [length]; an infinite `bottom` is
+    allowed."""
 
     x: float
     y: float
@@ -107,7 +105,6 @@ class Pillar(NamedTuple):
     top: float
     bottom: float
     material: Elastic
-
 
     @property
     def parameters(self) -> tuple[float, ...]:
@@ -120,13 +117,12 @@ class Pillar(NamedTuple):
 
 
 class Box(NamedTuple):
-    """A box: ranges (low, high) of x, y and z."""
+    """A box: ranges (low, high) of x, y and z [length]."""
 
     x: tuple[float, float]
     y: tuple[float, float]
     z: tuple[float, float]
     material: Elastic
-
 
     @property
     def parameters(self) -> tuple[float, ...]:

@@ -28,6 +28,7 @@ class Sliding(NamedTuple):
     """A contact that moves along a line without friction; arrays over x."""
 
     x: Array
+    """places of the contact [length]"""
     depth: Array
     """d [length]"""
     force: Array
@@ -44,7 +45,9 @@ class IndentationMap(NamedTuple):
     """What a mapping instrument reports at each place; arrays (ny, nx)."""
 
     depth: float
+    """d [length]"""
     radius: float
+    """a, the same everywhere [length]"""
     force: Array
     """F at the depth [modulus length^2]"""
     apparent_modulus: Array
@@ -54,9 +57,9 @@ class IndentationMap(NamedTuple):
 
 
 def indentation_map(
-    voxels: Voxels, indenter: Profile, depth: float, *, nodes: int = 8, workers: int | None = None, progress: bool = False
+    voxels: Voxels, indenter: Profile, depth: float, *, nodes: int = 8, threads: int = 0, progress: bool = False
 ) -> IndentationMap:
-    """Force and apparent modulus at one depth d > 0 at all cell centres.
+    """Force and apparent modulus at one depth d > 0 [length] at all cell centres. threads : at least 1, or 0 for one per core.
 
     With the source's rule d = g(a) the force is F = int_0^a 2 s E_eff(s, x, y) g'(s) ds: a sum of `nodes` maps, in one pass.
     """
@@ -75,7 +78,7 @@ def indentation_map(
     if a > first:
         radii = np.append(s, a)
         factors = np.append(4.0 * s * np.asarray(indenter.mdr_slope(s)) * (a - first) * u * w, factors)
-    maps = effective_map(voxels, radii, workers=workers, progress=progress)
+    maps = effective_map(voxels, radii, threads=threads, progress=progress)
     # the same sum for E* = 1 instead of the exact force: a homogeneous body returns its own modulus exactly
     apparent = np.tensordot(factors, maps, 1) / factors.sum()
     return IndentationMap(d, a, apparent * float(state.force), apparent, 2.0 * a * maps[-1])

@@ -32,5 +32,5 @@ class Medium(Described):
         return evaluate(_native.medium_modulus, thread_count(threads), self._handle.address, name="a", values=a)
 
     def stiffness(self, a: ArrayLike, *, threads: int = 1) -> FloatOrArray:
-        """k(a) = dF/dd = 2 a E_eff(a) [force/length] at contact radii a > 0 [length], any shape."""
+        """k(a) = dF/dd = 2 a E_eff(a) [modulus length] at contact radii a > 0 [length], any shape."""
         return evaluate(_native.medium_stiffness, thread_count(threads), self._handle.address, name="a", values=a)

@@ -35,9 +35,12 @@ class Coated(Medium):
         "doerner-nix" (11)                      options: alpha = 1
         "wave" (19), (20)                       options: wave_factor = pi/2
         "mencik-exponential", "mencik-reciprocal"   options: alpha = 1
-        "bec", "perriot-barthel", "hay-crawford"
-        "dimitriadis", "garcia"                 incompressible layer on a rigid base under a paraboloid
-        "exact"                                 options: tolerance = 1e-10
+        "bec"                                   Bec et al. 2006
+        "perriot-barthel"                       Perriot, Barthel 2004
+        "hay-crawford"                          Hay, Crawford 2011
+        "dimitriadis", "garcia"                 incompressible layer on a rigid base under a paraboloid: Dimitriadis et al. 2002,
+                                                Garcia, Garcia 2018
+        "exact"                                 options: tolerance = 1e-10, relative, 1e-12 to 1e-2
 
     The indenter is rigid. (With an elastic one, both compliances would add up only approximately: see `Homogeneous`.)
     """

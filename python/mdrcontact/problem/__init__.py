@@ -38,7 +38,7 @@ class Problem(NamedTuple):
         """The contact of the indenter with the medium, with adhesion if the file has it."""
         if self.adhesion is None:
             return Contact(self.indenter, self.medium)
-        return Contact(self.indenter, self.medium, self.adhesion.work_of_adhesion, self.adhesion.rule)
+        return Contact(self.indenter, self.medium, self.adhesion.work_of_adhesion, self.adhesion.adhesion_rule)
 
 
 def load(path: str | Path) -> Problem:

@@ -12,7 +12,7 @@ from .units import STIFFNESS, WORK_OF_ADHESION, Dimension
 
 KNOWN: Mapping[str, Dimension | None] = {
     "work_of_adhesion": WORK_OF_ADHESION,
-    "rule": None,
+    "adhesion_rule": None,
     "control": None,
     "spring_stiffness": STIFFNESS,
 }
@@ -22,7 +22,7 @@ class Adhesion(NamedTuple):
     """Work of adhesion, rule of the edge, and what the machine prescribes in a loop; SI units."""
 
     work_of_adhesion: float
-    rule: str
+    adhesion_rule: str
     control: str
     spring_stiffness: float | None
 
@@ -34,5 +34,5 @@ def read_adhesion(section: Section) -> Adhesion:
     if has_spring and control != "spring":
         raise ProblemError(f'[{section.path}]: spring_stiffness belongs to control = "spring", not to {control!r}')
     spring = section.quantity("spring_stiffness") if control == "spring" else None
-    rule = section.choice("rule", RULES, default="automatic")
+    rule = section.choice("adhesion_rule", RULES, default="automatic")
     return Adhesion(section.quantity("work_of_adhesion"), rule, control, spring)

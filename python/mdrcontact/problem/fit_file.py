@@ -71,7 +71,7 @@ _FIT: Mapping[str, Dimension | None] = {
     "loss_scale": None,
     "adhesion_rule": None,
     "max_iterations": None,
-    "absolute_sd": None,
+    "sd_is_absolute": None,
 }
 
 
@@ -128,8 +128,8 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
         options["loss_scale"] = fit.number("loss_scale")
     if "max_iterations" in fit:
         options["max_iterations"] = fit.count("max_iterations", 100, 100_000)
-    if "absolute_sd" in fit:
-        options["absolute_sd"] = bool(fit.plain("absolute_sd"))
+    if "sd_is_absolute" in fit:
+        options["sd_is_absolute"] = bool(fit.plain("sd_is_absolute"))
     data = Section(table["data"], "data", _DATA)
     data.choice("kind", _KINDS)
     if "title" in whole:
