@@ -13,7 +13,8 @@ module mdrcontact
     use mdrcontact_contact_values, only: displacement_values, line_load_values, pressure_values, states_from_depth, &
                                          states_from_force, states_from_radius
     use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: error_callback, error_domain, error_file, error_invalid, error_memory, error_no_convergence, &
+                                error_t, error_unreachable
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_body, only: fit_body_t, indenter_cone, indenter_flat_cone, indenter_flat_paraboloid, indenter_flat_punch, &
                                    indenter_given, indenter_paraboloid, indenter_power_law, indenter_rounded_cone, indenter_sphere

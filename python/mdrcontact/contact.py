@@ -100,7 +100,7 @@ class Contact(Described):
         return self._states(_native.contact_from_radius, threads, "radius", radius)
 
     def pull_off(self, control: str = "force") -> PullOff:
-        """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "displacement".
+        """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "displacement" (the depth d).
 
         It is the global minimum over the whole branch; `.others` are the ends of the other stable stretches. All 0 without
         adhesion. A contact that is still stable at the smallest radius of a tabulated medium raises DomainError.
@@ -110,7 +110,8 @@ class Contact(Described):
     def loop(self, control: str, largest: float, points: int = 200, *, spring_stiffness: float | None = None) -> Loop:
         """A cycle of approach and retraction, with its jumps and the energy lost.
 
-        control : what the machine prescribes: "force", "displacement", or the far end of a "spring" such as an AFM cantilever
+        control : what the machine prescribes: "force", "displacement" (the depth d), or the far end of a "spring" such as an
+            AFM cantilever
         largest : where the motion turns back, > 0 [length, or modulus length^2 under force control]
         points : points on each way, at least 2; jumps and their ends come on top
         spring_stiffness : > 0 [modulus length], for "spring" only

@@ -83,18 +83,21 @@ class ContactLaw:
         self._numbers, self._counts, status = _native.law_info(self._handle.address)
         check(status)
 
-    def force(self, depth: ArrayLike, *, branch: str = "unloading", threads: int = 1) -> FloatOrArray:
-        """F at depths d up to the largest one [length], any shape. branch: "loading" or "unloading", with adhesion. threads: 0 for
-        as many as OpenMP offers; small arrays stay on one."""
+    def force(self, depth: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> FloatOrArray:
+        """F [modulus length^2] at depths d up to the largest one [length], any shape.
+
+        branch : "loading" or "unloading", as in `Contact.at_depth`
+        threads : for arrays, see `Contact`
+        """
         return evaluate(_native.law_force, *self._how(branch, threads), name="depth", values=depth)
 
-    def at_depth(self, depth: ArrayLike, *, branch: str = "unloading", threads: int = 1) -> LawState:
-        """The states at depths d up to the largest one [length], any shape."""
+    def at_depth(self, depth: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> LawState:
+        """The states at depths d up to the largest one [length], any shape. Further arguments as in `force`."""
         F, slope, a, k = evaluate_all(_native.law_from_depth, *self._how(branch, threads), name="depth", values=depth)
         return LawState(_as_given(depth), a, F, k, slope)
 
-    def at_force(self, force: ArrayLike, *, branch: str = "unloading", threads: int = 1) -> LawState:
-        """The states under forces F of the compiled range [modulus length^2], any shape."""
+    def at_force(self, force: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> LawState:
+        """The states under forces F of the compiled range [modulus length^2], any shape. Further arguments as in `force`."""
         d, compliance, a, k = evaluate_all(_native.law_from_force, *self._how(branch, threads), name="force", values=force)
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) > 0.0)
         return LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))

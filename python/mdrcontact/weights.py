@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Depth weights of the flat punch's strain energy, equations (12)-(18).
 
+nu : Poisson's ratio, -1 < nu <= 1/2
 threads : for arrays, see `Contact`
 """
 

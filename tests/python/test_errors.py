@@ -149,7 +149,7 @@ def test_points_outside_the_domain(coated):
 def test_nan_is_found_anywhere_in_an_array(coated):
     depth = np.full(1000, 1e-8)
     depth[777] = NAN
-    with pytest.raises(mdr.InvalidArgumentError, match=r"entry 778 .*NaN"):
+    with pytest.raises(mdr.InvalidArgumentError, match="^entry 778: depth = NaN "):
         coated.at_depth(depth)
 
 

@@ -95,6 +95,12 @@ def test_refusals(law, call, words):
         call(law)
 
 
+def test_branches_are_given_as_to_a_contact(law):
+    for call in (law.force, law.at_depth, CONTACT.at_depth):
+        np.testing.assert_array_equal(call(1e-8, "loading"), call(1e-8, branch="loading"))
+    assert law.at_force(1e-6, "loading") == law.at_force(1e-6, branch="loading")
+
+
 def test_wrong_kinds(law):
     with pytest.raises(TypeError, match="Contact"):
         mdr.ContactLaw("contact", 1.0)

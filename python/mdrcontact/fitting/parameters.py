@@ -23,7 +23,7 @@ class Free(Described):
     """A parameter that the fit is to find.
 
     start : where the search begins; default: the value in the indenter, medium or instrument
-    lower, upper : bounds
+    lower, upper : bounds, in the unit of the parameter
     prior : (value, standard deviation) known beforehand; enters the fit as one more measurement
     """
 
@@ -60,8 +60,8 @@ class Instrument(Described):
     """What stands between the contact and the data.
 
     work_of_adhesion : gamma >= 0 [modulus length]; for ForceDepth
-    depth_offset, force_offset : what the instrument reads at first contact [length], [force]
-    frame_compliance : of frame and holder, beyond what the instrument has already taken off [length/force]
+    depth_offset, force_offset : what the instrument reads at first contact [length], [modulus length^2]
+    frame_compliance : of frame and holder, beyond what the instrument has already taken off [1/(modulus length)]
     indenter : material of the indenter, an Elastic, or None for a rigid one. Its compliance adds to that of the medium in stiffness
         and modulus data; force-depth curves are those of a rigid indenter
     contact_depth_factor : epsilon of h_c = h - epsilon P/S

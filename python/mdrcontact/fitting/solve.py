@@ -91,6 +91,7 @@ def fit(
     loss : "linear"; "huber" or "cauchy" are robust against outliers beyond loss_scale standard deviations
     adhesion_rule : "automatic" (energy balance for the exact medium, the source's rule else), "paper" or "energy"
     sd_is_absolute : whether the standard deviations of the data are known, or their ratios only
+    max_iterations : of one search, at least 1
     check_units : refuses data more than 300 times larger or smaller than the model at the start
 
     Bad data raise an exception; a search that does not converge returns its best point, and says so in `converged` and `warnings`.
