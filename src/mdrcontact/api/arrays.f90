@@ -3,13 +3,14 @@
 !> expressions: a check must not need memory of the array's size, which a temporary would take without asking.
 module mdrcontact_api_arrays
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use mdrcontact_api_status, only: check_given
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_domain, &
-                                error_invalid, error_t, raise, to_text
+                                error_invalid, error_no_convergence, error_t, raise, to_text
     implicit none (type, external)
     private
     public :: check_count, check_array, check_each_finite, check_each_positive, check_each_not_negative, check_each_within
+    public :: check_results, check_results_or_infinity
 
 contains
 
@@ -92,5 +93,39 @@ contains
             end if
         end do
     end subroutine check_each_within
+
+    !> Raises unless all results are finite: from numbers that are far apart they can leave the number range.
+    pure subroutine check_results(error, values)
+        type(error_t), allocatable, intent(inout) :: error
+        real(c_double), intent(in) :: values(:)
+        integer :: i
+
+        do i = 1, size(values)
+            if (ieee_is_finite(values(i))) cycle
+            call raise_range(error, i)
+            return
+        end do
+    end subroutine check_results
+
+    !> The same where infinity is a result.
+    pure subroutine check_results_or_infinity(error, values)
+        type(error_t), allocatable, intent(inout) :: error
+        real(c_double), intent(in) :: values(:)
+        integer :: i
+
+        do i = 1, size(values)
+            if (.not. ieee_is_nan(values(i))) cycle
+            call raise_range(error, i)
+            return
+        end do
+    end subroutine check_results_or_infinity
+
+    pure subroutine raise_range(error, position)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: position
+
+        call raise(error, error_no_convergence, "the numbers are too large or too small: "//entry_name("the result", position)// &
+                   " leaves the number range")
+    end subroutine raise_range
 
 end module mdrcontact_api_arrays

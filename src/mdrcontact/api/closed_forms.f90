@@ -2,8 +2,8 @@
 !> The closed forms for an incompressible coating, for C.
 module mdrcontact_api_closed_forms
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_results
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
                                        coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
     use mdrcontact_error, only: check_not_negative, check_positive, error_invalid, error_t, raise, to_text
@@ -21,14 +21,22 @@ contains
         real(c_double), value :: radius, coating_shear, substrate_shear, thickness
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+        integer :: stat
+        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
         call check_radii(error, n, "a", a, present(out))
         call check_positive(error, "radius", radius)
         call check_body(error, coating_shear, substrate_shear, thickness)
         if (.not. allocated(error) .and. n > 0) then
-            out(:n) = coated_paraboloid_force(a(:n), radius, coating_shear, substrate_shear, thickness)
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
         end if
+        if (.not. allocated(error) .and. n > 0) then
+            values = coated_paraboloid_force(a(:n), radius, coating_shear, substrate_shear, thickness)
+            call check_results(error, values)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function mdr_coated_paraboloid_force
 
@@ -38,6 +46,8 @@ contains
         real(c_double), value :: inclination, coating_shear, substrate_shear, thickness
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+        integer :: stat
+        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
         call check_radii(error, n, "a", a, present(out))
@@ -47,8 +57,14 @@ contains
         end if
         call check_body(error, coating_shear, substrate_shear, thickness)
         if (.not. allocated(error) .and. n > 0) then
-            out(:n) = coated_cone_force(a(:n), inclination, coating_shear, substrate_shear, thickness)
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
         end if
+        if (.not. allocated(error) .and. n > 0) then
+            values = coated_cone_force(a(:n), inclination, coating_shear, substrate_shear, thickness)
+            call check_results(error, values)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function mdr_coated_cone_force
 
@@ -59,6 +75,8 @@ contains
         real(c_double), value :: radius, coating_shear, substrate_shear, thickness, work_of_adhesion
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+        integer :: stat
+        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
         call check_radii(error, n, "a", a, present(out))
@@ -66,8 +84,14 @@ contains
         call check_body(error, coating_shear, substrate_shear, thickness)
         call check_not_negative(error, "work_of_adhesion", work_of_adhesion)
         if (.not. allocated(error) .and. n > 0) then
-            out(:n) = coated_paraboloid_adhesive_depth(a(:n), radius, coating_shear, substrate_shear, thickness, work_of_adhesion)
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
         end if
+        if (.not. allocated(error) .and. n > 0) then
+            values = coated_paraboloid_adhesive_depth(a(:n), radius, coating_shear, substrate_shear, thickness, work_of_adhesion)
+            call check_results(error, values)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function mdr_coated_paraboloid_adhesive_depth
 
@@ -75,10 +99,15 @@ contains
         real(c_double), value :: radius, substrate_shear, work_of_adhesion
         real(c_double), intent(inout), optional :: out
         integer(c_int) :: status
+        real(c_double) :: scale
         type(error_t), allocatable :: error
 
         call check_scale(error, radius, substrate_shear, work_of_adhesion, present(out))
-        if (.not. allocated(error)) out = adhesive_radius_scale(radius, substrate_shear, work_of_adhesion)
+        if (.not. allocated(error)) then
+            scale = adhesive_radius_scale(radius, substrate_shear, work_of_adhesion)
+            call check_results(error, [scale])
+        end if
+        if (.not. allocated(error)) out = scale
         status = status_of(error)
     end function mdr_adhesive_radius_scale
 
@@ -86,10 +115,15 @@ contains
         real(c_double), value :: radius, substrate_shear, work_of_adhesion
         real(c_double), intent(inout), optional :: out
         integer(c_int) :: status
+        real(c_double) :: scale
         type(error_t), allocatable :: error
 
         call check_scale(error, radius, substrate_shear, work_of_adhesion, present(out))
-        if (.not. allocated(error)) out = adhesive_depth_scale(radius, substrate_shear, work_of_adhesion)
+        if (.not. allocated(error)) then
+            scale = adhesive_depth_scale(radius, substrate_shear, work_of_adhesion)
+            call check_results(error, [scale])
+        end if
+        if (.not. allocated(error)) out = scale
         status = status_of(error)
     end function mdr_adhesive_depth_scale
 
@@ -99,14 +133,22 @@ contains
         real(c_double), value :: shear_ratio, reduced_thickness
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+        integer :: stat
+        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
         call check_radii(error, n, "reduced_radius", reduced_radius, present(out))
         call check_positive(error, "shear_ratio", shear_ratio)
         call check_positive(error, "reduced_thickness", reduced_thickness)
         if (.not. allocated(error) .and. n > 0) then
-            out(:n) = reduced_adhesive_depth(reduced_radius(:n), shear_ratio, reduced_thickness)
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
         end if
+        if (.not. allocated(error) .and. n > 0) then
+            values = reduced_adhesive_depth(reduced_radius(:n), shear_ratio, reduced_thickness)
+            call check_results(error, values)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function mdr_reduced_adhesive_depth
 

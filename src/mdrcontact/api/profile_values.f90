@@ -3,7 +3,8 @@
 !> of a type-bound function takes memory of the array's size without asking.
 module mdrcontact_api_profile_values
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_within
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_within, &
+                                     check_results_or_infinity
     use mdrcontact_api_handles, only: open_profile
     use mdrcontact_api_status, only: status_of
     use mdrcontact_error, only: error_t
@@ -26,6 +27,11 @@ contains
         call prepare(p, n, "r", r, present(out), profile, error)
         if (.not. allocated(error)) then
             do i = 1, n
+                call check_results_or_infinity(error, [profile%height(r(i))])
+            end do
+        end if
+        if (.not. allocated(error)) then
+            do i = 1, n
                 out(i) = profile%height(r(i))
             end do
         end if
@@ -42,6 +48,11 @@ contains
         type(error_t), allocatable :: error
 
         call prepare(p, n, "r", r, present(out), profile, error)
+        if (.not. allocated(error)) then
+            do i = 1, n
+                call check_results_or_infinity(error, [profile%slope(r(i))])
+            end do
+        end if
         if (.not. allocated(error)) then
             do i = 1, n
                 out(i) = profile%slope(r(i))
@@ -62,6 +73,11 @@ contains
         call prepare(p, n, "x", x, present(out), profile, error)
         if (.not. allocated(error)) then
             do i = 1, n
+                call check_results_or_infinity(error, [profile%mdr(x(i))])
+            end do
+        end if
+        if (.not. allocated(error)) then
+            do i = 1, n
                 out(i) = profile%mdr(x(i))
             end do
         end if
@@ -78,6 +94,11 @@ contains
         type(error_t), allocatable :: error
 
         call prepare(p, n, "x", x, present(out), profile, error)
+        if (.not. allocated(error)) then
+            do i = 1, n
+                call check_results_or_infinity(error, [profile%mdr_slope(x(i))])
+            end do
+        end if
         if (.not. allocated(error)) then
             do i = 1, n
                 out(i) = profile%mdr_slope(x(i))

@@ -96,7 +96,7 @@ contains
         g_edges = [geometric(flat_radius, first_break(breaks, largest), count), breaks, largest]
 
         call new_sampled_function(f, height, f_edges, [(.false., i=1, size(f_edges) - 1)], height_tolerance, error, &
-                                  noise=4.0_wp*epsilon(top)*top)
+                                  noise=4.0_wp*epsilon(top)*top, most=most_panels(f_edges))
         if (allocated(error)) return
         call check_ascending(f, error)
         if (allocated(error)) return
@@ -128,7 +128,8 @@ contains
         octaves = merge(flat_octaves, 33, flat_radius > 0.0_wp)
         g_edges = [geometric(flat_radius, first_break(breaks, largest), octaves + extra_octaves), breaks, largest]
         f_edges = [geometric(flat_radius, first_break(breaks, largest), octaves), breaks, largest]
-        call new_sampled_function(g, mdr, g_edges, [(.false., i=1, size(g_edges) - 1)], height_tolerance, error)
+        call new_sampled_function(g, mdr, g_edges, [(.false., i=1, size(g_edges) - 1)], height_tolerance, error, &
+                                  most=most_panels(g_edges))
         if (allocated(error)) return
         call check_ascending(g, error)
         if (allocated(error)) return
@@ -396,7 +397,17 @@ contains
             end if
             count = count + 1
         end do
+        ! a function that falls faster than that within an octave still needs the octave
+        count = max(count, 1)
     end subroutine descending_edges
+
+    !> Every panel of the sampled function costs time in every value of its transform: more than this many are noise, not shape.
+    pure function most_panels(edges) result(most)
+        real(wp), intent(in) :: edges(:)
+        integer :: most
+
+        most = 1000 + 20*size(edges)
+    end function most_panels
 
     !> start + (stop - start) 2^-count, ..., up to but without stop; a flat end adds its own radius.
     pure function geometric(start, stop, count) result(edges)
