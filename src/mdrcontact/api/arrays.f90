@@ -10,7 +10,7 @@ module mdrcontact_api_arrays
     implicit none (type, external)
     private
     public :: check_count, check_array, check_each_finite, check_each_positive, check_each_not_negative, check_each_within
-    public :: check_results, check_results_or_infinity
+    public :: check_results, check_results_or_infinity, check_positive_results
 
 contains
 
@@ -106,6 +106,19 @@ contains
             return
         end do
     end subroutine check_results
+
+    !> The same for what is greater than 0 and can only be rounded to it.
+    pure subroutine check_positive_results(error, values)
+        type(error_t), allocatable, intent(inout) :: error
+        real(c_double), intent(in) :: values(:)
+        integer :: i
+
+        do i = 1, size(values)
+            if (ieee_is_finite(values(i)) .and. values(i) > 0.0_c_double) cycle
+            call raise_range(error, i)
+            return
+        end do
+    end subroutine check_positive_results
 
     !> The same where infinity is a result.
     pure subroutine check_results_or_infinity(error, values)

@@ -2,7 +2,7 @@
 !> Homogeneous media, and the modulus and stiffness of any medium, for C.
 module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_each_within, check_results
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_each_within, check_positive_results
     use mdrcontact_api_handles, only: deliver_medium, open_medium
     use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_error, only: error_t
@@ -67,7 +67,7 @@ contains
             do i = 1, n
                 modulus(i) = 2.0_c_double*a(i)*modulus(i)
             end do
-            call check_results(error, modulus)
+            call check_positive_results(error, modulus)
         end if
         if (.not. allocated(error) .and. n > 0) out(:n) = modulus
         status = status_of(error)
@@ -96,7 +96,7 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         call medium%modulus(a(:n), modulus, error)
-        if (.not. allocated(error)) call check_results(error, modulus)
+        if (.not. allocated(error)) call check_positive_results(error, modulus)
     end subroutine evaluate
 
 end module mdrcontact_api_medium
