@@ -9,7 +9,8 @@ module mdrcontact_api_arrays
                                 error_invalid, error_no_convergence, error_t, raise, to_text
     implicit none (type, external)
     private
-    public :: check_count, check_array, check_each_finite, check_each_positive, check_each_not_negative, check_each_within
+    public :: check_count, check_array, check_not_empty, check_each_finite, check_each_positive, &
+              check_each_not_negative, check_each_within
     public :: check_results, check_results_or_infinity, check_positive_results
 
 contains
@@ -31,6 +32,17 @@ contains
 
         if (n > 0) call check_given(error, name, is_given)
     end subroutine check_array
+
+    !> Raises for an empty table: the array may then be missing, and a section of what is missing must not be passed on.
+    pure subroutine check_not_empty(error, name, n, fewest)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        integer(c_int), intent(in) :: n
+        integer, intent(in) :: fewest
+
+        if (n == 0) call raise(error, error_invalid, "a table of 0 entries in "//name//" is too short: at least "// &
+                               count_text(fewest)//" are needed")
+    end subroutine check_not_empty
 
     !> Raises unless all values are finite.
     pure subroutine check_each_finite(error, name, values)

@@ -48,6 +48,8 @@ module mdrcontact_api_fit_problem
         type(c_ptr) :: parameters = c_null_ptr
     end type c_fit_problem_t
 
+    integer(c_int), parameter :: most_layers = 100000_c_int
+
 contains
 
     subroutine mdr_fit_problem_init(problem) bind(C)
@@ -66,6 +68,7 @@ contains
 
         call check_given(error, "problem", present(problem))
         call check_given(error, "count", present(count))
+        if (.not. allocated(error)) call check_layers(problem%layers, error)
         if (.not. allocated(error)) then
             call read_kinds(problem, chosen)
             found = parameter_count(chosen%body)
@@ -78,6 +81,16 @@ contains
         end if
         status = status_of(error)
     end function mdr_fit_parameter_count
+
+    !> Raises unless the number of layers is one whose parameters can be counted.
+    subroutine check_layers(layers, error)
+        integer(c_int), intent(in) :: layers
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (layers >= 1 .and. layers <= most_layers) return
+        call raise(error, error_invalid, "layers = "//count_text(int(layers))//" is not allowed: it must be at least 1 and at "// &
+                   "most "//count_text(int(most_layers)))
+    end subroutine check_layers
 
     !> Kinds and choices, without objects and parameters.
     subroutine read_kinds(given, problem)
@@ -112,8 +125,7 @@ contains
         if (allocated(error)) return
         if (given%parameter_count < 0) call raise(error, error_invalid, "parameter_count = "// &
                                                   count_text(int(given%parameter_count))//" is not allowed: it must be at least 0")
-        if (given%layers < 1) call raise(error, error_invalid, "layers = "//count_text(int(given%layers))// &
-                                         " is not allowed: it must be at least 1")
+        call check_layers(given%layers, error)
         call check_given(error, "parameters", c_associated(given%parameters))
         if (allocated(error)) return
         call read_kinds(given, problem)

@@ -61,6 +61,8 @@ module mdrcontact_profile_sampled
     integer, parameter :: flat_octaves = 10
     !> Keeps the radii that probe for lost digits off powers of 2, where a user's formula may lose none by chance.
     real(wp), parameter :: irrational = 0.7390851332151607_wp
+    !> Lengths below it, and above its inverse, are refused.
+    real(wp), parameter :: smallest_length = 1.0e-150_wp
     !> The range over which f and g are sampled: down to this fraction of their largest value or of the largest radius.
     real(wp), parameter :: smallest_value = 1.0e-20_wp, smallest_radius = 1.0e-10_wp
 
@@ -89,6 +91,7 @@ contains
         top = height%value(largest)
         if (.not. allocated(height%error)) call check_start(height, flat_radius, top, error)
         if (allocated(height%error)) error = height%error
+        call check_sizes([first_break(breaks, largest), largest, top], error)
         if (allocated(error)) return
         call descending_edges(height, flat_radius, first_break(breaks, largest), top, may_lose_digits, count, error)
         if (allocated(error)) return
@@ -106,7 +109,7 @@ contains
         call new_sampled_function(self%g, transform, g_edges, [(root_starts(g_edges(i), flat_radius, breaks), &
                                                                 i=1, size(g_edges) - 1)], transform_tolerance, error, &
                                   noise=max(flat_noise(transform, flat_radius, first_break(breaks, largest)), &
-                                            merge(100.0_wp*epsilon(top)*top, 0.0_wp, may_lose_digits)))
+                                            merge(100.0_wp*epsilon(top)*top, 0.0_wp, may_lose_digits)), most=most_panels(g_edges))
         if (allocated(error)) return
         self%f = f
         call finish(self, flat_radius, breaks)
@@ -125,6 +128,8 @@ contains
         real(wp), allocatable :: f_edges(:), g_edges(:)
         integer :: i, octaves
 
+        call check_sizes([first_break(breaks, largest), largest, mdr%value(largest)], error)
+        if (allocated(error)) return
         octaves = merge(flat_octaves, 33, flat_radius > 0.0_wp)
         g_edges = [geometric(flat_radius, first_break(breaks, largest), octaves + extra_octaves), breaks, largest]
         f_edges = [geometric(flat_radius, first_break(breaks, largest), octaves), breaks, largest]
@@ -138,7 +143,7 @@ contains
         if (flat_radius <= 0.0_wp) transform%exponent = log_slope(g)
         call new_sampled_function(self%f, transform, f_edges, [(root_starts(f_edges(i), flat_radius, breaks), &
                                                                 i=1, size(f_edges) - 1)], transform_tolerance, error, &
-                                  noise=flat_noise(transform, flat_radius, first_break(breaks, largest)))
+                                  noise=flat_noise(transform, flat_radius, first_break(breaks, largest)), most=most_panels(f_edges))
         if (allocated(error)) return
         self%g = g
         call finish(self, flat_radius, breaks)
@@ -400,6 +405,20 @@ contains
         ! a function that falls faster than that within an octave still needs the octave
         count = max(count, 1)
     end subroutine descending_edges
+
+    !> Raises unless lengths are far from the ends of the number range, where powers and products of them would leave it.
+    pure subroutine check_sizes(lengths, error)
+        real(wp), intent(in) :: lengths(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        do i = 1, size(lengths)
+            if (lengths(i) >= smallest_length .and. lengths(i) <= 1.0_wp/smallest_length) cycle
+            call raise(error, error_invalid, "the length "//to_text(lengths(i))//" in this profile is not allowed: radii and "// &
+                       "heights must be between "//to_text(smallest_length)//" and "//to_text(1.0_wp/smallest_length))
+            return
+        end do
+    end subroutine check_sizes
 
     !> Every panel of the sampled function costs time in every value of its transform: more than this many are noise, not shape.
     pure function most_panels(edges) result(most)

@@ -38,7 +38,7 @@ void fuzz_fits(world *w)
     problem.profile = some_profile(w);
     problem.medium = take_choice(in, 5);
     problem.model = take_choice(in, MDR_MODEL_EXACT);
-    problem.layers = 1 + take_byte(in) % 2;
+    problem.layers = take_code(in, 2);
     problem.adhesion_rule = take_choice(in, 3);
     problem.loss = take_choice(in, 3);
     problem.sd_is_absolute = take_choice(in, 2);
