@@ -11,7 +11,7 @@ source tools/python_environment.sh
 
 build=build/tests
 results=build/results
-jobs=$(nproc 2> /dev/null || echo 2)
+jobs=$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 2)
 export CMAKE_GENERATOR=Ninja # for the projects that the tests configure, too: a bare machine has no make
 rm -rf "$results"
 mkdir -p "$results" "$log_dir"
@@ -28,25 +28,30 @@ check() {
     fi
 }
 
-say "1/5 System packages"
-install_system_packages valgrind:valgrind g++:g++
-say "2/5 Python package in .venv"
-install_python_package test fortitude-lint ruff
+say "1/6 System packages"
+tools=(g++:g++)
+on_macos || tools+=(valgrind:valgrind)
+install_system_packages "${tools[@]}"
+say "2/6 Python package in .venv"
+install_python_package test,docs fortitude-lint ruff yamllint
 
-say "3/5 Linters"
+say "3/6 Linters and documentation"
 existing=()
 for folder in src tests examples python; do
     [[ -d $folder ]] && existing+=("$folder")
 done
 check fortitude .venv/bin/fortitude check "${existing[@]}"
 if grep -q '^\[tool\.ruff' pyproject.toml; then
-    check ruff .venv/bin/ruff check python tests
+    check ruff .venv/bin/ruff check python tests examples docs tools
 fi
 if grep -q '^\[tool\.mypy\]' pyproject.toml; then
     check mypy .venv/bin/python -m mypy
 fi
+check yamllint .venv/bin/yamllint --strict .
 
-say "4/5 Library, examples, Fortran and C tests (ctest)"
+check documentation with_progress "$log_dir/docs.log" .venv/bin/python docs/site/build.py build/docs
+
+say "4/6 Library, examples, Fortran and C tests (ctest)"
 build_all() {
     with_progress "$log_dir/configure.log" cmake -S . -B "$build" -G Ninja -DMDRCONTACT_WARNINGS_AS_ERRORS=ON \
         -DPython3_EXECUTABLE="$PWD/.venv/bin/python" -DPython_EXECUTABLE="$PWD/.venv/bin/python" &&
@@ -56,12 +61,15 @@ check build build_all
 ctest --test-dir "$build" --parallel "$jobs" --output-on-failure --no-tests=error \
     --test-output-size-passed 1000000 --test-output-size-failed 1000000 --output-junit "$PWD/$results/ctest.xml"
 
-say "5/5 Python tests (pytest)"
-# the README's Fortran and C examples use the library as installed
+say "5/6 Python tests (pytest)"
+# the Fortran and C code of README and guide uses the library as installed
 if with_progress "$log_dir/install.log" cmake --install "$build" --prefix "$PWD/build/prefix"; then
     export MDRCONTACT_PREFIX="$PWD/build/prefix"
 fi
 .venv/bin/python -m pytest --junitxml="$results/pytest.xml" -o junit_family=xunit2
+
+say "6/6 Packages"
+on_macos || check packages tools/check_packages.sh
 
 say "Summary, after $SECONDS s"
 .venv/bin/python tools/summarize_tests.py "$results" ctest pytest

@@ -8,6 +8,7 @@ import sys
 import time
 from pathlib import Path
 
+import batches
 import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq
@@ -206,6 +207,9 @@ def main():
     text += [f"| {count} | {made:.1e} | {seconds:.1e} |" for count, made, seconds in layer_rows]
     text += ["", "| points in a call from Python | ns a point, 1 thread | 2 threads |", "|---|---|---|"]
     text += [f"| {points} | {one:.1f} | {two:.1f} |" for points, one, two in points_rows]
+    text += ["", "## Arrays", ""]
+    text += ["What a point of an array costs, and what a second thread gains. Results are the same to the last bit.", ""]
+    text += batches.table()
     text += ["", "![Error over time for Hertz's contact, scaling](benchmarks.png)", ""]
     (folder / "benchmarks.md").write_text("\n".join(text))
     picture(folder / "benchmarks.png", elements, hertz, radius_rows, points_rows)

@@ -12,4 +12,5 @@ cmake --build "$build" --parallel 2 --target law_cost > /dev/null
 for package in tamaas ContactMechanics aspher; do
     "$build/venv/bin/pip" install --quiet "$package" > "$build/$package.log" 2>&1 || echo "$package does not install here"
 done
+export OPENBLAS_NUM_THREADS=1 # threads of the library's own are what is measured
 "$build/venv/bin/python" benchmarks/compare.py "$build/benchmarks/law_cost" docs

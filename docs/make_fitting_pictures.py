@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the pictures of fitting.md from the curves in examples/fit. python docs/make_fitting_pictures.py"""
+"""Draws the pictures of fitting.md from the curves in examples/fit. python docs/make_fitting_pictures.py [FOLDER]
+
+FOLDER is docs/pictures by default.
+"""
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
+from typing import Any
+
+from make_pictures import save
+from matplotlib.ticker import EngFormatter, MaxNLocator
 
 from mdrcontact.fitting import compare_models, fit
 from mdrcontact.problem.fit_file import load_fit_file
@@ -12,17 +20,40 @@ DOCS = Path(__file__).resolve().parent
 CURVES = DOCS.parent / "examples" / "fit"
 
 
-def main() -> None:
+UNITS = {
+    "indentation depth": "m",
+    "contact radius": "m",
+    "radius": "m",
+    "force": "N",
+    "stiffness": "N/m",
+    "contact stiffness": "N/m",
+    "modulus": "Pa",
+    "effective modulus": "Pa",
+}
+
+
+def with_units(figure: Any) -> Any:
+    """A figure of a fit in SI units, with the unit at every number."""
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            words = axis.get_label_text()
+            if words and words != "residual / sd":
+                axis.set_major_formatter(EngFormatter(unit=UNITS[words]))
+                axis.set_major_locator(MaxNLocator(6))
+    return figure
+
+
+def main(folder: Path) -> None:
     """One picture for each data kind, and the modulus that every model finds."""
     from matplotlib.figure import Figure
 
-    (DOCS / "pictures").mkdir(exist_ok=True)
+    folder.mkdir(exist_ok=True)
     for name in ("sphere_on_oxide", "afm_on_rubber", "csm_on_oxide", "modulus_of_oxide", "punches_on_rubber"):
         problem = load_fit_file(CURVES / f"{name}.toml")
         data, _ = problem.read_data(CURVES / f"{name}.csv")
         arguments = (data, problem.indenter, problem.medium, problem.free)
         result = fit(*arguments, instrument=problem.instrument, **problem.options)
-        result.plot(DOCS / "pictures" / f"fit_{name}.png")
+        save(with_units(result.plot()), folder / f"fit_{name}.png")
     problem = load_fit_file(CURVES / "sphere_on_oxide.toml")
     data, _ = problem.read_data(CURVES / "sphere_on_oxide.csv")
     ranking = compare_models(data, problem.indenter, problem.medium, ["coating.E", "depth_offset"])
@@ -35,8 +66,8 @@ def main() -> None:
     axis.set_xlabel("film modulus [GPa]; models from best (top) to worst by AIC")
     axis.legend(frameon=False)
     axis.spines[["top", "right"]].set_visible(False)
-    figure.savefig(DOCS / "pictures" / "fit_models.png", dpi=160)
+    save(figure, folder / "fit_models.png")
 
 
 if __name__ == "__main__":
-    main()
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DOCS / "pictures")

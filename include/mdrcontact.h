@@ -34,6 +34,7 @@
  *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
+ * Functions of arrays have twins with the ending _threads, which share the work among so many threads of their own (OpenMP).
  * Only freeing a handle needs the certainty that no other thread uses it. GSL's error handler, which would end the program, is
  * switched off for the process when an object is made; a program with a GSL handler of its own sets it again afterwards.
  */
@@ -489,7 +490,8 @@ int mdr_contact_free(mdr_contact **c);
  *  @param d        or NULL: indentation depth [length]
  *  @param a        or NULL: contact radius [length]
  *  @param F        or NULL: normal force [modulus length^2]
- *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_ENOCONVERGENCE */
+ *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_EDOMAIN if the contact is still stable at the
+ *          smallest radius for which the medium is defined, MDR_ENOCONVERGENCE */
 int mdr_contact_pull_off(const mdr_contact *c, int control, double *d, double *a, double *F);
 
 /** Where each stable stretch of an adhesive contact ends: first that of mdr_contact_pull_off(), then the others by radius.
@@ -637,6 +639,64 @@ int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx
                       double shear[], double poisson[]);
 /* a rule for smooth structures: 6 order^3 points (x, y, z) in units of a and their weights (shear, poisson) */
 int mdr_lateral_rule(int order, double nu, double points[/* n*3 */], double weights[/* n*2 */]);
+
+/* ---- the same on several threads ------------------------------------------------------------------------------- */
+
+/**
+ * @name Arrays on several threads
+ * Each does what the function of the same name without _threads does, on `threads` threads: at least 1, or 0 for as many as
+ * OpenMP offers. Arrays too small to gain stay on the calling thread: some ten thousand points of a closed form, two
+ * states that are solved for. Within a parallel region of the caller's all stays on the calling thread. The results are
+ * the same to the last bit for every number of threads; where entries fail, the error is that of the first of them. A
+ * library built without OpenMP uses one thread. MDR_EINVALID for threads < 0.
+ */
+/** @{ */
+int mdr_profile_height_threads(const mdr_profile *p, int n, const double r[], double out[], int threads);
+int mdr_profile_slope_threads(const mdr_profile *p, int n, const double r[], double out[], int threads);
+int mdr_profile_mdr_threads(const mdr_profile *p, int n, const double x[], double out[], int threads);
+int mdr_profile_mdr_slope_threads(const mdr_profile *p, int n, const double x[], double out[], int threads);
+
+int mdr_medium_modulus_threads(const mdr_medium *m, int n, const double a[], double out[], int threads);
+int mdr_medium_stiffness_threads(const mdr_medium *m, int n, const double a[], double out[], int threads);
+
+int mdr_weight_phi_threads(int n, const double xi[], double nu, double out[], int threads);
+int mdr_weight_i0_threads(int n, const double xi[], double nu, double out[], int threads);
+int mdr_weight_i1_threads(int n, const double xi[], double nu, double out[], int threads);
+int mdr_weight_j0_threads(int n, const double xi[], double nu, double out[], int threads);
+int mdr_weight_j1_threads(int n, const double xi[], double nu, double out[], int threads);
+
+int mdr_contact_from_depth_on_threads(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[],
+                                      double F[], double k[], int threads);
+int mdr_contact_from_force_on_threads(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[],
+                                      double F[], double k[], int threads);
+int mdr_contact_from_radius_threads(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[],
+                                    double k[], int threads);
+
+int mdr_contact_pressure_threads(const mdr_contact *c, double a, int n, const double r[], double out[], int threads);
+int mdr_contact_displacement_threads(const mdr_contact *c, double a, int n, const double r[], double out[], int threads);
+int mdr_contact_line_load_threads(const mdr_contact *c, double a, int n, const double x[], double out[], int threads);
+int mdr_contact_pressure_at_depth_threads(const mdr_contact *c, double d, int n, const double r[], double out[], int threads);
+int mdr_contact_displacement_at_depth_threads(const mdr_contact *c, double d, int n, const double r[], double out[], int threads);
+int mdr_contact_line_load_at_depth_threads(const mdr_contact *c, double d, int n, const double x[], double out[], int threads);
+
+int mdr_coated_paraboloid_force_threads(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+                                        double thickness, double out[], int threads);
+int mdr_coated_cone_force_threads(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
+                                  double thickness, double out[], int threads);
+int mdr_coated_paraboloid_adhesive_depth_threads(int n, const double a[], double radius, double coating_shear,
+                                                 double substrate_shear, double thickness, double work_of_adhesion,
+                                                 double out[], int threads);
+int mdr_reduced_adhesive_depth_threads(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness,
+                                       double out[], int threads);
+
+/** A structure made by mdr_structure_callback() stays on the calling thread. */
+int mdr_structure_modulus_threads(const mdr_structure *s, int n, const double x[], const double y[], const double a[],
+                                  double out[],
+                                  int threads);
+int mdr_lateral_density_threads(int n, const double rho[], const double z[], double nu, double shear[], double poisson[],
+                                int threads);
+/** @} */
+
 /* ---- compiled laws (docs/laws.md) -------------------------------------------------------------- */
 /** F(d), a(d), k(d) and their inverses over a range of depths, verified, for the price of a short polynomial. It never
  *  changes: any number of threads may evaluate one law. The caller frees it with mdr_law_free; the contact may be freed before. */

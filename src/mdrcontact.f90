@@ -6,6 +6,8 @@ module mdrcontact
                                        coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_values, only: displacement_values, line_load_values, pressure_values, states_from_depth, &
+                                         states_from_force, states_from_radius
     use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_t
     use mdrcontact_fit, only: fit_result_t, solve_fit
@@ -30,12 +32,16 @@ module mdrcontact
     use mdrcontact_lateral_shapes, only: new_shapes, shapes_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_lateral_voxels, only: new_voxels, voxels_t
+    use mdrcontact_lateral_values, only: density_values, structure_values
     use mdrcontact_law, only: contact_law_t, law_options_t, law_point_t, new_contact_law
+    use mdrcontact_law_values, only: law_points_from_depth, law_points_from_force
     use mdrcontact_law_file, only: load_law, save_law
     use mdrcontact_layered_exact, only: layered_exact_t, new_graded_exact, new_graded_exact_from_functions, new_layered_exact
+    use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_values, only: modulus_values
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_nu_given, gao_nu_substrate, gao_nu_surface, gao_options_t, gao_t, &
                                      new_gao, new_gao_layered
     use mdrcontact_medium_bec, only: bec_t, new_bec
@@ -58,6 +64,7 @@ module mdrcontact
     use mdrcontact_profile_rounded_cone, only: new_rounded_cone, rounded_cone_t
     use mdrcontact_profile_sampled, only: sampled_profile_t
     use mdrcontact_profile_sphere, only: new_sphere, sphere_t
+    use mdrcontact_profile_values, only: of_height, of_mdr, of_mdr_slope, of_slope, profile_values
     use mdrcontact_profile_sum, only: new_profile_sum, profile_sum_t, profile_term_t
     use mdrcontact_profile_tabulated, only: new_profile_from_function, new_profile_from_mdr, new_tabulated_profile
     use mdrcontact_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t

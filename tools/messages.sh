@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Saying what is going on: sourced by quickstart.sh and runtests.sh.
+# Saying what is going on: sourced by quickstart.sh, runtests.sh and check_packages.sh.
+# shellcheck shell=bash
 
 say() { printf '\n== %s\n' "$*"; }
 note() { printf '   %s\n' "$*"; }

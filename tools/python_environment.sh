@@ -1,11 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The virtual environment .venv with the Python package; nothing is done again while the sources stay the same.
 # Sourced by quickstart.sh and runtests.sh; needs messages.sh and system_packages.sh.
+# shellcheck shell=bash disable=SC2154  # who sources this sets log_dir
 
-# One number for the content of everything that the installed package is made of.
-sources_fingerprint() {
-    find CMakeLists.txt pyproject.toml README.md LICENSE cmake src include python examples/problems -type f \
-        ! -name '*.so' ! -name '*.pyc' -print0 2> /dev/null | sort -z | xargs -0 sha256sum | sha256sum
+# One number for the content of the files and folders given, made by .venv's Python: not every system has sha256sum.
+fingerprint() {
+    .venv/bin/python - "$@" << 'CODE'
+import hashlib, pathlib, sys
+total = hashlib.sha256()
+for given in map(pathlib.Path, sys.argv[1:]):
+    for path in sorted(given.rglob("*")) if given.is_dir() else [given]:
+        if path.is_file() and path.suffix not in (".so", ".pyc"):
+            total.update(f"{path}\0{path.stat().st_size}\0".encode() + path.read_bytes())
+print(total.hexdigest())
+CODE
 }
 
 # install_python_package EXTRA [TOOL...]: .venv holds mdrcontact[EXTRA] made from the sources as they are, and the tools from PyPI.
@@ -18,7 +26,9 @@ install_python_package() {
         rm -rf .venv
         with_progress "$log_dir/venv.log" "$python" -m venv .venv || give_up "The virtual environment could not be made."
     fi
-    sources="$(sources_fingerprint) $(.venv/bin/python -VV)"
+    # everything that the installed package is made of
+    sources="$(fingerprint CMakeLists.txt pyproject.toml README.md LICENSE cmake src include python examples/problems)"
+    sources+=" $(.venv/bin/python -VV)"
     if [[ $(cat .venv/mdrcontact.installed 2> /dev/null) != "$sources" ]]; then
         note "compiling and installing the Python package"
         rm -f .venv/mdrcontact.installed
@@ -28,9 +38,9 @@ install_python_package() {
     else
         note "the Python package is up to date"
     fi
-    wanted="mdrcontact[$extra] $* $(sha256sum pyproject.toml)"
+    wanted="mdrcontact[$extra] $* $(fingerprint pyproject.toml)"
     if ! grep -qxF -- "$wanted" .venv/mdrcontact.extras 2> /dev/null; then
-        note "installing what mdrcontact[$extra] asks for" ${*:+"and $*"}
+        note "installing what mdrcontact[$extra] asks for${*:+ and }$*"
         with_progress "$log_dir/pip-extras.log" .venv/bin/python -m pip install --disable-pip-version-check "mdrcontact[$extra]" "$@" ||
             give_up "Packages from the Python index could not be installed; is there a network?"
         printf '%s\n' "$wanted" >> .venv/mdrcontact.extras

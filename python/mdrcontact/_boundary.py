@@ -33,6 +33,13 @@ def number(name: str, value: Any) -> float:
     return float(array)
 
 
+def thread_count(threads: Any) -> int:
+    """`threads` as a whole number. Its range is the library's business."""
+    if isinstance(threads, bool) or not isinstance(threads, int):
+        raise ArgumentTypeError(f"threads = {threads!r} is not allowed: it must be a whole number")
+    return threads
+
+
 def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """`values` as a contiguous array of float64 of unchanged shape; integers and shorter floats are widened."""
     if np.ma.is_masked(values):

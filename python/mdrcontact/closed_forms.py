@@ -2,6 +2,8 @@
 """Closed forms for a paraboloid or cone on an incompressible coating (nu = 1/2), equations (24), (27), (29), (31), (32).
 
 They are what a `Contact` on `Coated(..., model="gao")` gives for incompressible bodies, whose E is 3 G.
+
+threads : for arrays, see `Contact`
 """
 
 from __future__ import annotations
@@ -11,7 +13,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._boundary import FloatOrArray, check, evaluate, number
+from ._boundary import FloatOrArray, check, evaluate, number, thread_count
 
 __all__ = [
     "coated_paraboloid_force",
@@ -24,7 +26,7 @@ __all__ = [
 
 
 def coated_paraboloid_force(
-    a: ArrayLike, radius: float, coating_shear: float, substrate_shear: float, thickness: float
+    a: ArrayLike, radius: float, coating_shear: float, substrate_shear: float, thickness: float, *, threads: int = 1
 ) -> FloatOrArray:
     """F(a) [pressure length^2] of a paraboloid without adhesion, equation (24).
 
@@ -34,22 +36,29 @@ def coated_paraboloid_force(
     thickness : h > 0 [length]
     """
     given = _numbers(radius=radius, coating_shear=coating_shear, substrate_shear=substrate_shear, thickness=thickness)
-    return evaluate(_native.coated_paraboloid_force, *given, name="a", values=a)
+    return evaluate(_native.coated_paraboloid_force, thread_count(threads), *given, name="a", values=a)
 
 
 def coated_cone_force(
-    a: ArrayLike, inclination: float, coating_shear: float, substrate_shear: float, thickness: float
+    a: ArrayLike, inclination: float, coating_shear: float, substrate_shear: float, thickness: float, *, threads: int = 1
 ) -> FloatOrArray:
     """F(a) [pressure length^2] of a cone without adhesion, equation (27): 2 pi a^2 tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
 
     inclination : phi, 0 < phi < pi/2 [rad]; the others as in `coated_paraboloid_force`
     """
     given = _numbers(inclination=inclination, coating_shear=coating_shear, substrate_shear=substrate_shear, thickness=thickness)
-    return evaluate(_native.coated_cone_force, *given, name="a", values=a)
+    return evaluate(_native.coated_cone_force, thread_count(threads), *given, name="a", values=a)
 
 
 def coated_paraboloid_adhesive_depth(
-    a: ArrayLike, radius: float, coating_shear: float, substrate_shear: float, thickness: float, work_of_adhesion: float
+    a: ArrayLike,
+    radius: float,
+    coating_shear: float,
+    substrate_shear: float,
+    thickness: float,
+    work_of_adhesion: float,
+    *,
+    threads: int = 1,
 ) -> FloatOrArray:
     """d(a) [length] of an adhesive paraboloid by the source's rule, equation (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)).
 
@@ -62,7 +71,7 @@ def coated_paraboloid_adhesive_depth(
         thickness=thickness,
         work_of_adhesion=work_of_adhesion,
     )
-    return evaluate(_native.coated_paraboloid_adhesive_depth, *given, name="a", values=a)
+    return evaluate(_native.coated_paraboloid_adhesive_depth, thread_count(threads), *given, name="a", values=a)
 
 
 def adhesive_radius_scale(radius: float, substrate_shear: float, work_of_adhesion: float) -> float:
@@ -82,7 +91,9 @@ def adhesive_depth_scale(radius: float, substrate_shear: float, work_of_adhesion
     return _scale(_native.adhesive_depth_scale, radius, substrate_shear, work_of_adhesion)
 
 
-def reduced_adhesive_depth(reduced_radius: ArrayLike, shear_ratio: float, reduced_thickness: float) -> FloatOrArray:
+def reduced_adhesive_depth(
+    reduced_radius: ArrayLike, shear_ratio: float, reduced_thickness: float, *, threads: int = 1
+) -> FloatOrArray:
     """d/d_c, equation (32): at^2/3 - (4/3) sqrt(at) [1 + (tau - 1) I0(ht/at; nu = 1/2)]^(-1/2).
 
     reduced_radius : at = a/a_c > 0, any shape
@@ -90,7 +101,7 @@ def reduced_adhesive_depth(reduced_radius: ArrayLike, shear_ratio: float, reduce
     reduced_thickness : ht = h/a_c > 0
     """
     given = _numbers(shear_ratio=shear_ratio, reduced_thickness=reduced_thickness)
-    return evaluate(_native.reduced_adhesive_depth, *given, name="reduced_radius", values=reduced_radius)
+    return evaluate(_native.reduced_adhesive_depth, thread_count(threads), *given, name="reduced_radius", values=reduced_radius)
 
 
 def _numbers(**values: Any) -> list[float]:

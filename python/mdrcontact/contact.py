@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from numpy.typing import ArrayLike
 
 from . import _native, _zeta, adhesion
-from ._boundary import FloatOrArray, Handle, evaluate, evaluate_all, number
+from ._boundary import FloatOrArray, Handle, evaluate, evaluate_all, number, thread_count
 from ._described import Described
 from .adhesion import BRANCHES, RULES, Loop, PullOff
 from .errors import ArgumentTypeError, UnreachableError
@@ -44,6 +44,9 @@ class Contact(Described):
     zeta : ratio d/g(a) of equation (9), the correction of the contact radius; None: 1, the source's approximation.
         Else a table (radii, values): at least 3 radii > 0 ascending [length], values > 0; or "exact": that of the same coated or
         layered body solved exactly, for radii up to 1000 thicknesses, so that E_eff is the only approximation left
+
+    Whatever takes arrays takes `threads`, here and everywhere in the package: how many threads share the work, 0 for as
+    many as OpenMP offers. Arrays too small to gain stay on one; the numbers are the same to the last bit for any of them.
     """
 
     indenter: Profile
@@ -74,33 +77,33 @@ class Contact(Described):
         object.__setattr__(self, "_handle", Handle(created, _native.contact_free))
         self._describe(indenter=indenter, medium=medium, work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given)
 
-    def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
+    def at_depth(self, depth: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> State:
         """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.
 
         branch : where an adhesive contact has several stable states, the one met on "loading" (the smallest contact, d >= 0) or
             kept on "unloading" (the largest)
         """
-        return self._states(_native.contact_from_depth, "depth", depth, adhesion.code("branch", branch, BRANCHES))
+        return self._states(_native.contact_from_depth, threads, "depth", depth, adhesion.code("branch", branch, BRANCHES))
 
-    def at_force(self, force: ArrayLike, branch: str = "unloading") -> State:
+    def at_force(self, force: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> State:
         """The stable states under normal forces F >= 0 [pressure length^2], any shape; with adhesion down to the pull-off force.
 
         branch : as in `at_depth`
         """
-        return self._states(_native.contact_from_force, "force", force, adhesion.code("branch", branch, BRANCHES))
+        return self._states(_native.contact_from_force, threads, "force", force, adhesion.code("branch", branch, BRANCHES))
 
-    def at_radius(self, radius: ArrayLike) -> State:
+    def at_radius(self, radius: ArrayLike, *, threads: int = 1) -> State:
         """The states of equilibrium at contact radii a >= 0 [length], any shape; with adhesion they may be unstable.
 
         A radius at a vertical wall (flat punch) determines no state.
         """
-        return self._states(_native.contact_from_radius, "radius", radius)
+        return self._states(_native.contact_from_radius, threads, "radius", radius)
 
     def pull_off(self, control: str = "force") -> PullOff:
         """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "displacement".
 
         It is the global minimum over the whole branch; `.others` are the ends of the other stable stretches. All 0 without
-        adhesion.
+        adhesion. A contact that is still stable at the smallest radius of a tabulated medium raises DomainError.
         """
         return adhesion.pull_offs(self, control)
 
@@ -122,13 +125,14 @@ class Contact(Described):
         depth: float | None = None,
         force: float | None = None,
         branch: str = "unloading",
+        threads: int = 1,
     ) -> FloatOrArray:
         """Contact pressure p(r) [pressure], equation (6), at 0 <= r <= a, any shape; of the state given by radius, depth or force.
 
         Infinite where theory says so: at the edge of a flat punch, at the apex of a cone; minus infinity at an adhesive edge.
         branch : which state of that depth or force, as in `at_depth`
         """
-        return self._field("pressure", "r", r, radius, depth, force, branch)
+        return self._field("pressure", "r", r, radius, depth, force, branch, threads)
 
     def displacement(
         self,
@@ -138,13 +142,14 @@ class Contact(Described):
         depth: float | None = None,
         force: float | None = None,
         branch: str = "unloading",
+        threads: int = 1,
     ) -> FloatOrArray:
         """Surface displacement u(r) [length], positive into the medium, at r >= 0, any shape; of the state given by radius,
         depth or force. Inside the contact it is d - f(r), outside it is the free surface, with the neck of an adhesive contact.
 
         branch : as in `pressure`
         """
-        return self._field("displacement", "r", r, radius, depth, force, branch)
+        return self._field("displacement", "r", r, radius, depth, force, branch, threads)
 
     def line_load(
         self,
@@ -154,16 +159,17 @@ class Contact(Described):
         depth: float | None = None,
         force: float | None = None,
         branch: str = "unloading",
+        threads: int = 1,
     ) -> FloatOrArray:
         """Line load q(x) [pressure length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, any shape; of the
         state given by radius, depth or force.
 
         branch : as in `pressure`
         """
-        return self._field("line_load", "x", x, radius, depth, force, branch)
+        return self._field("line_load", "x", x, radius, depth, force, branch, threads)
 
-    def _states(self, function: Callable[..., Any], name: str, values: ArrayLike, *branch: int) -> State:
-        return State(*evaluate_all(function, self._handle.address, *branch, name=name, values=values))
+    def _states(self, function: Callable[..., Any], threads: int, name: str, values: ArrayLike, *branch: int) -> State:
+        return State(*evaluate_all(function, thread_count(threads), self._handle.address, *branch, name=name, values=values))
 
     def _field(
         self,
@@ -174,6 +180,7 @@ class Contact(Described):
         depth: float | None,
         force: float | None,
         branch: str,
+        threads: int,
     ) -> FloatOrArray:
         if sum(value is not None for value in (radius, depth, force)) != 1:
             raise ArgumentTypeError(f"{field} needs one of radius, depth and force, and not more")
@@ -186,7 +193,7 @@ class Contact(Described):
             function, at = getattr(_native, f"contact_{field}_at_depth"), number("depth", depth)
         else:
             function, at = getattr(_native, f"contact_{field}"), number("radius", radius)
-        return evaluate(function, self._handle.address, at, name=name, values=points)
+        return evaluate(function, thread_count(threads), self._handle.address, at, name=name, values=points)
 
     def _by_radius_or_depth(self, state: State) -> tuple[float | None, float | None]:
         """What determines a state: its depth where the largest contact of this depth is meant, else its radius."""

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._boundary import FloatOrArray, Handle, check, evaluate, evaluate_all, number
+from ._boundary import FloatOrArray, Handle, check, evaluate, evaluate_all, number, thread_count
 from .contact import Contact
 from .errors import ArgumentTypeError, FileError, InvalidArgumentError
 
@@ -103,9 +103,7 @@ class ContactLaw:
     def _how(self, branch: str, threads: int) -> tuple[int, int, int]:
         if branch not in _BRANCHES:
             raise InvalidArgumentError(f"branch = {branch!r} is not allowed: it must be 'loading' or 'unloading'")
-        if isinstance(threads, bool) or not isinstance(threads, int):
-            raise ArgumentTypeError(f"threads = {threads!r} is not allowed: it must be a whole number")
-        return self._handle.address, _BRANCHES[branch], threads
+        return self._handle.address, _BRANCHES[branch], thread_count(threads)
 
     @property
     def depth_range(self) -> tuple[float, float]:

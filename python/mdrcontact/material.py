@@ -30,7 +30,7 @@ class Elastic(Described):
     @property
     def contact_modulus(self) -> float:
         """E* = E/(1 - nu^2), equation (2) [pressure]."""
-        return float(evaluate(_native.medium_modulus, self._half_space.address, name="a", values=1.0))
+        return float(evaluate(_native.medium_modulus, 1, self._half_space.address, name="a", values=1.0))
 
 
 class _Rigid:

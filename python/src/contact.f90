@@ -30,51 +30,51 @@ subroutine contact_new(profile, medium, zeta_count, n, zeta_radius, zeta, work_o
 end subroutine contact_new
 
 !> See mdr_contact_from_depth_on.
-subroutine contact_from_depth(n, handle, branch, given, d, a, F, k, status)
+subroutine contact_from_depth(n, threads, handle, branch, given, d, a, F, k, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_contact, only: mdr_contact_from_depth_on
+    use mdrcontact_api_contact, only: mdr_contact_from_depth_on_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n, branch
+    integer(c_int), intent(in) :: n, threads, branch
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: given(n)
     real(c_double), intent(out) :: d(n), a(n), F(n), k(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_contact_from_depth_on(to_pointer(handle), branch, n, given, d, a, F, k)
+    status = mdr_contact_from_depth_on_threads(to_pointer(handle), branch, n, given, d, a, F, k, threads)
 end subroutine contact_from_depth
 
 !> See mdr_contact_from_force_on.
-subroutine contact_from_force(n, handle, branch, given, d, a, F, k, status)
+subroutine contact_from_force(n, threads, handle, branch, given, d, a, F, k, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_contact, only: mdr_contact_from_force_on
+    use mdrcontact_api_contact, only: mdr_contact_from_force_on_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n, branch
+    integer(c_int), intent(in) :: n, threads, branch
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: given(n)
     real(c_double), intent(out) :: d(n), a(n), F(n), k(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_contact_from_force_on(to_pointer(handle), branch, n, given, d, a, F, k)
+    status = mdr_contact_from_force_on_threads(to_pointer(handle), branch, n, given, d, a, F, k, threads)
 end subroutine contact_from_force
 
 !> See mdr_contact_from_radius.
-subroutine contact_from_radius(n, handle, given, d, a, F, k, status)
+subroutine contact_from_radius(n, threads, handle, given, d, a, F, k, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_contact, only: mdr_contact_from_radius
+    use mdrcontact_api_contact, only: mdr_contact_from_radius_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, threads
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: given(n)
     real(c_double), intent(out) :: d(n), a(n), F(n), k(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_contact_from_radius(to_pointer(handle), n, given, d, a, F, k)
+    status = mdr_contact_from_radius_threads(to_pointer(handle), n, given, d, a, F, k, threads)
 end subroutine contact_from_radius
 
 !> See mdr_contact_free.

@@ -54,19 +54,19 @@ subroutine structure_voxels(cells, voxels, labels, phases, E, nu, spacing, below
 end subroutine structure_voxels
 
 !> See mdr_structure_modulus.
-subroutine structure_modulus(n, handle, x, y, a, values, status)
+subroutine structure_modulus(n, threads, handle, x, y, a, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_c_lateral, only: mdr_structure_modulus
+    use mdrcontact_c_lateral, only: mdr_structure_modulus_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, threads
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: x(n), y(n), a(n)
     real(c_double), intent(out) :: values(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_structure_modulus(to_pointer(handle), n, x, y, a, values)
+    status = mdr_structure_modulus_threads(to_pointer(handle), n, x, y, a, values, threads)
 end subroutine structure_modulus
 
 !> See mdr_structure_free.

@@ -2,17 +2,17 @@
 ! Weights of laterally heterogeneous structures, flat for f2py.
 
 !> See mdr_lateral_density.
-subroutine lateral_density(n, rho, z, nu, shear, poisson, status)
+subroutine lateral_density(n, threads, rho, z, nu, shear, poisson, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_c_lateral, only: mdr_lateral_density
+    use mdrcontact_c_lateral, only: mdr_lateral_density_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, threads
     real(c_double), intent(in) :: rho(n), z(n), nu
     real(c_double), intent(out) :: shear(n), poisson(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_lateral_density(n, rho, z, nu, shear, poisson)
+    status = mdr_lateral_density_threads(n, rho, z, nu, shear, poisson, threads)
 end subroutine lateral_density
 
 !> See mdr_lateral_cells.

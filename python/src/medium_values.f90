@@ -20,35 +20,35 @@ subroutine medium_default_options(alpha, wave_factor, weight_nu_choice, weight_n
 end subroutine medium_default_options
 
 !> See mdr_medium_modulus.
-subroutine medium_modulus(n, handle, a, values, status)
+subroutine medium_modulus(n, threads, handle, a, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_medium, only: mdr_medium_modulus
+    use mdrcontact_api_medium, only: mdr_medium_modulus_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, threads
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: a(n)
     real(c_double), intent(out) :: values(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_medium_modulus(to_pointer(handle), n, a, values)
+    status = mdr_medium_modulus_threads(to_pointer(handle), n, a, values, threads)
 end subroutine medium_modulus
 
 !> See mdr_medium_stiffness.
-subroutine medium_stiffness(n, handle, a, values, status)
+subroutine medium_stiffness(n, threads, handle, a, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_medium, only: mdr_medium_stiffness
+    use mdrcontact_api_medium, only: mdr_medium_stiffness_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, threads
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: a(n)
     real(c_double), intent(out) :: values(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_medium_stiffness(to_pointer(handle), n, a, values)
+    status = mdr_medium_stiffness_threads(to_pointer(handle), n, a, values, threads)
 end subroutine medium_stiffness
 
 !> See mdr_medium_free.

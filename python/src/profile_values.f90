@@ -2,67 +2,67 @@
 ! Values and end of a profile, flat for f2py.
 
 !> See mdr_profile_height.
-subroutine profile_height(n, handle, x, values, status)
+subroutine profile_height(n, threads, handle, x, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_profile_values, only: mdr_profile_height
+    use mdrcontact_api_profile_values, only: mdr_profile_height_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, threads
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: x(n)
     real(c_double), intent(out) :: values(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_profile_height(to_pointer(handle), n, x, values)
+    status = mdr_profile_height_threads(to_pointer(handle), n, x, values, threads)
 end subroutine profile_height
 
 !> See mdr_profile_slope.
-subroutine profile_slope(n, handle, x, values, status)
+subroutine profile_slope(n, threads, handle, x, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_profile_values, only: mdr_profile_slope
+    use mdrcontact_api_profile_values, only: mdr_profile_slope_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, threads
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: x(n)
     real(c_double), intent(out) :: values(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_profile_slope(to_pointer(handle), n, x, values)
+    status = mdr_profile_slope_threads(to_pointer(handle), n, x, values, threads)
 end subroutine profile_slope
 
 !> See mdr_profile_mdr.
-subroutine profile_mdr(n, handle, x, values, status)
+subroutine profile_mdr(n, threads, handle, x, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_profile_values, only: mdr_profile_mdr
+    use mdrcontact_api_profile_values, only: mdr_profile_mdr_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, threads
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: x(n)
     real(c_double), intent(out) :: values(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_profile_mdr(to_pointer(handle), n, x, values)
+    status = mdr_profile_mdr_threads(to_pointer(handle), n, x, values, threads)
 end subroutine profile_mdr
 
 !> See mdr_profile_mdr_slope.
-subroutine profile_mdr_slope(n, handle, x, values, status)
+subroutine profile_mdr_slope(n, threads, handle, x, values, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_address, only: to_pointer
-    use mdrcontact_api_profile_values, only: mdr_profile_mdr_slope
+    use mdrcontact_api_profile_values, only: mdr_profile_mdr_slope_threads
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n
+    integer(c_int), intent(in) :: n, threads
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(in) :: x(n)
     real(c_double), intent(out) :: values(n)
     integer(c_int), intent(out) :: status
 
-    status = mdr_profile_mdr_slope(to_pointer(handle), n, x, values)
+    status = mdr_profile_mdr_slope_threads(to_pointer(handle), n, x, values, threads)
 end subroutine profile_mdr_slope
 
 !> See mdr_profile_free.

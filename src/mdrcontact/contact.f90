@@ -11,6 +11,7 @@ module mdrcontact_contact
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
+    use mdrcontact_medium_homogeneous, only: homogeneous_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_quadrature, only: merged_breaks
     use mdrcontact_radius_law, only: radius_law_t
@@ -49,6 +50,7 @@ module mdrcontact_contact
         procedure :: state_on_stretch
         procedure :: work_between
         procedure :: is_adhesive
+        procedure :: is_formula
         procedure :: radius_range
         procedure :: line_load
         procedure :: pressure
@@ -60,9 +62,12 @@ contains
     !> A contact of `profile` with `medium`.
     subroutine new_contact(self, profile, medium, error, options)
         type(contact_t), intent(out) :: self
+        !> copied
         class(profile_t), intent(in) :: profile
+        !> copied
         class(medium_t), intent(in) :: medium
         type(error_t), allocatable, intent(out) :: error
+        !> without it: no adhesion, zeta = 1
         type(contact_options_t), intent(in), optional :: options
 
         call disable_gsl_abort()
@@ -132,6 +137,18 @@ contains
 
         answer = allocated(self%branch)
     end function is_adhesive
+
+    !> Whether a state is a formula and costs less than to wake a thread for it.
+    pure function is_formula(self) result(answer)
+        class(contact_t), intent(in) :: self
+        logical :: answer
+
+        answer = .false.
+        select type (medium => self%equilibrium%medium)
+        type is (homogeneous_t)
+            answer = .not. (self%is_adhesive() .or. allocated(medium%zeta))
+        end select
+    end function is_formula
 
     !> Between which contact radii the contact is defined, and where it is not analytic in between.
     subroutine radius_range(self, end_radius, smallest, largest, breaks)
@@ -220,6 +237,7 @@ contains
         type(control_t), intent(in) :: control
         !> what s is called in error messages
         character(len=*), intent(in) :: name
+        !> value of what is controlled, in its unit: [length] or [modulus length^2]
         real(wp), intent(in) :: s
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
@@ -257,6 +275,7 @@ contains
         type(contact_state_t), allocatable, intent(out), optional :: others(:)
         type(stretch_t), allocatable :: list(:)
         type(contact_state_t), allocatable :: ends(:)
+        real(wp) :: smallest
         integer :: i, global
 
         if (present(others)) allocate (others(0))
@@ -273,6 +292,12 @@ contains
             if (allocated(error)) return
         end do
         global = minloc(list%lowest, dim=1)
+        smallest = self%equilibrium%medium%smallest_radius()
+        if (smallest > self%equilibrium%profile%end_radius() .and. ends(global)%radius <= smallest*(1.0_wp + 1.0e-12_wp)) then
+            call raise(error, error_domain, "the contact does not break at radii for which the medium is defined, from "// &
+                       to_text(smallest)//" on: it is still stable there")
+            return
+        end if
         state = ends(global)
         if (present(others)) others = [ends(:global - 1), ends(global + 1:)]
     end subroutine pull_off
@@ -296,6 +321,7 @@ contains
         class(contact_t), intent(in) :: self
         type(control_t), intent(in) :: control
         type(stretch_t), intent(in) :: stretch
+        !> between the lowest and the highest value of the stretch
         real(wp), intent(in) :: s
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error

@@ -35,7 +35,9 @@ module mdrcontact_error
 
     !> A failure: `code` is one of the constants above, `message` the reason in words.
     type :: error_t
+        !> one of the constants of this module; a status of mdrcontact.h
         integer :: code = success
+        !> names the argument, its value and what is allowed
         character(len=:), allocatable :: message
     end type error_t
 
@@ -125,6 +127,7 @@ contains
         end if
         if (allocated(error)) return
         do i = 1, size(x)
+            if (ieee_is_finite(x(i)) .and. ieee_is_finite(y(i))) cycle
             call check_finite(error, entry_name(x_name, i), x(i))
             call check_finite(error, entry_name(y_name, i), y(i))
             if (allocated(error)) return

@@ -26,6 +26,7 @@ module mdrcontact_fit
     integer, parameter :: propagation_rounds = 3
     real(wp), parameter :: wrong_units = 300.0_wp
 
+    !> The answer of a fit: estimates, their uncertainty, and what speaks for or against them.
     type :: fit_result_t
         !> the best point found, all numbers of the problem
         real(wp), allocatable :: values(:)
@@ -38,6 +39,7 @@ module mdrcontact_fit
         !> smallest eigenvalue of the correlation of the derivatives (1: independent; 0: a combination is not determined) and
         !> the relative change of the free numbers that goes with it
         real(wp) :: weakest = 1.0_wp
+        !> see `weakest`; one entry for each free number
         real(wp), allocatable :: weakest_direction(:)
         !> the model at the data, and (y - model)/standard deviation
         real(wp), allocatable :: fitted(:), residuals(:)
@@ -51,8 +53,11 @@ module mdrcontact_fit
         real(wp) :: log_likelihood = 0.0_wp
         !> probability of so few or so many runs of equal sign along ascending x if the residuals are random
         real(wp) :: runs_probability = 1.0_wp
+        !> if not, the numbers are the best point found
         logical :: converged = .false.
+        !> steps of the search
         integer :: iterations = 0
+        !> how often the forward model was computed at all data
         integer :: evaluations = 0
     end type fit_result_t
 
@@ -85,7 +90,7 @@ contains
 
     !> Refuses data that no reasonable start is so far away from.
     subroutine check_units_at_start(residuals, u, error)
-        type(fit_residuals_t), intent(in) :: residuals
+        type(fit_residuals_t), intent(inout) :: residuals
         real(wp), intent(in) :: u(:)
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: y(size(residuals%data%x)), ratio

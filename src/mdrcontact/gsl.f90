@@ -16,6 +16,7 @@ module mdrcontact_gsl
               gsl_root_test_interval
     public :: gsl_interp_steffen, gsl_spline_alloc, gsl_spline_init, gsl_spline_free, gsl_spline_eval_deriv
 
+    !> Status of a call that did what it says.
     integer(c_int), parameter :: gsl_success = 0
 
     !> GSL's `gsl_function`: a C function pointer and its parameters.
@@ -33,17 +34,20 @@ module mdrcontact_gsl
         subroutine mdrcontact_switch_gsl_handler_off() bind(C)
         end subroutine mdrcontact_switch_gsl_handler_off
 
+        !> Nodes and weights of the Gauss-Legendre rule of n nodes; null without memory.
         function gsl_integration_glfixed_table_alloc(n) result(table) bind(C)
             import :: c_ptr, c_size_t
             integer(c_size_t), value :: n
             type(c_ptr) :: table
         end function gsl_integration_glfixed_table_alloc
 
+        !> Frees a table.
         subroutine gsl_integration_glfixed_table_free(table) bind(C)
             import :: c_ptr
             type(c_ptr), value :: table
         end subroutine gsl_integration_glfixed_table_free
 
+        !> Node and weight i, from 0, on [a, b].
         function gsl_integration_glfixed_point(a, b, i, xi, wi, table) result(status) bind(C)
             import :: c_double, c_int, c_ptr, c_size_t
             real(c_double), value :: a, b
@@ -53,17 +57,20 @@ module mdrcontact_gsl
             integer(c_int) :: status
         end function gsl_integration_glfixed_point
 
+        !> A solver of the given kind; null without memory.
         function gsl_root_fsolver_alloc(kind) result(solver) bind(C)
             import :: c_ptr
             type(c_ptr), value :: kind
             type(c_ptr) :: solver
         end function gsl_root_fsolver_alloc
 
+        !> Frees a solver.
         subroutine gsl_root_fsolver_free(solver) bind(C)
             import :: c_ptr
             type(c_ptr), value :: solver
         end subroutine gsl_root_fsolver_free
 
+        !> Sets function and bracket.
         function gsl_root_fsolver_set(solver, f, lower, upper) result(status) bind(C)
             import :: c_double, c_int, c_ptr, gsl_function
             type(c_ptr), value :: solver
@@ -72,36 +79,42 @@ module mdrcontact_gsl
             integer(c_int) :: status
         end function gsl_root_fsolver_set
 
+        !> One step.
         function gsl_root_fsolver_iterate(solver) result(status) bind(C)
             import :: c_int, c_ptr
             type(c_ptr), value :: solver
             integer(c_int) :: status
         end function gsl_root_fsolver_iterate
 
+        !> The present estimate.
         function gsl_root_fsolver_root(solver) result(root) bind(C)
             import :: c_double, c_ptr
             type(c_ptr), value :: solver
             real(c_double) :: root
         end function gsl_root_fsolver_root
 
+        !> Lower end of the present bracket.
         function gsl_root_fsolver_x_lower(solver) result(x) bind(C)
             import :: c_double, c_ptr
             type(c_ptr), value :: solver
             real(c_double) :: x
         end function gsl_root_fsolver_x_lower
 
+        !> Upper end of the present bracket.
         function gsl_root_fsolver_x_upper(solver) result(x) bind(C)
             import :: c_double, c_ptr
             type(c_ptr), value :: solver
             real(c_double) :: x
         end function gsl_root_fsolver_x_upper
 
+        !> Whether a bracket is short enough: gsl_success, or "go on".
         function gsl_root_test_interval(lower, upper, epsabs, epsrel) result(status) bind(C)
             import :: c_double, c_int
             real(c_double), value :: lower, upper, epsabs, epsrel
             integer(c_int) :: status
         end function gsl_root_test_interval
 
+        !> An interpolation of n points; null without memory.
         function gsl_spline_alloc(kind, n) result(spline) bind(C)
             import :: c_ptr, c_size_t
             type(c_ptr), value :: kind
@@ -109,6 +122,7 @@ module mdrcontact_gsl
             type(c_ptr) :: spline
         end function gsl_spline_alloc
 
+        !> Interpolates the points (x, y).
         function gsl_spline_init(spline, x, y, n) result(status) bind(C)
             import :: c_double, c_int, c_ptr, c_size_t
             type(c_ptr), value :: spline
@@ -117,11 +131,13 @@ module mdrcontact_gsl
             integer(c_int) :: status
         end function gsl_spline_init
 
+        !> Frees an interpolation.
         subroutine gsl_spline_free(spline) bind(C)
             import :: c_ptr
             type(c_ptr), value :: spline
         end subroutine gsl_spline_free
 
+        !> The derivative at x; a null accelerator is allowed.
         function gsl_spline_eval_deriv(spline, x, accelerator) result(slope) bind(C)
             import :: c_double, c_ptr
             type(c_ptr), value :: spline

@@ -10,7 +10,9 @@ module mdrcontact_kinds
     integer, parameter :: wp = real64
     !> At least three digits more, for sums that cancel: the x87 format where there is one.
     integer, parameter :: long = selected_real_kind(18)
+    !> The ratio of a circle's circumference to its diameter.
     real(wp), parameter :: pi = 3.141592653589793238462643383279502884_wp
+    !> A right angle [radian].
     real(wp), parameter :: half_pi = 0.5_wp*pi
 
 end module mdrcontact_kinds

@@ -4,9 +4,10 @@ module mdrcontact_lapack
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: dgemm, dpotrf, dpotrs, dsyev
+    public :: dgemm, dgemv, dpotrf, dpotrs, dsyev
 
     interface
+        !> Cholesky factor of a symmetric positive definite matrix.
         subroutine dpotrf(uplo, n, a, lda, info)
             import :: wp
             character(len=1), intent(in) :: uplo
@@ -15,6 +16,7 @@ module mdrcontact_lapack
             integer, intent(out) :: info
         end subroutine dpotrf
 
+        !> Solves with the factor of dpotrf.
         subroutine dpotrs(uplo, n, nrhs, a, lda, b, ldb, info)
             import :: wp
             character(len=1), intent(in) :: uplo
@@ -24,6 +26,7 @@ module mdrcontact_lapack
             integer, intent(out) :: info
         end subroutine dpotrs
 
+        !> Eigenvalues, ascending, and eigenvectors of a symmetric matrix.
         subroutine dsyev(jobz, uplo, n, a, lda, w, work, lwork, info)
             import :: wp
             character(len=1), intent(in) :: jobz, uplo
@@ -33,6 +36,7 @@ module mdrcontact_lapack
             integer, intent(out) :: info
         end subroutine dsyev
 
+        !> Product of matrices, alpha A B + beta C.
         subroutine dgemm(transa, transb, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc)
             import :: wp
             character(len=1), intent(in) :: transa, transb
@@ -40,6 +44,14 @@ module mdrcontact_lapack
             real(wp), intent(in) :: alpha, beta, a(lda, *), b(ldb, *)
             real(wp), intent(inout) :: c(ldc, *)
         end subroutine dgemm
+
+        subroutine dgemv(trans, m, n, alpha, a, lda, x, incx, beta, y, incy)
+            import :: wp
+            character(len=1), intent(in) :: trans
+            integer, intent(in) :: m, n, lda, incx, incy
+            real(wp), intent(in) :: alpha, beta, a(lda, *), x(*)
+            real(wp), intent(inout) :: y(*)
+        end subroutine dgemv
     end interface
 
 end module mdrcontact_lapack

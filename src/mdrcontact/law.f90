@@ -25,6 +25,7 @@ module mdrcontact_law
     public :: check_branch, check_below, lowest_force
     public :: default_law_tolerance
 
+    !> Relative tolerance of a law for which none is asked for.
     real(wp), parameter :: default_law_tolerance = 1.0e-9_wp
     real(wp), parameter :: smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
     !> Decades of depth below the largest, where none are asked for.
@@ -42,12 +43,15 @@ module mdrcontact_law
         character(len=:), allocatable :: description
     end type law_options_t
 
+    !> A compiled law. It never changes.
     type :: contact_law_t
+        !> F, a, k from the depth, and d, a, k from the force; `lowest` and `highest` are the ends of the range
         type(law_table_t) :: by_depth, by_force
         !> asked for, and the largest error found on verification
         real(wp) :: tolerance = 0.0_wp, error = 0.0_wp
         !> contact states computed to make and to verify it
         integer :: solutions = 0
+        !> the problem in words, as given in the options
         character(len=:), allocatable :: description
     contains
         procedure :: at_depth

@@ -7,6 +7,7 @@ module mdrcontact_material
     private
     public :: material_t, new_material
 
+    !> E and nu, checked when it is made.
     type :: material_t
         !> Young's modulus E > 0 [modulus]
         real(wp) :: young = 0.0_wp
@@ -22,8 +23,10 @@ contains
     !> A material of Young's modulus E and Poisson's ratio nu. `role` names the body in an error message ("coating", ...).
     pure subroutine new_material(self, young, poisson, error, role)
         type(material_t), intent(out) :: self
+        !> E > 0 [modulus], and -1 < nu <= 1/2 [1]
         real(wp), intent(in) :: young, poisson
         type(error_t), allocatable, intent(out) :: error
+        !> what the body is called in an error message
         character(len=*), intent(in), optional :: role
         character(len=:), allocatable :: prefix
 

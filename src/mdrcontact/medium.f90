@@ -31,6 +31,8 @@ module mdrcontact_medium
         procedure(field), deferred :: displacement_outside
         !> depth alone [length]; a medium that finds it without the force overrides it
         procedure :: first_touch_depth
+        !> d'(a) of first touch [1] where the medium knows it without solving anything; negative if it does not
+        procedure :: first_touch_slope => unknown_slope
         !> depth, force, modulus and its slope at one radius; a medium that finds them together overrides it
         procedure :: response
         !> whether the medium meets an adhesive edge exactly, with the energy balance; otherwise the rule is a choice (theory 5)
@@ -56,7 +58,9 @@ module mdrcontact_medium
             import :: error_t, medium_t, profile_t, wp
             class(medium_t), intent(in) :: self
             class(profile_t), intent(in) :: profile
+            !> contact radius [length]
             real(wp), intent(in) :: a
+            !> d [length] and F [modulus length^2]
             real(wp), intent(out) :: depth, force
             type(error_t), allocatable, intent(out) :: error
         end subroutine first_touch
@@ -80,7 +84,9 @@ contains
     subroutine first_touch_depth(self, profile, a, value, error)
         class(medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
+        !> contact radius [length]
         real(wp), intent(in) :: a
+        !> depth of the contact without adhesion [length]
         real(wp), intent(out) :: value
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: force
@@ -91,7 +97,9 @@ contains
     subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
         class(medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
+        !> contact radius [length]
         real(wp), intent(in) :: a
+        !> without adhesion: d [length], F [modulus length^2], E_eff [modulus] and dE_eff/da [modulus/length]
         real(wp), intent(out) :: depth, force, modulus, modulus_slope
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: value(1), slope(1)
@@ -105,6 +113,17 @@ contains
         modulus = value(1)
         modulus_slope = slope(1)
     end subroutine response
+
+    pure function unknown_slope(self, profile, a) result(slope)
+        class(medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp) :: slope
+
+        associate (unused => self, also_unused => profile, unused_too => a)
+        end associate
+        slope = -1.0_wp
+    end function unknown_slope
 
     pure function no(self) result(answer)
         class(medium_t), intent(in) :: self

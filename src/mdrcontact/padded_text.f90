@@ -11,6 +11,7 @@ module mdrcontact_padded_text
 
 contains
 
+    !> A count as text.
     pure function padded_count(count) result(text)
         integer, intent(in) :: count
         character(len=12) :: text

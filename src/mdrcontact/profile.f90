@@ -44,6 +44,7 @@ module mdrcontact_profile
         elemental function radial_function(self, x) result(y)
             import :: profile_t, wp
             class(profile_t), intent(in) :: self
+            !> distance from the axis, 0 <= x <= largest_radius() [length]
             real(wp), intent(in) :: x
             real(wp) :: y
         end function radial_function
@@ -89,6 +90,7 @@ contains
 
     pure function no_inverse(self, depth) result(radius)
         class(profile_t), intent(in) :: self
+        !> d >= 0 [length]
         real(wp), intent(in) :: depth
         real(wp) :: radius
 

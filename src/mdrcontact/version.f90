@@ -6,9 +6,13 @@ module mdrcontact_version
     private
     public :: version_major, version_minor, version_patch, version_string
 
+    !> Changes when programs must be changed.
     integer, parameter :: version_major = 0
+    !> Changes with new functions.
     integer, parameter :: version_minor = 1
+    !> Changes with repairs.
     integer, parameter :: version_patch = 0
+    !> The three numbers as text.
     character(len=*), parameter :: version_string = "0.1.0"
 
 end module mdrcontact_version

@@ -84,9 +84,52 @@ static void depth_of_first_touch(void)
     CHECK_SUCCESS(mdr_medium_free(&m));
 }
 
+/* A table with a step is a coating, at every radius from the surface's to many times the film's thickness. */
+static void graded_bodies(void)
+{
+    const double z[4] = {0.0, 0.3, 0.3 + 1e-10, 2.0}, E[4] = {5.0, 5.0, 1.0, 1.0}, nu[4] = {0.2, 0.2, 0.4, 0.4};
+    const double a[6] = {1e-4, 0.03, 0.3, 3.0, 100.0, 1e5};
+    double found[6], expected[6], d[2], F[2];
+    mdr_medium *graded = NULL, *coated = NULL;
+    mdr_profile *p = NULL;
+    mdr_contact *c = NULL;
+
+    CHECK_SUCCESS(mdr_medium_graded(4, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
+    CHECK_SUCCESS(mdr_medium_coated(5.0, 0.2, 0.3, 1.0, 0.4, MDR_MODEL_EXACT, NULL, &coated));
+    CHECK_SUCCESS(mdr_medium_modulus(graded, 6, a, found));
+    CHECK_SUCCESS(mdr_medium_modulus(coated, 6, a, expected));
+    for (int i = 0; i < 6; i++) CHECK_CLOSE(found[i], expected[i], 1e-8);
+    CHECK_SUCCESS(mdr_profile_sphere(10.0, &p));
+    for (int i = 0; i < 2; i++) {
+        CHECK_SUCCESS(mdr_contact_new(p, i == 0 ? graded : coated, NULL, &c));
+        CHECK_SUCCESS(mdr_contact_from_radius(c, 1, a + 3, d + i, NULL, F + i, NULL));
+        CHECK_SUCCESS(mdr_contact_free(&c));
+    }
+    CHECK_CLOSE(d[0], d[1], 1e-8);
+    CHECK_CLOSE(F[0], F[1], 1e-8);
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&graded));
+    CHECK_SUCCESS(mdr_medium_free(&coated));
+}
+
+/* Layers of one material are a half-space, whatever the unit of length. */
+static void one_material(void)
+{
+    const double a[5] = {1e-50, 1e-9, 1.0, 1e7, 1e99};
+    double found[5];
+    mdr_medium *m = NULL;
+
+    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1e-3, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_modulus(m, 5, a, found));
+    for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], 2.0 / 0.91, 1e-14);
+    CHECK_SUCCESS(mdr_medium_free(&m));
+}
+
 int main(void)
 {
     refusals();
+    graded_bodies();
+    one_material();
     rigid_base();
     degenerate_stacks();
     depth_of_first_touch();

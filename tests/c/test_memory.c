@@ -50,9 +50,10 @@ int main(void)
     CHECK_STATUS(mdr_contact_pressure(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_line_load(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_displacement(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_profile_height(p, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_coated_cone_force(COUNT, in, 0.2, 1.0, 2.0, 1.0, out), MDR_ENOMEMORY, "not enough memory");
     for (int i = 0; i < COUNT; i += 1000) CHECK_CLOSE(out[i], untouched, 0.0);
-    /* these need no memory of the array's size */
-    CHECK_SUCCESS(mdr_profile_height(p, COUNT, in, out));
+    /* this needs no memory of the array's size */
     CHECK_SUCCESS(mdr_weight_i0(COUNT, in, 0.3, out));
     grant_all_requests();
 

@@ -14,7 +14,7 @@ typedef struct shared {
     mdr_law *law;
     mdr_structure *shapes, *voxels;
     mdr_fit_problem fit;
-    mdr_fit_parameter parameters[9];
+    mdr_fit_parameter parameters[8];
 } shared;
 
 typedef struct task {
@@ -54,7 +54,7 @@ static void evaluate_contact(task *t, const mdr_contact *contact)
 static void evaluate_fit(task *t, const mdr_fit_problem *problem)
 {
     static const double depth[FIT_POINTS] = {0.1, 0.2, 0.3, 0.4};
-    double force[FIT_POINTS], values[9];
+    double force[FIT_POINTS], values[8];
     tell(t, mdr_fit_predict(problem, FIT_POINTS, depth, depth, NULL, force));
     tell(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, next(t, FIT_POINTS), NULL, NULL));
 }
@@ -112,10 +112,10 @@ static void make_structures(shared *s)
     CHECK_SUCCESS(mdr_structure_voxels(size, labels, PHASES, E, nu, spacing, 1.0, 0.3, NULL, &s->voxels));
 }
 
-/* A homogeneous body under a paraboloid, its modulus free. */
+/* A stack under a paraboloid of free radius, on a rigid and exact instrument. */
 static void make_fit(shared *s)
 {
-    const double values[9] = {1.0, 1.5, 0.3, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75};
+    static const double values[8] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0};
     int count = 0;
 
     mdr_fit_problem_init(&s->fit);
@@ -125,13 +125,7 @@ static void make_fit(shared *s)
     s->fit.medium_object = s->media[1];
     CHECK_SUCCESS(mdr_fit_parameter_count(&s->fit, &count));
     CHECK_INT(count, 8);
-    for (int i = 0; i < count; i++) s->parameters[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, 0};
-    s->parameters[1].value = 0.0;
-    s->parameters[2].value = 0.0;
-    s->parameters[5].value = INFINITY;
-    s->parameters[6].value = 0.75;
-    s->parameters[7].value = 1.0;
-    s->parameters[0].is_free = 1;
+    for (int i = 0; i < 8; i++) s->parameters[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, i == 0};
     s->fit.parameters = s->parameters;
     s->fit.parameter_count = count;
 }

@@ -11,7 +11,8 @@ endfunction()
 
 # The programs print a line that says which result they checked.
 function(run_checked program)
-  run(${CMAKE_COMMAND} -E env "LD_LIBRARY_PATH=${prefix}/${lib_dir}" "${program}")
+  run(${CMAKE_COMMAND} -E env "LD_LIBRARY_PATH=${prefix}/${lib_dir}"
+      "DYLD_LIBRARY_PATH=${prefix}/${lib_dir}" "${program}")
   if(NOT output MATCHES "checks passed")
     message(FATAL_ERROR "${program} printed: ${output}")
   endif()

@@ -1,14 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The header's macros and fpm.toml against the project's version.
+# The header's macros, fpm.toml, CITATION.cff and the newest heading of CHANGELOG.md against the project's version.
 string(REPLACE "." ";" parts "${version}")
-file(READ "${source_dir}/include/mdrcontact.h" header)
+string(REPLACE "." "\\." pattern "${version}")
+
+# expect(file wanted): the file has a line that matches.
+function(expect file wanted)
+  file(READ "${source_dir}/${file}" text)
+  if(NOT "\n${text}" MATCHES "\n${wanted}\n")
+    message(FATAL_ERROR "${file}: no line ${wanted}; the version is ${version}")
+  endif()
+endfunction()
+
 foreach(name IN ITEMS MAJOR MINOR PATCH)
   list(POP_FRONT parts part)
-  if(NOT header MATCHES "#define MDR_VERSION_${name} ${part}\n")
-    message(FATAL_ERROR "mdrcontact.h: MDR_VERSION_${name} is not ${part}")
-  endif()
+  expect(include/mdrcontact.h "#define MDR_VERSION_${name} ${part}")
 endforeach()
-file(READ "${source_dir}/fpm.toml" manifest)
-if(NOT manifest MATCHES "\nversion = \"${version}\"\n")
-  message(FATAL_ERROR "fpm.toml: version is not ${version}")
+expect(fpm.toml "version = \"${pattern}\"")
+expect(CITATION.cff "version: ${pattern}")
+
+file(STRINGS "${source_dir}/CHANGELOG.md" headings REGEX "^## ")
+list(GET headings 0 newest)
+if(NOT newest MATCHES "^## \\[${pattern}\\] - (unreleased|[0-9][0-9][0-9][0-9]-[0-9][0-9]-[0-9][0-9])$")
+  message(FATAL_ERROR "CHANGELOG.md: the newest heading is \"${newest}\"; the version is ${version}")
 endif()

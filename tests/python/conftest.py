@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import os
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -91,3 +94,27 @@ def rising_modulus(z: float) -> float:
 def coated() -> mdr.Contact:
     """A sphere on an oxide on silicon."""
     return mdr.Contact(mdr.Sphere(10e-6), mdr.Coated(OXIDE, 500e-9, SILICON))
+
+
+def run(command, folder):
+    """Runs a command that must succeed; returns what it prints."""
+    done = subprocess.run([str(word) for word in command], cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="session")
+def installed(tmp_path_factory):
+    """The library as its users have it: in $MDRCONTACT_PREFIX if the caller has installed it, else built and installed here."""
+    if "MDRCONTACT_PREFIX" in os.environ:
+        return Path(os.environ["MDRCONTACT_PREFIX"])
+    if not shutil.which("cmake") or not shutil.which("gfortran"):
+        pytest.skip("needs cmake and gfortran, or MDRCONTACT_PREFIX")
+    folder = tmp_path_factory.mktemp("library")
+    build, prefix = folder / "build", folder / "prefix"
+    options = ["-DMDRCONTACT_BUILD_TESTS=OFF", "-DMDRCONTACT_BUILD_EXAMPLES=OFF", f"-DCMAKE_INSTALL_PREFIX={prefix}"]
+    generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+    run(["cmake", "-S", ROOT, "-B", build, *generator, "-DCMAKE_BUILD_TYPE=Release", *options], folder)
+    run(["cmake", "--build", build, "--parallel", "2"], folder)
+    run(["cmake", "--install", build], folder)
+    return prefix

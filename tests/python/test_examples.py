@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every Python example runs and draws; every code block of README.md does what README.md says."""
 
-import os
 import re
-import shutil
-import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ELASTIC_MODELS, ROOT
+from conftest import ELASTIC_MODELS, ROOT, run
 
 import mdrcontact as mdr
 from mdrcontact.problem import load
@@ -27,17 +23,9 @@ def _block(language):
     return blocks[0]
 
 
-def _run(command, folder, **environment):
-    done = subprocess.run(
-        [str(word) for word in command], cwd=folder, capture_output=True, text=True, check=False, env={**os.environ, **environment}
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
-
-
 @pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
 def test_scripts(script, tmp_path):
-    out = _run([sys.executable, "-W", "error", script], tmp_path)
+    out = run([sys.executable, "-W", "error", script], tmp_path)
     figure = tmp_path / f"{script.stem}.png"
     assert f"written: {figure.name}" in out
     assert figure.read_bytes()[:8] == b"\x89PNG\r\n\x1a\n" and figure.stat().st_size > 20_000
@@ -48,7 +36,7 @@ def test_readme_says_what_its_examples_print():
 
 
 def test_readme_python(tmp_path):
-    out = _run([sys.executable, "-c", _block("python")], tmp_path)
+    out = run([sys.executable, "-c", _block("python")], tmp_path)
     numbers = {line.split(":")[0]: line.split(":")[1].strip(" []").split() for line in out.splitlines()}
     assert float(numbers["F [mN]"][-1]) == pytest.approx(FORCE, abs=0.005)
     assert float(numbers["a [nm]"][-1]) == pytest.approx(RADIUS, abs=0.05)
@@ -75,23 +63,6 @@ def test_readme_table_of_errors():
             assert 100 * max(errors, key=abs) == pytest.approx(float(words), abs=0.501), (model, ratio)
 
 
-@pytest.fixture(scope="module")
-def installed(tmp_path_factory):
-    """The library as its users have it: in $MDRCONTACT_PREFIX if the caller has installed it, else built and installed here."""
-    if "MDRCONTACT_PREFIX" in os.environ:
-        return Path(os.environ["MDRCONTACT_PREFIX"])
-    if not shutil.which("cmake") or not shutil.which("gfortran"):
-        pytest.skip("needs cmake and gfortran, or MDRCONTACT_PREFIX")
-    folder = tmp_path_factory.mktemp("library")
-    build, prefix = folder / "build", folder / "prefix"
-    options = ["-DMDRCONTACT_BUILD_TESTS=OFF", "-DMDRCONTACT_BUILD_EXAMPLES=OFF", f"-DCMAKE_INSTALL_PREFIX={prefix}"]
-    generator = ["-G", "Ninja"] if shutil.which("ninja") else []
-    _run(["cmake", "-S", ROOT, "-B", build, *generator, "-DCMAKE_BUILD_TYPE=Release", *options], folder)
-    _run(["cmake", "--build", build, "--parallel", "2"], folder)
-    _run(["cmake", "--install", build], folder)
-    return prefix
-
-
 @pytest.mark.parametrize(("language", "suffix"), [("fortran", "f90"), ("c", "c")])
 def test_readme_compiled_examples(installed, tmp_path, language, suffix):
     (tmp_path / f"example.{suffix}").write_text(_block(language), encoding="utf-8")
@@ -101,9 +72,9 @@ def test_readme_compiled_examples(installed, tmp_path, language, suffix):
         "target_link_libraries(example PRIVATE mdrcontact::mdrcontact)\n",
         encoding="utf-8",
     )
-    _run(["cmake", "-S", ".", "-B", "build", f"-DCMAKE_PREFIX_PATH={installed}"], tmp_path)
-    _run(["cmake", "--build", "build"], tmp_path)
-    out = _run([tmp_path / "build" / "example"], tmp_path)
+    run(["cmake", "-S", ".", "-B", "build", f"-DCMAKE_PREFIX_PATH={installed}"], tmp_path)
+    run(["cmake", "--build", "build"], tmp_path)
+    out = run([tmp_path / "build" / "example"], tmp_path)
     found = re.fullmatch(r"F = +([\d.]+) mN, a = +([\d.]+) nm\n", out)
     assert found, out
     assert float(found[1]) == pytest.approx(FORCE, abs=0.005)

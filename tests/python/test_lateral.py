@@ -2,6 +2,7 @@
 """Laterally heterogeneous structures from Python: descriptions against each other, maps against points, energy against force."""
 
 import pickle
+import sys
 
 import numpy as np
 import pytest
@@ -300,13 +301,15 @@ def test_memory_limit_of_the_command(tmp_path, capsys):
     assert "memory_limit" in capsys.readouterr().err
 
 
-def test_blocks_of_the_manual_run():
-    import re
-
-    from conftest import ROOT
-
-    text = (ROOT / "docs" / "lateral.md").read_text(encoding="utf-8")
-    blocks = re.findall(r"^```python\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
-    assert len(blocks) == 3
-    for block in blocks:
-        exec(compile(block, "docs/lateral.md", "exec"), {})
+def test_without_scipy_the_words_say_what_to_install(monkeypatch):
+    matrix, glass = mdr.Elastic(3e9, 0.35), mdr.Elastic(6e9, 0.3)
+    voxels = lateral.Voxels(np.eye(4, dtype=int)[None], [matrix, glass], spacing=1e-6)
+    padded = lateral.Voxels(np.eye(4, dtype=int)[None], [matrix, glass], spacing=1e-6, beside=matrix)
+    monkeypatch.setitem(sys.modules, "scipy", None)
+    for call in (
+        lambda: lateral.effective_map(voxels, [1e-6]),
+        lambda: lateral.effective_map(padded, [1e-6]),
+        lambda: lateral.slide(voxels, mdr.Sphere(1e-5), np.linspace(0.0, 1e-6, 5), depth=1e-9),
+    ):
+        with pytest.raises(mdr.MDRError, match=r"mdrcontact\[map\]"):
+            call()

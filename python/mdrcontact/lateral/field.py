@@ -47,7 +47,7 @@ class Field(Structure):
             raise CallbackError("the function of the structure must return finite E > 0 and -1 < nu <= 0.5")
         return E, nu
 
-    def _values(self, x: Any, y: Any, a: Any) -> Any:
+    def _values(self, x: Any, y: Any, a: Any, threads: int) -> Any:
         if not (np.all(np.isfinite(x)) and np.all(np.isfinite(y)) and np.all(np.isfinite(a)) and np.all(a > 0.0)):
             raise InvalidArgumentError("x, y and a must be finite, and a greater than 0")
         values = np.empty(len(x))

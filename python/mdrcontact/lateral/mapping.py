@@ -15,8 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
 from .._boundary import check, row
-from ..errors import ArgumentTypeError, InvalidArgumentError, MDRError, OutOfMemoryError
+from ..errors import ArgumentTypeError, InvalidArgumentError, OutOfMemoryError
 from ..weights import weight_j0, weight_j1
+from . import _scipy
 from .structure import shear
 from .voxels import Voxels
 
@@ -122,6 +123,7 @@ def weight_beyond(a: float, distance: float, depth: float = np.inf, nu: float = 
 
 def _convolve(job: _Job, radii: Array, workers: int, progress: bool) -> Array:
     """E_eff at all cells of the job: (radii, ny, nx)."""
+    _scipy.require()
     import scipy.fft
 
     voxels = job.voxels
@@ -190,10 +192,9 @@ def _sizes(shape: tuple[int, int], periodic: bool) -> tuple[int, int]:
     """Sizes of the transforms."""
     if periodic:
         return shape
-    try:
-        import scipy.fft
-    except ImportError as problem:
-        raise MDRError('maps need SciPy: pip install "mdrcontact[map]"') from problem
+    _scipy.require()
+    import scipy.fft
+
     return scipy.fft.next_fast_len(2 * shape[0] - 1, True), scipy.fft.next_fast_len(2 * shape[1] - 1, True)
 
 

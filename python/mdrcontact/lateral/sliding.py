@@ -14,6 +14,7 @@ from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from ..medium import Homogeneous, TabulatedMedium
 from ..profile import Profile
+from . import _scipy
 from .mapping import effective_map
 from .structure import Structure
 from .voxels import Voxels
@@ -97,6 +98,7 @@ def slide(
     periodic : x is one period without its end, evenly spaced; the spline is then periodic
     points : radii at which E_eff is sampled, over a factor of 1000 up to the largest contact radius
     """
+    _scipy.require()
     from scipy.interpolate import CubicSpline
 
     places = numbers("x", x)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _native
-from .._boundary import FloatOrArray, Handle, check, numbers
+from .._boundary import FloatOrArray, Handle, check, numbers, thread_count
 from .._described import Described
 from ..material import Elastic
 
@@ -22,20 +22,22 @@ class Structure(Described):
     def _own_structure(self, created: tuple[int, int]) -> None:
         object.__setattr__(self, "_structure", Handle(created, _native.structure_free))
 
-    def modulus(self, x: ArrayLike, y: ArrayLike, a: ArrayLike) -> FloatOrArray:
+    def modulus(self, x: ArrayLike, y: ArrayLike, a: ArrayLike, *, threads: int = 1) -> FloatOrArray:
         """E_eff(a, x, y) = 2 G_eff/(1 - nu_eff) [pressure], equation (33), for contacts of radius a > 0 at (x, y) [length].
 
         The three broadcast: a line is x = array, y = 0; several radii at each of its points are a[:, None].
+        threads : see `Contact`; a structure that is a Python function (`Field`) stays on one
         """
         points = np.broadcast_arrays(numbers("x", x), numbers("y", y), numbers("a", a))
         shape = points[0].shape
         if not points[0].size:
             return np.empty(shape)
-        values = self._values(*(np.ascontiguousarray(p, dtype=np.float64).ravel() for p in points))
+        px, py, pa = (np.ascontiguousarray(p, dtype=np.float64).ravel() for p in points)
+        values = self._values(px, py, pa, thread_count(threads))
         return values.reshape(shape) if shape else float(values[0])
 
-    def _values(self, x: Any, y: Any, a: Any) -> Any:
-        values, status = _native.structure_modulus(self._structure.address, x, y, a)
+    def _values(self, x: Any, y: Any, a: Any, threads: int) -> Any:
+        values, status = _native.structure_modulus(threads, self._structure.address, x, y, a)
         check(status)
         return values
 

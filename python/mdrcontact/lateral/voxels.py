@@ -108,7 +108,7 @@ class Voxels(Structure):
         shares: NDArray[np.float64] = self._counts / self._counts.sum(axis=1, keepdims=True)
         return shares
 
-    def _values(self, x: Any, y: Any, a: Any) -> Any:
+    def _values(self, x: Any, y: Any, a: Any, threads: int) -> Any:
         # the library's own copy of the array is made for the first point: maps do not need it
         if "_structure" not in self.__dict__:
             padded = self.beside != "periodic"
@@ -123,7 +123,7 @@ class Voxels(Structure):
                     list(self.origin),
                 )  # fmt: skip
             )
-        return super()._values(x, y, a)
+        return super()._values(x, y, a, threads)
 
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other):

@@ -9,20 +9,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
-from .._boundary import check, number, numbers
+from .._boundary import check, number, numbers, thread_count
 from ..errors import InvalidArgumentError
 
 
-def density(rho: ArrayLike, z: ArrayLike, nu: float = 0.5) -> tuple[Any, Any]:
+def density(rho: ArrayLike, z: ArrayLike, nu: float = 0.5, *, threads: int = 1) -> tuple[Any, Any]:
     """Weights of G (at constant nu) and of nu at distance rho from the axis and depth z, both >= 0 in units of a; they broadcast.
 
     nu : Poisson's ratio of the reference medium. Each weight has the integral 1 over the half-space; over a plane z it is
     dI0/dz and dI1/dz of theory 3. Infinite at the edge of the contact, rho = 1, z = 0.
+    threads : for arrays, see `Contact`
     """
     r, d = np.broadcast_arrays(numbers("rho", rho), numbers("z", z))
     if not r.size:
         return np.empty(r.shape), np.empty(r.shape)
-    shear, poisson, status = _native.lateral_density(r.ravel(), d.ravel(), number("nu", nu))
+    shear, poisson, status = _native.lateral_density(thread_count(threads), r.ravel(), d.ravel(), number("nu", nu))
     check(status)
     if not r.shape:
         return float(shear[0]), float(poisson[0])

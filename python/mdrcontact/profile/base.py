@@ -8,7 +8,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from .. import _native
-from .._boundary import FloatOrArray, Handle, evaluate
+from .._boundary import FloatOrArray, Handle, evaluate, thread_count
 from .._described import Described
 from ..errors import ArgumentTypeError, InvalidArgumentError
 
@@ -18,6 +18,8 @@ class Profile(Described):
 
     Lengths are in the unit of length of the whole problem. Profiles add: `Cone(...) + Paraboloid(...)`. They never change and may
     be shared between threads.
+
+    threads : for arrays, see `Contact`
     """
 
     _handle: Handle
@@ -27,21 +29,21 @@ class Profile(Described):
         object.__setattr__(self, "_handle", Handle(created, _native.profile_free))
         self._describe(**arguments)
 
-    def height(self, r: ArrayLike) -> FloatOrArray:
+    def height(self, r: ArrayLike, *, threads: int = 1) -> FloatOrArray:
         """f(r) [length] at radii r >= 0 [length], any shape."""
-        return evaluate(_native.profile_height, self._handle.address, name="r", values=r)
+        return evaluate(_native.profile_height, thread_count(threads), self._handle.address, name="r", values=r)
 
-    def slope(self, r: ArrayLike) -> FloatOrArray:
+    def slope(self, r: ArrayLike, *, threads: int = 1) -> FloatOrArray:
         """f'(r) [1] at radii r >= 0 [length], any shape."""
-        return evaluate(_native.profile_slope, self._handle.address, name="r", values=r)
+        return evaluate(_native.profile_slope, thread_count(threads), self._handle.address, name="r", values=r)
 
-    def mdr(self, x: ArrayLike) -> FloatOrArray:
+    def mdr(self, x: ArrayLike, *, threads: int = 1) -> FloatOrArray:
         """g(x) [length], equation (3), at positions x >= 0 [length], any shape."""
-        return evaluate(_native.profile_mdr, self._handle.address, name="x", values=x)
+        return evaluate(_native.profile_mdr, thread_count(threads), self._handle.address, name="x", values=x)
 
-    def mdr_slope(self, x: ArrayLike) -> FloatOrArray:
+    def mdr_slope(self, x: ArrayLike, *, threads: int = 1) -> FloatOrArray:
         """g'(x) [1] at positions x >= 0 [length], any shape."""
-        return evaluate(_native.profile_mdr_slope, self._handle.address, name="x", values=x)
+        return evaluate(_native.profile_mdr_slope, thread_count(threads), self._handle.address, name="x", values=x)
 
     def __add__(self, other: object) -> SumProfile:
         if not isinstance(other, Profile):

@@ -48,7 +48,7 @@ class CubeCorner(_Pyramid):
 class AreaFunction(Profile):
     """A calibrated tip by its area function A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., A = pi r^2.
 
-    coefficients : C0, C1, ... [length^2, length^1.. as above]; A must grow with f between min_height and max_height
+    coefficients : C0 [1], C1 [length], C2 [length^(3/2)], ...; A must grow with f between min_height and max_height
     max_height : f up to which the calibration holds [length], > 0
     min_height : below it A is continued linearly to 0 [length]; 0: the calibration holds from the apex on
     """

@@ -5,8 +5,8 @@ module mdrcontact_c_lateral
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     implicit none (type, external)
     private
-    public :: structure_options_t, mdr_structure_options_init, mdr_structure_shapes, mdr_structure_voxels, mdr_structure_modulus, &
-              mdr_structure_free, mdr_lateral_density, mdr_lateral_cells, mdr_lateral_rule
+    public :: structure_options_t, mdr_structure_options_init, mdr_structure_shapes, mdr_structure_voxels, &
+              mdr_structure_modulus_threads, mdr_structure_free, mdr_lateral_density_threads, mdr_lateral_cells, mdr_lateral_rule
 
     !> struct mdr_structure_options
     type, bind(C) :: structure_options_t
@@ -47,15 +47,15 @@ module mdrcontact_c_lateral
             integer(c_int) :: status
         end function mdr_structure_voxels
 
-        function mdr_structure_modulus(s, n, x, y, a, values) result(status) bind(C)
+        function mdr_structure_modulus_threads(s, n, x, y, a, values, threads) result(status) bind(C)
             import :: c_double, c_int, c_ptr
             implicit none (type, external)
             type(c_ptr), value :: s
-            integer(c_int), value :: n
+            integer(c_int), value :: n, threads
             real(c_double), intent(in) :: x(*), y(*), a(*)
             real(c_double), intent(inout) :: values(*)
             integer(c_int) :: status
-        end function mdr_structure_modulus
+        end function mdr_structure_modulus_threads
 
         function mdr_structure_free(s) result(status) bind(C)
             import :: c_int, c_ptr
@@ -64,15 +64,15 @@ module mdrcontact_c_lateral
             integer(c_int) :: status
         end function mdr_structure_free
 
-        function mdr_lateral_density(n, rho, z, nu, shear, poisson) result(status) bind(C)
+        function mdr_lateral_density_threads(n, rho, z, nu, shear, poisson, threads) result(status) bind(C)
             import :: c_double, c_int
             implicit none (type, external)
-            integer(c_int), value :: n
+            integer(c_int), value :: n, threads
             real(c_double), intent(in) :: rho(*), z(*)
             real(c_double), value :: nu
             real(c_double), intent(inout) :: shear(*), poisson(*)
             integer(c_int) :: status
-        end function mdr_lateral_density
+        end function mdr_lateral_density_threads
 
         function mdr_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson) result(status) bind(C)
             import :: c_double, c_int

@@ -5,10 +5,12 @@ module mdrcontact_api_contact
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive
     use mdrcontact_api_handles, only: deliver_contact, open_contact, open_medium, open_profile
     use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_batch, only: check_threads
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_values, only: states_from_depth, states_from_force, states_from_radius
     use mdrcontact_equilibrium, only: adhesion_automatic
-    use mdrcontact_error, only: check_table, count_text, entry_name, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_table, count_text, error_invalid, error_t, raise
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_radius_law, only: new_radius_law_from_table, radius_law_t
@@ -17,6 +19,7 @@ module mdrcontact_api_contact
     public :: c_contact_options_t, mdr_contact_options_init, mdr_contact_new
     public :: mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius
     public :: mdr_contact_from_depth_on, mdr_contact_from_force_on
+    public :: mdr_contact_from_depth_on_threads, mdr_contact_from_force_on_threads, mdr_contact_from_radius_threads
 
     !> struct mdr_contact_options
     type, bind(C) :: c_contact_options_t
@@ -90,7 +93,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_depth, n, in, d, a, f, k, on_unloading)
+        status = write_states(c, by_depth, n, in, d, a, f, k, on_unloading, 1_c_int)
     end function mdr_contact_from_depth
 
     function mdr_contact_from_depth_on(c, branch, n, in, d, a, f, k) result(status) bind(C)
@@ -100,7 +103,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_depth, n, in, d, a, f, k, int(branch))
+        status = write_states(c, by_depth, n, in, d, a, f, k, int(branch), 1_c_int)
     end function mdr_contact_from_depth_on
 
     function mdr_contact_from_force(c, n, in, d, a, f, k) result(status) bind(C)
@@ -110,7 +113,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_force, n, in, d, a, f, k, on_unloading)
+        status = write_states(c, by_force, n, in, d, a, f, k, on_unloading, 1_c_int)
     end function mdr_contact_from_force
 
     function mdr_contact_from_force_on(c, branch, n, in, d, a, f, k) result(status) bind(C)
@@ -120,7 +123,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_force, n, in, d, a, f, k, int(branch))
+        status = write_states(c, by_force, n, in, d, a, f, k, int(branch), 1_c_int)
     end function mdr_contact_from_force_on
 
     function mdr_contact_from_radius(c, n, in, d, a, f, k) result(status) bind(C)
@@ -130,14 +133,44 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_radius, n, in, d, a, f, k, on_unloading)
+        status = write_states(c, by_radius, n, in, d, a, f, k, on_unloading, 1_c_int)
     end function mdr_contact_from_radius
 
+    function mdr_contact_from_depth_on_threads(c, branch, n, in, d, a, f, k, threads) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: branch, n, threads
+        real(c_double), intent(in), optional :: in(*)
+        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
+        integer(c_int) :: status
+
+        status = write_states(c, by_depth, n, in, d, a, f, k, int(branch), threads)
+    end function mdr_contact_from_depth_on_threads
+
+    function mdr_contact_from_force_on_threads(c, branch, n, in, d, a, f, k, threads) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: branch, n, threads
+        real(c_double), intent(in), optional :: in(*)
+        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
+        integer(c_int) :: status
+
+        status = write_states(c, by_force, n, in, d, a, f, k, int(branch), threads)
+    end function mdr_contact_from_force_on_threads
+
+    function mdr_contact_from_radius_threads(c, n, in, d, a, f, k, threads) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: n, threads
+        real(c_double), intent(in), optional :: in(*)
+        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
+        integer(c_int) :: status
+
+        status = write_states(c, by_radius, n, in, d, a, f, k, on_unloading, threads)
+    end function mdr_contact_from_radius_threads
+
     !> All states are computed before the first number is written.
-    function write_states(c, given, n, in, d, a, f, k, branch) result(status)
+    function write_states(c, given, n, in, d, a, f, k, branch, threads) result(status)
         type(c_ptr), intent(in) :: c
         integer, intent(in) :: given
-        integer(c_int), intent(in) :: n
+        integer(c_int), intent(in) :: n, threads
         real(c_double), intent(in), optional :: in(*)
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer, intent(in) :: branch
@@ -149,7 +182,8 @@ contains
         call open_contact(c, "c", contact, error)
         call check_count(error, n)
         call check_array(error, "in", n, present(in))
-        if (.not. allocated(error) .and. n > 0) call solve(contact, given, branch, in(:n), states, error)
+        call check_threads(error, int(threads))
+        if (.not. allocated(error) .and. n > 0) call solve(contact, given, branch, in(:n), states, int(threads), error)
         status = status_of(error)
         if (allocated(error) .or. n == 0) return
         if (present(d)) d(:n) = states%depth
@@ -158,30 +192,25 @@ contains
         if (present(k)) k(:n) = states%stiffness
     end function write_states
 
-    subroutine solve(contact, given, branch, in, states, error)
+    subroutine solve(contact, given, branch, in, states, threads, error)
         type(contact_t), pointer, intent(in) :: contact
-        integer, intent(in) :: given, branch
+        integer, intent(in) :: given, branch, threads
         real(c_double), intent(in) :: in(:)
         type(contact_state_t), allocatable, intent(out) :: states(:)
         type(error_t), allocatable, intent(out) :: error
-        integer :: i, stat
+        integer :: stat
 
         allocate (states(size(in)), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        do i = 1, size(in)
-            select case (given)
-            case (by_depth)
-                call contact%at_depth(in(i), states(i), error, branch)
-            case (by_force)
-                call contact%at_force(in(i), states(i), error, branch)
-            case default
-                call contact%at_radius(in(i), states(i), error)
-            end select
-            if (.not. allocated(error)) cycle
-            error%message = entry_name("in", i)//": "//error%message
-            return
-        end do
+        select case (given)
+        case (by_depth)
+            call states_from_depth(contact, in, states, error, branch, threads)
+        case (by_force)
+            call states_from_force(contact, in, states, error, branch, threads)
+        case default
+            call states_from_radius(contact, in, states, error, threads)
+        end select
     end subroutine solve
 
 end module mdrcontact_api_contact

@@ -5,7 +5,8 @@ module mdrcontact_api_law_batch
     use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_law_handle, only: open_law
     use mdrcontact_api_status, only: check_memory, status_of
-    use mdrcontact_error, only: count_text, entry_name, error_invalid, error_t, error_unreachable, raise, to_text
+    use mdrcontact_batch, only: check_threads
+    use mdrcontact_error, only: entry_name, error_t, error_unreachable, raise, to_text
     use mdrcontact_law, only: check_below, check_branch, contact_law_t, lowest_force
     use mdrcontact_law_evaluate, only: all_of, values_of
     use mdrcontact_law_table, only: law_table_t
@@ -66,10 +67,7 @@ contains
         call check_branch(error, int(branch))
         call check_count(error, n)
         call check_array(error, name, n, is_given)
-        if (threads < 0) then
-            call raise(error, error_invalid, "threads = "//count_text(int(threads))//" is not allowed: it must be at least "// &
-                       "1, or 0 for as many as the runtime offers")
-        end if
+        call check_threads(error, int(threads))
     end subroutine check_call
 
     !> Every point, before anything is written.

@@ -5,12 +5,15 @@ module mdrcontact_api_medium
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_each_within, check_positive_results
     use mdrcontact_api_handles, only: deliver_medium, open_medium
     use mdrcontact_api_status, only: check_memory, status_of
+    use mdrcontact_batch, only: check_threads
     use mdrcontact_error, only: error_t
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus
+    use mdrcontact_medium_values, only: modulus_values
     implicit none (type, external)
     private
+    public :: mdr_medium_modulus_threads, mdr_medium_stiffness_threads
     public :: mdr_medium_homogeneous, mdr_medium_contact_modulus, mdr_medium_modulus, mdr_medium_stiffness
 
 contains
@@ -45,24 +48,44 @@ contains
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+
+        status = mdr_medium_modulus_threads(m, n, a, out, 1_c_int)
+    end function mdr_medium_modulus
+
+    function mdr_medium_modulus_threads(m, n, a, out, threads) result(status) bind(C)
+        type(c_ptr), value :: m
+        integer(c_int), value :: n, threads
+        real(c_double), intent(in), optional :: a(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
         real(c_double), allocatable :: modulus(:)
         type(error_t), allocatable :: error
 
-        call evaluate(m, n, a, present(out), modulus, error)
+        call evaluate(m, n, a, present(out), modulus, threads, error)
         if (.not. allocated(error) .and. n > 0) out(:n) = modulus
         status = status_of(error)
-    end function mdr_medium_modulus
+    end function mdr_medium_modulus_threads
 
     function mdr_medium_stiffness(m, n, a, out) result(status) bind(C)
         type(c_ptr), value :: m
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+
+        status = mdr_medium_stiffness_threads(m, n, a, out, 1_c_int)
+    end function mdr_medium_stiffness
+
+    function mdr_medium_stiffness_threads(m, n, a, out, threads) result(status) bind(C)
+        type(c_ptr), value :: m
+        integer(c_int), value :: n, threads
+        real(c_double), intent(in), optional :: a(*)
+        real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status, i
         real(c_double), allocatable :: modulus(:)
         type(error_t), allocatable :: error
 
-        call evaluate(m, n, a, present(out), modulus, error)
+        call evaluate(m, n, a, present(out), modulus, threads, error)
         if (.not. allocated(error) .and. n > 0) then
             do i = 1, n
                 modulus(i) = 2.0_c_double*a(i)*modulus(i)
@@ -71,12 +94,12 @@ contains
         end if
         if (.not. allocated(error) .and. n > 0) out(:n) = modulus
         status = status_of(error)
-    end function mdr_medium_stiffness
+    end function mdr_medium_stiffness_threads
 
     !> E_eff(a) at checked radii.
-    subroutine evaluate(m, n, a, has_out, modulus, error)
+    subroutine evaluate(m, n, a, has_out, modulus, threads, error)
         type(c_ptr), intent(in) :: m
-        integer(c_int), intent(in) :: n
+        integer(c_int), intent(in) :: n, threads
         real(c_double), intent(in), optional :: a(*)
         logical, intent(in) :: has_out
         real(c_double), allocatable, intent(out) :: modulus(:)
@@ -88,6 +111,7 @@ contains
         call check_count(error, n)
         call check_array(error, "a", n, present(a))
         call check_array(error, "out", n, has_out)
+        call check_threads(error, int(threads))
         if (allocated(error) .or. n == 0) return
         call check_each_positive(error, "a", a(:n))
         call check_each_within(error, "a", a(:n), medium%smallest_radius(), medium%largest_radius(), "the medium")
@@ -95,7 +119,7 @@ contains
         allocate (modulus(n), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        call medium%modulus(a(:n), modulus, error)
+        call modulus_values(medium, a(:n), modulus, int(threads), error)
         if (.not. allocated(error)) call check_positive_results(error, modulus)
     end subroutine evaluate
 

@@ -7,6 +7,7 @@ module mdrcontact_api_structure
     use mdrcontact_api_handles, only: deliver_medium
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_api_structure_handle, only: deliver_structure, open_structure
+    use mdrcontact_batch, only: check_threads
     use mdrcontact_error, only: count_text, error_callback, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
@@ -14,13 +15,14 @@ module mdrcontact_api_structure
     use mdrcontact_lateral_shape, only: new_shape, shape_t
     use mdrcontact_lateral_shapes, only: new_shapes, shapes_t
     use mdrcontact_lateral_structure, only: structure_t
+    use mdrcontact_lateral_values, only: structure_values
     use mdrcontact_lateral_voxels, only: new_voxels, voxels_t
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium_tabulated, only: tabulated_medium_t
     implicit none (type, external)
     private
     public :: mdr_structure_options_init, mdr_structure_shapes, mdr_structure_voxels, mdr_structure_callback, &
-              mdr_structure_modulus, mdr_structure_medium
+              mdr_structure_modulus, mdr_structure_modulus_threads, mdr_structure_medium
 
     !> struct mdr_structure_options; the order of the components is that of the header.
     type, bind(C) :: structure_options_t
@@ -172,6 +174,16 @@ contains
         real(c_double), intent(in), optional :: x(*), y(*), a(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+
+        status = mdr_structure_modulus_threads(s, n, x, y, a, out, 1_c_int)
+    end function mdr_structure_modulus
+
+    function mdr_structure_modulus_threads(s, n, x, y, a, out, threads) result(status) bind(C)
+        type(c_ptr), value :: s
+        integer(c_int), value :: n, threads
+        real(c_double), intent(in), optional :: x(*), y(*), a(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
         class(structure_t), pointer :: structure
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
@@ -183,14 +195,17 @@ contains
         call check_array(error, "y", n, present(y))
         call check_array(error, "a", n, present(a))
         call check_array(error, "out", n, present(out))
+        call check_threads(error, int(threads))
         if (.not. allocated(error)) then
             allocate (values(n), stat=stat)
             call check_memory(error, stat)
         end if
-        if (.not. allocated(error) .and. n > 0) call structure%modulus(x(:n), y(:n), a(:n), values, error)
+        if (.not. allocated(error) .and. n > 0) then
+            call structure_values(structure, x(:n), y(:n), a(:n), values, int(threads), error)
+        end if
         if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
-    end function mdr_structure_modulus
+    end function mdr_structure_modulus_threads
 
     function mdr_structure_medium(s, x, y, smallest_radius, largest_radius, points, out) result(status) bind(C)
         type(c_ptr), value :: s

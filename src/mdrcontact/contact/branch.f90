@@ -18,13 +18,17 @@ module mdrcontact_branch
 
     !> What the machine prescribes: s = depth_weight d + force_weight F.
     type :: control_t
+        !> [1], or [modulus length] where s is a force
         real(wp) :: depth_weight = 1.0_wp
+        !> [length^-1 modulus^-1], or [1] where s is a force
         real(wp) :: force_weight = 0.0_wp
     contains
         procedure :: of
     end type control_t
 
+    !> The machine prescribes the indentation depth.
     type(control_t), parameter :: depth_control = control_t(1.0_wp, 0.0_wp)
+    !> The machine prescribes the normal force.
     type(control_t), parameter :: force_control = control_t(0.0_wp, 1.0_wp)
 
     !> A stable stretch of the branch: s grows from `lowest` to `highest` as the coordinate goes from `first` to `last`.
@@ -56,6 +60,8 @@ module mdrcontact_branch
         type(equilibrium_t), pointer :: equilibrium => null()
         type(control_t) :: control
         real(wp) :: offset = 0.0_wp
+        !> ln(s/offset) in place of s - offset
+        logical :: is_logarithmic = .false.
     contains
         procedure :: value => quantity_at
     end type quantity_t
@@ -97,6 +103,7 @@ contains
     !> s of a state.
     elemental function of(self, depth, force) result(s)
         class(control_t), intent(in) :: self
+        !> d [length], F [modulus length^2]
         real(wp), intent(in) :: depth, force
         real(wp) :: s
 
@@ -341,6 +348,7 @@ contains
             quantity%equilibrium => equilibrium
             quantity%control = control
             quantity%offset = s
+            quantity%is_rough = equilibrium%profile%end_radius() > 0.0_wp
             call find_coordinate(self, quantity, control, stretch, x, found, error)
             if (allocated(error)) return
             if (.not. found) then
@@ -361,12 +369,13 @@ contains
         real(wp), intent(out) :: x
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: low, high, middle, slope, guess
+        real(wp) :: low, high, middle, slope, guess, s_high
         integer :: i
 
         low = max(stretch%first, self%depth%lower())
         high = min(stretch%last, self%depth%upper())
-        if (control%of(self%depth%value(high), self%force%value(high)) > quantity%offset) then
+        s_high = control%of(self%depth%value(high), self%force%value(high))
+        if (s_high > quantity%offset) then
             do i = 1, 60
                 middle = 0.5_wp*(low + high)
                 if (control%of(self%depth%value(middle), self%force%value(middle)) < quantity%offset) then
@@ -380,8 +389,11 @@ contains
         else
             guess = high
             slope = control%of(self%depth%slope(high), self%force%slope(high))
+            ! Beyond the samples s follows a power of the radius.
+            quantity%is_logarithmic = s_high > 0.0_wp
+            if (quantity%is_logarithmic) slope = slope/s_high
         end if
-        if (.not. slope > 0.0_wp) slope = tiny(1.0_wp) + abs(quantity%offset)
+        if (.not. slope > 0.0_wp) slope = merge(2.0_wp, tiny(1.0_wp) + abs(quantity%offset), quantity%is_logarithmic)
         call solve_increasing(quantity, guess, slope, stretch%first, stretch%last, x, found, error)
     end subroutine find_coordinate
 
@@ -403,7 +415,12 @@ contains
         type(contact_state_t) :: state
 
         call self%equilibrium%at(self%equilibrium%radius_of(x), state, self%error)
-        y = self%control%of(state%depth, state%force) - self%offset
+        y = self%control%of(state%depth, state%force)
+        if (self%is_logarithmic) then
+            y = log(max(y, tiny(y))/self%offset)
+        else
+            y = y - self%offset
+        end if
     end function quantity_at
 
     function power_at(self, x) result(y)

@@ -18,6 +18,7 @@ module mdrcontact_equilibrium
     !> Automatic: the energy balance where the medium meets it exactly, the source's rule elsewhere.
     integer, parameter :: adhesion_automatic = 0, adhesion_paper = 1, adhesion_energy = 2
 
+    !> What determines a state once the contact radius is known.
     type :: equilibrium_t
         class(profile_t), allocatable :: profile
         class(medium_t), allocatable :: medium

@@ -18,14 +18,21 @@ module mdrcontact_inversion
         type(equilibrium_t), pointer :: equilibrium => null()
         type(control_t) :: control
         real(wp) :: target_value = 0.0_wp
+        !> the last state looked at, and dk/da there; not found where the depth alone was asked for
+        type(contact_state_t) :: state
+        real(wp) :: stiffness_slope = 0.0_wp
+        logical :: has_state = .false.
     contains
         procedure :: value => mismatch_value
+        procedure :: flat_end
     end type mismatch_t
 
     !> ln of the smallest contact radius searched: its cube is still a normal number.
     real(wp), parameter :: smallest_log = -230.0_wp
     !> ln of the contact radius at which the search for a radius begins.
     real(wp), parameter :: first_guess = -35.0_wp
+    !> Up to this relative change of a - end radius states are taken as linear: its square is below rounding.
+    real(wp), parameter :: linear = 5.0e-9_wp
 
 contains
 
@@ -37,6 +44,7 @@ contains
         real(wp), intent(in) :: s
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
+        type(mismatch_t) :: mismatch
         real(wp) :: closest
         logical :: found
 
@@ -52,8 +60,17 @@ contains
                 return
             end if
         end if
-        call radius_with(equilibrium, control, s, closest, found, error)
+        mismatch%equilibrium => equilibrium
+        mismatch%control = control
+        mismatch%target_value = s
+        ! Behind a flat end the radius has lost digits of its distance from it, and with them the integrals.
+        mismatch%is_rough = equilibrium%profile%end_radius() > 0.0_wp
+        call find_radius(mismatch, closest, found, error)
         if (allocated(error)) return
+        if (found .and. is_close(mismatch, closest)) then
+            call shift(mismatch, closest, state)
+            return
+        end if
         call equilibrium%at(closest, state, error)
         if (allocated(error) .or. found) return
         call raise(error, error_unreachable, name//" = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
@@ -71,57 +88,109 @@ contains
         state%force = state%force + state%stiffness*state%excess
     end subroutine push_beyond_wall
 
-    subroutine radius_with(equilibrium, control, s, radius, found, error)
-        type(equilibrium_t), intent(in), target :: equilibrium
-        type(control_t), intent(in) :: control
-        real(wp), intent(in) :: s
+    !> Whether the last state looked at differs from that at `radius` by so little that squares do not show.
+    pure function is_close(mismatch, radius) result(answer)
+        type(mismatch_t), intent(in) :: mismatch
+        real(wp), intent(in) :: radius
+        logical :: answer
+
+        associate (state => mismatch%state, wanted => mismatch%target_value)
+            answer = mismatch%has_state .and. .not. mismatch%is_rough &
+                     .and. abs(radius - state%radius) <= linear*(radius - mismatch%flat_end()) &
+                     .and. abs(wanted - mismatch%control%of(state%depth, state%force)) <= linear*wanted
+        end associate
+    end function is_close
+
+    !> The state at `radius` from the last one looked at: dk = k' da, and by property B (theory 4, 6) dF = k dd.
+    pure subroutine shift(mismatch, radius, state)
+        type(mismatch_t), intent(in) :: mismatch
+        real(wp), intent(in) :: radius
+        type(contact_state_t), intent(out) :: state
+        real(wp) :: missing
+
+        state = mismatch%state
+        missing = mismatch%target_value - mismatch%control%of(state%depth, state%force)
+        missing = missing/mismatch%control%of(1.0_wp, state%stiffness)
+        state%depth = state%depth + missing
+        state%force = state%force + state%stiffness*missing
+        state%stiffness = state%stiffness + mismatch%stiffness_slope*(radius - state%radius)
+        state%radius = radius
+    end subroutine shift
+
+    subroutine find_radius(mismatch, radius, found, error)
+        type(mismatch_t), intent(inout) :: mismatch
         real(wp), intent(out) :: radius
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
-        type(mismatch_t) :: mismatch
         real(wp) :: first, last, guess, slope, root
 
-        mismatch%equilibrium => equilibrium
-        mismatch%control = control
-        mismatch%target_value = s
-        first = smallest_log
-        if (equilibrium%medium%smallest_radius() > equilibrium%profile%end_radius()) then
-            first = equilibrium%coordinate_of(equilibrium%medium%smallest_radius())
-        end if
-        last = equilibrium%coordinate_of(equilibrium%last_radius)
-        radius = -1.0_wp
-        if (control%depth_weight > 0.0_wp) radius = equilibrium%profile%radius_from_mdr(s/control%depth_weight)
-        if (radius > equilibrium%profile%end_radius()) then
-            guess = equilibrium%coordinate_of(radius)
-            slope = 2.0_wp
-        else
-            call guess_from_below(mismatch, min(max(first, first_guess), last - 1.0_wp), 0.0_wp, guess, slope)
-            if (allocated(mismatch%error)) then
-                found = .false.
-                error = mismatch%error
-                return
+        associate (equilibrium => mismatch%equilibrium, control => mismatch%control)
+            first = smallest_log
+            if (equilibrium%medium%smallest_radius() > equilibrium%profile%end_radius()) then
+                first = equilibrium%coordinate_of(equilibrium%medium%smallest_radius())
             end if
-        end if
-        call solve_increasing(mismatch, guess, slope, first, last, root, found, error)
-        radius = equilibrium%radius_of(root)
-    end subroutine radius_with
+            last = equilibrium%coordinate_of(equilibrium%last_radius)
+            radius = -1.0_wp
+            if (control%depth_weight > 0.0_wp) then
+                radius = equilibrium%profile%radius_from_mdr(mismatch%target_value/control%depth_weight)
+            end if
+            if (radius > equilibrium%profile%end_radius()) then
+                guess = equilibrium%coordinate_of(radius)
+                slope = 2.0_wp
+            else
+                call guess_from_below(mismatch, min(max(first, first_guess), last - 1.0_wp), 0.0_wp, guess, slope)
+                if (allocated(mismatch%error)) then
+                    found = .false.
+                    error = mismatch%error
+                    return
+                end if
+            end if
+            call solve_increasing(mismatch, guess, slope, first, last, root, found, error)
+            radius = equilibrium%radius_of(root)
+        end associate
+    end subroutine find_radius
+
+    pure function flat_end(self) result(radius)
+        class(mismatch_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%equilibrium%profile%end_radius()
+    end function flat_end
 
     function mismatch_value(self, x) result(y)
         class(mismatch_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: depth, force
+        real(wp) :: radius, depth, depth_slope, force, modulus, modulus_slope, s
 
         y = 0.0_wp
+        radius = self%equilibrium%radius_of(x)
+        depth_slope = self%equilibrium%medium%first_touch_slope(self%equilibrium%profile, radius)
+        modulus = 0.0_wp
         force = 0.0_wp
-        if (self%control%force_weight > 0.0_wp) then
-            call self%equilibrium%first_touch(self%equilibrium%radius_of(x), depth, force, self%error)
+        ! Where the depth is a formula the force, an integral, is not asked for in vain.
+        self%has_state = self%control%force_weight > 0.0_wp .or. depth_slope < 0.0_wp
+        if (self%has_state) then
+            call self%equilibrium%medium%response(self%equilibrium%profile, radius, depth, force, modulus, modulus_slope, &
+                                                  self%error)
         else
-            call self%equilibrium%medium%first_touch_depth(self%equilibrium%profile, self%equilibrium%radius_of(x), depth, &
-                                                           self%error)
+            call self%equilibrium%medium%first_touch_depth(self%equilibrium%profile, radius, depth, self%error)
         end if
         if (allocated(self%error)) return
-        y = log(max(self%control%of(depth, force), tiny(depth))/self%target_value)
+        if (self%has_state) then
+            self%state%radius = radius
+            self%state%depth = depth
+            self%state%force = force
+            self%state%stiffness = 2.0_wp*radius*modulus
+            self%stiffness_slope = 2.0_wp*(modulus + radius*modulus_slope)
+        end if
+        s = max(self%control%of(depth, force), tiny(depth))
+        y = log(s/self%target_value)
+        self%known_slope = max(0.0_wp, exp(x)*depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*modulus)/s)
+        ! At the rim of a flat end d' is infinite.
+        if (self%known_slope > huge(s)) self%known_slope = 0.0_wp
+        ! The radius closest to x is not exactly there, least so next to a flat end.
+        if (radius < self%equilibrium%last_radius) y = y + self%known_slope*(x - self%equilibrium%coordinate_of(radius))
     end function mismatch_value
 
 end module mdrcontact_inversion

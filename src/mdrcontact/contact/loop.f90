@@ -15,6 +15,7 @@ module mdrcontact_loop
     type :: loop_t
         !> what the machine controls: depth [length], force [modulus length^2], or the far end of the spring [length]
         real(wp), allocatable :: position(:)
+        !> the states at these positions; radius 0 where the bodies are apart
         type(contact_state_t), allocatable :: state(:)
         !> index of the last point of the approach
         integer :: turning_point = 0

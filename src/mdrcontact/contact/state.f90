@@ -6,6 +6,7 @@ module mdrcontact_contact_state
     private
     public :: contact_state_t
 
+    !> A point of F(d): what a contact tells of itself. All zero is first touch.
     type :: contact_state_t
         !> a [length]
         real(wp) :: radius = 0.0_wp

@@ -8,6 +8,7 @@ module mdrcontact_fit_body
     use mdrcontact_fit_medium_of, only: make_medium, medium_given, medium_graded, medium_homogeneous, medium_power_graded, &
                                         medium_stack, medium_choice_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
@@ -66,9 +67,11 @@ contains
     end function medium_count
 
     !> Indenter and medium from their numbers, values = [indenter, medium].
-    subroutine make_body(self, values, profile, medium, error)
+    subroutine make_body(self, values, shared, profile, medium, error)
         type(fit_body_t), intent(in) :: self
         real(wp), intent(in) :: values(:)
+        !> what exact media have in common from one trial to the next
+        type(layered_shared_t), intent(inout) :: shared
         class(profile_t), allocatable, intent(out) :: profile
         class(medium_t), allocatable, intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
@@ -76,7 +79,7 @@ contains
 
         n = indenter_count(self)
         call make_profile(self, values(:n), profile, error)
-        if (.not. allocated(error)) call make_medium(self%medium, values(n + 1:), medium, error)
+        if (.not. allocated(error)) call make_medium(self%medium, values(n + 1:), shared, medium, error)
     end subroutine make_body
 
     subroutine make_profile(self, values, profile, error)

@@ -24,10 +24,11 @@ contains
         real(wp), intent(in) :: values(nodes)
         real(wp) :: c(nodes)
         integer :: i, j
+        !> (node, j): T_(j-1) at the node
+        real(wp), parameter :: cosines(nodes, nodes) = &
+                               reshape([((cos(pi*(j - 1)*(i - 0.5_wp)/nodes), i=1, nodes), j=1, nodes)], [nodes, nodes])
 
-        do j = 1, nodes
-            c(j) = (2.0_wp/nodes)*sum(values*cos(pi*(j - 1)*([(real(i, wp), i=1, nodes)] - 0.5_wp)/nodes))
-        end do
+        c = (2.0_wp/nodes)*matmul(values, cosines)
         c(1) = 0.5_wp*c(1)
     end function to_coefficients
 

@@ -23,6 +23,7 @@ module mdrcontact_fit_force_curve
     !> Panels in ln a that resolve a film.
     real(wp), parameter :: usual_panel = 1.2_wp
 
+    !> A traced curve.
     type :: force_curve_t
         private
         !> ln d and ln F are interpolated instead of d and F (without adhesion)

@@ -11,9 +11,10 @@ module mdrcontact_fit_gsl
               gsl_multifit_nlinear_residual, gsl_multifit_nlinear_jac
     public :: gsl_enoprog
 
-    !> GSL_ENOPROG: no step lowers the sum any more.
+    !> Status GSL_ENOPROG, no step lowers the sum any more.
     integer(c_int), parameter :: gsl_enoprog = 27_c_int
 
+    !> GSL's vector.
     type, bind(C) :: gsl_vector
         integer(c_size_t) :: size
         integer(c_size_t) :: stride
@@ -22,6 +23,7 @@ module mdrcontact_fit_gsl
         integer(c_int) :: owner
     end type gsl_vector
 
+    !> GSL's matrix, by rows.
     type, bind(C) :: gsl_matrix
         integer(c_size_t) :: size1
         integer(c_size_t) :: size2
@@ -31,6 +33,7 @@ module mdrcontact_fit_gsl
         integer(c_int) :: owner
     end type gsl_matrix
 
+    !> Residuals and their derivatives as C functions, and how often each was called.
     type, bind(C) :: gsl_multifit_nlinear_fdf
         type(c_funptr) :: f
         type(c_funptr) :: df
@@ -43,6 +46,7 @@ module mdrcontact_fit_gsl
         integer(c_size_t) :: nevalfvv
     end type gsl_multifit_nlinear_fdf
 
+    !> Method, scaling and step sizes.
     type, bind(C) :: gsl_multifit_nlinear_parameters
         type(c_ptr) :: trs
         type(c_ptr) :: scale
@@ -61,11 +65,13 @@ module mdrcontact_fit_gsl
     type(c_ptr), protected, bind(C, name="gsl_multifit_nlinear_solver_qr") :: gsl_multifit_nlinear_solver_qr
 
     interface
+        !> GSL's defaults.
         function gsl_multifit_nlinear_default_parameters() result(parameters) bind(C)
             import :: gsl_multifit_nlinear_parameters
             type(gsl_multifit_nlinear_parameters) :: parameters
         end function gsl_multifit_nlinear_default_parameters
 
+        !> A workspace for n data and p numbers; null without memory.
         function gsl_multifit_nlinear_alloc(kind, parameters, n, p) result(workspace) bind(C)
             import :: c_ptr, c_size_t, gsl_multifit_nlinear_parameters
             type(c_ptr), value :: kind
@@ -74,11 +80,13 @@ module mdrcontact_fit_gsl
             type(c_ptr) :: workspace
         end function gsl_multifit_nlinear_alloc
 
+        !> Frees a workspace.
         subroutine gsl_multifit_nlinear_free(workspace) bind(C)
             import :: c_ptr
             type(c_ptr), value :: workspace
         end subroutine gsl_multifit_nlinear_free
 
+        !> Sets problem and starting point.
         function gsl_multifit_nlinear_init(x, fdf, workspace) result(status) bind(C)
             import :: c_int, c_ptr, gsl_vector
             type(gsl_vector), intent(in) :: x
@@ -88,24 +96,28 @@ module mdrcontact_fit_gsl
             integer(c_int) :: status
         end function gsl_multifit_nlinear_init
 
+        !> One step.
         function gsl_multifit_nlinear_iterate(workspace) result(status) bind(C)
             import :: c_int, c_ptr
             type(c_ptr), value :: workspace
             integer(c_int) :: status
         end function gsl_multifit_nlinear_iterate
 
+        !> The present point: gsl_vector *, owned by the workspace.
         function gsl_multifit_nlinear_position(workspace) result(vector) bind(C)
             import :: c_ptr
             type(c_ptr), value :: workspace
             type(c_ptr) :: vector
         end function gsl_multifit_nlinear_position
 
+        !> The residuals there: gsl_vector *, owned by the workspace.
         function gsl_multifit_nlinear_residual(workspace) result(vector) bind(C)
             import :: c_ptr
             type(c_ptr), value :: workspace
             type(c_ptr) :: vector
         end function gsl_multifit_nlinear_residual
 
+        !> Their derivatives there: gsl_matrix *, owned by the workspace.
         function gsl_multifit_nlinear_jac(workspace) result(matrix) bind(C)
             import :: c_ptr
             type(c_ptr), value :: workspace

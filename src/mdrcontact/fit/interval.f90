@@ -46,6 +46,7 @@ contains
         integer, intent(in) :: position
         !> of confidence, 0 < level < 1
         real(wp), intent(in) :: level
+        !> ends of the interval, in the unit of the number; infinite where there is none
         real(wp), intent(out) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
         type(fit_problem_t) :: fixed

@@ -4,6 +4,7 @@ module mdrcontact_fit_medium_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
+    use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_bec, only: bec_t, new_bec
@@ -33,6 +34,7 @@ module mdrcontact_fit_medium_of
                           model_mencik_exponential = 4, model_mencik_reciprocal = 5, model_bec = 6, model_perriot_barthel = 7, &
                           model_hay_crawford = 8, model_dimitriadis = 9, model_garcia = 10, model_exact = 11
 
+    !> Which medium the numbers belong to.
     type :: medium_choice_t
         !> one of medium_...
         integer :: kind = medium_given
@@ -51,9 +53,11 @@ module mdrcontact_fit_medium_of
 contains
 
     !> The medium of a kind from its numbers.
-    subroutine make_medium(choice, values, medium, error)
+    subroutine make_medium(choice, values, shared, medium, error)
         type(medium_choice_t), intent(in) :: choice
         real(wp), intent(in) :: values(:)
+        !> what exact media have in common from one trial to the next
+        type(layered_shared_t), intent(inout) :: shared
         class(medium_t), allocatable, intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
         type(material_t) :: material
@@ -73,7 +77,7 @@ contains
             call new_homogeneous(homogeneous, material)
             allocate (medium, source=homogeneous)
         case (medium_stack)
-            call make_stack(choice, values, medium, error)
+            call make_stack(choice, values, shared, medium, error)
         case (medium_graded)
             call make_graded(choice, values, medium, error)
         case (medium_power_graded)
@@ -85,9 +89,10 @@ contains
         end select
     end subroutine make_medium
 
-    subroutine make_stack(choice, values, medium, error)
+    subroutine make_stack(choice, values, shared, medium, error)
         type(medium_choice_t), intent(in) :: choice
         real(wp), intent(in) :: values(:)
+        type(layered_shared_t), intent(inout) :: shared
         class(medium_t), allocatable, intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
         type(material_t) :: layers(max(choice%layers, 1)), substrate
@@ -120,7 +125,7 @@ contains
             call new_gao_layered(gao, layers, thickness, substrate, error, options)
             allocate (medium, source=gao)
         case (model_exact)
-            call new_layered_exact(exact, layers, thickness, substrate, error, choice%tolerance, rigid)
+            call new_layered_exact(exact, layers, thickness, substrate, error, choice%tolerance, rigid, shared)
             allocate (medium, source=exact)
         case default
             if (n > 1) then

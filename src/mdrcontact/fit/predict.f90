@@ -10,6 +10,7 @@ module mdrcontact_fit_predict
                                       at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_force_depth, &
                                       data_modulus_radius, data_stiffness_depth, fit_data_t, fit_problem_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_radius_law, only: new_radius_law_from_function, radius_law_t
@@ -33,12 +34,30 @@ module mdrcontact_fit_predict
 contains
 
     !> The y of each point.
-    subroutine predict(problem, values, data, y, error)
+    subroutine predict(problem, values, data, y, error, shared)
         type(fit_problem_t), intent(in) :: problem
         !> [indenter, medium, instrument]
         real(wp), intent(in) :: values(:)
         type(fit_data_t), intent(in) :: data
         !> same size as data%x
+        real(wp), intent(out) :: y(:)
+        type(error_t), allocatable, intent(out) :: error
+        !> what exact media have in common from one call to the next, which then costs less
+        type(layered_shared_t), intent(inout), optional :: shared
+        type(layered_shared_t) :: own
+
+        if (present(shared)) then
+            call predict_sharing(problem, values, data, shared, y, error)
+        else
+            call predict_sharing(problem, values, data, own, y, error)
+        end if
+    end subroutine predict
+
+    subroutine predict_sharing(problem, values, data, shared, y, error)
+        type(fit_problem_t), intent(in) :: problem
+        real(wp), intent(in) :: values(:)
+        type(fit_data_t), intent(in) :: data
+        type(layered_shared_t), intent(inout) :: shared
         real(wp), intent(out) :: y(:)
         type(error_t), allocatable, intent(out) :: error
         class(profile_t), allocatable :: profile
@@ -48,7 +67,7 @@ contains
 
         y = 0.0_wp
         n = indenter_count(problem%body) + medium_count(problem%body)
-        call make_body(problem%body, values(:n), profile, medium, error)
+        call make_body(problem%body, values(:n), shared, profile, medium, error)
         if (allocated(error)) return
         associate (instrument => values(n + 1:))
             call check_instrument(instrument, error)
@@ -69,7 +88,7 @@ contains
             if (problem%data_kind == data_modulus_radius) return
             y = 1.0_wp/(1.0_wp/(2.0_wp*instrument(at_stiffness_factor)*a*modulus) + instrument(at_frame_compliance))
         end associate
-    end subroutine predict
+    end subroutine predict_sharing
 
     pure subroutine check_instrument(instrument, error)
         real(wp), intent(in) :: instrument(:)

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is fitted to what: the numbers of indenter, medium and instrument, and the measured data.
 module mdrcontact_fit_problem
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use mdrcontact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_invalid, error_t, &
                                 raise, to_text
@@ -32,13 +32,17 @@ module mdrcontact_fit_problem
     type :: fit_parameter_t
         !> the value, or where the search begins
         real(wp) :: value = 0.0_wp
+        !> whether the fit may change the value
         logical :: is_free = .false.
+        !> bounds of a free number
         real(wp) :: lower = -huge(1.0_wp), upper = huge(1.0_wp)
         !> the value known beforehand and its standard deviation; 0: nothing is known
         real(wp) :: prior = 0.0_wp, prior_sd = 0.0_wp
     end type fit_parameter_t
 
+    !> The question of a fit: what the numbers mean, which are free, and how residuals count.
     type :: fit_problem_t
+        !> kinds of indenter and medium
         type(fit_body_t) :: body
         !> one of data_...
         integer :: data_kind = data_force_depth
@@ -52,11 +56,13 @@ module mdrcontact_fit_problem
         real(wp) :: loss_scale = 1.345_wp
         !> whether the standard deviations of the data are known, or only their ratios
         logical :: sd_is_absolute = .true.
+        !> of one search, at least 1
         integer :: max_iterations = 100
         !> refuses data that are more than 300 times larger or smaller than the model at the start: they are in other units
         logical :: check_units = .true.
     end type fit_problem_t
 
+    !> Measured points, in any order.
     type :: fit_data_t
         !> d or a [length]
         real(wp), allocatable :: x(:)
@@ -180,6 +186,7 @@ contains
         end if
         if (allocated(error)) return
         do i = 1, size(self%x)
+            if (is_good(self, problem%data_kind, i)) cycle
             call check_finite(error, entry_name("x", i), self%x(i))
             call check_finite(error, entry_name("y", i), self%y(i))
             if (problem%data_kind >= data_modulus_radius) call check_positive(error, entry_name("radius", i), self%x(i))
@@ -191,6 +198,18 @@ contains
             if (allocated(error)) return
         end do
     end subroutine check_points
+
+    !> Whether a point passes; names of points are made for those that do not.
+    pure function is_good(self, data_kind, i) result(answer)
+        type(fit_data_t), intent(in) :: self
+        integer, intent(in) :: data_kind, i
+        logical :: answer
+
+        answer = all(ieee_is_finite([self%x(i), self%y(i)]))
+        if (answer .and. data_kind >= data_modulus_radius) answer = self%x(i) > 0.0_wp
+        if (answer .and. allocated(self%sd)) answer = ieee_is_finite(self%sd(i)) .and. self%sd(i) > 0.0_wp
+        if (answer .and. data_kind == data_stiffness_depth) answer = self%y(i) > 0.0_wp .and. ieee_is_finite(self%force(i))
+    end function is_good
 
     pure subroutine check_column(values, name, expected, error)
         real(wp), intent(in) :: values(:)

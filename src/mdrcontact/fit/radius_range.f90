@@ -13,6 +13,8 @@ module mdrcontact_fit_radius_range
     integer, parameter :: most_steps = 400
     !> Depths below this part of the largest one are extrapolated.
     real(wp), parameter :: smallest_depth_ratio = 1.0e-6_wp
+    !> The ends lie so far, in ln a, beyond where the depths should.
+    real(wp), parameter :: margin = 0.02_wp
 
 contains
 
@@ -23,7 +25,8 @@ contains
         real(wp), intent(in) :: smallest, largest
         real(wp), intent(out) :: first, last
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: d, d_before, step, lowest
+        real(wp) :: d, d_before, before, last_depth, below, below_depth, step, lowest
+        logical :: adhesive
         integer :: i
 
         first = 0.0_wp
@@ -50,25 +53,60 @@ contains
                        "ends at depth "//to_text(d))
             return
         end if
-        ! the upper end may be far too high if the guess was: come down in steps that shrink to nothing where they overshoot
+        adhesive = equilibrium%work_of_adhesion > 0.0_wp
         lowest = max(smallest, smallest_depth_ratio*largest)
-        if (equilibrium%work_of_adhesion > 0.0_wp) lowest = smallest
+        if (adhesive) lowest = smallest
         first = last
         step = first_step
+        last_depth = d
+        below = last
+        below_depth = d
         do i = 1, most_steps
+            before = first
             d_before = d
             first = first - step
             call depth_at(equilibrium, first, d, error)
             if (allocated(error)) return
-            if (d > largest) last = first
+            if (d > largest) then
+                last = first
+                last_depth = d
+            else if (.not. below < last) then
+                below = first
+                below_depth = d
+            end if
             if (d <= lowest) exit
-            if (equilibrium%work_of_adhesion > 0.0_wp) then
+            if (adhesive) then
                 if (d > d_before) exit
             else
                 step = min(2.0_wp*step, largest_step)
             end if
         end do
+        if (adhesive .or. .not. (d > 0.0_wp .and. d < d_before)) return
+        call tighten(equilibrium, lowest, -margin, before, d_before, first, d, error)
+        if (.not. allocated(error) .and. last_depth > largest) then
+            call tighten(equilibrium, largest, margin, below, below_depth, last, last_depth, error)
+        end if
     end subroutine radius_range
+
+    !> Moves the end x with depth d towards the coordinate where the depth is `wanted`, as the straight line in ln d says that
+    !> begins at the other end, but for a margin; only if the depth is still beyond `wanted` there.
+    subroutine tighten(equilibrium, wanted, beyond, other, other_depth, x, d, error)
+        type(equilibrium_t), intent(in) :: equilibrium
+        real(wp), intent(in) :: wanted
+        !> the margin, negative at the lower end
+        real(wp), intent(in) :: beyond
+        real(wp), intent(in) :: other, other_depth
+        real(wp), intent(inout) :: x, d
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: candidate, candidate_depth
+
+        candidate = x + (other - x)*log(wanted/d)/log(other_depth/d) + beyond
+        if (.not. abs(candidate - other) < abs(x - other) - abs(beyond)) return
+        call depth_at(equilibrium, candidate, candidate_depth, error)
+        if (allocated(error) .or. (candidate_depth - wanted)*beyond < 0.0_wp) return
+        x = candidate
+        d = candidate_depth
+    end subroutine tighten
 
     !> The coordinate of the largest radius of this contact.
     pure function last_coordinate(equilibrium) result(x)

@@ -9,6 +9,7 @@ module mdrcontact_fit_residuals
                                       loss_huber, loss_linear
     use mdrcontact_fit_variables, only: variables_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_shared, only: layered_shared_t
     implicit none (type, external)
     private
     public :: fit_residuals_t, new_fit_residuals, bent, bend_slope
@@ -16,6 +17,12 @@ module mdrcontact_fit_residuals
     !> Relative step of a reading for the difference quotient, and the least share of its error that is left in a residual.
     real(wp), parameter :: reading_step = 1.0e-4_wp, smallest_share = 0.1_wp
 
+    !> What the model said at some unknowns.
+    type :: prediction_t
+        real(wp), allocatable :: u(:), y(:)
+    end type prediction_t
+
+    !> Residuals of the data, then of the priors.
     type, extends(residuals_t) :: fit_residuals_t
         type(fit_problem_t) :: problem
         type(fit_data_t) :: data
@@ -27,6 +34,11 @@ module mdrcontact_fit_residuals
         real(wp) :: noise = 1.0_wp
         !> one of loss_...
         integer :: loss = loss_linear
+        !> what exact media have in common from one trial to the next
+        type(layered_shared_t) :: shared
+        !> the last predictions, as many as a point and its neighbours are, and the one to be overwritten next
+        type(prediction_t), allocatable :: recent(:)
+        integer :: oldest = 1
     contains
         procedure :: evaluate
         procedure :: neighbours
@@ -38,6 +50,7 @@ module mdrcontact_fit_residuals
 
 contains
 
+    !> Residuals of a problem that has been checked.
     subroutine new_fit_residuals(self, problem, data, variables)
         type(fit_residuals_t), intent(out) :: self
         type(fit_problem_t), intent(in) :: problem
@@ -55,6 +68,7 @@ contains
         allocate (self%sd(size(data%x)))
         self%sd = 1.0_wp
         if (allocated(data%sd)) self%sd = data%sd
+        allocate (self%recent(self%p + 2))
     end subroutine new_fit_residuals
 
     !> All numbers of the problem at the unknowns u.
@@ -70,12 +84,23 @@ contains
 
     !> What the model says at the unknowns u.
     subroutine fitted(self, u, y, error)
-        class(fit_residuals_t), intent(in) :: self
+        class(fit_residuals_t), intent(inout) :: self
         real(wp), intent(in) :: u(:)
         real(wp), intent(out) :: y(:)
         type(error_t), allocatable, intent(out) :: error
+        integer :: i
 
-        call predict(self%problem, self%values_at(u), self%data, y, error)
+        do i = 1, size(self%recent)
+            if (.not. allocated(self%recent(i)%u)) exit
+            if (any(self%recent(i)%u /= u)) cycle
+            y = self%recent(i)%y
+            return
+        end do
+        call predict(self%problem, self%values_at(u), self%data, y, error, self%shared)
+        if (allocated(error)) return
+        self%recent(self%oldest)%u = u
+        self%recent(self%oldest)%y = y
+        self%oldest = modulo(self%oldest, size(self%recent)) + 1
     end subroutine fitted
 
     !> Whether the model is computed from the readings y too: contact depths from stiffnesses, the give of the frame from forces.
@@ -102,10 +127,10 @@ contains
         step = reading_step*maxval(abs(self%data%y))
         if (self%problem%data_kind == data_stiffness_depth) step = reading_step*self%data%y
         shifted%y = self%data%y - step
-        call predict(self%problem, self%values_at(u), shifted, below, error)
+        call predict(self%problem, self%values_at(u), shifted, below, error, self%shared)
         if (allocated(error)) return
         shifted%y = self%data%y + step
-        call predict(self%problem, self%values_at(u), shifted, above, error)
+        call predict(self%problem, self%values_at(u), shifted, above, error, self%shared)
         if (allocated(error)) return
         self%sd = 1.0_wp
         if (allocated(self%data%sd)) self%sd = self%data%sd

@@ -26,6 +26,7 @@ module mdrcontact_fit_spectrum
 
 contains
 
+    !> Eigenvalues and eigenvectors, the matrix scaled to a unit diagonal beforehand.
     function new_spectrum(matrix) result(self)
         real(wp), intent(in) :: matrix(:, :)
         type(spectrum_t) :: self

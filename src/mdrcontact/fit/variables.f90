@@ -19,6 +19,7 @@ module mdrcontact_fit_variables
     !> ln of the largest ratio to the start that is tried
     real(wp), parameter :: widest_logarithm = 9.0_wp
 
+    !> The free numbers, and how each is scaled.
     type :: variables_t
         !> positions of the free numbers among all
         integer, allocatable :: free(:)
@@ -33,6 +34,7 @@ module mdrcontact_fit_variables
 
 contains
 
+    !> Chooses the scale of each free number; refuses a start outside its bounds.
     subroutine new_variables(self, problem, data, error)
         type(variables_t), intent(out) :: self
         type(fit_problem_t), intent(in) :: problem

@@ -26,6 +26,7 @@ contains
         real(wp), intent(in) :: rho, z
         !> Poisson's ratio of the reference medium, -1 < nu <= 1/2
         real(wp), intent(in) :: nu
+        !> weights of G and of nu, densities per volume in units of a^3 [1]
         real(wp), intent(out) :: shear, poisson
         complex(wp) :: root
 
@@ -43,6 +44,7 @@ contains
 
     !> Energy of volume change over all energy: the weight of ln K, the bulk modulus, at constant G.
     elemental function volumetric_weight(rho, z, nu) result(weight)
+        !> as in lateral_density
         real(wp), intent(in) :: rho, z, nu
         real(wp) :: weight, shear, poisson
 
@@ -52,6 +54,7 @@ contains
 
     !> Energy of shape change over all energy: the weight of ln G at constant K.
     elemental function deviatoric_weight(rho, z, nu) result(weight)
+        !> as in lateral_density
         real(wp), intent(in) :: rho, z, nu
         real(wp) :: weight, shear, poisson
 

@@ -20,6 +20,7 @@ module mdrcontact_lateral_field
     !> Material at a point; extend it with the data it needs. A failed evaluation allocates `error`.
     type, abstract :: field_t
     contains
+        !> G > 0 [modulus] and nu [1] at a point (x, y, z) of the half-space z > 0 [length]
         procedure(material_at), deferred :: material
     end type field_t
 

@@ -10,6 +10,7 @@ module mdrcontact_lateral_panels
     private
     public :: rule_t, depth_rule, radius_rule
 
+    !> A quadrature rule.
     type :: rule_t
         real(wp), allocatable :: nodes(:), weights(:)
     end type rule_t

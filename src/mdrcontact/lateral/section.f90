@@ -11,6 +11,7 @@ module mdrcontact_lateral_section
     private
     public :: section_t, nothing, everything, ellipse, strip, rectangle, holds, crossing_angles, touching_radii, most_crossings
 
+    !> no point, every point
     integer, parameter :: nothing = 0, everything = 1
     !> semi-axes extent(1:2), the first one along `direction`
     integer, parameter :: ellipse = 2
@@ -22,6 +23,7 @@ module mdrcontact_lateral_section
     !> a circle crosses an outline at most this often
     integer, parameter :: most_crossings = 8
 
+    !> A plane figure.
     type :: section_t
         integer :: kind = nothing
         real(wp) :: centre(2) = 0.0_wp

@@ -29,10 +29,13 @@ module mdrcontact_lateral_shape
     !> An axis this close to the horizontal, by the sine of its inclination, is taken as horizontal.
     real(wp), parameter :: horizontal = 1.0e-6_wp
 
+    !> A body of one material.
     type :: shape_t
+        !> one of shape_...
         integer :: kind = shape_layer
         !> as above; directions have unit length
         real(wp) :: parameters(7) = 0.0_wp
+        !> what fills it
         type(material_t) :: material
     end type shape_t
 
@@ -41,7 +44,9 @@ contains
     !> A body. `parameters` beyond those of the kind are ignored.
     subroutine new_shape(self, kind, parameters, material, error)
         type(shape_t), intent(out) :: self
+        !> one of shape_...
         integer, intent(in) :: kind
+        !> as said with the constants shape_... [length]; directions of any length
         real(wp), intent(in) :: parameters(7)
         type(material_t), intent(in) :: material
         type(error_t), allocatable, intent(out) :: error

@@ -12,6 +12,7 @@ module mdrcontact_lateral_structure
         !> Poisson's ratio of the reference medium, whose flat-punch field gives the weights
         real(wp) :: reference_nu = 0.5_wp
     contains
+        !> G_eff [modulus] and nu_eff [1] for a contact of radius a > 0 at (x, y) [length]
         procedure(weighted_means), deferred :: means
         procedure :: modulus
         procedure :: modulus_at
@@ -22,7 +23,9 @@ module mdrcontact_lateral_structure
         subroutine weighted_means(self, x, y, a, shear, poisson, error)
             import :: error_t, structure_t, wp
             class(structure_t), intent(in) :: self
+            !> centre of the contact and its radius a > 0 [length]
             real(wp), intent(in) :: x, y, a
+            !> G_eff [modulus] and nu_eff [1]
             real(wp), intent(out) :: shear, poisson
             type(error_t), allocatable, intent(out) :: error
         end subroutine weighted_means
@@ -35,6 +38,7 @@ contains
         class(structure_t), intent(in) :: self
         !> centre of the contact and its radius a > 0 [length]
         real(wp), intent(in) :: x, y, a
+        !> E_eff [modulus]
         real(wp), intent(out) :: value
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: shear, poisson
@@ -53,6 +57,7 @@ contains
         class(structure_t), intent(in) :: self
         !> all of the same size [length]
         real(wp), intent(in) :: x(:), y(:), a(:)
+        !> E_eff [modulus], same size
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         integer :: i

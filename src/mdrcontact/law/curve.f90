@@ -20,10 +20,12 @@ module mdrcontact_law_curve
     !> rows of the samples: ln d0, ln F0, ln k, ln dl
     integer, parameter :: rows = 4
 
+    !> One equilibrium.
     type :: curve_point_t
         real(wp) :: radius = 0.0_wp, depth = 0.0_wp, force = 0.0_wp, stiffness = 0.0_wp
     end type curve_point_t
 
+    !> The sampled equilibria.
     type :: curve_t
         !> radius of the indenter's flat end [length]
         real(wp) :: end_radius = 0.0_wp

@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Values of one direction of a compiled law, one by one and in batches.
 module mdrcontact_law_evaluate
+    use mdrcontact_batch, only: team_size
     use mdrcontact_contact, only: on_loading
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_segment, only: polynomial, segment_place, place_t
     use mdrcontact_law_table, only: below_range, law_table_t, no_contact, segment_for, value_in, values_below, values_in
-    !$ use omp_lib, only: omp_get_max_threads, omp_in_parallel
     implicit none (type, external)
     private
     public :: law_point_t, value_at, point_at, values_of, all_of
@@ -80,7 +80,7 @@ contains
         integer, intent(in) :: threads
         integer :: first, last, team
 
-        team = team_size(size(s), threads)
+        team = team_size(size(s), smallest_parallel, threads)
         !$omp parallel do schedule(static) num_threads(team) private(last) default(shared)
         do first = 1, size(s), block_size
             last = min(first + block_size - 1, size(s))
@@ -99,26 +99,13 @@ contains
         integer, intent(in) :: threads
         integer :: i, team
 
-        team = team_size(size(s), threads)
+        team = team_size(size(s), smallest_parallel, threads)
         !$omp parallel do schedule(static) num_threads(team) default(shared)
         do i = 1, size(s)
             call point_at(table, branch, s(i), other(i), slope(i), radius(i), stiffness(i))
         end do
         !$omp end parallel do
     end subroutine all_of
-
-    function team_size(points, threads) result(team)
-        integer, intent(in) :: points, threads
-        integer :: team
-
-        team = 1
-        if (points < smallest_parallel) return
-        !$ team = threads
-        !$ if (threads == 0) team = omp_get_max_threads()
-        !$ if (omp_in_parallel()) team = 1
-        associate (unused => threads)
-        end associate
-    end function team_size
 
     !> A block of points, most of which lie on one segment in the usual case.
     pure subroutine block_of_values(table, branch, n, s, values)

@@ -22,6 +22,7 @@ contains
     !> Writes a law to a file, which it replaces.
     subroutine save_law(law, path, error)
         type(contact_law_t), intent(in) :: law
+        !> name of the file
         character(len=*), intent(in) :: path
         type(error_t), allocatable, intent(out) :: error
         character(len=:), allocatable :: text
@@ -45,6 +46,7 @@ contains
     !> Reads a law from a file.
     subroutine load_law(law, path, error)
         type(contact_law_t), intent(out) :: law
+        !> name of the file
         character(len=*), intent(in) :: path
         type(error_t), allocatable, intent(out) :: error
         character(len=:), allocatable :: text

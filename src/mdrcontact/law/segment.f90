@@ -17,6 +17,7 @@ module mdrcontact_law_segment
 
     !> Coefficients of a polynomial (one cache line), and columns: F or d; a; k.
     integer, parameter :: coefficient_count = 8, column_count = 3
+    !> Panels are at least 2^-most_bits of an octave long.
     integer, parameter :: most_bits = 12
     integer, parameter :: mantissa_bits = 52
     integer(int64), parameter :: mantissa_mask = shiftl(1_int64, mantissa_bits) - 1_int64
@@ -26,6 +27,7 @@ module mdrcontact_law_segment
     !> y stays this far (relatively) below the end of the last panel
     real(wp), parameter :: below_one = 1.0_wp - 8.0_wp*epsilon(1.0_wp)
 
+    !> A stretch of s between two points where the branch is not analytic.
     type :: segment_t
         !> s at both ends
         real(wp) :: lowest = 0.0_wp, highest = 0.0_wp

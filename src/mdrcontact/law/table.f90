@@ -22,6 +22,7 @@ module mdrcontact_law_table
         integer :: first = 1, last = 1
     end type table_stretch_t
 
+    !> One direction of a law: segments, panels and their polynomials.
     type :: law_table_t
         !> whether s is the depth and the other quantity the force, or the reverse
         logical :: by_depth = .true.

@@ -62,10 +62,10 @@ contains
         lost = .false.
         do level = first, size(rules)
             width = max(1.0_wp, scale(a, -finest_octave*(level - first + 2)))
-            call solve_on_level(kernel, rules(level), a, width, lost, solution, profile)
+            call solve_on_level(kernel, rules, level, a, width, lost, solution, profile)
             if (.not. lost .and. solution%solved) then
                 lost = .not. digits_suffice(kernel, solution, rounding_per_entry, tolerance)
-                if (lost) call solve_on_level(kernel, rules(level), a, width, lost, solution, profile)
+                if (lost) call solve_on_level(kernel, rules, level, a, width, lost, solution, profile)
             end if
             if (coarse%solved .and. solution%solved) then
                 difference = max(relative(coarse%modulus, solution%modulus), relative(coarse%depth, solution%depth), &
@@ -82,18 +82,19 @@ contains
     end subroutine solve_to_tolerance
 
     !> With or without longer numbers.
-    subroutine solve_on_level(kernel, rule, a, width, precisely, solution, profile)
+    subroutine solve_on_level(kernel, rules, level, a, width, precisely, solution, profile)
         type(kernel_t), intent(in) :: kernel
-        type(rule_t), intent(in) :: rule
+        type(rule_t), intent(in) :: rules(:)
+        integer, intent(in) :: level
         real(wp), intent(in) :: a, width
         logical, intent(in) :: precisely
         type(solution_t), intent(out) :: solution
         class(profile_t), intent(in), optional :: profile
 
         if (precisely) then
-            call solve_on_grid(kernel, rule, a, width, solution, profile, new_long_rule(rule%n))
+            call solve_on_grid(kernel, rules, level, a, width, solution, profile, new_long_rule(rules(level)%n))
         else
-            call solve_on_grid(kernel, rule, a, width, solution, profile)
+            call solve_on_grid(kernel, rules, level, a, width, solution, profile)
         end if
     end subroutine solve_on_level
 

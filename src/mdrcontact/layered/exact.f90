@@ -9,16 +9,16 @@ module mdrcontact_layered_exact
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_layered_converge, only: make_rules, solve_to_tolerance
+    use mdrcontact_layered_converge, only: solve_to_tolerance
     use mdrcontact_layered_fields, only: displacement_beyond, new_smooth_load, smooth_load_t, smooth_pressure, smooth_value
     use mdrcontact_layered_graded, only: graded_surface_t, new_graded_surface, new_graded_surface_from_functions
     use mdrcontact_layered_indenter, only: load_t, new_load
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_rule, only: rule_t
+    use mdrcontact_layered_shared, only: shared_kernel, shared_rules, layered_shared_t
     use mdrcontact_layered_solve, only: solution_t
     use mdrcontact_layered_stack, only: new_stack, stack_t
     use mdrcontact_layered_surface, only: surface_t
-    use mdrcontact_layered_tabulate, only: tabulate_kernel
     use mdrcontact_material, only: material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
@@ -30,8 +30,10 @@ module mdrcontact_layered_exact
 
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 
-    !> Contact radii up to this many kernel widths are offered.
+    !> Contact radii up to this many depths of all layers are offered.
     real(wp), parameter :: largest_ratio = 1.0e6_wp
+    !> The same where all layers are of one material [length].
+    real(wp), parameter :: largest_homogeneous = 1.0e100_wp
 
     !> A layered or graded half-space, solved exactly.
     type, extends(medium_t) :: layered_exact_t
@@ -41,6 +43,8 @@ module mdrcontact_layered_exact
         !> a half-space of the surface material, and its contact modulus E0* [modulus]
         type(homogeneous_t) :: surface
         real(wp) :: surface_modulus = 0.0_wp
+        !> depth below which the body is homogeneous [length]
+        real(wp) :: depth = 0.0_wp
         real(wp) :: tolerance = default_tolerance
     contains
         procedure :: modulus
@@ -58,7 +62,7 @@ module mdrcontact_layered_exact
 contains
 
     !> A stack of bonded layers on an elastic half-space or a rigid base.
-    subroutine new_layered_exact(self, layers, thickness, substrate, error, tolerance, rigid_base)
+    subroutine new_layered_exact(self, layers, thickness, substrate, error, tolerance, rigid_base, shared)
         type(layered_exact_t), intent(out) :: self
         !> materials from the surface down
         type(material_t), intent(in) :: layers(:)
@@ -71,6 +75,8 @@ contains
         real(wp), intent(in), optional :: tolerance
         !> a rigid base instead of the substrate, which is then ignored; default false
         logical, intent(in), optional :: rigid_base
+        !> what this medium has in common with others made before it, which then costs less
+        type(layered_shared_t), intent(inout), optional :: shared
         type(stack_t) :: stack
         logical :: rigid
 
@@ -78,11 +84,11 @@ contains
         if (present(rigid_base)) rigid = rigid .or. rigid_base
         call new_stack(stack, layers, thickness, substrate, error, rigid)
         if (allocated(error)) return
-        call new_exact_from_surface(self, stack, error, tolerance)
+        call new_exact_from_surface(self, stack, error, tolerance, shared)
     end subroutine new_layered_exact
 
     !> E and nu at given depths, linear between them, constant below the last.
-    subroutine new_graded_exact(self, z, young, poisson, error, tolerance)
+    subroutine new_graded_exact(self, z, young, poisson, error, tolerance, shared)
         type(layered_exact_t), intent(out) :: self
         !> ascending depths from z(1) = 0, at least 2; a thin interval makes a step [length]
         real(wp), intent(in) :: z(:)
@@ -91,15 +97,17 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
         real(wp), intent(in), optional :: tolerance
+        !> what this medium has in common with others made before it, which then costs less
+        type(layered_shared_t), intent(inout), optional :: shared
         type(graded_surface_t) :: graded
 
         call new_graded_surface(graded, z, young, poisson, error)
         if (allocated(error)) return
-        call new_exact_from_surface(self, graded, error, tolerance)
+        call new_exact_from_surface(self, graded, error, tolerance, shared)
     end subroutine new_graded_exact
 
     !> E(z) and nu(z) as functions on [0, depth], constant below. They are called here and never again.
-    subroutine new_graded_exact_from_functions(self, young, poisson, depth, error, tolerance)
+    subroutine new_graded_exact_from_functions(self, young, poisson, depth, error, tolerance, shared)
         type(layered_exact_t), intent(out) :: self
         !> E(z) > 0 [modulus] and -1 < nu(z) <= 1/2, smooth
         class(scalar_function_t), intent(inout) :: young, poisson
@@ -108,19 +116,23 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
         real(wp), intent(in), optional :: tolerance
+        !> what this medium has in common with others made before it, which then costs less
+        type(layered_shared_t), intent(inout), optional :: shared
         type(graded_surface_t) :: graded
 
         call new_graded_surface_from_functions(graded, young, poisson, depth, error)
         if (allocated(error)) return
-        call new_exact_from_surface(self, graded, error, tolerance)
+        call new_exact_from_surface(self, graded, error, tolerance, shared)
     end subroutine new_graded_exact_from_functions
 
     !> Any body whose surface compliance is known.
-    subroutine new_exact_from_surface(self, surface, error, tolerance)
+    subroutine new_exact_from_surface(self, surface, error, tolerance, shared)
         type(layered_exact_t), intent(out) :: self
         class(surface_t), intent(in) :: surface
         type(error_t), allocatable, intent(out) :: error
         real(wp), intent(in), optional :: tolerance
+        type(layered_shared_t), intent(inout), optional :: shared
+        type(layered_shared_t) :: own
 
         call disable_gsl_abort()
         if (present(tolerance)) then
@@ -132,12 +144,25 @@ contains
             self%tolerance = tolerance
         end if
         self%surface_modulus = surface%surface_modulus()
+        self%depth = surface%last_depth()
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (allocated(error)) return
-        call tabulate_kernel(self%kernel, surface, error)
-        if (allocated(error)) return
-        allocate (self%rules, source=make_rules())
+        if (present(shared)) then
+            call share(self, surface, shared, error)
+        else
+            call share(self, surface, own, error)
+        end if
     end subroutine new_exact_from_surface
+
+    subroutine share(self, surface, shared, error)
+        type(layered_exact_t), intent(inout) :: self
+        class(surface_t), intent(in) :: surface
+        type(layered_shared_t), intent(inout) :: shared
+        type(error_t), allocatable, intent(out) :: error
+
+        call shared_kernel(shared, surface, self%kernel, error)
+        if (.not. allocated(error)) call shared_rules(shared, self%rules)
+    end subroutine share
 
     !> E_eff(a), the stiffness of a flat punch over 2 a.
     subroutine modulus(self, a, values, error)
@@ -223,7 +248,8 @@ contains
         class(layered_exact_t), intent(in) :: self
         real(wp) :: radius
 
-        radius = largest_ratio*self%kernel%unit
+        radius = largest_ratio*self%depth
+        if (self%kernel%vanishes) radius = largest_homogeneous
     end function largest_radius
 
     !> zeta(a) = d/g(a), equation (9): what the depth is to that of a homogeneous body at the same contact radius.
@@ -315,7 +341,7 @@ contains
         depth = solution%depth + excess
         call self%surface%displacement_outside(profile, a, depth - profile%mdr(a), r, values, error)
         if (allocated(error) .or. self%kernel%vanishes) return
-        call new_load(self%kernel, profile, solution%grid, self%rules(level_of(self, solution)), load)
+        call new_load(self%kernel, profile, solution%grid, self%rules, level_of(self, solution), load)
         do i = 1, size(r)
             values(i) = values(i) + displacement_beyond(self%kernel, self%rules(size(self%rules)), solution, &
                                                         self%rules(level_of(self, solution)), load, depth, &

@@ -27,6 +27,7 @@ module mdrcontact_layered_graded
     integer, parameter :: table_octaves = 30, function_octaves = 50
     real(wp), parameter :: function_tolerance = 1.0e-13_wp
 
+    !> The surface compliance of a graded half-space.
     type, extends(surface_t) :: graded_surface_t
         private
         !> depths of the sublayers' ends, 0 first [length]
@@ -42,6 +43,8 @@ module mdrcontact_layered_graded
         procedure :: surface_modulus
         procedure :: long_wave_limit
         procedure :: first_depth
+        procedure :: last_depth
+        procedure :: ratios
     end type graded_surface_t
 
     !> G(z) and nu(z), from a table or from sampled functions.
@@ -247,5 +250,21 @@ contains
 
         value = self%ends(2)
     end function first_depth
+
+    pure function last_depth(self) result(value)
+        class(graded_surface_t), intent(in) :: self
+        real(wp) :: value
+
+        value = self%ends(size(self%ends))
+    end function last_depth
+
+    pure function ratios(self) result(values)
+        class(graded_surface_t), intent(in) :: self
+        real(wp), allocatable :: values(:)
+
+        associate (unused => self)
+        end associate
+        allocate (values(0))
+    end function ratios
 
 end module mdrcontact_layered_graded

@@ -16,6 +16,7 @@ module mdrcontact_layered_grid
     !> Halvings of a panel at most: a thousandth of the smallest ratio of lengths in use.
     integer, parameter :: most_halvings = 60
 
+    !> Panels over 0 <= x <= a and the nodes in them.
     type :: grid_t
         !> panel i is [edges(i), edges(i + 1)]
         real(wp), allocatable :: edges(:)
@@ -27,6 +28,7 @@ module mdrcontact_layered_grid
 
 contains
 
+    !> The nodes of a rule on every panel.
     pure function new_grid(edges, rule) result(self)
         real(wp), intent(in) :: edges(:)
         type(rule_t), intent(in) :: rule

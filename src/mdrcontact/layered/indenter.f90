@@ -17,8 +17,10 @@ module mdrcontact_layered_indenter
     public :: load_t, choose_panels, new_load, add_fine_interaction
 
     !> Size of the last Legendre coefficients of g on a panel that count as resolved, relative to g at the edge of the contact.
-    real(wp), parameter :: resolved = 1.0e-13_wp
+    real(wp), parameter :: resolved = 1.0e-12_wp
     integer, parameter :: most_splits = 40
+    !> Panels up to this length, in widths of the kernel, integrate a smooth g by a finer rule: the kernel is no rougher there.
+    real(wp), parameter :: longest_smooth = longest_panel
 
     !> g on a grid.
     type :: load_t
@@ -66,15 +68,18 @@ contains
     end subroutine choose_panels
 
     !> g on the grid.
-    subroutine new_load(kernel, profile, grid, rule, load)
+    subroutine new_load(kernel, profile, grid, rules, level, load)
         type(kernel_t), intent(in) :: kernel
         class(profile_t), intent(in) :: profile
         type(grid_t), intent(in) :: grid
-        type(rule_t), intent(in) :: rule
+        !> rules of rising order, and the one of the grid
+        type(rule_t), intent(in) :: rules(:)
+        integer, intent(in) :: level
         type(load_t), intent(out) :: load
         real(wp), allocatable :: breaks(:), s(:), ds(:)
         real(wp) :: low, high, lowest, largest
-        integer :: i, first, last
+        integer :: i, first, last, finer
+        logical :: broken
 
         allocate (load%values(size(grid%x)), load%fine_x(0), load%fine_gw(0))
         load%values = profile%mdr(grid%x*kernel%unit)
@@ -83,12 +88,22 @@ contains
         do i = 1, size(grid%edges) - 1
             low = grid%edges(i)*kernel%unit
             high = grid%edges(i + 1)*kernel%unit
-            if (.not. any(breaks > low .and. breaks < high)) then
-                if (resolves(kernel, profile, grid%edges(i), grid%edges(i + 1), largest, rule)) cycle
+            broken = any(breaks > low .and. breaks < high)
+            if (.not. broken) then
+                if (resolves(kernel, profile, grid%edges(i), grid%edges(i + 1), largest, rules(level))) cycle
             end if
-            first = (i - 1)*rule%n + 1
-            last = i*rule%n
+            first = (i - 1)*rules(level)%n + 1
+            last = i*rules(level)%n
             load%values(first:last) = 0.0_wp
+            if (.not. broken) then
+                finer = level_that_resolves(kernel, profile, grid%edges(i), grid%edges(i + 1), largest, rules, level + 1)
+                if (finer <= size(rules)) then
+                    s = low + (high - low)*rules(finer)%nodes
+                    load%fine_x = [load%fine_x, s/kernel%unit]
+                    load%fine_gw = [load%fine_gw, profile%mdr(s)*(high - low)/kernel%unit*rules(finer)%weights]
+                    cycle
+                end if
+            end if
             lowest = max(low, profile%end_radius(), smallest_panel_ratio*high)
             if (lowest >= high) cycle
             if (low < lowest) then
@@ -127,6 +142,23 @@ contains
         values = profile%mdr((low + (high - low)*rule%nodes)*kernel%unit)
         answer = maxval(abs(matmul(rule%to_legendre(rule%n - 1:, :), values))) <= resolved*largest
     end function resolves
+
+    !> The first rule from `first` on that resolves g on a panel that is short against the kernel's width; beyond the last rule
+    !> if there is none.
+    function level_that_resolves(kernel, profile, low, high, largest, rules, first) result(level)
+        type(kernel_t), intent(in) :: kernel
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: low, high, largest
+        type(rule_t), intent(in) :: rules(:)
+        integer, intent(in) :: first
+        integer :: level
+
+        level = size(rules) + 1
+        if (high - low > longest_smooth) return
+        do level = first, size(rules)
+            if (resolves(kernel, profile, low, high, largest, rules(level))) return
+        end do
+    end function level_that_resolves
 
     !> Whether g is a smooth even function at the tip: resolved as a polynomial in x^2 on [0, high].
     function is_even(kernel, profile, high, largest, rule) result(answer)

@@ -10,14 +10,16 @@ module mdrcontact_layered_kernel
     use mdrcontact_kinds, only: long, wp
     implicit none (type, external)
     private
-    public :: kernel_t, degree
+    public :: kernel_t, degree, near_degree
 
     !> Degree of the polynomials: a panel's nearest singularity (y = 0, or 2 h i with h the first layer's thickness)
     !> lies five half lengths from its centre or farther.
     integer, parameter :: degree = 15
+    !> Below the unit, in y^2, the same singularity lies nine half lengths from the centre.
+    integer, parameter :: near_degree = 13
     integer(int64), parameter :: mantissa = int(z'000FFFFFFFFFFFFF', int64), exponent_of_one = int(z'3FF0000000000000', int64)
     !> Points evaluated together, so that the compiler interleaves their Horner schemes.
-    integer, parameter :: block_size = 32
+    integer, parameter :: block_size = 32, at_once = 12
 
     !> The table. Made by tabulate_kernel.
     type :: kernel_t
@@ -99,13 +101,62 @@ contains
         end do
     end subroutine evaluate_long
 
+    !> y < 1 throughout: one polynomial, for as many points at a time as the registers hold.
+    pure subroutine evaluate_near(n, y, coefficients, x)
+        integer, intent(in) :: n
+        real(wp), intent(in) :: y(n), coefficients(0:near_degree)
+        real(wp), intent(out) :: x(n)
+        integer :: first, last, j
+        real(wp), dimension(at_once) :: u, value
+
+        do first = 1, n, at_once
+            last = min(first + at_once - 1, n)
+            u = 0.0_wp
+            u(:last - first + 1) = y(first:last)
+            u = 2.0_wp*u**2 - 1.0_wp
+            value = coefficients(near_degree)
+            do j = near_degree - 1, 0, -1
+                value = value*u + coefficients(j)
+            end do
+            x(first:last) = value(:last - first + 1)
+        end do
+    end subroutine evaluate_near
+
+    !> Sorts the points into those below 1 and those beyond.
     pure subroutine evaluate_block(n, y, coefficients, octaves, tail, x)
+        integer, intent(in) :: n, octaves
+        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail
+        real(wp), intent(out) :: x(n)
+        integer :: i, near, far, place(block_size)
+        real(wp) :: sorted(block_size), values(block_size)
+
+        near = 0
+        far = n + 1
+        do i = 1, n
+            if (y(i) < 1.0_wp) then
+                near = near + 1
+                place(i) = near
+            else
+                far = far - 1
+                place(i) = far
+            end if
+            sorted(place(i)) = y(i)
+        end do
+        call evaluate_near(near, sorted(:near), coefficients(:, 0), values(:near))
+        call evaluate_far(n - near, sorted(far:n), coefficients, octaves, tail, values(far:n))
+        do i = 1, n
+            x(i) = values(place(i))
+        end do
+    end subroutine evaluate_block
+
+    !> y >= 1.
+    pure subroutine evaluate_far(n, y, coefficients, octaves, tail, x)
         integer, intent(in) :: n, octaves
         real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail
         real(wp), intent(out) :: x(n)
         integer(int64) :: bits
         integer :: i, j, octave, half, panel(block_size)
-        real(wp) :: u(block_size)
+        real(wp) :: u(block_size), pair(2), square
         logical :: has_tail
 
         has_tail = .false.
@@ -115,27 +166,25 @@ contains
             half = int(iand(shiftr(bits, 51), 1_int64))
             u(i) = 4.0_wp*transfer(ior(iand(bits, mantissa), exponent_of_one), 1.0_wp) - real(5 + 2*half, wp)
             panel(i) = 1 + 2*octave + half
-            if (octave < 0) then
-                panel(i) = 0
-                u(i) = 2.0_wp*y(i)**2 - 1.0_wp
-            else if (octave >= octaves) then
+            if (octave >= octaves) then
                 panel(i) = 0
                 u(i) = 0.0_wp
                 has_tail = .true.
             end if
         end do
         do i = 1, n
-            x(i) = coefficients(degree, panel(i))
-        end do
-        do j = degree - 1, 0, -1
-            do i = 1, n
-                x(i) = x(i)*u(i) + coefficients(j, panel(i))
+            ! even and odd powers side by side
+            pair = coefficients(degree - 1:degree, panel(i))
+            square = u(i)**2
+            do j = degree - 3, 0, -2
+                pair = pair*square + coefficients(j:j + 1, panel(i))
             end do
+            x(i) = pair(1) + u(i)*pair(2)
         end do
         if (.not. has_tail) return
         do i = 1, n
             if (y(i) >= scale(1.0_wp, octaves)) x(i) = tail/y(i)**2
         end do
-    end subroutine evaluate_block
+    end subroutine evaluate_far
 
 end module mdrcontact_layered_kernel

@@ -31,6 +31,7 @@ module mdrcontact_layered_modes
 
 contains
 
+    !> The modes of a material of Poisson's ratio nu.
     pure function new_layer_modes(poisson) result(self)
         real(wp), intent(in) :: poisson
         type(layer_modes_t) :: self

@@ -38,9 +38,11 @@ module mdrcontact_layered_solve
 contains
 
     !> Solves at contact radius a [unit]; without a profile for the flat punch alone.
-    subroutine solve_on_grid(kernel, rule, a, width, solution, profile, long_rule)
+    subroutine solve_on_grid(kernel, rules, level, a, width, solution, profile, long_rule)
         type(kernel_t), intent(in) :: kernel
-        type(rule_t), intent(in) :: rule
+        !> rules of rising order, and the one to use
+        type(rule_t), intent(in) :: rules(:)
+        integer, intent(in) :: level
         !> contact radius, and the width at its edge that panels need not resolve
         real(wp), intent(in) :: a, width
         type(solution_t), intent(out) :: solution
@@ -54,19 +56,19 @@ contains
 
         solution%a = a
         if (present(profile)) then
-            call choose_panels(kernel, profile, a, width, rule, edges)
+            call choose_panels(kernel, profile, a, width, rules(level), edges)
         else
             call split_panels(a, width, [a], edges)
         end if
-        solution%grid = new_grid(edges, rule)
+        solution%grid = new_grid(edges, rules(level))
         n = size(solution%grid%x)
         sides = merge(2, 1, present(profile))
         allocate (matrix(n, n), rhs(n, sides), root(n), row(n), solution%punch(n), solution%v(n))
         root = sqrt(solution%grid%w)
-        call interaction_matrix(kernel, solution%grid, rule, matrix)
+        call interaction_matrix(kernel, solution%grid, rules(level), matrix)
         rhs(:, 1) = root
         if (present(profile)) then
-            call new_load(kernel, profile, solution%grid, rule, load)
+            call new_load(kernel, profile, solution%grid, rules, level, load)
             do i = 1, n
                 interaction = 0.0_wp
                 call add_fine_interaction(kernel, load, solution%grid%x(i), interaction)
@@ -84,7 +86,7 @@ contains
         if (present(long_rule)) call refine(kernel, solution%grid, long_rule, matrix, rhs, z, solution%solved)
 
         solution%punch = z(:, 1)/root
-        call interaction_row(kernel, solution%grid, rule, a, row)
+        call interaction_row(kernel, solution%grid, rules(level), a, row)
         solution%punch_edge = 1.0_wp - sum(row*solution%punch)
         total = sum(solution%grid%w*solution%punch)
         solution%modulus = total/a

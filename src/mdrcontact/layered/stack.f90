@@ -4,7 +4,7 @@ module mdrcontact_layered_stack
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_modes, only: compliance_above, half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, &
-                                        series_product, transferred
+                                        series_product
     use mdrcontact_layered_surface, only: surface_t
     use mdrcontact_material, only: material_t
     implicit none (type, external)
@@ -17,6 +17,7 @@ module mdrcontact_layered_stack
     integer, parameter :: series_order = 10
     real(wp), parameter :: longest = 0.1_wp
 
+    !> The surface compliance of bonded layers.
     type, extends(surface_t) :: stack_t
         private
         type(layer_modes_t), allocatable :: modes(:)
@@ -27,12 +28,16 @@ module mdrcontact_layered_stack
         real(wp) :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
         !> total thickness [length], and the power series in k of all layers' transfer matrix
         real(wp) :: total_thickness = 0.0_wp
-        real(wp) :: series(4, 4, 0:series_order) = 0.0_wp
+        !> the same with the base below them, what the surface compliance takes of it: (2, 1) and (2, 2) of the displacements,
+        !> then (1, 1), (1, 2), (2, 1), (2, 2) of the tractions
+        real(wp) :: series(6, 0:series_order) = 0.0_wp
     contains
         procedure :: response
         procedure :: surface_modulus
         procedure :: long_wave_limit
         procedure :: first_depth
+        procedure :: last_depth
+        procedure :: ratios
     end type stack_t
 
 contains
@@ -52,6 +57,7 @@ contains
         type(material_t) :: kept(size(layers)), surface
         real(wp) :: kept_thickness(size(layers))
         logical :: rigid
+        real(wp) :: series(4, 4, 0:series_order)
         integer :: i, count
 
         rigid = .false.
@@ -92,18 +98,34 @@ contains
         self%thickness = kept_thickness(:count)
         self%shear = kept(:count)%shear()/surface%shear()
         allocate (self%modes(count))
+        series = 0.0_wp
         do i = 1, 4
-            self%series(i, i, 0) = 1.0_wp
+            series(i, i, 0) = 1.0_wp
         end do
         do i = 1, count
             self%modes(i) = new_layer_modes(kept(i)%poisson)
-            call series_product(self%modes(i), self%thickness(i), self%shear(i), self%series)
+            call series_product(self%modes(i), self%thickness(i), self%shear(i), series)
         end do
         self%total_thickness = sum(self%thickness)
-        if (rigid) return
-        self%base = half_space_compliance(substrate%poisson)*(surface%shear()/substrate%shear())
-        self%sigma_zero = surface%contact()/substrate%contact()
+        if (.not. rigid) then
+            self%base = half_space_compliance(substrate%poisson)*(surface%shear()/substrate%shear())
+            self%sigma_zero = surface%contact()/substrate%contact()
+        end if
+        self%series = with_base(series, real(self%base, wp))
     end subroutine new_stack
+
+    !> What the surface compliance takes of a series of transfer matrices above a base.
+    pure function with_base(transfer, base) result(series)
+        real(wp), intent(in) :: transfer(4, 4, 0:series_order), base(2, 2)
+        real(wp) :: series(6, 0:series_order)
+        real(wp) :: rows(2:4, 2)
+        integer :: n
+
+        do n = 0, series_order
+            rows = matmul(transfer(2:4, 1:2, n), base) + transfer(2:4, 3:4, n)
+            series(:, n) = [rows(2, :), rows(3, :), rows(4, :)]
+        end do
+    end function with_base
 
     pure function same(one, other) result(answer)
         type(material_t), intent(in) :: one, other
@@ -126,8 +148,7 @@ contains
         if (size(self%thickness) == 0) return
         scale = real(self%modes(1)%half_space(2, 2), wp)
         if (abs(k)*self%total_thickness < longest) then
-            compliance = transferred(long_wave_transfer(self%series, k), self%base)
-            sigma = compliance(2, 2)/scale
+            sigma = long_wave_compliance(self%series, k)/scale
             chi = sigma - 1.0_wp
             return
         end if
@@ -155,17 +176,20 @@ contains
         end if
     end subroutine response
 
-    pure function long_wave_transfer(series, k) result(transfer)
-        real(wp), intent(in) :: series(4, 4, 0:series_order)
+    !> Entry (2, 2) of displacements times the inverse of tractions.
+    pure function long_wave_compliance(series, k) result(compliance)
+        real(wp), intent(in) :: series(6, 0:series_order)
         complex(wp), intent(in) :: k
-        complex(wp) :: transfer(4, 4)
+        complex(wp) :: compliance
+        complex(wp) :: rows(6)
         integer :: n
 
-        transfer = series(:, :, series_order)
+        rows = series(:, series_order)
         do n = series_order - 1, 0, -1
-            transfer = series(:, :, n) + k*transfer
+            rows = series(:, n) + k*rows
         end do
-    end function long_wave_transfer
+        compliance = (rows(2)*rows(3) - rows(1)*rows(4))/(rows(3)*rows(6) - rows(4)*rows(5))
+    end function long_wave_compliance
 
     pure function surface_modulus(self) result(value)
         class(stack_t), intent(in) :: self
@@ -188,5 +212,26 @@ contains
         value = 0.0_wp
         if (size(self%thickness) > 0) value = self%thickness(1)
     end function first_depth
+
+    pure function last_depth(self) result(value)
+        class(stack_t), intent(in) :: self
+        real(wp) :: value
+
+        value = self%total_thickness
+    end function last_depth
+
+    pure function ratios(self) result(values)
+        class(stack_t), intent(in) :: self
+        real(wp), allocatable :: values(:)
+
+        allocate (values(3*size(self%thickness) + 5))
+        associate (n => size(self%thickness))
+            if (n > 0) values(:n) = self%thickness/self%thickness(1)
+            values(n + 1:2*n) = self%shear
+            values(2*n + 1:3*n) = self%modes%poisson
+            values(3*n + 1:3*n + 4) = real([self%base(:, 1), self%base(:, 2)], wp)
+            values(3*n + 5) = self%sigma_zero
+        end associate
+    end function ratios
 
 end module mdrcontact_layered_stack

@@ -20,6 +20,10 @@ module mdrcontact_layered_surface
         procedure(number), deferred :: long_wave_limit
         !> depth of the first interface [length]; 0 if the body is homogeneous
         procedure(number), deferred :: first_depth
+        !> depth below which the body is homogeneous, or rigid [length]
+        procedure(number), deferred :: last_depth
+        !> numbers without a unit that determine the body but for its size and stiffness; none if that takes too many
+        procedure(numbers), deferred :: ratios
     end type surface_t
 
     abstract interface
@@ -36,6 +40,12 @@ module mdrcontact_layered_surface
             class(surface_t), intent(in) :: self
             real(wp) :: value
         end function number
+
+        pure function numbers(self) result(values)
+            import :: surface_t, wp
+            class(surface_t), intent(in) :: self
+            real(wp), allocatable :: values(:)
+        end function numbers
     end interface
 
 end module mdrcontact_layered_surface

@@ -14,10 +14,12 @@ module mdrcontact_medium_bottom_effect
     private
     public :: bottom_effect_t, new_bottom_effect, dimitriadis_series, garcia_series
 
-    !> c0 ... c4 of the two sources
+    !> c0 ... c4 of Dimitriadis et al. 2002
     real(wp), parameter :: dimitriadis_series(0:4) = [1.0_wp, 1.133_wp, 1.283_wp, 0.769_wp, 0.0975_wp]
+    !> c0 ... c4 of Garcia and Garcia 2018
     real(wp), parameter :: garcia_series(0:4) = [1.0_wp, 1.133_wp, 1.497_wp, 1.469_wp, 0.755_wp]
 
+    !> An incompressible layer on a rigid base.
     type, extends(effective_medium_t) :: bottom_effect_t
         private
         real(wp) :: contact_modulus = 0.0_wp

@@ -28,11 +28,17 @@ module mdrcontact_medium_effective
         procedure :: modulus
         procedure :: modulus_slope
         procedure :: first_touch_depth
+        procedure :: first_touch_slope
         procedure :: depth_and_force
+        procedure :: response
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
     end type effective_medium_t
+
+    !> Parts of the force that are left out where they vary, relative.
+    real(wp), parameter :: negligible = 1.0e-3_wp*epsilon(1.0_wp)
+    real(wp), parameter :: largest_part = 4.0_wp**(-8)
 
     abstract interface
         elemental function modulus_function(self, a) result(value)
@@ -124,6 +130,15 @@ contains
         value = depth_at(self, profile, a)
     end subroutine first_touch_depth
 
+    pure function first_touch_slope(self, profile, a) result(slope)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp) :: slope
+
+        slope = depth_slope(self, profile, a)
+    end function first_touch_slope
+
     !> d = zeta(a) g(a), F = int_0^a 2 s E_eff(s) d'(s) ds. Below the lowest panel E_eff is constant to rounding.
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(effective_medium_t), intent(in) :: self
@@ -136,12 +151,46 @@ contains
 
         depth = depth_at(self, profile, a)
         force = 0.0_wp
-        lowest = max(profile%end_radius(), smallest_panel_ratio*a)
+        lowest = max(profile%end_radius(), negligible_part(self, profile, a)*a)
         if (a <= lowest) return
         call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds)
         force = 2.0_wp*(self%effective_modulus(lowest)*first_moment(self, profile, lowest) &
                         + sum(s*self%effective_modulus(s)*depth_slope(self, profile, s)*ds))
     end subroutine depth_and_force
+
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force, modulus, modulus_slope
+        type(error_t), allocatable, intent(out) :: error
+
+        call self%depth_and_force(profile, a, depth, force, error)
+        modulus = self%effective_modulus(a)
+        modulus_slope = self%effective_modulus_slope(a)
+    end subroutine response
+
+    !> The share of a below which the modulus may be taken as constant: what lies there is too little of the force for its
+    !> variation, even by a factor of a thousand between the radii looked at, to show.
+    pure function negligible_part(self, profile, a) result(part)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp) :: part
+        real(wp) :: whole, at_axis, at_part, at_edge
+
+        whole = first_moment(self, profile, a)
+        at_axis = self%effective_modulus(smallest_panel_ratio*a)
+        at_edge = self%effective_modulus(a)
+        part = largest_part
+        do while (part > smallest_panel_ratio)
+            at_part = self%effective_modulus(part*a)
+            if (first_moment(self, profile, part*a)*max(at_part, at_axis) &
+                <= negligible*whole*min(at_part, at_axis, at_edge)) return
+            part = 0.25_wp*part
+        end do
+        part = smallest_panel_ratio
+    end function negligible_part
 
     !> q(x; a) = int_x^a E_eff(s) d'(s) ds, equation (21).
     subroutine line_load(self, profile, a, excess, r, values, error)

@@ -7,8 +7,7 @@ module mdrcontact_medium_gao
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_weights, only: weight_i0, weight_i0_poisson_slope, weight_i0_slope, weight_i1, weight_i1_slope, &
-                                  weight_j0, weight_j1
+    use mdrcontact_weights, only: all_weights, weight_i0_poisson_slope, weight_i0_slope, weight_i1_slope
     implicit none (type, external)
     private
     public :: gao_t, new_gao, new_gao_layered, gao_options_t, i0_poisson_choice
@@ -49,6 +48,7 @@ contains
         !> h > 0 [length]
         real(wp), intent(in) :: thickness
         type(error_t), allocatable, intent(out) :: error
+        !> without it: in parallel, nu of the surface in I0
         type(gao_options_t), intent(in), optional :: options
 
         call check_positive(error, "thickness", thickness)
@@ -65,6 +65,7 @@ contains
         real(wp), intent(in) :: thickness(:)
         type(material_t), intent(in) :: substrate
         type(error_t), allocatable, intent(out) :: error
+        !> as in new_gao
         type(gao_options_t), intent(in), optional :: options
         integer :: i
 
@@ -110,10 +111,10 @@ contains
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
         real(wp) :: value
-        real(wp) :: nu
+        real(wp) :: nu, shear
 
-        nu = averaged_poisson(self, a)
-        value = 2.0_wp*averaged_shear(self, a, i0_poisson(self%options, nu))/(1.0_wp - nu)
+        call averages(self, a, nu, shear)
+        value = 2.0_wp*shear/(1.0_wp - nu)
     end function effective_modulus
 
     elemental function effective_modulus_slope(self, a) result(value)
@@ -122,34 +123,70 @@ contains
         real(wp) :: value
         real(wp) :: nu, nu_slope, shear, shear_slope
 
-        nu = averaged_poisson(self, a)
+        call averages(self, a, nu, shear)
         nu_slope = -sum((self%poisson(:size(self%depth)) - self%poisson(2:))*weight_i1_slope(self%depth/a)*(self%depth/a))/a
-        shear = averaged_shear(self, a, i0_poisson(self%options, nu))
         shear_slope = averaged_shear_slope(self, a, i0_poisson(self%options, nu), shear, nu_slope)
         value = 2.0_wp*(shear_slope + shear*nu_slope/(1.0_wp - nu))/(1.0_wp - nu)
     end function effective_modulus_slope
 
-    pure function averaged_poisson(self, a) result(nu)
+    !> nu_eff and G_eff
+    pure subroutine averages(self, a, nu, shear)
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
-        real(wp) :: nu
+        real(wp), intent(out) :: nu, shear
+        real(wp) :: unused
 
-        nu = sum(self%poisson*shares(size(self%depth), weight_i1(self%depth/a), weight_j1(self%depth/a)))
-    end function averaged_poisson
+        call average(self, a, self%options%weight_nu, nu, shear)
+        if (self%options%weight_nu_choice == gao_nu_effective) call average(self, a, nu, unused, shear)
+        if (self%options%in_series) shear = 1.0_wp/shear
+    end subroutine averages
 
-    pure function averaged_shear(self, a, nu) result(shear)
+    !> nu_eff, and G_eff or 1/G_eff, with nu_weight in I0. The weight of each layer comes from the weights above (i) and below
+    !> (j = 1 - i) its interfaces, as the difference of whichever is smaller, so that a thin or remote layer's share keeps its
+    !> relative accuracy. Called at every node of every force: no arrays.
+    pure subroutine average(self, a, nu_weight, nu, shear)
         class(gao_t), intent(in) :: self
-        real(wp), intent(in) :: a, nu
-        real(wp) :: shear
-        real(wp) :: share(size(self%shear))
+        real(wp), intent(in) :: a, nu_weight
+        real(wp), intent(out) :: nu, shear
+        real(wp) :: i0, j0, i1, j1, i0_above, j0_above, i1_above, j1_above
+        integer :: layer
 
-        share = shares(size(self%depth), weight_i0(self%depth/a, nu), weight_j0(self%depth/a, nu))
-        if (self%options%in_series) then
-            shear = 1.0_wp/sum(share/self%shear)
-        else
-            shear = sum(share*self%shear)
-        end if
-    end function averaged_shear
+        i0_above = 0.0_wp
+        j0_above = 1.0_wp
+        i1_above = 0.0_wp
+        j1_above = 1.0_wp
+        nu = 0.0_wp
+        shear = 0.0_wp
+        do layer = 1, size(self%depth)
+            call all_weights(self%depth(layer)/a, nu_weight, i0, j0, i1, j1)
+            nu = nu + self%poisson(layer)*share(i1, i1_above, j1, j1_above)
+            shear = shear + modulus_of(layer)*share(i0, i0_above, j0, j0_above)
+            i0_above = i0
+            j0_above = j0
+            i1_above = i1
+            j1_above = j1
+        end do
+        nu = nu + self%poisson(layer)*j1_above
+        shear = shear + modulus_of(layer)*j0_above
+
+    contains
+
+        pure function modulus_of(layer) result(value)
+            integer, intent(in) :: layer
+            real(wp) :: value
+
+            value = self%shear(layer)
+            if (self%options%in_series) value = 1.0_wp/value
+        end function modulus_of
+
+        pure function share(i, i_above, j, j_above) result(value)
+            real(wp), intent(in) :: i, i_above, j, j_above
+            real(wp) :: value
+
+            value = merge(i - i_above, j_above - j, i < 0.5_wp .or. layer == 1)
+        end function share
+
+    end subroutine average
 
     pure function averaged_shear_slope(self, a, nu, shear, nu_slope) result(slope)
         class(gao_t), intent(in) :: self
@@ -177,20 +214,5 @@ contains
 
         nu = merge(effective, options%weight_nu, options%weight_nu_choice == gao_nu_effective)
     end function i0_poisson
-
-    !> The weight of each layer from the weights above (i) and below (j = 1 - i) each interface: the difference of whichever is
-    !> smaller, so that a thin or remote layer's share keeps its relative accuracy.
-    pure function shares(n, i, j) result(share)
-        integer, intent(in) :: n
-        real(wp), intent(in) :: i(n), j(n)
-        real(wp) :: share(n + 1)
-        integer :: layer
-
-        share(1) = i(1)
-        do layer = 2, n
-            share(layer) = merge(i(layer) - i(layer - 1), j(layer - 1) - j(layer), i(layer) < 0.5_wp)
-        end do
-        share(n + 1) = j(n)
-    end function shares
 
 end module mdrcontact_medium_gao

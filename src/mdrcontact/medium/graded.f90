@@ -20,6 +20,7 @@ module mdrcontact_medium_graded
     private
     public :: graded_t, new_graded, new_graded_from_functions
 
+    !> A graded half-space: E_eff(a), sampled.
     type, extends(effective_medium_t) :: graded_t
         private
         type(radius_law_t) :: law

@@ -10,6 +10,7 @@ module mdrcontact_medium_homogeneous
     private
     public :: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus
 
+    !> A half-space of one material, or of the contact modulus of two bodies.
     type, extends(effective_medium_t) :: homogeneous_t
         private
         !> E* [modulus]

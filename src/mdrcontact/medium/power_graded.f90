@@ -17,6 +17,7 @@ module mdrcontact_medium_power_graded
     private
     public :: power_graded_t, new_power_graded
 
+    !> E(z) = E0 (z/z0)^m by its springs.
     type, extends(medium_t) :: power_graded_t
         private
         !> m

@@ -16,6 +16,7 @@ module mdrcontact_monotone_table
     !> An end slope below this, relative to the first secant, is a rounding error of 0.
     real(wp), parameter :: negligible = 1.0e-10_wp
 
+    !> Points and the slopes of the cubics between them.
     type, extends(scalar_function_t) :: monotone_table_t
         private
         real(wp), allocatable :: x(:), y(:), slopes(:)

@@ -14,6 +14,7 @@ module mdrcontact_radius_law
     private
     public :: radius_law_t, new_radius_law_from_table, new_radius_law_from_function
 
+    !> The interpolated quantity. Beyond its largest radius it is not asked.
     type :: radius_law_t
         private
         real(wp) :: smallest = 0.0_wp, largest = 0.0_wp
@@ -70,9 +71,11 @@ contains
         type(radius_law_t), intent(out) :: self
         !> a positive, smooth function of the contact radius
         class(scalar_function_t), intent(inout), target :: f
+        !> what the values are, for error messages
         character(len=*), intent(in) :: name
         !> 0 < smallest < largest [length]
         real(wp), intent(in) :: smallest, largest
+        !> relative, of the sampling
         real(wp), intent(in) :: tolerance
         type(error_t), allocatable, intent(out) :: error
         type(logarithmic_t) :: logarithmic
@@ -99,6 +102,7 @@ contains
     !> The value at radius a <= largest_radius().
     elemental function at(self, a) result(y)
         class(radius_law_t), intent(in) :: self
+        !> contact radius [length]
         real(wp), intent(in) :: a
         real(wp) :: y
         real(wp) :: x
@@ -114,6 +118,7 @@ contains
     !> The derivative with respect to a.
     elemental function slope_at(self, a) result(y)
         class(radius_law_t), intent(in) :: self
+        !> contact radius [length]
         real(wp), intent(in) :: a
         real(wp) :: y
 
@@ -126,6 +131,7 @@ contains
         end if
     end function slope_at
 
+    !> The smallest radius of the table or the range [length].
     pure function smallest_radius(self) result(radius)
         class(radius_law_t), intent(in) :: self
         real(wp) :: radius
@@ -133,6 +139,7 @@ contains
         radius = self%smallest
     end function smallest_radius
 
+    !> The largest radius of the table or the range [length].
     pure function largest_radius(self) result(radius)
         class(radius_law_t), intent(in) :: self
         real(wp) :: radius

@@ -13,10 +13,14 @@ module mdrcontact_roots
     public :: find_root, solve_increasing, guess_from_below
 
     integer, parameter :: most_iterations = 200
-    !> Secant steps before Brent's method takes over.
+    !> Newton's or secant steps before Brent's method takes over.
     integer, parameter :: most_secants = 12
     real(wp), parameter :: relative_width = 4.0_wp*epsilon(1.0_wp)
     real(wp), parameter :: widest_step = 50.0_wp
+    !> A slope between points that are not farther apart speaks for the function near them.
+    real(wp), parameter :: nearby = 0.1_wp
+    !> Steps that shrink less do not converge yet; how far from the root they end.
+    real(wp), parameter :: largest_ratio = 0.1_wp, negligible = 0.1_wp*epsilon(1.0_wp)
 
     !> Lets a polymorphic function travel through GSL's `void *params`.
     type :: carrier_t
@@ -65,8 +69,10 @@ contains
         end if
     end subroutine find_root
 
-    !> The root of an increasing f in [smallest, largest] that is close to linear: secant steps from `guess` until they
-    !> converge, bracketed by the signs seen on the way; Brent's method if they do not.
+    !> The root of an increasing f in [smallest, largest] that is close to linear: Newton's steps where f knows its slope, else
+    !> secant steps, from `guess` until they converge, bracketed by the signs seen on the way; Brent's method if they do not.
+    !> The last step, which leaves less than rounding, is taken without looking at f again, unless f is
+    !> rough.
     !> `found` is false, and `root` the nearer end, if f keeps its sign over the whole interval.
     subroutine solve_increasing(f, guess, slope, smallest, largest, root, found, error)
         class(scalar_function_t), intent(inout) :: f
@@ -76,10 +82,11 @@ contains
         real(wp), intent(out) :: root
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: x, y, x_before, y_before, low, high
-        logical :: has_low, has_high
+        real(wp) :: x, y, x_before, y_before, low, high, left, step_before, ratio_before
+        logical :: has_low, has_high, slope_is_local
         integer :: iteration
 
+        slope_is_local = .true.
         has_low = .false.
         has_high = .false.
         low = smallest
@@ -88,6 +95,8 @@ contains
         x = min(max(guess, smallest), largest)
         x_before = x
         y_before = 0.0_wp
+        step_before = 0.0_wp
+        ratio_before = 1.0_wp
         do iteration = 1, most_iterations
             y = f%value(x)
             if (allocated(f%error)) then
@@ -103,7 +112,7 @@ contains
                 has_high = .true.
                 high = x
             end if
-            if (iteration > 1) then
+            if (iteration > 1 .and. slope_is_local) then
                 if (abs(x - x_before) <= relative_width*max(1.0_wp, abs(x))) return
             end if
             if ((x >= largest .and. y < 0.0_wp) .or. (x <= smallest .and. y > 0.0_wp)) then
@@ -111,25 +120,68 @@ contains
                 return
             end if
             if (iteration > most_secants .and. has_low .and. has_high) exit
-            call secant_step()
+            call take_step()
+            if (left <= negligible .and. .not. f%is_rough) then
+                root = x
+                return
+            end if
         end do
         call find_root(f, low, high, root, error)
 
     contains
 
-        !> Moves x; a step that is not finite or leaves the bracket becomes a bisection or a wide stride.
-        subroutine secant_step()
+        !> Moves x; a step that is not finite or leaves the bracket becomes a bisection or a wide stride. A step of nothing along
+        !> a secant from afar does not mean that the root is here: it becomes a short one, which shows the slope near x.
+        subroutine take_step()
             real(wp) :: next, rate
+            logical :: newton
 
+            ! Where the last step did not help, as close to a vertical wall, the slope at x says little about the way back.
+            newton = f%known_slope > 0.0_wp .and. (iteration == 1 .or. abs(y) < 0.5_wp*abs(y_before))
             rate = slope
-            if (iteration > 1) rate = (y - y_before)/(x - x_before)
+            slope_is_local = .true.
+            if (newton) then
+                rate = f%known_slope
+            else if (iteration > 1) then
+                rate = (y - y_before)/(x - x_before)
+                slope_is_local = abs(x - x_before) <= nearby
+            end if
             if (.not. rate > 0.0_wp) rate = slope
             next = x - min(max(y/rate, -widest_step), widest_step)
-            if (has_low .and. has_high .and. (next <= low .or. next >= high)) next = 0.5_wp*(low + high)
+            left = error_after(next - x, newton)
+            if (.not. slope_is_local) then
+                left = huge(left)
+                if (abs(next - x) <= relative_width*max(1.0_wp, abs(x))) next = x - sign(0.1_wp*nearby, y)
+            end if
+            if (next <= low .or. next >= high) then
+                left = huge(left)
+                if (has_low .and. has_high) next = 0.5_wp*(low + high)
+            end if
             x_before = x
             y_before = y
             x = min(max(next, smallest), largest)
-        end subroutine secant_step
+            step_before = x - x_before
+        end subroutine take_step
+
+        !> What a step will leave of the distance to the root, from how the steps have shrunk: after Newton by the square of the
+        !> last ratio, after secants by the product of the last two.
+        function error_after(step, newton) result(distance)
+            real(wp), intent(in) :: step
+            logical, intent(in) :: newton
+            real(wp) :: distance, ratio
+
+            distance = huge(distance)
+            ratio = 1.0_wp
+            if (step_before /= 0.0_wp .and. y_before /= 0.0_wp) ratio = max(abs(step/step_before), abs(y/y_before))
+            if (ratio < largest_ratio) then
+                if (newton) then
+                    distance = abs(step)*ratio**2
+                else if (ratio_before < largest_ratio) then
+                    distance = abs(step)*ratio*ratio_before
+                end if
+            end if
+            ratio_before = ratio
+        end function error_after
 
     end subroutine solve_increasing
 
@@ -145,8 +197,12 @@ contains
         slope = 2.0_wp
         y = f%value(start)
         if (allocated(f%error)) return
-        slope = f%value(start + 1.0_wp) - y
-        if (allocated(f%error)) return
+        if (f%known_slope > 0.0_wp) then
+            slope = f%known_slope
+        else
+            slope = f%value(start + 1.0_wp) - y
+            if (allocated(f%error)) return
+        end if
         if (slope > 0.01_wp) then
             guess = start - y/slope
         else

@@ -22,6 +22,7 @@ module mdrcontact_sampled_function
     !> The slope in x of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t: 1/t amplifies rounding.
     real(wp), parameter :: smallest_root = 1.0e-5_wp
 
+    !> Chebyshev series on panels.
     type :: sampled_function_t
         private
         !> panel i runs from edges(i) to edges(i+1)

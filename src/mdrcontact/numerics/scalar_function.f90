@@ -10,15 +10,23 @@ module mdrcontact_scalar_function
     !> Extend it with the data that the function needs. A failed evaluation allocates `error` and
     !> returns any number; whoever called the function looks at `error` before using the number.
     type, abstract :: scalar_function_t
+        !> allocated by an evaluation that failed
         type(error_t), allocatable :: error
+        !> df/dx at the x of the last evaluation, if the function knows it; 0 if it does not
+        real(wp) :: known_slope = 0.0_wp
+        !> f is rough at the level of its rounding errors: a root counts only if f was looked at there
+        logical :: is_rough = .false.
     contains
+        !> f(x)
         procedure(value_at), deferred :: value
     end type scalar_function_t
 
     abstract interface
+        !> y = f(x).
         function value_at(self, x) result(y)
             import :: scalar_function_t, wp
             class(scalar_function_t), intent(inout) :: self
+            !> in the unit of the function's argument
             real(wp), intent(in) :: x
             real(wp) :: y
         end function value_at

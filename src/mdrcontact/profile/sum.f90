@@ -11,6 +11,7 @@ module mdrcontact_profile_sum
 
     !> One term of a sum.
     type :: profile_term_t
+        !> any indenter, another sum included
         class(profile_t), allocatable :: profile
     end type profile_term_t
 

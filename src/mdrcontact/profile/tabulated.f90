@@ -63,6 +63,7 @@ contains
         !> f(r) on [0, largest_radius]: f(0) = 0, not decreasing. Written without cancellation near the axis it keeps its
         !> relative accuracy there: r^2/(R + sqrt(R^2 - r^2)) rather than R - sqrt(R^2 - r^2).
         class(scalar_function_t), intent(inout), target :: height
+        !> up to where contacts reach, > 0 [length]
         real(wp), intent(in) :: largest_radius
         type(error_t), allocatable, intent(out) :: error
         type(watched_function_t) :: watched

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws the pictures of the guide, all from what the library computes. python docs/make_pictures.py [FOLDER] [--quick]
+
+FOLDER is docs/pictures by default. --quick computes maps on coarse grids. The pictures of fitting.md have a script of their own.
+"""
+
+from __future__ import annotations
+
+import argparse
+import io
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+from PIL import Image
+
+import mdrcontact as mdr
+
+BLUE, RED, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#7f7f7f"
+COLOURS = (BLUE, RED, GREEN, "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f")
+UM = 1e6
+
+OXIDE, SILICON = mdr.Elastic(72e9, 0.17), mdr.Elastic(163e9, 0.22)
+
+
+def indenters(quick: bool) -> Any:
+    """f(r) and g(x) of every shape with a name."""
+    r = np.linspace(0.0, 2e-6, 21)
+    shapes = [
+        ("Paraboloid(2e-6)", mdr.Paraboloid(2e-6)),
+        ("Sphere(2e-6)", mdr.Sphere(2e-6)),
+        ("Cone(0.4)", mdr.Cone(0.4)),
+        ("PowerLaw(4.0, 1e17)", mdr.PowerLaw(4.0, 1e17)),
+        ("FlatPunch(1e-6)", mdr.FlatPunch(1e-6)),
+        ("FlatEndedCone(0.5e-6, 0.4)", mdr.FlatEndedCone(0.5e-6, 0.4)),
+        ("FlatEndedParaboloid(0.5e-6, 2e-6)", mdr.FlatEndedParaboloid(0.5e-6, 2e-6)),
+        ("RoundedCone(0.5e-6, 0.4)", mdr.RoundedCone(0.5e-6, 0.4)),
+        ("Berkovich(), Vickers()", mdr.Berkovich()),
+        ("CubeCorner()", mdr.CubeCorner()),
+        ("AreaFunction([24.5, 1.5e-6], 1e-6)", mdr.AreaFunction([24.5, 1.5e-6], 1e-6)),
+        ("TabulatedProfile(r, f)", mdr.TabulatedProfile(r, 0.04e-6 * (1.0 - np.cos(4e6 * r)) + 0.4 * r)),
+    ]
+    figure, axes = plt.subplots(4, 3, figsize=(9.0, 8.6), sharex=True, sharey=True, layout="constrained")
+    for axis, (name, shape) in zip(axes.flat, shapes, strict=True):
+        x = np.linspace(0.0, 1.75e-6, 60 if quick else 400)
+        x = x[x <= 1e-6] if isinstance(shape, mdr.FlatPunch) else x
+        f, g = shape.height(x), shape.mdr(x)
+        if isinstance(shape, mdr.FlatPunch):
+            x, f, g = (np.append(array, end) for array, end in ((x, 1e-6), (f, 1.3e-6), (g, 1.3e-6)))
+        axis.plot(UM * np.append(-x[::-1], x), UM * np.append(f[::-1], f), color=BLUE, label="f(r)")
+        axis.plot(UM * np.append(-x[::-1], x), UM * np.append(g[::-1], g), color=RED, linestyle="--", label="g(x)")
+        axis.set_title(name, fontsize=9, family="monospace")
+        axis.spines[["top", "right"]].set_visible(False)
+    axes[0, 0].set(xlim=(-1.9, 1.9), ylim=(-0.05, 1.3))
+    axes[0, 0].legend(frameon=False, loc="upper center")
+    for axis in axes[-1]:
+        axis.set_xlabel("r, x [µm]")
+    for axis in axes[:, 0]:
+        axis.set_ylabel("f, g [µm]")
+    return figure
+
+
+def springs(quick: bool) -> Any:
+    """The idea: a paraboloid on a half-space, and its g(x) on independent springs."""
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(0.75, 0.5)))
+    state = contact.at_radius(0.5)
+    a, d = float(state.radius), float(state.depth)
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 3.0), sharex=True, sharey=True, layout="constrained")
+    r = np.linspace(-1.2, 1.2, 61 if quick else 401)
+    surface = -np.asarray(contact.displacement(np.abs(r), radius=a))
+    left.fill_between(r, surface, -0.85, color="#e3e8ee")
+    left.plot(r, surface, color="#1c2430", linewidth=1.0)
+    left.plot(r, r**2 / 2.0 - d, color=BLUE)
+    left.set(title="three dimensions: $f(r)$ on a half-space", xlabel="$r/R$", ylabel="height$/R$")
+    left.set(xlim=(-1.2, 1.2), ylim=(-0.85, 0.45))
+    for x in np.linspace(-1.1, 1.1, 23):
+        top = min(x**2 - d, 0.0)
+        y = np.linspace(-0.62, top, 9)
+        right.plot(x + 0.012 * np.array([0, 0, 1, -1, 1, -1, 1, 0, 0]), y, color=GREY, linewidth=0.9)
+    right.axhspan(-0.85, -0.62, color="#e3e8ee")
+    right.plot(r, np.minimum(r**2 - d, 1.0), color=RED)
+    right.axhline(0.0, color="#1c2430", linewidth=0.8, linestyle=":")
+    right.set(title="one dimension: $g(x)$ on independent springs", xlabel="$x/R$")
+    for axis in (left, right):
+        arrow = {"arrowstyle": "<->", "color": "#1c2430", "shrinkA": 0, "shrinkB": 0}
+        axis.annotate("", (a, -0.74), (0.0, -0.74), arrowprops=arrow)
+        axis.text(a + 0.05, -0.74, "$a$", va="center")
+        axis.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
+def media(quick: bool) -> Any:
+    """E_eff(a/h) of one coated body under every model, stiff on soft and soft on stiff."""
+    ratio = np.geomspace(0.03, 30.0, 20 if quick else 120)
+    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.9), sharex=True, layout="constrained")
+    for axis, E0 in zip(axes, (5.0, 0.2), strict=True):
+        exact = mdr.Coated(mdr.Elastic(E0, 0.3), 1.0, mdr.Elastic(1.0, 0.3), "exact")
+        axis.plot(ratio, exact.modulus(ratio) * (1 - 0.3**2), color="#c3ccd6", linewidth=7, label="exact")
+        for colour, model in zip(COLOURS, _elastic_models(), strict=True):
+            axis.plot(ratio, exact.with_model(model).modulus(ratio) * (1 - 0.3**2), color=colour, linewidth=1.1, label=model)
+        axis.set(xscale="log", yscale="log", xlabel="$a/h$", title=f"$E_0/E_1$ = {E0:g}")
+        axis.spines[["top", "right"]].set_visible(False)
+        ticks = [0.2, 0.3, 0.5, 1.0] if E0 < 1 else [1, 2, 3, 5]
+        axis.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
+        axis.minorticks_off()
+    axes[0].set_ylabel("$E_\\mathrm{eff}/E^*_1$")
+    axes[1].legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def accuracy(quick: bool) -> Any:
+    """Errors of E_eff and F of every model of a coating on an elastic substrate."""
+    models = _elastic_models()
+    n = 9 if quick else 33
+    result = mdr.accuracy_map(np.geomspace(0.01, 100.0, n), np.geomspace(0.03, 30.0, n), models)
+    levels = (-50, -20, -10, -5, -2, 2, 5, 10, 20, 50)
+    colours = plt.get_cmap("RdBu_r")(np.linspace(0.02, 0.98, len(levels) + 1))
+    figure, axes = plt.subplots(3, 6, figsize=(10.5, 5.9), sharex=True, sharey=True, layout="constrained")
+    for i, model in enumerate(models):
+        for j, errors in enumerate((result.modulus_error, result.force_error)):
+            axis = axes[i // 3, 2 * (i % 3) + j]
+            percent = 100.0 * errors[i]
+            shown = axis.contourf(result.radius_ratio, result.modulus_ratio, percent, levels, colors=colours, extend="both")
+            axis.set(xscale="log", yscale="log")
+            axis.set_title(f"{model}\n" + ("error of $E_\\mathrm{eff}$", "error of $F$")[j], fontsize=8)
+    for axis in axes[-1]:
+        axis.set_xlabel("$a/h$")
+    for axis in axes[:, 0]:
+        axis.set_ylabel("$E_0/E_1$")
+    bar = figure.colorbar(shown, ax=axes, ticks=levels, aspect=40, pad=0.01)
+    bar.set_label("error against exact [%]; white: within 2 %")
+    return figure
+
+
+def adhesion(quick: bool) -> Any:
+    """A loop of an AFM cantilever on a rubber film: branch, jumps, pull-off."""
+    film = mdr.Coated(mdr.Elastic(2e6, 0.5), 1e-6, mdr.Elastic(70e9, 0.23), model="exact")
+    contact = mdr.Contact(mdr.Paraboloid(2e-6), film, work_of_adhesion=0.05)
+    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
+    for axis, control, largest, words in (
+        (axes[0], "displacement", 80e-9, "indentation depth prescribed"),
+        (axes[1], "spring", 400e-9, "far end of a spring of 1 N/m prescribed"),
+    ):
+        spring = {"spring_stiffness": 1.0} if control == "spring" else {}
+        loop = contact.loop(control, largest=largest, points=40 if quick else 300, **spring)
+        turn = loop.turning_point
+        axis.plot(1e9 * loop.position[: turn + 1], 1e6 * loop.force[: turn + 1], color=BLUE, label="approach")
+        axis.plot(1e9 * loop.position[turn:], 1e6 * loop.force[turn:], color=RED, label="retraction")
+        axis.axhline(0.0, color=GREY, linewidth=0.7)
+        axis.set(xlabel=("depth" if control == "displacement" else "position of the spring's end") + " [nm]", title=words)
+        axis.spines[["top", "right"]].set_visible(False)
+    axes[0].set_ylabel("force [µN]")
+    axes[0].legend(frameon=False)
+    return figure
+
+
+def _elastic_models() -> tuple[str, ...]:
+    return mdr.accuracy_map([2.0], [1.0]).models
+
+
+PICTURES = (springs, indenters, media, accuracy, adhesion)
+
+
+def save(figure: Any, file: Path) -> None:
+    """Writes a PNG of few colours: a third of the size."""
+    drawn = io.BytesIO()
+    figure.savefig(drawn, dpi=110)
+    plt.close(figure)
+    Image.open(drawn).convert("RGB").quantize(64).save(file, optimize=True)
+
+
+def main() -> None:
+    """Draws all pictures."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", nargs="?", type=Path, default=Path(__file__).resolve().parent / "pictures")
+    parser.add_argument("--quick", action="store_true")
+    arguments = parser.parse_args()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    for picture in PICTURES:
+        figure = picture(arguments.quick)
+        file = arguments.folder / f"{picture.__name__}.png"
+        save(figure, file)
+        print(f"written: {file.name}, {file.stat().st_size / 1000:.0f} kB")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Computes the tables of models.md and writes them into it. python docs/make_tables.py [--check]
+
+--check writes nothing and ends with status 1 if a table there is not what the library computes.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+import mdrcontact as mdr
+
+PAGE = Path(__file__).resolve().parent / "models.md"
+RADII = np.geomspace(0.03, 30.0, 61)
+"""a/h"""
+MODELS = mdr.accuracy_map([2.0], [1.0]).models
+
+
+def modulus_error() -> str:
+    """The largest error of E_eff by the ratio of shear moduli, for three pairs of Poisson's ratios."""
+    ratios = (0.1, 0.5, 2.0, 10.0)
+    lines = ["| model | " + " | ".join(f"$G_0/G_1$ = {ratio:g}" for ratio in ratios) + " |", "|---|" + "---|" * len(ratios)]
+    a_over_h = np.array([0.1, 0.5, 1.0, 3.0, 10.0])
+    for model in MODELS:
+        cells = []
+        for ratio in ratios:
+            errors: list[float] = []
+            for nu0, nu1 in ((0.2, 0.45), (0.3, 0.3), (0.5, 0.5)):
+                body = mdr.Coated(mdr.Elastic(2 * ratio * (1 + nu0), nu0), 1.0, mdr.Elastic(2 * (1 + nu1), nu1), model)
+                errors += list(np.asarray(body.modulus(a_over_h) / body.with_model("exact").modulus(a_over_h) - 1))
+            cells.append(f"{100 * max(errors, key=abs):+.0f} %")
+        lines.append(f"| `{model}` | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def both_errors() -> str:
+    """The largest errors of E_eff and of F at given a, within a factor 2 and a factor 10 of equal moduli."""
+    lines = [
+        "| model | $E_\\mathrm{eff}$, factor 2 | $F$, factor 2 | $E_\\mathrm{eff}$, factor 10 | $F$, factor 10 |",
+        "|---|---|---|---|---|",
+    ]
+    maps = [mdr.accuracy_map(np.geomspace(1.0 / factor, factor, 21), RADII, MODELS) for factor in (2.0, 10.0)]
+    for i, model in enumerate(MODELS):
+        cells = [f"{100 * np.abs(error[i]).max():.0f} %" for m in maps for error in (m.modulus_error, m.force_error)]
+        lines.append(f"| `{model}` | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def ranges() -> str:
+    """Between which E0/E1 the force is right within 10 %, at any a/h, and where the contact is small or large."""
+    parts = (("any $a/h$", 0.0, np.inf), ("$a/h < 0.1$", 0.0, 0.1), ("$a/h > 10$", 10.0, np.inf))
+    lines = ["| model | " + " | ".join(name for name, _, _ in parts) + " |", "|---|" + "---|" * len(parts)]
+    ratios = np.geomspace(0.01, 100.0, 81)
+    result = mdr.accuracy_map(ratios, RADII, MODELS)
+    for i, model in enumerate(MODELS):
+        cells = []
+        for _, low, high in parts:
+            chosen = (result.radius_ratio > low) & (result.radius_ratio < high)
+            good = np.abs(result.force_error[i][:, chosen]).max(axis=1) <= 0.1
+            cells.append(_around_one(ratios, good))
+        lines.append(f"| `{model}` | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def _around_one(ratios: np.ndarray, good: np.ndarray) -> str:
+    middle = len(ratios) // 2
+    bad_below, bad_above = np.flatnonzero(~good[:middle]), np.flatnonzero(~good[middle:])
+    first = bad_below[-1] + 1 if bad_below.size else 0
+    last = middle + bad_above[0] - 1 if bad_above.size else len(ratios) - 1
+    if last < first:
+        return "nowhere"
+    low = "less than 0.01" if first == 0 else f"{ratios[first]:.2g}"
+    high = "more than 100" if last == len(ratios) - 1 else f"{ratios[last]:.2g}"
+    return f"{low} to {high}"
+
+
+TABLES: dict[str, Callable[[], str]] = {"modulus_error": modulus_error, "both_errors": both_errors, "ranges": ranges}
+
+
+def main() -> int:
+    """Writes or checks every table."""
+    before = PAGE.read_text(encoding="utf-8")
+    after = before
+    for name, table in TABLES.items():
+        pattern = rf"(?<=<!-- table: {name} -->\n\n).*?(?=\n\n<!-- end -->)"
+        made = table()
+        after, count = re.subn(pattern, lambda _, made=made: made, after, flags=re.DOTALL)
+        assert count == 1, f"{PAGE.name} has no place for the table {name}"
+    if "--check" in sys.argv:
+        print("the tables are right" if after == before else "a table is not what the library computes: run docs/make_tables.py")
+        return int(after != before)
+    PAGE.write_text(after, encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

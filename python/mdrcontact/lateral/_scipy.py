@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""SciPy, which maps and sliding need and `import mdrcontact` does not."""
+
+from __future__ import annotations
+
+from ..errors import MDRError
+
+
+def require() -> None:
+    """An exception that says how to install it where it is missing."""
+    try:
+        import scipy  # noqa: F401
+    except ImportError as problem:
+        raise MDRError('maps and sliding need SciPy: pip install "mdrcontact[map]"') from problem

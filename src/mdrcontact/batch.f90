@@ -1,0 +1,159 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Work on many entries, on one thread or several: the same numbers and the same error, however many threads there are.
+!>
+!> The caller says how many threads; nothing is remembered between calls. Called from within a parallel region, all stays on the
+!> calling thread.
+module mdrcontact_batch
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_kinds, only: wp
+    !$ use omp_lib, only: omp_get_max_threads, omp_get_num_procs, omp_in_parallel
+    implicit none (type, external)
+    private
+    public :: batch_t, map_t, run_batch, run_map, team_size, check_threads
+
+    !> What is to be done with each entry. It is shared by the threads: results go to arrays it points to. (It is passed as
+    !> intent(inout): of an intent(in) argument gfortran 12 takes what its pointers point to as unchanged, too.)
+    type, abstract :: batch_t
+    contains
+        procedure(entries), deferred :: work
+    end type batch_t
+
+    !> A function of one number, for arrays. No value may depend on where in the array it stands.
+    type, abstract :: map_t
+    contains
+        procedure(mapped), deferred :: values
+    end type map_t
+
+    abstract interface
+        !> Does entries first to last in ascending order, up to the first that fails.
+        subroutine entries(self, first, last, error)
+            import :: batch_t, error_t
+            class(batch_t), intent(inout) :: self
+            integer, intent(in) :: first, last
+            type(error_t), allocatable, intent(out) :: error
+        end subroutine entries
+
+        pure subroutine mapped(self, x, y)
+            import :: map_t, wp
+            class(map_t), intent(in) :: self
+            real(wp), intent(in) :: x(:)
+            !> same size as x
+            real(wp), intent(out) :: y(:)
+        end subroutine mapped
+    end interface
+
+    type, extends(batch_t) :: map_batch_t
+        class(map_t), pointer :: map => null()
+        real(wp), pointer, contiguous :: x(:) => null(), y(:) => null()
+    contains
+        procedure :: work => map_entries
+    end type map_batch_t
+
+    !> Points of a function of some nanoseconds that a thread takes at a time, and from how many on several threads pay.
+    integer, parameter :: map_block = 2048, map_smallest = 16384
+    !> More threads gain nothing, and where the system cannot start them the OpenMP runtime ends the program.
+    !$ integer, parameter :: most_per_processor = 4
+
+contains
+
+    !> Works on entries 1 to n, `block` at a time, on several threads from `smallest` entries on. Where entries fail, the error is
+    !> that of the first of them.
+    subroutine run_batch(batch, n, block, smallest, threads, error)
+        class(batch_t), intent(inout) :: batch
+        integer, intent(in) :: n, block, smallest
+        !> at least 1, or 0 for as many as OpenMP offers
+        integer, intent(in) :: threads
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, blocks, team, failed
+
+        if (allocated(error) .or. n < 1) return
+        blocks = (n - 1)/block + 1
+        team = min(team_size(n, smallest, threads), blocks)
+        if (team == 1) then
+            call batch%work(1, n, error)
+            return
+        end if
+        failed = blocks + 1
+        ! Dynamic: blocks begin in ascending order, and those after a failed one need not begin.
+        !$omp parallel do schedule(dynamic) num_threads(team) default(shared)
+        do i = 1, blocks
+            call run_block(batch, i, (i - 1)*block + 1, min(i*block, n), failed, error)
+        end do
+        !$omp end parallel do
+    end subroutine run_batch
+
+    !> One block, unless an earlier one has failed.
+    subroutine run_block(batch, number, first, last, failed, error)
+        class(batch_t), intent(inout) :: batch
+        integer, intent(in) :: number, first, last
+        !> number of the earliest block that has failed, and its error; both shared by the threads
+        integer, intent(inout) :: failed
+        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable :: found
+        integer :: earliest
+
+        !$omp atomic read
+        earliest = failed
+        if (earliest < number) return
+        call batch%work(first, last, found)
+        if (.not. allocated(found)) return
+        !$omp critical (mdrcontact_batch_failed)
+        if (number < failed) then
+            !$omp atomic write
+            failed = number
+            call move_alloc(found, error)
+        end if
+        !$omp end critical (mdrcontact_batch_failed)
+    end subroutine run_block
+
+    !> A quick function at many points.
+    subroutine run_map(map, x, y, threads)
+        class(map_t), intent(in), target :: map
+        real(wp), intent(in), target, contiguous :: x(:)
+        !> same size as x
+        real(wp), intent(inout), target, contiguous :: y(:)
+        integer, intent(in) :: threads
+        type(map_batch_t) :: batch
+        type(error_t), allocatable :: error
+
+        batch%map => map
+        batch%x => x
+        batch%y => y
+        call run_batch(batch, size(x), map_block, map_smallest, threads, error)
+    end subroutine run_map
+
+    subroutine map_entries(self, first, last, error)
+        class(map_batch_t), intent(inout) :: self
+        integer, intent(in) :: first, last
+        type(error_t), allocatable, intent(out) :: error
+
+        call self%map%values(self%x(first:last), self%y(first:last))
+    end subroutine map_entries
+
+    !> How many threads to use for so many entries.
+    function team_size(n, smallest, threads) result(team)
+        integer, intent(in) :: n, smallest, threads
+        integer :: team
+
+        team = 1
+        if (n < smallest) return
+        !$ team = threads
+        !$ if (threads == 0) team = omp_get_max_threads()
+        !$ team = min(team, most_per_processor*omp_get_num_procs())
+        !$ if (omp_in_parallel()) team = 1
+        associate (unused => threads)
+        end associate
+    end function team_size
+
+    !> Raises unless `threads` is a number of threads, or 0.
+    pure subroutine check_threads(error, threads)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: threads
+
+        if (threads < 0) then
+            call raise(error, error_invalid, "threads = "//count_text(threads)//" is not allowed: it must be at least 1, or 0 "// &
+                       "for as many as the runtime offers")
+        end if
+    end subroutine check_threads
+
+end module mdrcontact_batch

@@ -1,0 +1,81 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What exact media that are made one after the other share: the quadrature rules, the waves of the kernel's tabulation, and
+!> the kernel itself where only the unit of length changes. It belongs to whoever makes the media; media do not refer to it.
+module mdrcontact_layered_shared
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_converge, only: make_rules
+    use mdrcontact_layered_kernel, only: kernel_t
+    use mdrcontact_layered_rule, only: rule_t
+    use mdrcontact_layered_surface, only: surface_t
+    use mdrcontact_layered_tabulate, only: attempts, tabulate_kernel
+    use mdrcontact_layered_waves, only: wave_table_t
+    implicit none (type, external)
+    private
+    public :: layered_shared_t, shared_rules, shared_kernel
+
+    !> A trial, its neighbours in two moduli, and the trial before.
+    integer, parameter :: most_kernels = 4
+
+    !> A kernel and the ratios that determine it.
+    type :: kept_kernel_t
+        type(kernel_t) :: kernel
+        real(wp), allocatable :: ratios(:)
+    end type kept_kernel_t
+
+    !> Empty at first, and filled as media are made. Not for several threads at a time.
+    type :: layered_shared_t
+        private
+        type(wave_table_t) :: tables(attempts)
+        type(rule_t), allocatable :: rules(:)
+        !> the kernels made last, and the one to be overwritten next
+        type(kept_kernel_t) :: kernels(most_kernels)
+        integer :: oldest = 1
+    end type layered_shared_t
+
+contains
+
+    subroutine shared_rules(shared, rules)
+        type(layered_shared_t), intent(inout) :: shared
+        type(rule_t), allocatable, intent(out) :: rules(:)
+
+        if (.not. allocated(shared%rules)) allocate (shared%rules, source=make_rules())
+        allocate (rules, source=shared%rules)
+    end subroutine shared_rules
+
+    !> The kernel of a body: that of one made before where both are the same but for their size.
+    subroutine shared_kernel(shared, surface, kernel, error)
+        type(layered_shared_t), intent(inout) :: shared
+        class(surface_t), intent(in) :: surface
+        type(kernel_t), intent(out) :: kernel
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: ratios(:)
+        integer :: i
+
+        allocate (ratios, source=surface%ratios())
+        do i = 1, most_kernels
+            if (is_same(shared%kernels(i), ratios)) exit
+        end do
+        if (i > most_kernels) then
+            i = shared%oldest
+            if (allocated(shared%kernels(i)%ratios)) deallocate (shared%kernels(i)%ratios)
+            call tabulate_kernel(shared%kernels(i)%kernel, surface, shared%tables, error)
+            if (allocated(error)) return
+            call move_alloc(ratios, shared%kernels(i)%ratios)
+            shared%oldest = modulo(i, most_kernels) + 1
+        end if
+        kernel = shared%kernels(i)%kernel
+        if (.not. kernel%vanishes) kernel%unit = surface%first_depth()
+    end subroutine shared_kernel
+
+    pure function is_same(kept, ratios) result(answer)
+        type(kept_kernel_t), intent(in) :: kept
+        real(wp), intent(in) :: ratios(:)
+        logical :: answer
+
+        answer = .false.
+        if (.not. allocated(kept%ratios) .or. size(ratios) == 0) return
+        if (size(kept%ratios) == size(ratios)) answer = all(kept%ratios == ratios)
+    end function is_same
+
+end module mdrcontact_layered_shared

@@ -1,0 +1,126 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> exp(iky) on a ray of wavenumbers k = t exp(i theta), octave by octave of k y: the part of a kernel's tabulation that is the
+!> same for every body. Bodies that are made one after the other share it.
+module mdrcontact_layered_waves
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_layered_kernel, only: degree
+    use mdrcontact_quadrature, only: gauss_legendre
+    implicit none (type, external)
+    private
+    public :: wave_table_t, new_wave_table, waves_at, panel_nodes, order, first_wave
+
+    !> Nodes in a panel of wavenumbers.
+    integer, parameter :: panel_nodes = 20
+    !> Below this octave of k y (k y < 1/64) exp(iky) is its power series of this order.
+    integer, parameter :: first_wave = -8, order = 7
+    !> Octaves of k that the table for y <= 1 holds: a homogeneous first layer leaves nothing beyond.
+    integer, parameter :: last_near = 7
+    !> |exp(iky)| beyond which nothing is left: exp(-faded).
+    real(wp), parameter :: faded = 45.0_wp
+
+    type :: wave_table_t
+        !> exp(i theta)
+        complex(wp) :: direction = 1.0_wp
+        !> the base octave [1, 2) of wavenumbers
+        real(wp), allocatable :: nodes(:), weights(:)
+        !> what takes values on a panel to its last two Legendre coefficients
+        real(wp) :: last(panel_nodes, 2) = 0.0_wp
+        !> (node, n): (i k)^n/n! on the base octave
+        complex(wp), allocatable :: powers(:, :)
+        !> Chebyshev positions of the kernel's panels: in [0, 1], and in [1, 2) for both halves of an octave
+        real(wp) :: near_y(degree + 1) = 0.0_wp, far_y(2*degree + 2) = 0.0_wp
+        !> (position, real and imaginary part, node, octave of k y from first_wave)
+        real(wp), allocatable :: near(:, :, :, :), far(:, :, :, :)
+    contains
+        procedure :: is_made
+    end type wave_table_t
+
+contains
+
+    pure function is_made(self) result(answer)
+        class(wave_table_t), intent(in) :: self
+        logical :: answer
+
+        answer = allocated(self%far)
+    end function is_made
+
+    !> The table for a ray at `angle`, with so many panels in an octave of wavenumbers.
+    subroutine new_wave_table(self, angle, panels)
+        type(wave_table_t), intent(out) :: self
+        real(wp), intent(in) :: angle
+        integer, intent(in) :: panels
+        real(wp) :: x(panel_nodes), w(panel_nodes), chebyshev(degree + 1)
+        integer :: i, n, highest
+
+        self%direction = cmplx(cos(angle), sin(angle), wp)
+        call gauss_legendre(x, w)
+        call last_coefficients(x, w, self%last)
+        n = panels*panel_nodes
+        allocate (self%nodes(n), self%weights(n), self%powers(n, 0:order))
+        do i = 1, panels
+            self%nodes((i - 1)*panel_nodes + 1:i*panel_nodes) = 1.0_wp + (real(i - 1, wp) + x)/real(panels, wp)
+            self%weights((i - 1)*panel_nodes + 1:i*panel_nodes) = w/real(panels, wp)
+        end do
+        self%powers(:, 0) = 1.0_wp
+        do i = 1, order
+            self%powers(:, i) = self%powers(:, i - 1)*self%nodes*self%direction*(0.0_wp, 1.0_wp)/real(i, wp)
+        end do
+        do i = 1, size(chebyshev)
+            chebyshev(i) = cos((real(i, wp) - 0.5_wp)*pi/real(size(chebyshev), wp))
+        end do
+        self%near_y = sqrt(0.5_wp*(1.0_wp + chebyshev))
+        self%far_y = [1.25_wp + 0.25_wp*chebyshev, 1.75_wp + 0.25_wp*chebyshev]
+        highest = ceiling(log(faded/sin(angle))/log(2.0_wp)) - 1
+        allocate (self%near(size(self%near_y), 2, n, first_wave:last_near), self%far(size(self%far_y), 2, n, first_wave:highest))
+        call fill(self, self%near_y, self%near)
+        call fill(self, self%far_y, self%far)
+    end subroutine new_wave_table
+
+    pure subroutine fill(self, y, waves)
+        type(wave_table_t), intent(in) :: self
+        real(wp), intent(in) :: y(:)
+        real(wp), intent(out) :: waves(:, :, :, first_wave:)
+        integer :: i, octave
+
+        do octave = first_wave, ubound(waves, 4)
+            do i = 1, size(self%nodes)
+                call waves_at(self%direction, scale(self%nodes(i), octave)*y, waves(:, :, i, octave))
+            end do
+        end do
+    end subroutine fill
+
+    !> Real and imaginary parts of exp(i t exp(i theta)).
+    pure subroutine waves_at(direction, t, waves)
+        complex(wp), intent(in) :: direction
+        real(wp), intent(in) :: t(:)
+        !> (size(t), 2)
+        real(wp), intent(out) :: waves(:, :)
+
+        waves(:, 1) = exp(-t*aimag(direction))
+        waves(:, 2) = waves(:, 1)*sin(t*real(direction, wp))
+        waves(:, 1) = waves(:, 1)*cos(t*real(direction, wp))
+    end subroutine waves_at
+
+    !> The two highest Legendre polynomials that a panel's nodes resolve, times weights and normalisation: what takes values on
+    !> a panel to its two last Legendre coefficients.
+    pure subroutine last_coefficients(nodes, weights, matrix)
+        !> on [0, 1]
+        real(wp), intent(in) :: nodes(:), weights(:)
+        real(wp), intent(out) :: matrix(:, :)
+        real(wp), dimension(size(nodes)) :: x, before, here, next
+        integer :: n
+
+        x = 2.0_wp*nodes - 1.0_wp
+        before = 1.0_wp
+        here = x
+        do n = 1, size(nodes) - 2
+            next = (real(2*n + 1, wp)*x*here - real(n, wp)*before)/real(n + 1, wp)
+            before = here
+            here = next
+        end do
+        n = size(nodes)
+        matrix(:, 1) = real(2*n - 3, wp)*weights*before
+        matrix(:, 2) = real(2*n - 1, wp)*weights*here
+    end subroutine last_coefficients
+
+end module mdrcontact_layered_waves

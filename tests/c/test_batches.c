@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Arrays on several threads: the same numbers to the last bit and the same error for every number of threads, also where the
+ * caller has threads of its own. */
+#include "check.h"
+
+#include <pthread.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+enum { QUICK = 17000, STATES = 203, EXACT = 24, OUTPUTS = 30, CALLERS = 3 };
+
+typedef struct objects {
+    mdr_profile *profile;
+    mdr_medium *medium, *exact_medium, *homogeneous;
+    mdr_contact *contact, *exact, *quick;
+    mdr_structure *structure;
+} objects;
+
+static double place[QUICK], small_place[STATES];
+
+static void make(objects *o)
+{
+    const int kind = MDR_SHAPE_SPHERE;
+    const double sphere[7] = {0.5, 0.0, 1.0, 0.4}, E = 9.0, nu = 0.2;
+    mdr_contact_options options;
+
+    mdr_contact_options_init(&options);
+    options.work_of_adhesion = 0.01;
+    CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &o->profile));
+    CHECK_SUCCESS(mdr_medium_coated(9.0, 0.3, 1.0, 3.0, 0.4, MDR_MODEL_GAO, NULL, &o->medium));
+    CHECK_SUCCESS(mdr_medium_coated(9.0, 0.3, 1.0, 3.0, 0.4, MDR_MODEL_EXACT, NULL, &o->exact_medium));
+    CHECK_SUCCESS(mdr_medium_homogeneous(3.0, 0.4, &o->homogeneous));
+    CHECK_SUCCESS(mdr_contact_new(o->profile, o->medium, &options, &o->contact));
+    CHECK_SUCCESS(mdr_contact_new(o->profile, o->exact_medium, NULL, &o->exact));
+    CHECK_SUCCESS(mdr_contact_new(o->profile, o->homogeneous, NULL, &o->quick));
+    CHECK_SUCCESS(mdr_structure_shapes(3.0, 0.4, 1, &kind, sphere, &E, &nu, NULL, &o->structure));
+    for (int i = 0; i < QUICK; i++) place[i] = pow(10.0, -3.0 + 5.0 * i / QUICK);
+    for (int i = 0; i < STATES; i++) small_place[i] = 0.999 * i / STATES;
+}
+
+static void end(objects *o)
+{
+    CHECK_SUCCESS(mdr_structure_free(&o->structure));
+    CHECK_SUCCESS(mdr_contact_free(&o->quick));
+    CHECK_SUCCESS(mdr_contact_free(&o->exact));
+    CHECK_SUCCESS(mdr_contact_free(&o->contact));
+    CHECK_SUCCESS(mdr_medium_free(&o->homogeneous));
+    CHECK_SUCCESS(mdr_medium_free(&o->exact_medium));
+    CHECK_SUCCESS(mdr_medium_free(&o->medium));
+    CHECK_SUCCESS(mdr_profile_free(&o->profile));
+}
+
+/* Every function there is; out: OUTPUTS rows of QUICK numbers. Returns how many calls failed. */
+static int evaluate(const objects *o, int threads, double *out)
+{
+    double *v = out;
+    int failed = 0;
+#define NEXT (v += QUICK, v - QUICK)
+#define CALL(call) (failed += (call) != MDR_SUCCESS)
+    for (int i = 0; i < OUTPUTS * QUICK; i++) out[i] = 0.0;
+    CALL(mdr_profile_height_threads(o->profile, QUICK, place, NEXT, threads));
+    CALL(mdr_profile_slope_threads(o->profile, QUICK, place, NEXT, threads));
+    CALL(mdr_profile_mdr_threads(o->profile, QUICK, place, NEXT, threads));
+    CALL(mdr_profile_mdr_slope_threads(o->profile, QUICK, place, NEXT, threads));
+    CALL(mdr_medium_modulus_threads(o->medium, QUICK, place, NEXT, threads));
+    CALL(mdr_medium_stiffness_threads(o->exact_medium, EXACT, small_place + 1, NEXT, threads));
+    CALL(mdr_weight_phi_threads(QUICK, place, 0.3, NEXT, threads));
+    CALL(mdr_weight_i0_threads(QUICK, place, 0.3, NEXT, threads));
+    CALL(mdr_weight_i1_threads(QUICK, place, 0.3, NEXT, threads));
+    CALL(mdr_weight_j0_threads(QUICK, place, 0.3, NEXT, threads));
+    CALL(mdr_weight_j1_threads(QUICK, place, 0.3, NEXT, threads));
+    CALL(mdr_contact_from_depth_on_threads(o->contact, MDR_ON_LOADING, STATES, small_place, NULL, NULL, NEXT, NULL, threads));
+    CALL(mdr_contact_from_force_on_threads(o->contact, MDR_ON_UNLOADING, STATES, small_place, NULL, NEXT, NULL, NULL, threads));
+    CALL(mdr_contact_from_depth_on_threads(o->quick, MDR_ON_UNLOADING, QUICK, place, NULL, NULL, NEXT, NULL, threads));
+    CALL(mdr_contact_from_force_on_threads(o->exact, MDR_ON_UNLOADING, EXACT, small_place, NEXT, NULL, NULL, NULL, threads));
+    CALL(mdr_contact_from_radius_threads(o->exact, EXACT, small_place, NULL, NULL, NULL, NEXT, threads));
+    CALL(mdr_contact_pressure_threads(o->contact, 1.0, STATES, small_place, NEXT, threads));
+    CALL(mdr_contact_displacement_threads(o->exact, 0.5, STATES, small_place, NEXT, threads));
+    CALL(mdr_contact_line_load_threads(o->exact, 1.0, STATES, small_place, NEXT, threads));
+    CALL(mdr_contact_pressure_at_depth_threads(o->quick, 0.6, STATES, small_place, NEXT, threads));
+    CALL(mdr_contact_displacement_at_depth_threads(o->contact, 0.1, STATES, small_place, NEXT, threads));
+    CALL(mdr_contact_line_load_at_depth_threads(o->contact, 0.6, STATES, small_place, NEXT, threads));
+    CALL(mdr_coated_paraboloid_force_threads(QUICK, place, 1.0, 3.0, 1.0, 0.5, NEXT, threads));
+    CALL(mdr_coated_cone_force_threads(QUICK, place, 0.3, 3.0, 1.0, 0.5, NEXT, threads));
+    CALL(mdr_coated_paraboloid_adhesive_depth_threads(QUICK, place, 1.0, 3.0, 1.0, 0.5, 0.1, NEXT, threads));
+    CALL(mdr_reduced_adhesive_depth_threads(QUICK, place, 3.0, 0.5, NEXT, threads));
+    CALL(mdr_structure_modulus_threads(o->structure, EXACT, small_place, small_place, place, NEXT, threads));
+    CALL(mdr_lateral_density_threads(QUICK, place, place, 0.3, v, v + QUICK, threads));
+    return failed;
+}
+
+static double *rows(void)
+{
+    double *space = malloc(sizeof(double) * OUTPUTS * QUICK);
+    if (space == NULL) exit(EXIT_FAILURE);
+    return space;
+}
+
+static void test_every_number_of_threads(const objects *o, const double *alone)
+{
+    const int counts[] = {2, 3, 0, 1000000};
+    double *found = rows();
+
+    for (int i = 0; i < 4; i++) {
+        CHECK_INT(evaluate(o, counts[i], found), 0);
+        CHECK_INT(memcmp(found, alone, sizeof(double) * OUTPUTS * QUICK), 0);
+    }
+    free(found);
+}
+
+/* The functions without threads, and single points, give these numbers too. */
+static void test_one_by_one(const objects *o, const double *alone)
+{
+    double one, all[STATES];
+
+    for (int i = 0; i < QUICK; i += 997) {
+        CHECK_SUCCESS(mdr_weight_i0(1, &place[i], 0.3, &one));
+        CHECK_CLOSE(one, alone[7 * QUICK + i], 0.0);
+        CHECK_SUCCESS(mdr_profile_mdr(o->profile, 1, &place[i], &one));
+        CHECK_CLOSE(one, alone[2 * QUICK + i], 0.0);
+        CHECK_SUCCESS(mdr_medium_modulus(o->medium, 1, &place[i], &one));
+        CHECK_CLOSE(one, alone[4 * QUICK + i], 0.0);
+    }
+    /* in place */
+    for (int i = 0; i < STATES; i++) all[i] = small_place[i];
+    CHECK_SUCCESS(mdr_weight_i0_threads(STATES, all, 0.3, all, 2));
+    for (int i = 0; i < STATES; i++) {
+        CHECK_SUCCESS(mdr_weight_i0(1, &small_place[i], 0.3, &one));
+        CHECK_CLOSE(all[i], one, 0.0);
+    }
+    CHECK_CLOSE(all[0], 0.0, 0.0);
+    CHECK_SUCCESS(mdr_contact_from_depth_on(o->contact, MDR_ON_LOADING, STATES, small_place, NULL, NULL, all, NULL));
+    CHECK_INT(memcmp(all, alone + 11 * QUICK, sizeof all), 0);
+    CHECK_SUCCESS(mdr_contact_pressure(o->contact, 1.0, STATES, small_place, all));
+    CHECK_INT(memcmp(all, alone + 16 * QUICK, sizeof all), 0);
+}
+
+/* Of several bad entries the first is named, whoever meets one first; nothing is written. */
+static void test_errors(const objects *o)
+{
+    double bad[STATES], out[STATES], x[STATES];
+
+    for (int i = 0; i < STATES; i++) {
+        bad[i] = i % 2 ? -1.0 - i : 0.5;
+        x[i] = small_place[i];
+    }
+    bad[1] = 0.25;
+    x[40] = 3.0;
+    x[41] = 4.0;
+    x[200] = -5.0;
+    fill_untouched(STATES, out);
+    for (int threads = 0; threads < 6; threads++) {
+        CHECK_STATUS(mdr_contact_from_depth_on_threads(o->exact, MDR_ON_UNLOADING, STATES, bad, out, NULL, NULL, NULL, threads),
+                     MDR_EUNREACHABLE, "entry 4 of in: depth = -4 ");
+        CHECK_STATUS(mdr_contact_from_force_on_threads(o->contact, MDR_ON_LOADING, STATES, bad, NULL, out, NULL, NULL, threads),
+                     MDR_EUNREACHABLE, "entry 4 of in: force = -4 ");
+        CHECK_STATUS(mdr_contact_pressure_threads(o->exact, 1.0, STATES, x, out, threads), MDR_EDOMAIN, "r = 3 ");
+        CHECK_STATUS(mdr_weight_i0_threads(STATES, bad, 0.3, out, threads), MDR_EINVALID, "entry 4 of xi");
+        CHECK_STATUS(mdr_structure_modulus_threads(o->structure, EXACT, x, x, bad, out, threads), MDR_EINVALID, "a = -4 ");
+    }
+    CHECK_STATUS(mdr_weight_i0_threads(STATES, small_place, 0.3, out, -1), MDR_EINVALID, "threads = -1 is not allowed");
+    CHECK_STATUS(mdr_profile_mdr_threads(o->profile, 1, place, out, -2), MDR_EINVALID, "threads = -2");
+    CHECK_STATUS(mdr_contact_from_radius_threads(o->exact, 1, place, out, NULL, NULL, NULL, -1), MDR_EINVALID, "threads = -1");
+    CHECK_STATUS(mdr_contact_line_load_threads(o->exact, 1.0, 1, place, out, -1), MDR_EINVALID, "threads = -1");
+    CHECK_STATUS(mdr_medium_modulus_threads(o->medium, 1, place, out, -1), MDR_EINVALID, "threads = -1");
+    CHECK_STATUS(mdr_structure_modulus_threads(o->structure, 1, x, x, place, out, -1), MDR_EINVALID, "threads = -1");
+    CHECK_STATUS(mdr_lateral_density_threads(1, place, place, 0.3, out, out + 1, -1), MDR_EINVALID, "threads = -1");
+    CHECK_STATUS(mdr_coated_cone_force_threads(1, place, 0.3, 3.0, 1.0, 0.5, out, -1), MDR_EINVALID, "threads = -1");
+    CHECK_UNTOUCHED(STATES, out);
+}
+
+typedef struct caller {
+    const objects *o;
+    int threads, failed;
+    double *found;
+} caller;
+
+static void *call(void *argument)
+{
+    caller *c = argument;
+    c->failed = evaluate(c->o, c->threads, c->found);
+    return NULL;
+}
+
+static void test_callers_with_threads(const objects *o, const double *alone, int threads)
+{
+    pthread_t id[CALLERS];
+    caller callers[CALLERS];
+
+    for (int i = 0; i < CALLERS; i++) {
+        callers[i] = (caller){o, threads, -1, rows()};
+        CHECK_INT(pthread_create(&id[i], NULL, call, &callers[i]), 0);
+    }
+    for (int i = 0; i < CALLERS; i++) {
+        CHECK_INT(pthread_join(id[i], NULL), 0);
+        CHECK_INT(callers[i].failed, 0);
+        CHECK_INT(memcmp(callers[i].found, alone, sizeof(double) * OUTPUTS * QUICK), 0);
+        free(callers[i].found);
+    }
+}
+
+#ifdef _OPENMP
+/* A structure's function tells on which thread and at which level it is called. */
+static int material(double x, double y, double z, double *E, double *nu, void *context)
+{
+    (void)x, (void)y, (void)z;
+    if (omp_get_thread_num() != *(int *)context || omp_get_level() > 1) return 1;
+    *E = 3.0;
+    *nu = 0.3;
+    return 0;
+}
+
+/* Within a parallel region nothing is shared out again, whatever is asked for and even where the runtime would allow it. */
+static void test_callers_with_openmp(const objects *o, const double *alone)
+{
+    int failed = 0, different = 0, one = 0;
+    double E[4], a[4] = {1.0, 2.0, 3.0, 4.0};
+    mdr_structure *field = NULL;
+
+    omp_set_max_active_levels(3);
+#pragma omp parallel num_threads(CALLERS) reduction(+ : failed, different)
+    {
+        double *found = rows();
+        failed += evaluate(o, 4, found);
+        different += memcmp(found, alone, sizeof(double) * OUTPUTS * QUICK) != 0;
+        free(found);
+    }
+    omp_set_max_active_levels(1);
+    CHECK_INT(failed, 0);
+    CHECK_INT(different, 0);
+    /* a user's function is called on the caller's thread */
+    CHECK_SUCCESS(mdr_structure_callback(material, &one, 0.3, 1e-3, &field));
+    CHECK_SUCCESS(mdr_structure_modulus_threads(field, 4, a, a, a, E, 4));
+    CHECK_CLOSE(E[3], 3.0 / (1.0 - 0.09), 1e-9);
+    CHECK_SUCCESS(mdr_structure_free(&field));
+}
+#endif
+
+/* With an argument: callers with threads of their own alone, each call on one, for checkers that do not know OpenMP. */
+int main(int argc, char **argv)
+{
+    objects o = {0};
+    double *alone = rows();
+
+    (void)argv;
+    make(&o);
+    CHECK_INT(evaluate(&o, 1, alone), 0);
+    if (argc > 1) {
+        test_callers_with_threads(&o, alone, 1);
+    } else {
+        test_every_number_of_threads(&o, alone);
+        test_one_by_one(&o, alone);
+        test_errors(&o);
+        test_callers_with_threads(&o, alone, 2);
+#ifdef _OPENMP
+        test_callers_with_openmp(&o, alone);
+#endif
+    }
+    end(&o);
+    free(alone);
+    return check_report("batches");
+}

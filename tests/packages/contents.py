@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is in the packages: contents.py ROOT SDIST WHEEL.
+
+Both hold the licence and all of the library's sources or modules, and nothing that a build or a run left behind; the source package
+holds no file that is not under version control, where ROOT is.
+"""
+
+import re
+import subprocess
+import sys
+import tarfile
+import zipfile
+from pathlib import Path
+
+JUNK = re.compile(r"(^|/)(build[^/]*|\.venv|output|__pycache__|\.git|[^/]*\.egg-info)/|\.(o|a|mod|smod|pyc|orig|rej|log)$|~$")
+
+
+def complain(package, what, names):
+    """Ends the program if there are such files."""
+    if names:
+        sys.exit(f"{package.name}: {what}: {', '.join(sorted(names)[:20])}")
+
+
+def under(root, *patterns):
+    """Files below ROOT by their relative names."""
+    return {path.relative_to(root).as_posix() for pattern in patterns for path in root.glob(pattern)}
+
+
+def source_names(sdist):
+    """Names in a source package, without its one top folder."""
+    with tarfile.open(sdist) as archive:
+        names = {name for name in archive.getnames() if not archive.getmember(name).isdir()}
+    tops = {name.split("/")[0] for name in names}
+    if len(tops) != 1:
+        sys.exit(f"{sdist.name}: one top folder is meant, found {sorted(tops)}")
+    return {name.split("/", 1)[1] for name in names}
+
+
+def check_source(root, sdist):
+    """All of the sources, the licence, no junk."""
+    names = source_names(sdist)
+    wanted = {"LICENSE", "README.md", "CHANGELOG.md", "CMakeLists.txt", "pyproject.toml", "include/mdrcontact.h"}
+    wanted |= under(root, "src/**/*.f90", "src/**/*.inc", "src/**/*.c", "python/src/**/*.f90", "python/mdrcontact/**/*.py")
+    complain(sdist, "missing", wanted - names)
+    complain(sdist, "not meant to be there", {name for name in names if JUNK.search(name) or name.endswith(".so")})
+    listed = subprocess.run(["git", "-C", str(root), "ls-files"], capture_output=True, text=True, check=False)
+    if listed.returncode == 0 and "pyproject.toml" in listed.stdout.splitlines():
+        complain(sdist, "not under version control", names - set(listed.stdout.splitlines()) - {"PKG-INFO"})
+    print(f"   {sdist.name}: {len(names)} files, {sdist.stat().st_size / 1e6:.1f} MB")
+
+
+def check_wheel(root, wheel):
+    """All modules, one extension, the licence and those of the libraries inside, no junk."""
+    with zipfile.ZipFile(wheel) as archive:
+        names = set(archive.namelist())
+    wanted = {f"mdrcontact/{name}" for name in under(root / "python" / "mdrcontact", "**/*.py", "**/*.pyi", "py.typed")}
+    wanted |= {f"mdrcontact/{name}" for name in under(root / "examples", "problems/*.toml")}
+    complain(wheel, "missing", wanted - names)
+    complain(wheel, "not meant to be there", {name for name in names if JUNK.search(name)})
+    tops = {name.split("/")[0] for name in names}
+    information = {top for top in tops if re.fullmatch(r"mdrcontact-[0-9.]+\.dist-info", top)}
+    complain(wheel, "not meant to be there", tops - information - {"mdrcontact", "mdrcontact.libs"})
+    if not any(name.endswith(".dist-info/licenses/LICENSE") for name in names):
+        sys.exit(f"{wheel.name}: LICENSE is missing")
+    libraries = {name for name in names if name.startswith("mdrcontact.libs/") and ".so" in name}
+    licences = {name.split("/")[2] for name in names if ".dist-info/licenses/" in name and name.count("/") > 2}
+    if not libraries or not licences:
+        sys.exit(f"{wheel.name}: {len(libraries)} libraries inside, with the licences of {sorted(licences)}")
+    if sum(name.startswith("mdrcontact/_native.") and name.endswith(".so") for name in names) != 1:
+        sys.exit(f"{wheel.name}: one extension module mdrcontact/_native is meant")
+    if "manylinux" not in wheel.name:
+        sys.exit(f"{wheel.name}: its libraries were not put inside")
+    print(f"   {wheel.name}: {len(names)} files, {wheel.stat().st_size / 1e6:.1f} MB")
+
+
+if __name__ == "__main__":
+    check_source(Path(sys.argv[1]), Path(sys.argv[2]))
+    check_wheel(Path(sys.argv[1]), Path(sys.argv[3]))

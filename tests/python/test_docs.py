@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every code block of the guide and of README.md runs, in the order of its page, and prints what the page says."""
+
+from __future__ import annotations
+
+import pytest
+from code_blocks import Reader, blocks, same_output
+from conftest import ROOT
+
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
+def test_page(path, installed, tmp_path, tmp_path_factory, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    # fonts are searched for once, not for every page
+    monkeypatch.setenv("MPLCONFIGDIR", str(tmp_path_factory.getbasetemp()))
+    reader = Reader(tmp_path, installed)
+    for block in blocks(path):
+        reader.run(block)
+
+
+@pytest.mark.parametrize(
+    ("page", "words"),
+    [
+        ("```\nx\n```\n", "must say its language"),
+        ("```ruby\nx\n```\n", "nobody knows how to run 'ruby'"),
+        ("Words:\n\n    x = 1\n", "an indented block of code"),
+        ("<pre>x</pre>\n", "<pre>"),
+        ("```python\nprint(1)\n```\n```text\n2\n```\n", "prints"),
+        ("```python\nundefined\n```\n", "line 1: name 'undefined' is not defined"),
+        ("```sh\nfalse\n```\n", "status 1"),
+        ("```toml\n[indenter]\nshape = \"ball\"\n```\n", "'ball' is not allowed"),
+    ],
+)
+def test_what_does_not_run_is_found(page, words, tmp_path):
+    path = tmp_path / "page.md"
+    path.write_text(page, encoding="utf-8")
+    with pytest.raises(AssertionError, match=words):
+        for block in blocks(path):
+            Reader(tmp_path, tmp_path).run(block)
+
+
+@pytest.mark.parametrize(
+    ("said", "printed", "same"),
+    [
+        ("F = 1.23 mN\n", "F =   1.234 mN\n", True),
+        ("F = 1.23 mN\n", "F = 1.25 mN\n", False),
+        ("F = 1.23 mN\n", "F = 1.23 N\n", False),
+        ("12 points\n", "13 points\n", False),
+        ("3e-07\n", "3.4e-07\n", True),
+        ("a\n...\nd\n", "a\nb\nc\nd\n", True),
+        ("a\n...\nd\n", "a\nb\nd\nc\n", False),
+        ("a\n", "a\nb\n", False),
+        ("a\nb\n", "a\n", False),
+    ],
+)
+def test_outputs_are_compared(said, printed, same):
+    assert same_output(said, printed) is same

