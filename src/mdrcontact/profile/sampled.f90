@@ -88,10 +88,12 @@ contains
         real(wp) :: top
         integer :: count, i
 
+        call check_sizes([first_break(breaks, largest), largest], error)
+        if (allocated(error)) return
         top = height%value(largest)
         if (.not. allocated(height%error)) call check_start(height, flat_radius, top, error)
         if (allocated(height%error)) error = height%error
-        call check_sizes([first_break(breaks, largest), largest, top], error)
+        if (.not. allocated(error)) call check_sizes([top], error)
         if (allocated(error)) return
         call descending_edges(height, flat_radius, first_break(breaks, largest), top, may_lose_digits, count, error)
         if (allocated(error)) return
@@ -173,7 +175,7 @@ contains
         else if (x < self%f%lower()) then
             y = self%f%value(self%f%lower())*(x/self%f%lower())**self%f_exponent
         else
-            y = self%f%value(x)
+            y = max(self%f%value(x), 0.0_wp)
         end if
     end function height
 
@@ -201,7 +203,7 @@ contains
         else if (x < self%g%lower()) then
             y = self%g%value(self%g%lower())*(x/self%g%lower())**self%g_exponent
         else
-            y = self%g%value(x)
+            y = max(self%g%value(x), 0.0_wp)
         end if
     end function mdr
 
