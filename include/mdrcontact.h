@@ -794,7 +794,7 @@ typedef struct mdr_fit_problem {
     int medium;                        /* enum mdr_fit_medium */
     const mdr_medium *medium_object;
     int model;                         /* enum mdr_model, for stacks and graded media */
-    int layers;                        /* >= 1 */
+    int layers;                        /* 1 ... 100000 */
     mdr_medium_options options;        /* weight_nu_choice, weight_nu, tolerance; alpha and wave_factor are among the numbers */
     int adhesion_rule;                 /* 0: automatic, 1: the source's (28), 2: energy balance */
     int loss;                          /* enum mdr_fit_loss */
