@@ -998,7 +998,7 @@ typedef struct mdr_fit_problem {
     int medium;                          /**< One of enum mdr_fit_medium; default MDR_FIT_MEDIUM_GIVEN. */
     const mdr_medium *medium_object;     /**< For MDR_FIT_MEDIUM_GIVEN. */
     int model;                           /**< One of enum mdr_model, for stacks and graded media; default MDR_MODEL_GAO. */
-    int layers;                          /**< Layers of a stack, or depths of a graded medium, at least 1; default 1. */
+    int layers;                          /**< Layers of a stack, or depths of a graded medium, 1 to 100000; default 1. */
     mdr_medium_options options;          /**< weight_nu_choice, weight_nu and tolerance; alpha and wave_factor are not looked at:
                                               they are among the numbers. */
     int adhesion_rule;                   /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */

@@ -2,7 +2,7 @@
 !> The GSL calls that the library uses, as Fortran interfaces and nothing more.
 !>
 !> GSL's default error handler aborts the process. `disable_gsl_abort` is called before GSL is
-!> used, which is a process-wide setting: a program that relies on GSL's own handler must set it
+!> used, and switches it off the first time, for the whole process: a program that relies on GSL's own handler must set it
 !> again afterwards.
 module mdrcontact_gsl
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr, c_size_t
@@ -31,10 +31,8 @@ module mdrcontact_gsl
     type(c_ptr), protected, bind(C, name="gsl_interp_steffen") :: gsl_interp_steffen
 
     interface
-        function gsl_set_error_handler_off() result(previous) bind(C)
-            import :: c_funptr
-            type(c_funptr) :: previous
-        end function gsl_set_error_handler_off
+        subroutine mdrcontact_switch_gsl_handler_off() bind(C)
+        end subroutine mdrcontact_switch_gsl_handler_off
 
         !> Nodes and weights of the Gauss-Legendre rule of n nodes; null without memory.
         function gsl_integration_glfixed_table_alloc(n) result(table) bind(C)
@@ -153,9 +151,7 @@ contains
 
     !> Makes GSL return status codes instead of ending the process. Idempotent; called by whatever is about to use GSL.
     subroutine disable_gsl_abort()
-        type(c_funptr) :: previous
-
-        previous = gsl_set_error_handler_off()
+        call mdrcontact_switch_gsl_handler_off()
     end subroutine disable_gsl_abort
 
 end module mdrcontact_gsl

@@ -45,6 +45,7 @@ module mdrcontact_lapack
             real(wp), intent(inout) :: c(ldc, *)
         end subroutine dgemm
 
+        !> y = alpha a x + beta y, or with a transposed.
         subroutine dgemv(trans, m, n, alpha, a, lda, x, incx, beta, y, incy)
             import :: wp
             character(len=1), intent(in) :: trans

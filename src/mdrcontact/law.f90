@@ -6,6 +6,7 @@
 !> of threads may share it. Unlike the contact it is made from, the law has an answer for bodies that are apart: force,
 !> radius, stiffness and slope are 0 below first touch, and with adhesion below pull-off (on loading: below d = 0).
 module mdrcontact_law
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_branch, only: depth_control, force_control, stretch_t
     use mdrcontact_contact, only: contact_t, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
@@ -294,9 +295,13 @@ contains
         character(len=*), intent(in) :: name
         real(wp), intent(in) :: s, highest
 
-        if (s <= highest .and. s >= -huge(s)) return
-        call check_finite(error, name, s)
-        call raise(error, error_domain, name//" = "//to_text(s)//" is not allowed: the law was compiled up to "//to_text(highest))
+        ! a comparison with NaN would signal an invalid operation
+        if (.not. ieee_is_finite(s)) then
+            call check_finite(error, name, s)
+        else if (s > highest) then
+            call raise(error, error_domain, name//" = "//to_text(s)//" is not allowed: the law was compiled up to "// &
+                       to_text(highest))
+        end if
     end subroutine check_below
 
 end module mdrcontact_law

@@ -117,6 +117,7 @@ contains
     pure function unknown_slope(self, profile, a) result(slope)
         class(medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
+        !> contact radius [length]
         real(wp), intent(in) :: a
         real(wp) :: slope
 

@@ -14,9 +14,11 @@ void *malloc(size_t size)
     return size > largest_request ? NULL : __libc_malloc(size);
 }
 
-enum { COUNT = 200000 };
+enum { COUNT = 200000, LARGE_TEXT = 300000, NUMBERS = 10 };
 
 static double in[COUNT], out[COUNT];
+static char large_text[LARGE_TEXT + 1];
+static int labels[100 * 100 * 10];
 
 static void refuse_large_requests(void)
 {
@@ -33,12 +35,32 @@ int main(void)
     mdr_profile *p = NULL;
     mdr_medium *m = NULL;
     mdr_contact *c = NULL;
+    mdr_law *law = NULL;
+    mdr_medium *table = NULL;
+    mdr_structure *voxels = NULL;
+    mdr_law_options law_options;
+    mdr_fit_problem problem;
+    mdr_fit_parameter parameters[NUMBERS] = {{0.0, 0.0, 0.0, 0.0, 0.0, 0}};
+    const int size[3] = {100, 100, 10};
 
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
     CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
     for (int i = 0; i < COUNT; i++) in[i] = 1e-6 * (i + 1);
     fill_untouched(COUNT, out);
+    memset(large_text, 'x', LARGE_TEXT);
+    mdr_law_options_init(&law_options);
+    mdr_fit_problem_init(&problem);
+    problem.data_kind = MDR_FIT_FORCE_DEPTH;
+    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
+    problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;
+    problem.parameters = parameters;
+    problem.parameter_count = NUMBERS;
+    parameters[0].value = parameters[1].value = 1.0;
+    parameters[2].value = 0.3;
+    parameters[7].value = INFINITY;
+    parameters[8].value = 0.75;
+    parameters[9].value = 1.0;
 
     refuse_large_requests();
     CHECK_TRUE(malloc(8 * COUNT) == NULL);
@@ -50,9 +72,18 @@ int main(void)
     CHECK_STATUS(mdr_contact_pressure(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_line_load(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_displacement(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_profile_height(p, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_coated_cone_force(COUNT, in, 0.2, 1.0, 2.0, 1.0, out), MDR_ENOMEMORY, "not enough memory");
     for (int i = 0; i < COUNT; i += 1000) CHECK_CLOSE(out[i], untouched, 0.0);
-    /* these need no memory of the array's size */
-    CHECK_SUCCESS(mdr_profile_height(p, COUNT, in, out));
+    /* objects whose size the caller chooses */
+    CHECK_STATUS(mdr_law_read(large_text, LARGE_TEXT, &law), MDR_ENOMEMORY, "not enough memory");
+    law_options.description = large_text;
+    CHECK_STATUS(mdr_law_new(c, 0.1, &law_options, &law), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_medium_table(COUNT, in, in, &table), MDR_ENOMEMORY, "no memory");
+    CHECK_STATUS(mdr_fit_predict(&problem, COUNT, in, in, NULL, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_structure_voxels(size, labels, 1, in + 1, in, in + 1, 1.0, 0.3, NULL, &voxels), MDR_ENOMEMORY, "memory");
+    CHECK_TRUE(law == NULL && table == NULL && voxels == NULL);
+    /* this needs no memory of the array's size */
     CHECK_SUCCESS(mdr_weight_i0(COUNT, in, 0.3, out));
     grant_all_requests();
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -14,11 +13,7 @@ from . import adhesion, compute, indenter, medium
 from .adhesion import Adhesion
 from .compute import Control
 from .section import ProblemError, Section
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
+from .toml import parse_file
 
 __all__ = ["Problem", "ProblemError", "load", "read"]
 
@@ -45,14 +40,7 @@ def load(path: str | Path) -> Problem:
     """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
     path = Path(path)
     try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
-        return read(table, title=path.stem)
-    except OSError as problem:
-        raise ProblemError(f"{path}: it cannot be read: {problem.strerror or problem}") from problem
-    except UnicodeDecodeError as problem:
-        raise ProblemError(f"{path}: it is not a text file in UTF-8") from problem
-    except tomllib.TOMLDecodeError as problem:
-        raise ProblemError(f"{path}: it is not valid TOML: {problem}") from problem
+        return read(parse_file(path), title=path.stem)
     except ProblemError as problem:
         raise ProblemError(f"{path}: {problem}") from problem
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -20,12 +19,8 @@ from . import indenter as indenters
 from . import medium as mediums
 from .columns import describe, read_table
 from .section import ProblemError, Section
+from .toml import parse_file
 from .units import ANGLE, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, Dimension
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
 
 ADHESION = Dimension("a work of adhesion", "J/m^2", "50 mJ/m^2", (("J/m^2", 1.0),))
 COMPLIANCE = Dimension("a compliance", "m/N", "0.5 nm/mN", (("m/N", 1.0),))
@@ -94,14 +89,7 @@ class FitFile(NamedTuple):
 def load_fit_file(path: Path) -> FitFile:
     """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
     try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
-        return _read(table, path.stem)
-    except OSError as problem:
-        raise ProblemError(f"{path}: it cannot be read: {problem.strerror or problem}") from problem
-    except UnicodeDecodeError as problem:
-        raise ProblemError(f"{path}: it is not a text file in UTF-8") from problem
-    except tomllib.TOMLDecodeError as problem:
-        raise ProblemError(f"{path}: it is not valid TOML: {problem}") from problem
+        return _read(parse_file(path), path.stem)
     except ProblemError as problem:
         raise ProblemError(f"{path}: {problem}") from problem
 

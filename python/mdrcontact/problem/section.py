@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -10,6 +11,14 @@ from typing import Any
 from .._choices import nearest
 from ..errors import InvalidArgumentError, MDRError
 from .units import Dimension, UnitError, parse, to_si
+
+
+def _real(number: float) -> float:
+    """A number as a float; a whole number beyond all floats is infinite, which the library then refuses by name."""
+    try:
+        return float(number)
+    except OverflowError:
+        return math.inf if number > 0 else -math.inf
 
 
 class ProblemError(InvalidArgumentError):
@@ -62,14 +71,14 @@ class Section:
         value, _ = self._found(key)
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise ProblemError(f"[{self.path}]: {key} = {value!r} is not a number: write it without quotes and without a unit")
-        return float(value)
+        return _real(value)
 
     def numbers(self, key: str) -> list[float]:
         """A list of numbers without unit."""
         value, _ = self._found(key)
         if not isinstance(value, list) or any(isinstance(v, bool) or not isinstance(v, (int, float)) for v in value):
             raise ProblemError(f"[{self.path}]: {key} must be a list of numbers, as in {key} = [0.2, 0.3]")
-        return [float(v) for v in value]
+        return [_real(v) for v in value]
 
     def count(self, key: str, default: int, largest: int) -> int:
         """A whole number from 1 to `largest`."""
@@ -135,7 +144,7 @@ class Section:
         is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
         try:
             if suffix and is_number:
-                return to_si(float(value), suffix, dimension)
+                return to_si(_real(value), suffix, dimension)
             if suffix:
                 raise UnitError(f"{value!r} is not a number: the unit stands in the key already")
             if isinstance(value, str):

@@ -3,13 +3,15 @@
 !> expressions: a check must not need memory of the array's size, which a temporary would take without asking.
 module mdrcontact_api_arrays
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use mdrcontact_api_status, only: check_given
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_domain, &
-                                error_invalid, error_t, raise, to_text
+                                error_invalid, error_no_convergence, error_t, raise, to_text
     implicit none (type, external)
     private
-    public :: check_count, check_array, check_each_finite, check_each_positive, check_each_not_negative, check_each_within
+    public :: check_count, check_array, check_not_empty, check_each_finite, check_each_positive, &
+              check_each_not_negative, check_each_within
+    public :: check_results, check_results_or_infinity, check_positive_results
 
 contains
 
@@ -30,6 +32,17 @@ contains
 
         if (n > 0) call check_given(error, name, is_given)
     end subroutine check_array
+
+    !> Raises for an empty table: the array may then be missing, and a section of what is missing must not be passed on.
+    pure subroutine check_not_empty(error, name, n, fewest)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        integer(c_int), intent(in) :: n
+        integer, intent(in) :: fewest
+
+        if (n == 0) call raise(error, error_invalid, "a table of 0 entries in "//name//" is too short: at least "// &
+                               count_text(fewest)//" are needed")
+    end subroutine check_not_empty
 
     !> Raises unless all values are finite.
     pure subroutine check_each_finite(error, name, values)
@@ -92,5 +105,52 @@ contains
             end if
         end do
     end subroutine check_each_within
+
+    !> Raises unless all results are finite: from numbers that are far apart they can leave the number range.
+    pure subroutine check_results(error, values)
+        type(error_t), allocatable, intent(inout) :: error
+        real(c_double), intent(in) :: values(:)
+        integer :: i
+
+        do i = 1, size(values)
+            if (ieee_is_finite(values(i))) cycle
+            call raise_range(error, i)
+            return
+        end do
+    end subroutine check_results
+
+    !> The same for what is greater than 0 and can only be rounded to it.
+    pure subroutine check_positive_results(error, values)
+        type(error_t), allocatable, intent(inout) :: error
+        real(c_double), intent(in) :: values(:)
+        integer :: i
+
+        do i = 1, size(values)
+            if (ieee_is_finite(values(i)) .and. values(i) > 0.0_c_double) cycle
+            call raise_range(error, i)
+            return
+        end do
+    end subroutine check_positive_results
+
+    !> The same where infinity is a result.
+    pure subroutine check_results_or_infinity(error, values)
+        type(error_t), allocatable, intent(inout) :: error
+        real(c_double), intent(in) :: values(:)
+        integer :: i
+
+        do i = 1, size(values)
+            if (.not. ieee_is_nan(values(i))) cycle
+            call raise_range(error, i)
+            return
+        end do
+    end subroutine check_results_or_infinity
+
+    pure subroutine raise_range(error, position)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: position
+
+        call raise(error, error_no_convergence, "the numbers are too large or too small: "//entry_name("the result", position)// &
+                   " leaves the number range")
+    end subroutine raise_range
 
 end module mdrcontact_api_arrays

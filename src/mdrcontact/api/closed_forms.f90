@@ -2,8 +2,8 @@
 !> The closed forms for an incompressible coating, for C.
 module mdrcontact_api_closed_forms
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_results
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_batch, only: check_threads
     use mdrcontact_closed_form_values, only: closed_form_values, of_adhesive_depth, of_cone_force, of_paraboloid_force, &
                                              of_reduced_depth
@@ -36,6 +36,8 @@ contains
         real(c_double), value :: radius, coating_shear, substrate_shear, thickness
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+        integer :: stat
+        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
         call check_radii(error, n, "a", a, present(out))
@@ -43,9 +45,15 @@ contains
         call check_body(error, coating_shear, substrate_shear, thickness)
         call check_threads(error, int(threads))
         if (.not. allocated(error) .and. n > 0) then
-            call closed_form_values(of_paraboloid_force, a(:n), [radius, coating_shear, substrate_shear, thickness], &
-                                    out(:n), int(threads))
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
         end if
+        if (.not. allocated(error) .and. n > 0) then
+            call closed_form_values(of_paraboloid_force, a(:n), [radius, coating_shear, substrate_shear, thickness], &
+                                    values, int(threads))
+            call check_results(error, values)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function mdr_coated_paraboloid_force_threads
 
@@ -66,6 +74,8 @@ contains
         real(c_double), value :: inclination, coating_shear, substrate_shear, thickness
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+        integer :: stat
+        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
         call check_radii(error, n, "a", a, present(out))
@@ -76,9 +86,15 @@ contains
         call check_body(error, coating_shear, substrate_shear, thickness)
         call check_threads(error, int(threads))
         if (.not. allocated(error) .and. n > 0) then
-            call closed_form_values(of_cone_force, a(:n), [inclination, coating_shear, substrate_shear, thickness], &
-                                    out(:n), int(threads))
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
         end if
+        if (.not. allocated(error) .and. n > 0) then
+            call closed_form_values(of_cone_force, a(:n), [inclination, coating_shear, substrate_shear, thickness], &
+                                    values, int(threads))
+            call check_results(error, values)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function mdr_coated_cone_force_threads
 
@@ -101,6 +117,8 @@ contains
         real(c_double), value :: radius, coating_shear, substrate_shear, thickness, work_of_adhesion
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+        integer :: stat
+        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
         call check_radii(error, n, "a", a, present(out))
@@ -109,9 +127,15 @@ contains
         call check_not_negative(error, "work_of_adhesion", work_of_adhesion)
         call check_threads(error, int(threads))
         if (.not. allocated(error) .and. n > 0) then
-            call closed_form_values(of_adhesive_depth, a(:n), &
-                                    [radius, coating_shear, substrate_shear, thickness, work_of_adhesion], out(:n), int(threads))
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
         end if
+        if (.not. allocated(error) .and. n > 0) then
+            call closed_form_values(of_adhesive_depth, a(:n), &
+                                    [radius, coating_shear, substrate_shear, thickness, work_of_adhesion], values, int(threads))
+            call check_results(error, values)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function mdr_coated_paraboloid_adhesive_depth_threads
 
@@ -119,10 +143,15 @@ contains
         real(c_double), value :: radius, substrate_shear, work_of_adhesion
         real(c_double), intent(inout), optional :: out
         integer(c_int) :: status
+        real(c_double) :: scale
         type(error_t), allocatable :: error
 
         call check_scale(error, radius, substrate_shear, work_of_adhesion, present(out))
-        if (.not. allocated(error)) out = adhesive_radius_scale(radius, substrate_shear, work_of_adhesion)
+        if (.not. allocated(error)) then
+            scale = adhesive_radius_scale(radius, substrate_shear, work_of_adhesion)
+            call check_results(error, [scale])
+        end if
+        if (.not. allocated(error)) out = scale
         status = status_of(error)
     end function mdr_adhesive_radius_scale
 
@@ -130,10 +159,15 @@ contains
         real(c_double), value :: radius, substrate_shear, work_of_adhesion
         real(c_double), intent(inout), optional :: out
         integer(c_int) :: status
+        real(c_double) :: scale
         type(error_t), allocatable :: error
 
         call check_scale(error, radius, substrate_shear, work_of_adhesion, present(out))
-        if (.not. allocated(error)) out = adhesive_depth_scale(radius, substrate_shear, work_of_adhesion)
+        if (.not. allocated(error)) then
+            scale = adhesive_depth_scale(radius, substrate_shear, work_of_adhesion)
+            call check_results(error, [scale])
+        end if
+        if (.not. allocated(error)) out = scale
         status = status_of(error)
     end function mdr_adhesive_depth_scale
 
@@ -154,6 +188,8 @@ contains
         real(c_double), value :: shear_ratio, reduced_thickness
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+        integer :: stat
+        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
         call check_radii(error, n, "reduced_radius", reduced_radius, present(out))
@@ -161,8 +197,14 @@ contains
         call check_positive(error, "reduced_thickness", reduced_thickness)
         call check_threads(error, int(threads))
         if (.not. allocated(error) .and. n > 0) then
-            call closed_form_values(of_reduced_depth, reduced_radius(:n), [shear_ratio, reduced_thickness], out(:n), int(threads))
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
         end if
+        if (.not. allocated(error) .and. n > 0) then
+            call closed_form_values(of_reduced_depth, reduced_radius(:n), [shear_ratio, reduced_thickness], values, int(threads))
+            call check_results(error, values)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function mdr_reduced_adhesive_depth_threads
 

@@ -2,7 +2,7 @@
 !> Pressure, surface displacement and line load of a contact state, for C.
 module mdrcontact_api_fields
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count
+    use mdrcontact_api_arrays, only: check_array, check_count, check_results_or_infinity
     use mdrcontact_api_handles, only: open_contact
     use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_batch, only: check_threads
@@ -209,6 +209,7 @@ contains
         case default
             call line_load_values(contact, state, positions, values, error, threads)
         end select
+        if (.not. allocated(error)) call check_results_or_infinity(error, values)
     end subroutine evaluate
 
 end module mdrcontact_api_fields

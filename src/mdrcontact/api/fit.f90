@@ -3,7 +3,7 @@
 module mdrcontact_api_fit
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use mdrcontact_api_fit_problem, only: c_fit_problem_t, read_data, read_problem
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_interval, only: profile_interval
@@ -87,13 +87,17 @@ contains
         type(fit_data_t) :: data
         type(error_t), allocatable :: error
         real(c_double), allocatable :: model(:)
+        integer :: stat
 
         call check_given(error, "fitted", present(fitted))
         if (.not. allocated(error)) call read_problem(problem, chosen, error)
         if (.not. allocated(error)) call read_data(n, x, y, force, data=data, error=error)
         if (.not. allocated(error)) call check_points(data, chosen, error)
         if (.not. allocated(error)) then
-            allocate (model(n))
+            allocate (model(n), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) then
             call predict(chosen, chosen%parameters%value, data, model, error)
         end if
         if (.not. allocated(error)) fitted(:n) = model

@@ -5,7 +5,7 @@ module mdrcontact_api_fit_problem
     use mdrcontact_api_arrays, only: check_count
     use mdrcontact_api_handles, only: open_medium, open_profile
     use mdrcontact_api_medium_options, only: gao_options, medium_options_t
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit_body, only: indenter_given
@@ -48,6 +48,8 @@ module mdrcontact_api_fit_problem
         type(c_ptr) :: parameters = c_null_ptr
     end type c_fit_problem_t
 
+    integer(c_int), parameter :: most_layers = 100000_c_int
+
 contains
 
     subroutine mdr_fit_problem_init(problem) bind(C)
@@ -66,6 +68,7 @@ contains
 
         call check_given(error, "problem", present(problem))
         call check_given(error, "count", present(count))
+        if (.not. allocated(error)) call check_layers(problem%layers, error)
         if (.not. allocated(error)) then
             call read_kinds(problem, chosen)
             found = parameter_count(chosen%body)
@@ -78,6 +81,16 @@ contains
         end if
         status = status_of(error)
     end function mdr_fit_parameter_count
+
+    !> Raises unless the number of layers is one whose parameters can be counted.
+    subroutine check_layers(layers, error)
+        integer(c_int), intent(in) :: layers
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (layers >= 1 .and. layers <= most_layers) return
+        call raise(error, error_invalid, "layers = "//count_text(int(layers))//" is not allowed: it must be at least 1 and at "// &
+                   "most "//count_text(int(most_layers)))
+    end subroutine check_layers
 
     !> Kinds and choices, without objects and parameters.
     subroutine read_kinds(given, problem)
@@ -107,28 +120,34 @@ contains
         class(profile_t), pointer :: profile
         class(medium_t), pointer :: medium
         type(c_fit_parameter_t), pointer :: parameters(:)
+        integer :: stat
 
         call check_given(error, "problem", present(given))
         if (allocated(error)) return
         if (given%parameter_count < 0) call raise(error, error_invalid, "parameter_count = "// &
                                                   count_text(int(given%parameter_count))//" is not allowed: it must be at least 0")
-        if (given%layers < 1) call raise(error, error_invalid, "layers = "//count_text(int(given%layers))// &
-                                         " is not allowed: it must be at least 1")
+        call check_layers(given%layers, error)
         call check_given(error, "parameters", c_associated(given%parameters))
         if (allocated(error)) return
         call read_kinds(given, problem)
         if (problem%body%indenter == indenter_given) then
             call open_profile(given%profile, "profile", profile, error)
             if (allocated(error)) return
-            allocate (problem%body%profile, source=profile)
+            allocate (problem%body%profile, source=profile, stat=stat)
+            call check_memory(error, stat)
+            if (allocated(error)) return
         end if
         if (problem%body%medium%kind == medium_given) then
             call open_medium(given%medium_object, "medium_object", medium, error)
             if (allocated(error)) return
-            allocate (problem%body%medium%object, source=medium)
+            allocate (problem%body%medium%object, source=medium, stat=stat)
+            call check_memory(error, stat)
+            if (allocated(error)) return
         end if
         call c_f_pointer(given%parameters, parameters, [given%parameter_count])
-        allocate (problem%parameters(size(parameters)))
+        allocate (problem%parameters(size(parameters)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         problem%parameters%value = parameters%value
         problem%parameters%is_free = parameters%is_free /= 0
         problem%parameters%lower = parameters%lower
@@ -149,19 +168,24 @@ contains
         call check_given(error, "x", present(x))
         call check_given(error, "y", present(y))
         if (allocated(error)) return
-        data%x = x(:n)
-        data%y = y(:n)
-        call read_column(n, force, data%force)
-        call read_column(n, sd, data%sd)
+        call read_column(n, x, data%x, error)
+        call read_column(n, y, data%y, error)
+        call read_column(n, force, data%force, error)
+        call read_column(n, sd, data%sd, error)
     end subroutine read_data
 
     !> A column that may be absent.
-    subroutine read_column(n, given, column)
+    subroutine read_column(n, given, column, error)
         integer(c_int), intent(in) :: n
         real(c_double), intent(in), optional :: given(*)
         real(c_double), allocatable, intent(out) :: column(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
 
-        if (present(given)) column = given(:n)
+        if (allocated(error) .or. .not. present(given)) return
+        allocate (column(n), stat=stat)
+        call check_memory(error, stat)
+        if (.not. allocated(error)) column(:) = given(:n)
     end subroutine read_column
 
 end module mdrcontact_api_fit_problem

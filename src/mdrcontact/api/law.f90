@@ -4,7 +4,7 @@ module mdrcontact_api_law
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_null_char, c_null_ptr, c_ptr
     use mdrcontact_api_handles, only: open_contact
     use mdrcontact_api_law_handle, only: deliver_law, open_law
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_error, only: error_t
     use mdrcontact_law, only: check_below, check_branch, contact_law_t, default_law_tolerance, law_options_t, law_point_t, &
@@ -56,27 +56,31 @@ contains
         if (present(options)) then
             chosen%smallest_depth = options%smallest_depth
             chosen%tolerance = options%tolerance
-            call read_text(options%description, chosen%description)
+            call read_text(options%description, chosen%description, error)
         end if
         if (.not. allocated(error)) call new_contact_law(law, inside, largest_depth, error, chosen)
         status = deliver_law(law, out, error)
     end function mdr_law_new
 
     !> The text at a C pointer; empty for null.
-    subroutine read_text(pointer, text)
+    subroutine read_text(pointer, text, error)
         type(c_ptr), intent(in) :: pointer
         character(len=:), allocatable, intent(out) :: text
+        type(error_t), allocatable, intent(inout) :: error
         character(kind=c_char), pointer :: characters(:)
-        integer :: length, i
+        integer :: length, i, stat
 
         length = 0
+        nullify (characters)
         if (c_associated(pointer)) then
             call c_f_pointer(pointer, characters, [huge(1)])
             do while (characters(length + 1) /= c_null_char)
                 length = length + 1
             end do
         end if
-        allocate (character(len=length) :: text)
+        allocate (character(len=length) :: text, stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         do i = 1, length
             text(i:i) = characters(i)
         end do

@@ -4,7 +4,7 @@ module mdrcontact_api_law_file
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_ptr
     use mdrcontact_api_law, only: read_text
     use mdrcontact_api_law_handle, only: deliver_law, open_law
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_file, only: law_from_text, law_to_text, load_law, save_law
@@ -24,8 +24,8 @@ contains
         call open_law(law, inside, error)
         call check_given(error, "path", c_associated(path))
         if (.not. allocated(error)) then
-            call read_text(path, name)
-            call save_law(inside, name, error)
+            call read_text(path, name, error)
+            if (.not. allocated(error)) call save_law(inside, name, error)
         end if
         status = status_of(error)
     end function mdr_law_save
@@ -40,8 +40,8 @@ contains
 
         call check_given(error, "path", c_associated(path))
         if (.not. allocated(error)) then
-            call read_text(path, name)
-            call load_law(law, name, error)
+            call read_text(path, name, error)
+            if (.not. allocated(error)) call load_law(law, name, error)
         end if
         status = deliver_law(law, out, error)
     end function mdr_law_load
@@ -78,24 +78,35 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(contact_law_t) :: law
-        character(kind=c_char), pointer :: characters(:)
         character(len=:), allocatable :: text
         type(error_t), allocatable :: error
-        integer :: i
 
         call check_given(error, "buffer", c_associated(buffer))
         if (length < 0) then
             call raise(error, error_invalid, "length = "//count_text(int(length))//" is not allowed: it must be at least 0")
         end if
-        if (.not. allocated(error)) then
-            call c_f_pointer(buffer, characters, [length])
-            allocate (character(len=length) :: text)
-            do i = 1, length
-                text(i:i) = characters(i)
-            end do
-            call law_from_text(law, text, error)
-        end if
+        text = "" ! gfortran 12 would call its length uninitialized
+        if (.not. allocated(error)) call read_buffer(buffer, int(length), text, error)
+        if (.not. allocated(error)) call law_from_text(law, text, error)
         status = deliver_law(law, out, error)
     end function mdr_law_read
+
+    !> The characters of a buffer as text.
+    subroutine read_buffer(buffer, length, text, error)
+        type(c_ptr), intent(in) :: buffer
+        integer, intent(in) :: length
+        character(len=:), allocatable, intent(out) :: text
+        type(error_t), allocatable, intent(inout) :: error
+        character(kind=c_char), pointer :: characters(:)
+        integer :: i, stat
+
+        allocate (character(len=length) :: text, stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        call c_f_pointer(buffer, characters, [length])
+        do i = 1, length
+            text(i:i) = characters(i)
+        end do
+    end subroutine read_buffer
 
 end module mdrcontact_api_law_file

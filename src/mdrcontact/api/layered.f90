@@ -2,7 +2,7 @@
 !> Layered and graded half-spaces, for C.
 module mdrcontact_api_layered
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive
+    use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty, check_each_positive
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_exact, only: deliver_exact
     use mdrcontact_api_handles, only: deliver_medium
@@ -66,6 +66,7 @@ contains
         type(error_t), allocatable :: error
 
         call check_count(error, n)
+        call check_not_empty(error, "z", n, 2)
         call check_array(error, "z", n, present(z))
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))

@@ -2,7 +2,7 @@
 !> Homogeneous media, and the modulus and stiffness of any medium, for C.
 module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_each_within
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_each_within, check_positive_results
     use mdrcontact_api_handles, only: deliver_medium, open_medium
     use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_batch, only: check_threads
@@ -81,12 +81,18 @@ contains
         integer(c_int), value :: n, threads
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
+        integer(c_int) :: status, i
         real(c_double), allocatable :: modulus(:)
         type(error_t), allocatable :: error
 
         call evaluate(m, n, a, present(out), modulus, threads, error)
-        if (.not. allocated(error) .and. n > 0) out(:n) = 2.0_c_double*a(:n)*modulus
+        if (.not. allocated(error) .and. n > 0) then
+            do i = 1, n
+                modulus(i) = 2.0_c_double*a(i)*modulus(i)
+            end do
+            call check_positive_results(error, modulus)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = modulus
         status = status_of(error)
     end function mdr_medium_stiffness_threads
 
@@ -114,6 +120,7 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         call modulus_values(medium, a(:n), modulus, int(threads), error)
+        if (.not. allocated(error)) call check_positive_results(error, modulus)
     end subroutine evaluate
 
 end module mdrcontact_api_medium

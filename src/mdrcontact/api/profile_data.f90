@@ -2,11 +2,11 @@
 !> Indenter profiles from area functions, tables, user functions and other profiles, for C.
 module mdrcontact_api_profile_data
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count
+    use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: deliver_profile, open_profile
     use mdrcontact_api_status, only: check_memory
-    use mdrcontact_error, only: entry_name, error_t
+    use mdrcontact_error, only: entry_name, error_invalid, error_t, raise
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_area_function, only: new_area_function_profile
     use mdrcontact_profile_sampled, only: sampled_profile_t
@@ -28,6 +28,7 @@ contains
         type(error_t), allocatable :: error
 
         call check_count(error, n)
+        if (n == 0) call raise(error, error_invalid, "coefficients is empty: at least C0 is needed")
         call check_array(error, "coefficients", n, present(coefficients))
         if (.not. allocated(error)) call new_area_function_profile(profile, coefficients(:n), min_height, max_height, error)
         status = deliver_profile(profile, out, error)
@@ -42,6 +43,7 @@ contains
         type(error_t), allocatable :: error
 
         call check_count(error, n)
+        call check_not_empty(error, "r", n, 3)
         call check_array(error, "r", n, present(r))
         call check_array(error, "f", n, present(f))
         if (.not. allocated(error)) call new_tabulated_profile(profile, r(:n), f(:n), error)
@@ -57,6 +59,7 @@ contains
         type(error_t), allocatable :: error
 
         call check_count(error, n)
+        call check_not_empty(error, "x", n, 3)
         call check_array(error, "x", n, present(x))
         call check_array(error, "g", n, present(g))
         if (.not. allocated(error)) call new_profile_from_mdr(profile, x(:n), g(:n), error)
@@ -88,8 +91,9 @@ contains
         type(error_t), allocatable :: error
 
         call check_count(error, n)
+        if (n == 0) call raise(error, error_invalid, "terms is empty: at least one is needed")
         call check_array(error, "terms", n, present(terms))
-        if (.not. allocated(error)) call copy_terms(terms(:max(n, 0)), copies, error)
+        if (.not. allocated(error)) call copy_terms(terms(:n), copies, error)
         if (.not. allocated(error)) call new_profile_sum(profile, copies, error)
         status = deliver_profile(profile, out, error)
     end function mdr_profile_sum

@@ -2,9 +2,10 @@
 !> Height, slope and MDR profile of an indenter at given radii, for C.
 module mdrcontact_api_profile_values
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_within
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_within, &
+                                     check_results_or_infinity
     use mdrcontact_api_handles, only: open_profile
-    use mdrcontact_api_status, only: status_of
+    use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_batch, only: check_threads
     use mdrcontact_error, only: error_t
     use mdrcontact_profile, only: profile_t
@@ -105,7 +106,9 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
         class(profile_t), pointer :: profile
+        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
+        integer :: stat
 
         call open_profile(p, "p", profile, error)
         call check_count(error, n)
@@ -115,8 +118,16 @@ contains
         if (.not. allocated(error) .and. n > 0) then
             call check_each_not_negative(error, name, radii(:n))
             call check_each_within(error, name, radii(:n), 0.0_c_double, profile%largest_radius(), "the profile")
-            if (.not. allocated(error)) call profile_values(profile, quantity, radii(:n), out(:n), int(threads))
         end if
+        if (.not. allocated(error) .and. n > 0) then
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error) .and. n > 0) then
+            call profile_values(profile, quantity, radii(:n), values, int(threads))
+            call check_results_or_infinity(error, values)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function write_values
 

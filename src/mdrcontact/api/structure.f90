@@ -235,13 +235,15 @@ contains
         real(c_double), intent(in), optional :: e(*), nu(*)
         type(material_t), allocatable, intent(out) :: materials(:)
         type(error_t), allocatable, intent(inout) :: error
-        integer :: i
+        integer :: i, stat
 
         if (n < 1) call raise(error, error_invalid, "phases = "//count_text(int(n))//" is not allowed: it must be at least 1")
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))
         if (allocated(error)) return
-        allocate (materials(n))
+        allocate (materials(n), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         do i = 1, n
             call new_material(materials(i), e(i), nu(i), error, "phase "//count_text(i - 1))
             if (allocated(error)) return

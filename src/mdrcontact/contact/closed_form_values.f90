@@ -10,6 +10,7 @@ module mdrcontact_closed_form_values
     public :: closed_form_values
     public :: of_paraboloid_force, of_cone_force, of_adhesive_depth, of_reduced_depth
 
+    !> coated_paraboloid_force, coated_cone_force, coated_paraboloid_adhesive_depth, reduced_adhesive_depth.
     integer, parameter :: of_paraboloid_force = 1, of_cone_force = 2, of_adhesive_depth = 3, of_reduced_depth = 4
 
     type, extends(map_t) :: closed_form_map_t

@@ -82,7 +82,9 @@ contains
         real(wp) :: value
         integer :: k
 
-        if (t > 0.1_wp) then
+        if (t > huge(t)) then
+            value = -1.0_wp
+        else if (t > 0.1_wp) then
             value = log(1.0_wp + t)/t - 1.0_wp
         else
             value = 0.0_wp

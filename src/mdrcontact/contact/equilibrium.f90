@@ -30,7 +30,6 @@ module mdrcontact_equilibrium
         real(wp) :: last_radius = 0.0_wp
     contains
         procedure :: at
-        procedure :: first_touch
         procedure :: radius_of
         procedure :: coordinate_of
     end type equilibrium_t
@@ -79,16 +78,6 @@ contains
         state%depth = state%depth + state%excess
         state%force = state%force + state%stiffness*state%excess
     end subroutine hang
-
-    !> Depth and force without adhesion.
-    subroutine first_touch(self, radius, depth, force, error)
-        class(equilibrium_t), intent(in) :: self
-        real(wp), intent(in) :: radius
-        real(wp), intent(out) :: depth, force
-        type(error_t), allocatable, intent(out) :: error
-
-        call self%medium%depth_and_force(self%profile, radius, depth, force, error)
-    end subroutine first_touch
 
     !> The radius at coordinate x = ln(a - end radius), in which every shape's laws are close to straight lines.
     pure function radius_of(self, x) result(radius)

@@ -47,6 +47,7 @@ contains
     !> contact%at_depth for many depths. Where some fail, the error is that of the first, and `states` is undefined.
     subroutine states_from_depth(contact, depths, states, error, branch, threads)
         type(contact_t), intent(in) :: contact
+        !> [length]
         real(wp), intent(in) :: depths(:)
         !> same size as depths
         type(contact_state_t), intent(inout) :: states(:)
@@ -62,10 +63,15 @@ contains
     !> contact%at_force for many forces, as states_from_depth.
     subroutine states_from_force(contact, forces, states, error, branch, threads)
         type(contact_t), intent(in) :: contact
+        !> [modulus length^2]
         real(wp), intent(in) :: forces(:)
+        !> same size as forces
         type(contact_state_t), intent(inout) :: states(:)
         type(error_t), allocatable, intent(out) :: error
-        integer, intent(in), optional :: branch, threads
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        !> at least 1 (default), or 0 for as many as OpenMP offers
+        integer, intent(in), optional :: threads
 
         call run(contact, by_force, forces, states, error, branch, threads)
     end subroutine states_from_force
@@ -73,9 +79,12 @@ contains
     !> contact%at_radius for many radii, as states_from_depth.
     subroutine states_from_radius(contact, radii, states, error, threads)
         type(contact_t), intent(in) :: contact
+        !> [length]
         real(wp), intent(in) :: radii(:)
+        !> same size as radii
         type(contact_state_t), intent(inout) :: states(:)
         type(error_t), allocatable, intent(out) :: error
+        !> at least 1 (default), or 0 for as many as OpenMP offers
         integer, intent(in), optional :: threads
 
         call run(contact, by_radius, radii, states, error, threads=threads)
@@ -149,9 +158,12 @@ contains
     subroutine displacement_values(contact, state, r, values, error, threads)
         type(contact_t), intent(in) :: contact
         type(contact_state_t), intent(in) :: state
+        !> [length]
         real(wp), intent(in) :: r(:)
+        !> same size as r [length]; undefined after an error
         real(wp), intent(inout) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        !> at least 1 (default), or 0 for as many as OpenMP offers
         integer, intent(in), optional :: threads
 
         call run_field(contact, of_displacement, state, r, values, error, threads)
@@ -161,9 +173,12 @@ contains
     subroutine line_load_values(contact, state, x, values, error, threads)
         type(contact_t), intent(in) :: contact
         type(contact_state_t), intent(in) :: state
+        !> [length]
         real(wp), intent(in) :: x(:)
+        !> same size as x [modulus length]; undefined after an error
         real(wp), intent(inout) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        !> at least 1 (default), or 0 for as many as OpenMP offers
         integer, intent(in), optional :: threads
 
         call run_field(contact, of_line_load, state, x, values, error, threads)

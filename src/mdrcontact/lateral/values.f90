@@ -35,6 +35,7 @@ contains
         class(structure_t), intent(in), target :: structure
         !> all of the same size [length]
         real(wp), intent(in), target, contiguous :: x(:), y(:), a(:)
+        !> same size [modulus]
         real(wp), intent(inout), target, contiguous :: values(:)
         !> at least 1, or 0 for as many as OpenMP offers
         integer, intent(in) :: threads
@@ -65,9 +66,11 @@ contains
 
     !> The pair of weights of lateral_density.
     subroutine density_values(rho, z, nu, shear, poisson, threads)
-        !> all of the same size
+        !> distances from the axis and depths in units of the contact radius, same size
         real(wp), intent(in), target, contiguous :: rho(:), z(:)
+        !> Poisson's ratio that the weights are for
         real(wp), intent(in) :: nu
+        !> same size
         real(wp), intent(inout), target, contiguous :: shear(:), poisson(:)
         !> at least 1, or 0 for as many as OpenMP offers
         integer, intent(in) :: threads

@@ -26,6 +26,7 @@ contains
     !> law%at_depth for many depths. Where some fail, the error is that of the first, and `points` is undefined.
     subroutine law_points_from_depth(law, depths, points, error, branch, threads)
         type(contact_law_t), intent(in) :: law
+        !> [length]
         real(wp), intent(in) :: depths(:)
         !> same size as depths
         type(law_point_t), intent(inout) :: points(:)
@@ -41,10 +42,15 @@ contains
     !> law%at_force for many forces, as law_points_from_depth.
     subroutine law_points_from_force(law, forces, points, error, branch, threads)
         type(contact_law_t), intent(in) :: law
+        !> [modulus length^2]
         real(wp), intent(in) :: forces(:)
+        !> same size as forces
         type(law_point_t), intent(inout) :: points(:)
         type(error_t), allocatable, intent(out) :: error
-        integer, intent(in), optional :: branch, threads
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        !> at least 1 (default), or 0 for as many as OpenMP offers; few points stay on one
+        integer, intent(in), optional :: threads
 
         call run(law, .false., forces, points, error, branch, threads)
     end subroutine law_points_from_force

@@ -15,6 +15,7 @@ module mdrcontact_layered_ray
     !> Octaves in which the resolution of chi is watched.
     integer, parameter :: watched_octave = -30
 
+    !> chi(k) of one body on a ray, octave by octave.
     type :: ray_t
         integer :: top = 0, bottom = 1
         !> the bottom that positions up to the unit need

@@ -35,6 +35,7 @@ module mdrcontact_layered_shared
 
 contains
 
+    !> The quadrature rules, made once.
     subroutine shared_rules(shared, rules)
         type(layered_shared_t), intent(inout) :: shared
         type(rule_t), allocatable, intent(out) :: rules(:)

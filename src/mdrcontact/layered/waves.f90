@@ -18,6 +18,7 @@ module mdrcontact_layered_waves
     !> |exp(iky)| beyond which nothing is left: exp(-faded).
     real(wp), parameter :: faded = 45.0_wp
 
+    !> Waves on one ray. Made by new_wave_table.
     type :: wave_table_t
         !> exp(i theta)
         complex(wp) :: direction = 1.0_wp

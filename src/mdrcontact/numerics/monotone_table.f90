@@ -35,7 +35,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(c_ptr) :: spline
         integer(c_int) :: status
-        integer :: i
+        integer :: i, stat
 
         call disable_gsl_abort()
         spline = gsl_spline_alloc(gsl_interp_steffen, int(size(x), c_size_t))
@@ -45,9 +45,14 @@ contains
         end if
         status = gsl_spline_init(spline, x, y, int(size(x), c_size_t))
         if (status /= gsl_success) call raise(error, error_invalid, "the table cannot be interpolated")
-        self%x = x
-        self%y = y
-        allocate (self%slopes(size(x)))
+        allocate (self%x(size(x)), self%y(size(x)), self%slopes(size(x)), stat=stat)
+        if (stat /= 0) call raise(error, error_memory, "no memory to interpolate a table")
+        if (allocated(error)) then
+            call gsl_spline_free(spline)
+            return
+        end if
+        self%x(:) = x
+        self%y(:) = y
         do i = 1, size(x)
             self%slopes(i) = gsl_spline_eval_deriv(spline, x(i), c_null_ptr)
         end do

@@ -4,7 +4,8 @@
 !> It is interpolated in ln a, and constant below its smallest radius: forces are integrated from first contact.
 module mdrcontact_radius_law
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_error, only: check_positive, check_table, entry_name, error_callback, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_positive, check_table, entry_name, error_callback, error_invalid, error_memory, &
+                                error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_monotone_table, only: monotone_table_t, new_monotone_table
@@ -50,7 +51,8 @@ contains
         !> positive, same size as radius
         real(wp), intent(in) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        integer :: i
+        real(wp), allocatable :: logarithms(:)
+        integer :: i, stat
 
         call check_table(error, "radius", radius, name, values, 3)
         if (allocated(error)) return
@@ -61,9 +63,14 @@ contains
         if (allocated(error)) return
         self%smallest = radius(1)
         self%largest = radius(size(radius))
-        self%breaks = radius
-        allocate (self%table)
-        call new_monotone_table(self%table, log(radius), values, error)
+        allocate (self%breaks(size(radius)), logarithms(size(radius)), self%table, stat=stat)
+        if (stat /= 0) then
+            call raise(error, error_memory, "no memory for a table")
+            return
+        end if
+        self%breaks(:) = radius
+        logarithms(:) = log(radius)
+        call new_monotone_table(self%table, logarithms, values, error)
     end subroutine new_radius_law_from_table
 
     !> The law f(a) between two radii, sampled to a relative tolerance. f is called here and never again.

@@ -5,6 +5,7 @@
 !> largest. A panel that begins at a break of the function uses the variable sqrt(x - left edge), in which the square-root
 !> branches of contact mechanics are analytic.
 module mdrcontact_sampled_function
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_scalar_function, only: scalar_function_t
@@ -46,7 +47,7 @@ module mdrcontact_sampled_function
 contains
 
     !> Samples `f` between the first and the last of `edges` to a relative `tolerance` of the largest value in each panel.
-    subroutine new_sampled_function(self, f, edges, from_root, tolerance, error, noise)
+    subroutine new_sampled_function(self, f, edges, from_root, tolerance, error, noise, most)
         type(sampled_function_t), intent(out) :: self
         class(scalar_function_t), intent(inout) :: f
         !> ascending; panels never cross one, so put them where f is not analytic
@@ -57,12 +58,16 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> absolute accuracy of the values of f, beyond which no panel is refined; default 0
         real(wp), intent(in), optional :: noise
+        !> number of panels, beyond which f is not smooth enough; default most_panels
+        integer, intent(in), optional :: most
         real(wp), allocatable :: stack(:, :)
         logical, allocatable :: root_stack(:)
-        integer :: waiting, count
+        integer :: waiting, count, limit
         real(wp) :: coefficients(nodes), left, right, unresolved
         logical :: resolved
 
+        limit = most_panels
+        if (present(most)) limit = most
         ! Panels wait on a stack, leftmost on top, so that finished ones come out in ascending order.
         allocate (self%edges(64), self%from_root(64), self%coefficients(nodes, 64))
         allocate (stack(2, size(edges) + 64), root_stack(size(edges) + 64))
@@ -79,8 +84,14 @@ contains
                 error = f%error
                 return
             end if
+            if (.not. all(ieee_is_finite(coefficients))) then
+                call raise(error, error_no_convergence, "the function leaves the number range near x = "//to_text(left))
+                return
+            end if
             unresolved = maxval(abs(coefficients(nodes - 2:)))
-            resolved = unresolved <= tolerance*maxval(abs(coefficients))
+            ! No polynomial can be closer than the rounding of x allows, which moves x by this much of a narrow panel.
+            resolved = unresolved <= tolerance*maxval(abs(coefficients)) + &
+                       epsilon(left)*max(abs(left), abs(right))/(right - left)*maxval(abs(coefficients(2:)))
             if (present(noise)) resolved = resolved .or. unresolved <= noise
             if (.not. resolved .and. right - left <= shortest_panel*max(abs(left), abs(right))) resolved = .true.
             if (.not. resolved .and. waiting < size(root_stack)) then
@@ -91,7 +102,7 @@ contains
                 waiting = waiting + 1
                 cycle
             end if
-            if (.not. resolved .or. count >= most_panels) then
+            if (.not. resolved .or. count >= limit) then
                 call raise(error, error_no_convergence, "the function is not smooth enough to be sampled near x = "//to_text(left))
                 return
             end if

@@ -21,15 +21,17 @@ module mdrcontact_profile_area_function
         procedure :: value => height_at
     end type height_t
 
-    !> ln(A(exp(x))/wanted).
+    !> ln(A(f)/wanted) at x = ln(f/max_height): the ratio keeps its digits however small the unit of length makes f.
     type, extends(scalar_function_t) :: mismatch_t
         real(wp), allocatable :: coefficients(:)
-        real(wp) :: wanted = 0.0_wp
+        real(wp) :: max_height = 0.0_wp, wanted = 0.0_wp
     contains
         procedure :: value => mismatch_at
     end type mismatch_t
 
     integer, parameter :: monotony_samples = 2000
+    !> of f to max_height where the search for f begins
+    real(wp), parameter :: smallest_ratio = 1.0e-300_wp
 
 contains
 
@@ -133,10 +135,11 @@ contains
             end if
         end if
         mismatch%coefficients = self%coefficients
+        mismatch%max_height = self%max_height
         mismatch%wanted = pi*x**2
-        call solve_increasing(mismatch, log(self%max_height), 2.0_wp, log(max(self%min_height, 1.0e-300_wp)), &
-                              log(self%max_height), root, found, self%error)
-        if (.not. allocated(self%error)) y = exp(root)
+        call solve_increasing(mismatch, 0.0_wp, 2.0_wp, log(max(self%min_height/self%max_height, smallest_ratio)), 0.0_wp, &
+                              root, found, self%error)
+        if (.not. allocated(self%error)) y = self%max_height*exp(root)
     end function height_at
 
     function mismatch_at(self, x) result(y)
@@ -144,7 +147,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = log(max(projected_area(self%coefficients, exp(x)), tiny(1.0_wp))/self%wanted)
+        y = log(max(projected_area(self%coefficients, self%max_height*exp(x)), tiny(1.0_wp))/self%wanted)
     end function mismatch_at
 
 end module mdrcontact_profile_area_function

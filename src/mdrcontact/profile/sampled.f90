@@ -61,6 +61,8 @@ module mdrcontact_profile_sampled
     integer, parameter :: flat_octaves = 10
     !> Keeps the radii that probe for lost digits off powers of 2, where a user's formula may lose none by chance.
     real(wp), parameter :: irrational = 0.7390851332151607_wp
+    !> Lengths below it, and above its inverse, are refused.
+    real(wp), parameter :: smallest_length = 1.0e-150_wp
     !> The range over which f and g are sampled: down to this fraction of their largest value or of the largest radius.
     real(wp), parameter :: smallest_value = 1.0e-20_wp, smallest_radius = 1.0e-10_wp
 
@@ -86,9 +88,12 @@ contains
         real(wp) :: top
         integer :: count, i
 
+        call check_sizes([first_break(breaks, largest), largest], error)
+        if (allocated(error)) return
         top = height%value(largest)
         if (.not. allocated(height%error)) call check_start(height, flat_radius, top, error)
         if (allocated(height%error)) error = height%error
+        if (.not. allocated(error)) call check_sizes([top], error)
         if (allocated(error)) return
         call descending_edges(height, flat_radius, first_break(breaks, largest), top, may_lose_digits, count, error)
         if (allocated(error)) return
@@ -96,7 +101,7 @@ contains
         g_edges = [geometric(flat_radius, first_break(breaks, largest), count), breaks, largest]
 
         call new_sampled_function(f, height, f_edges, [(.false., i=1, size(f_edges) - 1)], height_tolerance, error, &
-                                  noise=4.0_wp*epsilon(top)*top)
+                                  noise=4.0_wp*epsilon(top)*top, most=most_panels(f_edges))
         if (allocated(error)) return
         call check_ascending(f, error)
         if (allocated(error)) return
@@ -106,7 +111,7 @@ contains
         call new_sampled_function(self%g, transform, g_edges, [(root_starts(g_edges(i), flat_radius, breaks), &
                                                                 i=1, size(g_edges) - 1)], transform_tolerance, error, &
                                   noise=max(flat_noise(transform, flat_radius, first_break(breaks, largest)), &
-                                            merge(100.0_wp*epsilon(top)*top, 0.0_wp, may_lose_digits)))
+                                            merge(100.0_wp*epsilon(top)*top, 0.0_wp, may_lose_digits)), most=most_panels(g_edges))
         if (allocated(error)) return
         self%f = f
         call finish(self, flat_radius, breaks)
@@ -125,10 +130,13 @@ contains
         real(wp), allocatable :: f_edges(:), g_edges(:)
         integer :: i, octaves
 
+        call check_sizes([first_break(breaks, largest), largest, mdr%value(largest)], error)
+        if (allocated(error)) return
         octaves = merge(flat_octaves, 33, flat_radius > 0.0_wp)
         g_edges = [geometric(flat_radius, first_break(breaks, largest), octaves + extra_octaves), breaks, largest]
         f_edges = [geometric(flat_radius, first_break(breaks, largest), octaves), breaks, largest]
-        call new_sampled_function(g, mdr, g_edges, [(.false., i=1, size(g_edges) - 1)], height_tolerance, error)
+        call new_sampled_function(g, mdr, g_edges, [(.false., i=1, size(g_edges) - 1)], height_tolerance, error, &
+                                  most=most_panels(g_edges))
         if (allocated(error)) return
         call check_ascending(g, error)
         if (allocated(error)) return
@@ -137,7 +145,7 @@ contains
         if (flat_radius <= 0.0_wp) transform%exponent = log_slope(g)
         call new_sampled_function(self%f, transform, f_edges, [(root_starts(f_edges(i), flat_radius, breaks), &
                                                                 i=1, size(f_edges) - 1)], transform_tolerance, error, &
-                                  noise=flat_noise(transform, flat_radius, first_break(breaks, largest)))
+                                  noise=flat_noise(transform, flat_radius, first_break(breaks, largest)), most=most_panels(f_edges))
         if (allocated(error)) return
         self%g = g
         call finish(self, flat_radius, breaks)
@@ -167,7 +175,7 @@ contains
         else if (x < self%f%lower()) then
             y = self%f%value(self%f%lower())*(x/self%f%lower())**self%f_exponent
         else
-            y = self%f%value(x)
+            y = max(self%f%value(x), 0.0_wp)
         end if
     end function height
 
@@ -195,7 +203,7 @@ contains
         else if (x < self%g%lower()) then
             y = self%g%value(self%g%lower())*(x/self%g%lower())**self%g_exponent
         else
-            y = self%g%value(x)
+            y = max(self%g%value(x), 0.0_wp)
         end if
     end function mdr
 
@@ -396,7 +404,31 @@ contains
             end if
             count = count + 1
         end do
+        ! a function that falls faster than that within an octave still needs the octave
+        count = max(count, 1)
     end subroutine descending_edges
+
+    !> Raises unless lengths are far from the ends of the number range, where powers and products of them would leave it.
+    pure subroutine check_sizes(lengths, error)
+        real(wp), intent(in) :: lengths(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        do i = 1, size(lengths)
+            if (lengths(i) >= smallest_length .and. lengths(i) <= 1.0_wp/smallest_length) cycle
+            call raise(error, error_invalid, "the length "//to_text(lengths(i))//" in this profile is not allowed: radii and "// &
+                       "heights must be between "//to_text(smallest_length)//" and "//to_text(1.0_wp/smallest_length))
+            return
+        end do
+    end subroutine check_sizes
+
+    !> Every panel of the sampled function costs time in every value of its transform: more than this many are noise, not shape.
+    pure function most_panels(edges) result(most)
+        real(wp), intent(in) :: edges(:)
+        integer :: most
+
+        most = 1000 + 20*size(edges)
+    end function most_panels
 
     !> start + (stop - start) 2^-count, ..., up to but without stop; a flat end adds its own radius.
     pure function geometric(start, stop, count) result(edges)

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Numbers far from 1: a result that is right, or a refusal in words; never NaN, never a hang. */
+#include "check.h"
+
+#include <limits.h>
+
+/* f = r^80 falls by 24 orders of magnitude in an octave */
+static int steep(double r, double *f, void *context)
+{
+    (void)context;
+    *f = pow(r, 80.0);
+    return 0;
+}
+
+static int overflowing(double r, double *f, void *context)
+{
+    (void)context;
+    *f = r * 1e308 * r;
+    return isfinite(*f) ? 0 : 1;
+}
+
+static void test_profiles(void)
+{
+    const double r[4] = {0.0, 3477.2701614742141, 3477.2702614742143, 3477.2703614742145}, f[4] = {0.0, 1e-4, 2e-4, 3e-4};
+    const double tiny[3] = {0.0, 1e-300, 2e-300}, area[3] = {1e-4, 1e-4, 1e-4};
+    double middle = 3477.2702, half = 0.5, height;
+    mdr_profile *p = NULL;
+
+    /* knots closer than the rounding of g lets it follow */
+    const int status = mdr_profile_table(4, r, f, &p);
+    CHECK_TRUE(status == MDR_SUCCESS || status == MDR_ENOCONVERGENCE);
+    if (status == MDR_SUCCESS) {
+        CHECK_SUCCESS(mdr_profile_height(p, 1, &middle, &height));
+        CHECK_TRUE(height > 1e-4 && height < 2e-4);
+    }
+    CHECK_SUCCESS(mdr_profile_free(&p));
+
+    CHECK_SUCCESS(mdr_profile_callback(steep, NULL, 1.0, &p));
+    CHECK_SUCCESS(mdr_profile_height(p, 1, &half, &height));
+    CHECK_TRUE(height >= 0.0 && height < 1e-15); /* to the accuracy of the largest value between 0.5 and 1 */
+    CHECK_SUCCESS(mdr_profile_free(&p));
+
+    CHECK_STATUS(mdr_profile_table(3, tiny, tiny, &p), MDR_EINVALID, "must be between");
+    CHECK_STATUS(mdr_profile_from_mdr_table(3, tiny, tiny, &p), MDR_EINVALID, "must be between");
+    CHECK_STATUS(mdr_profile_callback(overflowing, NULL, 1.0, &p), MDR_EINVALID, "must be between");
+    CHECK_STATUS(mdr_profile_area_function(3, area, 0.0, 1e-304, &p), MDR_EINVALID, "must be between");
+    /* small, but far from the end of the number range: relative accuracy does not depend on the unit of length */
+    CHECK_SUCCESS(mdr_profile_area_function(3, area, 0.0, 1e-120, &p));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+}
+
+static void test_media(void)
+{
+    double large = 1e300, small = 1e-300, out = untouched;
+    mdr_medium *m = NULL;
+
+    CHECK_SUCCESS(mdr_medium_homogeneous(1e200, 0.3, &m));
+    CHECK_STATUS(mdr_medium_stiffness(m, 1, &large, &out), MDR_ENOCONVERGENCE, "leaves the number range");
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_medium_homogeneous(1e-200, 0.3, &m));
+    CHECK_STATUS(mdr_medium_stiffness(m, 1, &small, &out), MDR_ENOCONVERGENCE, "leaves the number range");
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_UNTOUCHED(1, &out);
+}
+
+static void test_closed_forms(void)
+{
+    double a = 1.0, large = 1e200, out = untouched;
+
+    /* a coating so thin that (a/h)^2 overflows is none */
+    CHECK_SUCCESS(mdr_coated_paraboloid_force(1, &a, 1.0, 3.0, 2.0, 1e-200, &out));
+    CHECK_CLOSE(out, 32.0 / 3.0, 1e-14);
+    out = untouched;
+    CHECK_STATUS(mdr_coated_paraboloid_force(1, &large, 1.0, 3.0, 2.0, 1.0, &out), MDR_ENOCONVERGENCE, "number range");
+    CHECK_STATUS(mdr_coated_cone_force(1, &large, 0.2, 3.0, 2.0, 1.0, &out), MDR_ENOCONVERGENCE, "number range");
+    CHECK_STATUS(mdr_adhesive_radius_scale(1e200, 1.0, 1.0, &out), MDR_ENOCONVERGENCE, "number range");
+    CHECK_UNTOUCHED(1, &out);
+}
+
+static void test_counts(void)
+{
+    mdr_fit_problem problem;
+    int count = 7;
+
+    mdr_fit_problem_init(&problem);
+    problem.indenter = MDR_FIT_INDENTER_SPHERE;
+    problem.medium = MDR_FIT_MEDIUM_STACK;
+    problem.layers = INT_MAX;
+    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "layers = 2147483647");
+    problem.layers = 0;
+    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "layers = 0");
+    CHECK_INT(count, 7);
+}
+
+int main(void)
+{
+    test_profiles();
+    test_media();
+    test_closed_forms();
+    test_counts();
+    return check_report("extremes");
+}

@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * GSL and LAPACK fail on command: no workspace, no step, a matrix that is not positive definite. This program brings functions of
+ * their names, which the library then calls, and which refuse while they are told to. Every call must say so in its status.
+ */
+#define _GNU_SOURCE
+#include "check.h"
+
+#include <dlfcn.h>
+
+enum refused { NOTHING, ROOT_WORKSPACE, ROOT_START, ROOT_STEP, ROOT_TEST, RULE, SPLINE, FIT_STEP, FACTORS };
+
+static enum refused refused = NOTHING;
+static int refusals;
+
+/* The real function, or NULL, counted, if it is the one to fail. */
+static void *real(const char *name, enum refused which)
+{
+    if (refused != which) return dlsym(RTLD_NEXT, name);
+    refusals++;
+    return NULL;
+}
+
+/* ISO C has no conversion from an object pointer to a function pointer; a union has. */
+#define FUNCTION(type, pointer) (((union { void *object; type function; }){(pointer)}).function)
+
+typedef void *(*make_one)(const void *);
+typedef void *(*make_sized)(size_t);
+typedef void *(*make_typed)(const void *, size_t);
+typedef int (*step)(void *);
+typedef int (*test)(double, double, double, double);
+typedef int (*start)(void *, void *, double, double);
+typedef void (*factorise)(const char *, const int *, double *, const int *, int *, size_t);
+
+void *gsl_root_fsolver_alloc(const void *kind);
+void *gsl_integration_glfixed_table_alloc(size_t n);
+void *gsl_spline_alloc(const void *kind, size_t n);
+int gsl_root_fsolver_set(void *solver, void *f, double lower, double upper);
+int gsl_root_fsolver_iterate(void *solver);
+int gsl_root_test_interval(double lower, double upper, double absolute, double relative);
+int gsl_multifit_nlinear_iterate(void *workspace);
+void dpotrf_(const char *uplo, const int *n, double *a, const int *lda, int *info, size_t length);
+
+void *gsl_root_fsolver_alloc(const void *kind)
+{
+    void *f = real("gsl_root_fsolver_alloc", ROOT_WORKSPACE);
+    return f ? FUNCTION(make_one, f)(kind) : NULL;
+}
+
+void *gsl_integration_glfixed_table_alloc(size_t n)
+{
+    void *f = real("gsl_integration_glfixed_table_alloc", RULE);
+    return f ? FUNCTION(make_sized, f)(n) : NULL;
+}
+
+void *gsl_spline_alloc(const void *kind, size_t n)
+{
+    void *f = real("gsl_spline_alloc", SPLINE);
+    return f ? FUNCTION(make_typed, f)(kind, n) : NULL;
+}
+
+int gsl_root_fsolver_set(void *solver, void *function, double lower, double upper)
+{
+    void *f = real("gsl_root_fsolver_set", ROOT_START);
+    return f ? FUNCTION(start, f)(solver, function, lower, upper) : 4;
+}
+
+int gsl_root_fsolver_iterate(void *solver)
+{
+    void *f = real("gsl_root_fsolver_iterate", ROOT_STEP);
+    return f ? FUNCTION(step, f)(solver) : 9;
+}
+
+/* -2: go on, for ever */
+int gsl_root_test_interval(double lower, double upper, double absolute, double relative)
+{
+    void *f = real("gsl_root_test_interval", ROOT_TEST);
+    return f ? FUNCTION(test, f)(lower, upper, absolute, relative) : -2;
+}
+
+int gsl_multifit_nlinear_iterate(void *workspace)
+{
+    void *f = real("gsl_multifit_nlinear_iterate", FIT_STEP);
+    return f ? FUNCTION(step, f)(workspace) : 27;
+}
+
+void dpotrf_(const char *uplo, const int *n, double *a, const int *lda, int *info, size_t length)
+{
+    void *f = real("dpotrf_", FACTORS);
+    if (f) FUNCTION(factorise, f)(uplo, n, a, lda, info, length);
+    else *info = 1;
+}
+
+static mdr_profile *ball;
+static mdr_medium *film, *exact_film;
+static mdr_contact *contact, *exact_contact;
+static mdr_contact_options sticky;
+static const double x[3] = {0.0, 0.5, 1.0}, y[3] = {0.0, 0.1, 0.4}, E[2] = {3.0, 2.0}, nu[2] = {0.3, 0.2}, h[2] = {0.5, 0.2};
+static double out[3];
+
+static int table(void)
+{
+    mdr_profile *p = NULL;
+    int status = mdr_profile_table(3, x, y, &p);
+    mdr_profile_free(&p);
+    return status;
+}
+static int tip(void)
+{
+    const double C[2] = {24.5, 0.1};
+    mdr_profile *p = NULL;
+    int status = mdr_profile_area_function(2, C, 0.0, 1.0, &p);
+    mdr_profile_free(&p);
+    return status;
+}
+static int adhesive(void)
+{
+    mdr_contact *c = NULL;
+    int status = mdr_contact_new(ball, film, &sticky, &c);
+    if (status == MDR_SUCCESS) status = mdr_contact_from_depth(c, 1, y + 1, NULL, out, NULL, NULL);
+    mdr_contact_free(&c);
+    return status;
+}
+static int states(void) { return mdr_contact_from_depth(contact, 2, y + 1, NULL, NULL, out, NULL); }
+static int exact_states(void) { return mdr_contact_from_depth(exact_contact, 2, y + 1, NULL, NULL, out, NULL); }
+static int fields(void) { return mdr_contact_pressure(contact, 1.0, 3, x, out); }
+static int fit(void)
+{
+    static const double depth[3] = {0.1, 0.2, 0.3}, load[3] = {0.05, 0.15, 0.3};
+    static const double values[8] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0};
+    mdr_fit_parameter p[8];
+    mdr_fit_problem problem;
+    mdr_fit_summary summary;
+    int status;
+    mdr_fit_problem_init(&problem);
+    problem.data_kind = MDR_FIT_FORCE_DEPTH;
+    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
+    problem.medium = MDR_FIT_MEDIUM_GIVEN;
+    problem.medium_object = film;
+    for (int i = 0; i < 8; i++) p[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, i == 0};
+    problem.parameters = p;
+    problem.parameter_count = 8;
+    status = mdr_fit_solve(&problem, 3, depth, load, NULL, NULL, NULL, NULL, NULL, NULL, out, NULL, &summary);
+    /* the best point found is a result, told by its flag */
+    return status == MDR_SUCCESS && !summary.converged ? MDR_ENOCONVERGENCE : status;
+}
+
+/* Sound before, refused with that status and nothing written, sound again afterwards. */
+static void check_refusal(const char *name, enum refused which, int (*call)(void), int expected)
+{
+    int status;
+    CHECK_SUCCESS(call());
+    fill_untouched(3, out);
+    refused = which;
+    refusals = 0;
+    status = call();
+    refused = NOTHING;
+    if (status != expected || refusals == 0) printf("%s: %s, %d refusals\n", name, mdr_status_name(status), refusals);
+    CHECK_INT(status, expected);
+    CHECK_TRUE(refusals > 0);
+    if (call != fit) CHECK_UNTOUCHED(3, out);
+    CHECK_SUCCESS(call());
+}
+
+int main(void)
+{
+    mdr_contact_options_init(&sticky);
+    sticky.work_of_adhesion = 0.02;
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    CHECK_SUCCESS(mdr_medium_layered(2, E, nu, h, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(mdr_medium_layered(2, E, nu, h, 1.0, 0.4, MDR_MODEL_EXACT, NULL, &exact_film));
+    CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &contact));
+    CHECK_SUCCESS(mdr_contact_new(ball, exact_film, NULL, &exact_contact));
+
+    check_refusal("table, no spline", SPLINE, table, MDR_ENOMEMORY);
+    check_refusal("table, no rule", RULE, table, MDR_ENOCONVERGENCE);
+    check_refusal("tip, no rule", RULE, tip, MDR_ENOCONVERGENCE);
+    check_refusal("states, no rule", RULE, states, MDR_ENOCONVERGENCE);
+    check_refusal("fields, no rule", RULE, fields, MDR_ENOCONVERGENCE);
+    check_refusal("adhesive, no root workspace", ROOT_WORKSPACE, adhesive, MDR_ENOMEMORY);
+    check_refusal("adhesive, no start", ROOT_START, adhesive, MDR_ENOCONVERGENCE);
+    check_refusal("adhesive, no step", ROOT_STEP, adhesive, MDR_ENOCONVERGENCE);
+    check_refusal("adhesive, no end", ROOT_TEST, adhesive, MDR_ENOCONVERGENCE);
+    check_refusal("exact, no factors", FACTORS, exact_states, MDR_ENOCONVERGENCE);
+    check_refusal("fit, no step", FIT_STEP, fit, MDR_ENOCONVERGENCE);
+
+    CHECK_SUCCESS(mdr_contact_free(&exact_contact));
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+    CHECK_SUCCESS(mdr_medium_free(&exact_film));
+    CHECK_SUCCESS(mdr_medium_free(&film));
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+    return check_report("failures of GSL and LAPACK");
+}

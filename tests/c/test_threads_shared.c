@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One object of every kind, evaluated by several threads at once: the same numbers as one thread alone. */
+#include "check.h"
+
+#include <pthread.h>
+
+enum { THREADS = 3, POINTS = 3, MOST_VALUES = 200, CONTACTS = 7, MEDIA = CONTACTS, LAYERS = 2, PHASES = 2, FIT_POINTS = 4 };
+
+typedef struct shared {
+    mdr_profile *cone, *table, *sum;
+    mdr_medium *media[MEDIA];
+    mdr_contact *contacts[CONTACTS], *adhesive;
+    mdr_loop *loop;
+    mdr_law *law;
+    mdr_structure *shapes, *voxels;
+    mdr_fit_problem fit;
+    mdr_fit_parameter parameters[8];
+} shared;
+
+typedef struct task {
+    const shared *objects;
+    int failed_calls, count;
+    double values[MOST_VALUES];
+} task;
+
+static const double radii[POINTS] = {0.05, 0.3, 0.8};
+
+static double *next(task *t, int n)
+{
+    double *v = t->values + t->count;
+    t->count += n;
+    return v;
+}
+
+static void tell(task *t, int status)
+{
+    char words[200];
+    if (status == MDR_SUCCESS) return;
+    t->failed_calls++;
+    if (mdr_last_error(words, (int)sizeof words) > 0) fprintf(stderr, "%s\n", words);
+}
+
+static void evaluate_contact(task *t, const mdr_contact *contact)
+{
+    double depth[1], *F;
+    F = next(t, 1);
+    tell(t, mdr_contact_from_radius(contact, 1, &radii[1], depth, NULL, F, NULL));
+    tell(t, mdr_contact_from_depth(contact, 1, depth, NULL, next(t, 1), NULL, NULL));
+    tell(t, mdr_contact_from_force(contact, 1, F, next(t, 1), NULL, NULL, NULL));
+    tell(t, mdr_contact_pressure(contact, 0.31, 1, &radii[0], next(t, 1)));
+    tell(t, mdr_contact_displacement(contact, 0.31, 1, &radii[2], next(t, 1)));
+}
+
+static void evaluate_fit(task *t, const mdr_fit_problem *problem)
+{
+    static const double depth[FIT_POINTS] = {0.1, 0.2, 0.3, 0.4};
+    double force[FIT_POINTS], values[8];
+    tell(t, mdr_fit_predict(problem, FIT_POINTS, depth, depth, NULL, force));
+    tell(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, next(t, FIT_POINTS), NULL, NULL));
+}
+
+/* Every evaluation of every object, into t->values. */
+static void *evaluate(void *argument)
+{
+    static const double zero[POINTS] = {0.0};
+    task *t = argument;
+    const shared *s = t->objects;
+    int stretch = 0;
+
+    tell(t, mdr_profile_height(s->table, POINTS, radii, next(t, POINTS)));
+    tell(t, mdr_profile_mdr(s->sum, POINTS, radii, next(t, POINTS)));
+    for (int i = 0; i < MEDIA; i++) tell(t, mdr_medium_modulus(s->media[i], POINTS, radii, next(t, POINTS)));
+    for (int i = 0; i < CONTACTS; i++) evaluate_contact(t, s->contacts[i]);
+    evaluate_contact(t, s->adhesive);
+    tell(t, mdr_contact_pull_off(s->adhesive, MDR_CONTROL_FORCE, next(t, 1), NULL, NULL));
+    tell(t, mdr_loop_path(s->loop, POINTS, NULL, NULL, NULL, next(t, POINTS)));
+    tell(t, mdr_law_force(s->law, MDR_ON_UNLOADING, 0.1, next(t, 1), NULL));
+    tell(t, mdr_law_follow(s->law, 0.1, &stretch, next(t, 1), NULL, NULL, NULL));
+    tell(t, mdr_law_from_depth(s->law, MDR_ON_UNLOADING, POINTS, radii, next(t, POINTS), NULL, NULL, NULL, 1));
+    tell(t, mdr_structure_modulus(s->shapes, 1, zero, zero, radii, next(t, 1)));
+    tell(t, mdr_structure_modulus(s->voxels, 1, zero, zero, radii, next(t, 1)));
+    evaluate_fit(t, &s->fit);
+    return NULL;
+}
+
+static void make_media(shared *s)
+{
+    static const double E[LAYERS] = {3.0, 2.0}, nu[LAYERS] = {0.3, 0.2}, h[LAYERS] = {0.5, 0.2}, z[LAYERS] = {0.0, 1.0};
+    static const double a[POINTS] = {0.01, 0.5, 2.0};
+    mdr_medium_options loose;
+
+    mdr_medium_options_init(&loose);
+    loose.tolerance = 1e-4;
+    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &s->media[0]));
+    CHECK_SUCCESS(mdr_medium_layered(LAYERS, E, nu, h, 1.0, 0.4, MDR_MODEL_GAO, NULL, &s->media[1]));
+    CHECK_SUCCESS(mdr_medium_layered(LAYERS, E, nu, h, 1.0, 0.4, MDR_MODEL_EXACT, &loose, &s->media[2]));
+    CHECK_SUCCESS(mdr_medium_graded(LAYERS, z, E, nu, MDR_MODEL_GAO_SERIES, NULL, &s->media[3]));
+    CHECK_SUCCESS(mdr_medium_graded(LAYERS, z, E, nu, MDR_MODEL_EXACT, &loose, &s->media[4]));
+    CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, 0.2, 0.3, &s->media[5]));
+    CHECK_SUCCESS(mdr_medium_table(POINTS, a, radii, &s->media[6]));
+}
+
+static void make_structures(shared *s)
+{
+    static const double sphere[7] = {0.0, 0.0, 1.0, 0.5}, E[PHASES] = {1.0, 2.0}, nu[PHASES] = {0.3, 0.2}, spacing[3] = {0.5, 0.5, 0.5};
+    static const int kind[1] = {MDR_SHAPE_BALL}, size[3] = {2, 2, 1}, labels[4] = {0, 1, 1, 0};
+    mdr_structure_options loose;
+
+    mdr_structure_options_init(&loose);
+    loose.tolerance = 1e-2;
+    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, sphere, E + 1, nu + 1, &loose, &s->shapes));
+    CHECK_SUCCESS(mdr_structure_voxels(size, labels, PHASES, E, nu, spacing, 1.0, 0.3, NULL, &s->voxels));
+}
+
+/* A stack under a paraboloid of free radius, on a rigid and exact instrument. */
+static void make_fit(shared *s)
+{
+    static const double values[8] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0};
+    int count = 0;
+
+    mdr_fit_problem_init(&s->fit);
+    s->fit.data_kind = MDR_FIT_FORCE_DEPTH;
+    s->fit.indenter = MDR_FIT_INDENTER_PARABOLOID;
+    s->fit.medium = MDR_FIT_MEDIUM_GIVEN;
+    s->fit.medium_object = s->media[1];
+    CHECK_SUCCESS(mdr_fit_parameter_count(&s->fit, &count));
+    CHECK_INT(count, 8);
+    for (int i = 0; i < 8; i++) s->parameters[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, i == 0};
+    s->fit.parameters = s->parameters;
+    s->fit.parameter_count = count;
+}
+
+static void make(shared *s)
+{
+    static const double r[4] = {0.0, 0.5, 1.0, 2.0}, f[4] = {0.0, 0.1, 0.3, 1.0};
+    const mdr_profile *terms[2];
+    mdr_contact_options sticky;
+    mdr_law_options loose;
+
+    CHECK_SUCCESS(mdr_profile_rounded_cone(0.4, 0.35, &s->cone));
+    CHECK_SUCCESS(mdr_profile_table(4, r, f, &s->table));
+    terms[0] = s->cone;
+    terms[1] = s->table;
+    CHECK_SUCCESS(mdr_profile_sum(2, terms, &s->sum));
+    make_media(s);
+    for (int i = 0; i < CONTACTS; i++) CHECK_SUCCESS(mdr_contact_new(s->cone, s->media[i], NULL, &s->contacts[i]));
+    mdr_contact_options_init(&sticky);
+    sticky.work_of_adhesion = 0.02;
+    CHECK_SUCCESS(mdr_contact_new(s->cone, s->media[1], &sticky, &s->adhesive));
+    CHECK_SUCCESS(mdr_loop_new(s->adhesive, MDR_CONTROL_DEPTH, 0.3, POINTS, 0.0, &s->loop));
+    mdr_law_options_init(&loose);
+    loose.tolerance = 1e-4;
+    CHECK_SUCCESS(mdr_law_new(s->adhesive, 1.0, &loose, &s->law));
+    make_structures(s);
+    make_fit(s);
+}
+
+static void free_all(shared *s)
+{
+    mdr_profile_free(&s->cone);
+    mdr_profile_free(&s->table);
+    mdr_profile_free(&s->sum);
+    for (int i = 0; i < MEDIA; i++) mdr_medium_free(&s->media[i]);
+    for (int i = 0; i < CONTACTS; i++) mdr_contact_free(&s->contacts[i]);
+    mdr_contact_free(&s->adhesive);
+    mdr_loop_free(&s->loop);
+    mdr_law_free(&s->law);
+    mdr_structure_free(&s->shapes);
+    mdr_structure_free(&s->voxels);
+}
+
+int main(void)
+{
+    static shared objects;
+    static task alone, tasks[THREADS];
+    pthread_t threads[THREADS];
+
+    make(&objects);
+    alone.objects = &objects;
+    for (int i = 0; i < THREADS; i++) tasks[i] = alone;
+    evaluate(&alone);
+    CHECK_INT(alone.failed_calls, 0);
+    CHECK_TRUE(alone.count < MOST_VALUES);
+    for (int i = 0; i < THREADS; i++) CHECK_INT(pthread_create(&threads[i], NULL, evaluate, &tasks[i]), 0);
+    for (int i = 0; i < THREADS; i++) CHECK_INT(pthread_join(threads[i], NULL), 0);
+    for (int i = 0; i < THREADS; i++) {
+        CHECK_INT(tasks[i].failed_calls, 0);
+        for (int j = 0; j < alone.count; j++) CHECK_CLOSE(tasks[i].values[j], alone.values[j], 0.0);
+    }
+    free_all(&objects);
+    return check_report("threads that share every kind of object");
+}

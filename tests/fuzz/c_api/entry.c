@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The whole C API, driven by bytes: objects are made, evaluated and freed with every kind of number. */
+#include "world.h"
+
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void (*const families[])(world *) = {
+    fuzz_profiles, fuzz_media, fuzz_contacts, fuzz_states, fuzz_fields, fuzz_adhesion, fuzz_laws, fuzz_structures, fuzz_fits,
+    fuzz_formulas
+};
+enum { FAMILIES = sizeof families / sizeof families[0], MOST_CALLS = 40 };
+
+static void free_all(world *w)
+{
+    for (int i = 0; i < SLOTS; i++) {
+        judge_status("mdr_contact_free", mdr_contact_free(&w->contacts[i]));
+        judge_status("mdr_medium_free", mdr_medium_free(&w->media[i]));
+        judge_status("mdr_profile_free", mdr_profile_free(&w->profiles[i]));
+        if (w->contacts[i] || w->media[i] || w->profiles[i]) finding("mdr_..._free", "the handle is still there", i);
+    }
+    mdr_loop_free(&w->loop);
+    mdr_law_free(&w->law);
+    mdr_structure_free(&w->structure);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    world w;
+    memset(&w, 0, sizeof w);
+    w.in.bytes = data;
+    w.in.size = size;
+    for (int i = 0; i < MOST_CALLS && w.in.next < size; i++) families[take_byte(&w.in) % FAMILIES](&w);
+    free_all(&w);
+    return 0;
+}

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "world.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+enum { PRICE_OF_LAW = 40 };
+
+static void make(world *w)
+{
+    int slot, status;
+    const mdr_contact *contact = some_contact(w, &slot);
+    const double largest = take_positive(&w->in);
+    mdr_law_options options, *chosen = &options;
+    mdr_law *made = NULL;
+
+    mdr_law_options_init(&options);
+    options.tolerance = 1e-4;
+    if (take_chance(&w->in)) {
+        options.smallest_depth = take_number(&w->in);
+        options.tolerance = take_number(&w->in);
+        options.description = take_chance(&w->in) ? NULL : "words\nin two lines";
+    }
+    if (w->contact_is_exact[slot] || !afford(w, PRICE_OF_LAW)) return;
+    status = mdr_law_new(contact, largest, chosen, &made);
+    judge_object("mdr_law_new", status, made);
+    if (made) {
+        mdr_law_free(&w->law);
+        w->law = made;
+    }
+}
+
+static void evaluate(world *w)
+{
+    const int n = take_count(&w->in), branch = take_code(&w->in, 2), threads = take_chance(&w->in) ? take_choice(&w->in, 3) : 1;
+    const mdr_law *law = some_law(w);
+    double x[MOST_POINTS], p[MOST_POINTS], q[MOST_POINTS], r[MOST_POINTS], s[MOST_POINTS];
+    int status, stretch = take_choice(&w->in, 4);
+
+    take_numbers(&w->in, x);
+    fill(p), fill(q);
+    status = mdr_law_force(law, branch, x[0], p, q);
+    judge("mdr_law_force", status, 1, p, FINITE);
+    judge("mdr_law_force", status, 1, q, NOT_NAN);
+    fill(p), fill(q), fill(r), fill(s);
+    status = mdr_law_follow(law, x[1], &stretch, p, q, r, s);
+    judge("mdr_law_follow", status, 1, p, FINITE);
+    judge("mdr_law_follow", status, 1, r, NOT_NEGATIVE);
+    fill(p), fill(q), fill(r), fill(s);
+    status = mdr_law_from_depth(law, branch, n, x, p, q, r, s, threads);
+    judge("mdr_law_from_depth", status, n, p, FINITE);
+    judge("mdr_law_from_depth", status, n, q, NOT_NAN);
+    judge("mdr_law_from_depth", status, n, r, NOT_NEGATIVE);
+    judge("mdr_law_from_depth", status, n, s, NOT_NEGATIVE);
+    fill(p), fill(q), fill(r), fill(s);
+    status = mdr_law_from_force(law, branch, n, x, p, q, r, s, threads);
+    judge("mdr_law_from_force", status, n, p, FINITE);
+    judge("mdr_law_from_force", status, n, q, NOT_NAN);
+    judge("mdr_law_from_force", status, n, r, NOT_NEGATIVE);
+    judge("mdr_law_from_force", status, n, s, NOT_NEGATIVE);
+}
+
+/* What was written is read again, byte for byte. */
+static void write_and_read(world *w)
+{
+    const mdr_law *law = some_law(w);
+    mdr_law *again = NULL;
+    mdr_law_facts facts;
+    char words[8];
+    int length = 0, second = 0;
+
+    judge_status("mdr_law_info", mdr_law_info(law, &facts));
+    judge_status("mdr_law_description", mdr_law_description(law, words, take_choice(&w->in, 8)));
+    if (mdr_law_write(law, NULL, 0, &length) != MDR_SUCCESS) return;
+    char *text = malloc((size_t)length);
+    judge_status("mdr_law_write", mdr_law_write(law, text, length, &length));
+    judge_object("mdr_law_read", mdr_law_read(text, length, &again), again);
+    if (!again) finding("mdr_law_read", "refuses what mdr_law_write wrote", length);
+    mdr_law_write(again, NULL, 0, &second);
+    if (second != length) finding("mdr_law_write", "another length after reading", second);
+    mdr_law_free(&again);
+    free(text);
+}
+
+void fuzz_laws(world *w)
+{
+    switch (take_byte(&w->in) % 3) {
+    case 0: make(w); break;
+    case 1: evaluate(w); break;
+    default: write_and_read(w); break;
+    }
+}

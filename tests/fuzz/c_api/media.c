@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "world.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* Exact media are dear, graded ones dearer. */
+enum { PRICE_OF_EXACT = 30, PRICE_OF_EXACT_GRADED = 60, PRICE_OF_SAMPLED = 10 };
+
+static const mdr_medium_options *take_options(input *in, int *model, mdr_medium_options *options)
+{
+    *model = take_choice(in, MDR_MODEL_EXACT + 1);
+    mdr_medium_options_init(options);
+    options->tolerance = 1e-4; /* cheaper */
+    if (!take_chance(in)) return options;
+    if (take_chance(in)) return NULL;
+    options->alpha = take_positive(in);
+    options->wave_factor = take_positive(in);
+    options->weight_nu_choice = take_choice(in, 4);
+    options->weight_nu = take_ratio(in);
+    options->tolerance = take_byte(in) % 2 ? 1e-6 : take_number(in);
+    return options;
+}
+
+static double take_substrate(input *in)
+{
+    return take_byte(in) % 8 == 7 ? INFINITY : take_positive(in);
+}
+
+/* MDR_ENULL without an object where a costly one was left out. */
+static int make(world *w, mdr_medium **out, int *is_exact)
+{
+    input *in = &w->in;
+    mdr_medium_options options;
+    const mdr_medium_options *chosen;
+    double x[MOST_POINTS], y[MOST_POINTS], z[MOST_POINTS], p, q, r, s;
+    user_function f, g;
+    int n, model;
+
+    switch (take_byte(in) % 10) {
+    case 0:
+        p = take_positive(in);
+        return mdr_medium_homogeneous(p, take_ratio(in), out);
+    case 1: return mdr_medium_contact_modulus(take_positive(in), out);
+    case 2:
+    case 3:
+        chosen = take_options(in, &model, &options);
+        *is_exact = model == MDR_MODEL_EXACT;
+        if (*is_exact && !afford(w, PRICE_OF_EXACT)) return MDR_ENULL;
+        p = take_positive(in);
+        q = model == MDR_MODEL_DIMITRIADIS || model == MDR_MODEL_GARCIA ? 0.5 : take_ratio(in);
+        r = take_positive(in);
+        s = model == MDR_MODEL_DIMITRIADIS || model == MDR_MODEL_GARCIA ? INFINITY : take_substrate(in);
+        return mdr_medium_coated(p, q, r, s, take_ratio(in), model, chosen, out);
+    case 4:
+        chosen = take_options(in, &model, &options);
+        *is_exact = model == MDR_MODEL_EXACT;
+        if (*is_exact && !afford(w, PRICE_OF_EXACT)) return MDR_ENULL;
+        n = take_count(in) % 4;
+        take_positives(in, x);
+        take_ratios(in, y);
+        take_positives(in, z);
+        p = take_substrate(in);
+        return mdr_medium_layered(n, x, y, z, p, take_ratio(in), model, chosen, out);
+    case 5:
+        chosen = take_options(in, &model, &options);
+        *is_exact = model == MDR_MODEL_EXACT;
+        if (!afford(w, *is_exact ? PRICE_OF_EXACT_GRADED : PRICE_OF_SAMPLED)) return MDR_ENULL;
+        n = take_count(in) % 4;
+        take_ascending(in, x);
+        take_positives(in, y);
+        take_ratios(in, z);
+        return mdr_medium_graded(n, x, y, z, model, chosen, out);
+    case 6:
+        chosen = take_options(in, &model, &options);
+        if (model == MDR_MODEL_EXACT || !afford(w, PRICE_OF_SAMPLED)) return MDR_ENULL;
+        f = take_function(in);
+        g = take_function(in);
+        (void)g;
+        return mdr_medium_graded_callback(call_function, call_function, &f, take_positive(in), model, chosen, out);
+    case 7:
+        p = take_positive(in);
+        q = take_positive(in);
+        r = take_ratio(in);
+        return mdr_medium_power_graded(p, q, r, take_ratio(in), out);
+    case 8:
+        n = take_count(in);
+        take_ascending(in, x);
+        if (x[0] == 0.0) x[0] = x[1] / 2.0;
+        take_positives(in, y);
+        return mdr_medium_table(n, x, y, out);
+    default:
+        if (!afford(w, PRICE_OF_SAMPLED)) return MDR_ENULL;
+        f = take_function(in);
+        p = take_positive(in);
+        q = take_positive(in);
+        return mdr_medium_callback(call_function, &f, p, p + q, out);
+    }
+}
+
+void fuzz_media(world *w)
+{
+    const int slot = take_byte(&w->in) % SLOTS;
+    double a[MOST_POINTS], out[MOST_POINTS];
+    int is_exact = 0, n;
+    mdr_medium *made = NULL;
+    const int status = make(w, &made, &is_exact);
+
+    if (made || status != MDR_ENULL) judge_object("mdr_medium_...", status, made);
+    if (made) {
+        mdr_medium_free(&w->media[slot]);
+        w->media[slot] = made;
+        w->medium_is_exact[slot] = is_exact;
+    }
+    n = take_count(&w->in);
+    take_positives(&w->in, a);
+    if (!afford(w, 4)) return;
+    const mdr_medium *medium = some_medium(w);
+    fill(out);
+    judge("mdr_medium_modulus", mdr_medium_modulus(medium, n, a, out), n, out, POSITIVE);
+    fill(out);
+    judge("mdr_medium_stiffness", mdr_medium_stiffness(medium, n, a, out), n, out, POSITIVE);
+}

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bytes into the readers of problem files, fit files and tables: whatever they hold, the answer is a result or a ProblemError."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from mdrcontact.errors import MDRError
+from mdrcontact.problem import ProblemError, load
+from mdrcontact.problem.columns import MeasuredTable, read_table
+from mdrcontact.problem.fit_file import load_fit_file
+from mdrcontact.problem.units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
+
+SEPARATOR = b"\n=====\n"
+"""Between the problem file and the table of a fit."""
+
+_folder = tempfile.TemporaryDirectory()
+
+
+def feed(data: bytes) -> None:
+    """The first byte says which reader gets the others."""
+    kind = data[0] % 3 if data else 0
+    (_read_problem, _read_fit, _read_table)[kind](data[1:])
+
+
+def _written(name: str, data: bytes) -> Path:
+    path = Path(_folder.name, name)
+    path.write_bytes(data)
+    return path
+
+
+def _read_problem(data: bytes) -> None:
+    try:
+        problem = load(_written("problem.toml", data))
+    except ProblemError:
+        return
+    if not np.all(np.isfinite(problem.control.values)):
+        raise AssertionError("a problem without an error prescribes values that are not finite")
+    try:
+        state = problem.contact().at_radius(0.0)
+    except MDRError:
+        return
+    if state.radius != 0.0:
+        raise AssertionError("another state than asked for")
+
+
+def _read_fit(data: bytes) -> None:
+    problem, _, table = data.partition(SEPARATOR)
+    try:
+        file = load_fit_file(_written("fit.toml", problem))
+        file.read_data(_written("data.csv", table))
+    except MDRError:
+        return
+
+
+def _read_table(data: bytes) -> None:
+    try:
+        table = read_table(_written("data.csv", data))
+    except ProblemError:
+        return
+    if table.values.shape[1] != len(table.titles):
+        raise AssertionError("the table has another number of columns than titles")
+    _find_columns(table)
+
+
+def _find_columns(table: MeasuredTable) -> None:
+    for dimension in (LENGTH, FORCE, MODULUS, STIFFNESS, RATIO):
+        table.find(["h", "depth", "force", "p"], dimension)
+        for title in table.titles:
+            try:
+                table.column(title, dimension)
+            except ProblemError:
+                continue

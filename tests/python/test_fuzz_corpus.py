@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the fuzzer of the readers has kept, fed to them again."""
+
+from __future__ import annotations
+
+import runpy
+from pathlib import Path
+
+import pytest
+from mdrcontact.problem import ProblemError, load
+
+FUZZ = Path(__file__).parents[1] / "fuzz"
+CORPUS = sorted((FUZZ / "corpus" / "readers").iterdir())
+
+
+@pytest.fixture(scope="module")
+def feed():
+    return runpy.run_path(str(FUZZ / "readers" / "entry.py"))["feed"]
+
+
+def test_corpus_is_tame(feed):
+    assert len(CORPUS) > 10
+    for path in CORPUS:
+        feed(path.read_bytes())
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("[compute]\npoints = " + "1" * 5000, "not valid TOML"),
+        ("a = " + "[" * 5000 + "]" * 5000, "nested too deeply"),
+        ("a = [", "not valid TOML"),
+    ],
+)
+def test_what_python_refuses_is_a_problem_error(tmp_path, text, words):
+    path = tmp_path / "problem.toml"
+    path.write_text(text)
+    with pytest.raises(ProblemError, match=words):
+        load(path)
+
+
+def test_a_number_beyond_all_floats(tmp_path):
+    path = tmp_path / "problem.toml"
+    path.write_text(
+        '[indenter]\nshape = "paraboloid"\nradius = "1 um"\n[medium]\ntype = "homogeneous"\n'
+        '[medium.material]\nE = "1 GPa"\nnu = 1' + "0" * 400 + '\n[compute]\nmax_depth = "1 nm"\n'
+    )
+    with pytest.raises(ProblemError, match="nu = Infinity"):
+        load(path)

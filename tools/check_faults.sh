@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The Fortran and C tests with every checker switched on: tools/check_faults.sh [address | traps | thread | all]
+#   address  AddressSanitizer, LeakSanitizer, UndefinedBehaviorSanitizer
+#   traps    run-time checks of gfortran; an invalid operation, a division by zero or an overflow ends the program
+#   thread   helgrind over threads that share every kind of object
+# Status 0 only if all tests passed. docs/faults.md says what each of them finds.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=build/faults
+export CMAKE_GENERATOR=Ninja OPENBLAS_NUM_THREADS=1
+
+# build_and_test NAME C_FLAGS FORTRAN_FLAGS CTEST_ARGUMENTS...
+build_and_test() {
+    local name=$1 c_flags=$2 fortran_flags=$3
+    shift 3
+    mkdir -p "$build"
+    cmake -S . -B "$build/$name" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS="$c_flags" -DCMAKE_CXX_FLAGS="$c_flags" \
+        -DCMAKE_Fortran_FLAGS="$fortran_flags" > "$build/$name.log"
+    cmake --build "$build/$name" --parallel 2 >> "$build/$name.log" || { tail -n 40 "$build/$name.log"; return 1; }
+    ctest --test-dir "$build/$name" --parallel 2 --output-on-failure --no-tests=error "$@"
+}
+
+# valgrind cannot run what the sanitizers changed; export configures projects of its own, without the flags.
+without="valgrind|helgrind|export|c_memory|check_failing"
+
+check_address() {
+    local flags="-g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
+    ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
+        build_and_test address "$flags" "$flags" -E "$without"
+}
+
+check_traps() {
+    build_and_test traps "-g -O1" "-g -O1 -fcheck=all,no-recursion -ffpe-trap=invalid,zero,overflow -finit-real=snan" \
+        -L "unit" -E "$without"
+}
+
+check_thread() {
+    build_and_test thread "-g -O1" "-g -O1" -R "helgrind"
+}
+
+case ${1:-all} in
+    address) check_address ;;
+    traps) check_traps ;;
+    thread) check_thread ;;
+    all) check_address && check_traps && check_thread ;;
+    *) sed -n '3,6s/^# //p' "${BASH_SOURCE[0]}" && exit 2 ;;
+esac
