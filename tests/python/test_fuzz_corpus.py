@@ -7,6 +7,7 @@ import runpy
 from pathlib import Path
 
 import pytest
+
 from mdrcontact.problem import ProblemError, load
 
 FUZZ = Path(__file__).parents[1] / "fuzz"

@@ -7,6 +7,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+
 from mdrcontact.errors import MDRError
 from mdrcontact.problem import ProblemError, load
 from mdrcontact.problem.columns import MeasuredTable, read_table
