@@ -214,7 +214,10 @@ def check_stiffness(tip, body, share):
     contact, state = _states(tip, body, share)
     step = 2e-3 * state.depth
     force = [contact.at_depth(state.depth + i * step).force for i in (-2, -1, 1, 2)]
-    _close((force[0] - 8.0 * force[1] + 8.0 * force[2] - force[3]) / (12.0 * step), state.stiffness, 1e-6)
+    found = (force[0] - 8.0 * force[1] + 8.0 * force[2] - force[3]) / (12.0 * step)
+    # a difference that reaches across a corner of the tip is not one of fourth order
+    smooth = np.abs(state.radius / (tip.corner or math.inf) - 1.0) > 0.05
+    _close(found[smooth], state.stiffness[smooth], 1e-6)
 
 
 def check_integrals(tip, body, share):
