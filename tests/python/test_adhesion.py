@@ -12,6 +12,7 @@ from conftest import ELASTIC_MODELS, ROOT
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
+from mdrcontact.problem import load
 
 GAMMA, R = 0.05, 2.0
 BODY = mdr.Homogeneous(mdr.Elastic(3.0, 0.0))
@@ -256,6 +257,7 @@ def test_command(tmp_path, capsys):
         (('"50 mJ/m^2"', '"-1 J/m^2"'), "work_of_adhesion = -0.1E+1"),
         (('"0.2 N/m"', '"0.2 N"'), "is not a unit of a stiffness"),
         (("[adhesion]", "[adhesive]"), "did you mean 'adhesion'"),
+        (("[adhesion]", '[adhesion]\nadhesion_rule = "energi"'), "did you mean 'energy'"),
     ],
 )
 def test_wrong_problem_files(change, words, tmp_path, capsys):
@@ -263,6 +265,14 @@ def test_wrong_problem_files(change, words, tmp_path, capsys):
     path.write_text(PROBLEM.read_text(encoding="utf-8").replace(*change), encoding="utf-8")
     assert main(["adhesion", str(path)]) in (1, 2)
     assert words.replace("-0.1E+1", "-1") in capsys.readouterr().err
+
+
+def test_the_adhesion_rule_of_a_problem_file(tmp_path):
+    text = PROBLEM.read_text(encoding="utf-8").replace("[adhesion]", '[adhesion]\nadhesion_rule = "paper"')
+    path = Path(tmp_path / "problem.toml")
+    path.write_text(text, encoding="utf-8")
+    assert load(path).contact().adhesion_rule == "paper"
+    assert load(PROBLEM).contact().adhesion_rule == "automatic"
 
 
 def test_command_needs_adhesion(capsys):
