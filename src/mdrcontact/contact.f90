@@ -3,7 +3,8 @@
 module mdrcontact_contact
     use mdrcontact_branch, only: branch_t, control_t, depth_control, force_control, new_branch, stretch_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, equilibrium_t
+    use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, equilibrium_t, &
+                                      largest_contact_radius
     use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
@@ -78,9 +79,7 @@ contains
         end if
         allocate (self%equilibrium%profile, source=profile)
         allocate (self%equilibrium%medium, source=medium)
-        ! A hair below the profile's end, which may be a vertical tangent; far below the end of the number range.
-        self%equilibrium%last_radius = min(profile%largest_radius()*merge(1.0_wp, 1.0_wp - epsilon(1.0_wp), profile%has_wall()), &
-                                           medium%largest_radius(), 1.0e100_wp)
+        self%equilibrium%last_radius = largest_contact_radius(profile, medium)
         if (.not. present(options)) return
         if (allocated(options%zeta)) call set_zeta(self%equilibrium, options%zeta, error)
         if (.not. allocated(error)) call set_adhesion(self, options%work_of_adhesion, options%adhesion_rule, error)

@@ -125,9 +125,31 @@ static void one_material(void)
     CHECK_SUCCESS(mdr_medium_free(&m));
 }
 
+/* Up to the last radius that is offered under a hemisphere, whose flank is vertical at its rim, there is an answer. */
+static void rim_of_a_sphere(void)
+{
+    const double R = 0.3696276369761353;
+    double last, d, a, F, k;
+    mdr_medium *m = NULL;
+    mdr_profile *p = NULL;
+    mdr_contact *c = NULL;
+
+    CHECK_SUCCESS(mdr_medium_coated(1.0, 0.0, 10.990568195442522, 1.0, 0.5, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_profile_sphere(R, &p));
+    CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    for (last = nextafter(R, 0.0); last > R * (1.0 - 1e-14); last = nextafter(last, 0.0)) {
+        int status = mdr_contact_from_radius(c, 1, &last, &d, &a, &F, &k);
+        CHECK_TRUE(status == MDR_EDOMAIN || (status == MDR_SUCCESS && last < R && d > 0.0 && F > 0.0));
+    }
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+}
+
 int main(void)
 {
     refusals();
+    rim_of_a_sphere();
     graded_bodies();
     one_material();
     rigid_base();

@@ -11,12 +11,15 @@ module mdrcontact_equilibrium
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: equilibrium_t
+    public :: equilibrium_t, largest_contact_radius
     public :: adhesion_automatic, adhesion_paper, adhesion_energy
 
     !> dl by the source's rule (28), sqrt(2 pi a gamma/E_eff), or by the balance of energy, sqrt(4 pi a gamma/k'(a)).
     !> Automatic: the energy balance where the medium meets it exactly, the source's rule elsewhere.
     integer, parameter :: adhesion_automatic = 0, adhesion_paper = 1, adhesion_energy = 2
+
+    !> No contact radius is larger [length].
+    real(wp), parameter :: largest_number = 1.0e100_wp
 
     !> What determines a state once the contact radius is known.
     type :: equilibrium_t
@@ -95,5 +98,17 @@ contains
 
         x = log(max(radius - self%profile%end_radius(), tiny(1.0_wp)))
     end function coordinate_of
+
+    !> How far the contact radius goes: to a vertical wall, or a hair below the profile's end, which may be a vertical tangent (media
+    !> that reckon in another unit of length must not reach it by rounding); far below the end of the number range.
+    pure function largest_contact_radius(profile, medium) result(radius)
+        class(profile_t), intent(in) :: profile
+        class(medium_t), intent(in) :: medium
+        real(wp) :: radius
+
+        radius = profile%largest_radius()
+        if (.not. profile%has_wall()) radius = radius*(1.0_wp - 4.0_wp*epsilon(radius))
+        radius = min(radius, medium%largest_radius(), largest_number)
+    end function largest_contact_radius
 
 end module mdrcontact_equilibrium

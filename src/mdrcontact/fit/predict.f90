@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The forward model: what the instrument reads where the problem's numbers are the given ones.
 module mdrcontact_fit_predict
-    use mdrcontact_equilibrium, only: equilibrium_t
+    use mdrcontact_equilibrium, only: equilibrium_t, largest_contact_radius
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_fit_body, only: indenter_count, make_body, medium_count
@@ -160,8 +160,7 @@ contains
         allocate (equilibrium%medium, source=medium)
         equilibrium%work_of_adhesion = instrument(at_work_of_adhesion)
         equilibrium%rule = problem%adhesion_rule
-        equilibrium%last_radius = min(profile%largest_radius()*merge(1.0_wp, 1.0_wp - epsilon(1.0_wp), profile%has_wall()), &
-                                      medium%largest_radius(), 1.0e100_wp)
+        equilibrium%last_radius = largest_contact_radius(profile, medium)
     end subroutine make_equilibrium
 
     !> Oliver and Pharr's contact radius of each point: that of the tip at height h - epsilon P/S, S freed of the frame.
