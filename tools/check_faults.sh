@@ -21,22 +21,25 @@ build_and_test() {
     ctest --test-dir "$build/$name" --parallel 2 --output-on-failure --no-tests=error "$@"
 }
 
-# valgrind cannot run what the sanitizers changed; export configures projects of its own, without the flags.
-without="valgrind|helgrind|export|c_memory|check_failing"
+# valgrind cannot run what the sanitizers changed; export configures projects of its own, without the flags; c_memory brings a malloc
+# and c_binary counts the static data of the library alone.
+without="valgrind|helgrind|export|c_memory|c_binary"
 
 check_address() {
-    local flags="-g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
+    local flags="-g -O2 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
     ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
         build_and_test address "$flags" "$flags" -E "$without"
 }
 
+# Only Fortran programs set traps. Left out: test_layered_and_graded takes the root of a negative number on purpose, and
+# test_adhesion asks for works of adhesion at the ends of the number range, where the overflow is what the library reports.
 check_traps() {
-    build_and_test traps "-g -O1" "-g -O1 -fcheck=all,no-recursion -ffpe-trap=invalid,zero,overflow -finit-real=snan" \
-        -L "unit" -E "$without"
+    build_and_test traps "-g -O1" "-g -O2 -fcheck=all,no-recursion -ffpe-trap=invalid,zero,overflow -finit-real=snan" \
+        -L "unit" -E "^(test_layered_and_graded|test_adhesion)$"
 }
 
 check_thread() {
-    build_and_test thread "-g -O1" "-g -O1" -R "helgrind"
+    build_and_test thread "-g -O2" "-g -O2" -R "helgrind"
 }
 
 case ${1:-all} in

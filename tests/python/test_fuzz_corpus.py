@@ -48,3 +48,21 @@ def test_a_number_beyond_all_floats(tmp_path):
     )
     with pytest.raises(ProblemError, match="nu = Infinity"):
         load(path)
+
+
+@pytest.mark.parametrize(
+    ("depth", "words"),
+    [
+        ('max_depth = "1e999 nm"', "must be finite"),
+        ('max_depth = "1e999 nr"', "there is no unit 'nr'"),
+        ('depths = ["1 nm", "1e999 nm"]', "all finite"),
+    ],
+)
+def test_depths_beyond_all_floats(tmp_path, depth, words):
+    path = tmp_path / "problem.toml"
+    path.write_text(
+        '[indenter]\nshape = "paraboloid"\nradius = "1 um"\n[medium]\ntype = "homogeneous"\n'
+        f'[medium.material]\nE = "1 GPa"\nnu = 0.3\n[compute]\n{depth}\n'
+    )
+    with pytest.raises(ProblemError, match=words):
+        load(path)

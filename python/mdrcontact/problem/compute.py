@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -59,8 +60,8 @@ def read_control(section: Section) -> Control:
         section.only((key,), f"a list of {key}")
         name = next(name for name, many in _LISTS.items() if many == key)
         values = np.array(section.quantities(key))
-        if not values.size or np.any(np.diff(values) <= 0.0):
-            raise ProblemError(f"[{section.path}]: {key} must be an ascending list with at least one value")
+        if not values.size or not np.all(np.isfinite(values)) or np.any(np.diff(values) <= 0.0):
+            raise ProblemError(f"[{section.path}]: {key} must be an ascending list with at least one value, all finite")
         return Control(name, values)
     name = key.removeprefix("max_")
     section.only((key, f"min_{name}", "points", "spacing"), key)
@@ -74,7 +75,7 @@ def _range(section: Section, name: str) -> NDArray[np.float64]:
     smallest = largest / 1000.0 if logarithmic else largest / points
     if f"min_{name}" in section:
         smallest = section.quantity(f"min_{name}")
-    if not 0.0 < smallest <= largest:
-        raise ProblemError(f"[{section.path}]: max_{name} must be greater than 0 and min_{name} between 0 and it")
+    if not 0.0 < smallest <= largest < math.inf:
+        raise ProblemError(f"[{section.path}]: max_{name} must be finite and greater than 0, and min_{name} between 0 and it")
     space = np.geomspace if logarithmic else np.linspace
     return space(smallest, largest, points) if points > 1 else np.array([largest])

@@ -57,12 +57,14 @@ def _registry() -> Any:
 def to_si(value: float | str, unit: str, dimension: Dimension) -> float:
     """`value` in `unit` as a number in the SI unit of `dimension`."""
     of_another_kind = UnitError(f'{unit!r} is not a unit of {dimension.name}: write it as in "{dimension.example}"')
-    if not math.isfinite(float(value)):
-        return float(value)
+    finite = math.isfinite(float(value))
     try:
         parsed = _registry().Unit(unit)
         if dimension is ANGLE and parsed not in (_registry().degree, _registry().radian):
             raise of_another_kind
+        if not finite:
+            _registry().Quantity(Decimal(1), parsed).to(dimension.si)  # the unit must be right all the same
+            return float(value)
         return float(_registry().Quantity(Decimal(str(value)), parsed).to(dimension.si).magnitude)
     except UnitError:
         raise

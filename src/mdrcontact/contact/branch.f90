@@ -448,7 +448,7 @@ contains
 
         call self%equilibrium%at(self%equilibrium%radius_of(x), state, self%error)
         depth = state%depth - state%excess
-        y = log(max(depth, tiny(depth))/(self%ratio*max(-state%excess, tiny(depth))))
+        y = log(max(depth, tiny(depth))) - log(self%ratio) - log(max(-state%excess, tiny(depth)))
     end function handover_at
 
 end module mdrcontact_branch

@@ -76,7 +76,8 @@ contains
 
         shear = 0.0_wp
         poisson = 0.0_wp
-        found = huge(1.0_wp)
+        ! far from any result, and a ratio to one is still a number
+        found = sqrt(huge(1.0_wp))
         order = lowest_order
         do
             before = found

@@ -52,6 +52,8 @@ module mdrcontact_medium_graded
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp, function_tolerance = 1.0e-13_wp
     !> Nodes between two depths that differ by a factor 4 at most, and between neighbours in a fine table.
     integer, parameter :: wide_nodes = 20, narrow_nodes = 6
+    !> Every panel of E(z) costs time at every radius of E_eff(a): functions that want more of them are not smooth.
+    integer, parameter :: most_function_panels = 500, most_law_panels = 1000
 
 contains
 
@@ -110,9 +112,11 @@ contains
         watched_poisson%f => poisson
         watched_poisson%name = "nu"
         edges = [(depth*0.5_wp**i, i=40, 0, -1)]
-        call new_sampled_function(e, watched_young, edges, spread(.false., 1, 40), function_tolerance, error)
+        call new_sampled_function(e, watched_young, edges, spread(.false., 1, 40), function_tolerance, error, &
+                                  most=most_function_panels)
         if (.not. allocated(error)) call new_sampled_function(nu, watched_poisson, edges, spread(.false., 1, 40), &
-                                                              function_tolerance, error, noise=1.0e-15_wp)
+                                                              function_tolerance, error, noise=1.0e-15_wp, &
+                                                              most=most_function_panels)
         if (allocated(error)) return
         call depth_nodes(average, [0.0_wp, e%panel_edges()])
         ! Above the first sample, depth*2^-40, both are constant: a polynomial must not be continued beyond its panel.
@@ -156,7 +160,7 @@ contains
         average%top_shear = 0.5_wp*top_young/(1.0_wp + top_poisson)
         average%bottom_shear = 0.5_wp*bottom_young/(1.0_wp + bottom_poisson)
         call new_radius_law_from_function(self%law, average, "the effective modulus", average%top_depth, &
-                                          average%bottom_depth*range_factor, sampling_tolerance, error)
+                                          average%bottom_depth*range_factor, sampling_tolerance, error, most_law_panels)
     end subroutine finish
 
     elemental function effective_modulus(self, a) result(value)

@@ -74,7 +74,7 @@ contains
     end subroutine new_radius_law_from_table
 
     !> The law f(a) between two radii, sampled to a relative tolerance. f is called here and never again.
-    subroutine new_radius_law_from_function(self, f, name, smallest, largest, tolerance, error)
+    subroutine new_radius_law_from_function(self, f, name, smallest, largest, tolerance, error, most)
         type(radius_law_t), intent(out) :: self
         !> a positive, smooth function of the contact radius
         class(scalar_function_t), intent(inout), target :: f
@@ -85,6 +85,8 @@ contains
         !> relative, of the sampling
         real(wp), intent(in) :: tolerance
         type(error_t), allocatable, intent(out) :: error
+        !> panels of the sampling, beyond which f is not smooth enough; default that of new_sampled_function
+        integer, intent(in), optional :: most
         type(logarithmic_t) :: logarithmic
 
         call disable_gsl_abort()
@@ -102,7 +104,7 @@ contains
         self%largest = largest
         allocate (self%sampled)
         call new_sampled_function(self%sampled, logarithmic, octaves(log(smallest), log(largest)), &
-                                  spread(.false., 1, size(octaves(log(smallest), log(largest))) - 1), tolerance, error)
+                                  spread(.false., 1, size(octaves(log(smallest), log(largest))) - 1), tolerance, error, most=most)
         if (.not. allocated(error)) self%breaks = fine_edges(self%sampled)
     end subroutine new_radius_law_from_function
 

@@ -143,7 +143,7 @@ contains
             if (newton) then
                 rate = f%known_slope
             else if (iteration > 1) then
-                rate = (y - y_before)/(x - x_before)
+                if (abs(x - x_before) > 0.0_wp) rate = (y - y_before)/(x - x_before)
                 slope_is_local = abs(x - x_before) <= nearby
             end if
             if (.not. rate > 0.0_wp) rate = slope
