@@ -99,8 +99,8 @@ contains
         x = log(max(radius - self%profile%end_radius(), tiny(1.0_wp)))
     end function coordinate_of
 
-    !> How far the contact radius goes: to a vertical wall, or a hair below the profile's end, which may be a vertical tangent (media
-    !> that reckon in another unit of length must not reach it by rounding); far below the end of the number range.
+    !> How far the contact radius goes: to a vertical wall, or a hair below the profile's end, which may be a vertical tangent that
+    !> media with a unit of length of their own must not reach by rounding; far below the end of the number range.
     pure function largest_contact_radius(profile, medium) result(radius)
         class(profile_t), intent(in) :: profile
         class(medium_t), intent(in) :: medium
