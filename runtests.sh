@@ -61,6 +61,9 @@ check build build_all
 ctest --test-dir "$build" --parallel "$jobs" --output-on-failure --no-tests=error \
     --test-output-size-passed 1000000 --test-output-size-failed 1000000 --output-junit "$PWD/$results/ctest.xml"
 
+# the C tests and the kept inputs of the fuzzers under the sanitizers; all of docs/faults.md: tools/check_faults.sh
+on_macos || check sanitizers with_progress "$log_dir/sanitizers.log" tools/check_faults.sh quick
+
 say "5/6 Python tests (pytest)"
 # the Fortran and C code of README and guide uses the library as installed
 if with_progress "$log_dir/install.log" cmake --install "$build" --prefix "$PWD/build/prefix"; then

@@ -76,6 +76,6 @@ def _range(section: Section, name: str) -> NDArray[np.float64]:
     if f"min_{name}" in section:
         smallest = section.quantity(f"min_{name}")
     if not 0.0 < smallest <= largest < math.inf:
-        raise ProblemError(f"[{section.path}]: max_{name} must be finite and greater than 0, and min_{name} between 0 and it")
+        raise ProblemError(f"[{section.path}]: max_{name} must be greater than 0, finite, and min_{name} between 0 and it")
     space = np.geomspace if logarithmic else np.linspace
     return space(smallest, largest, points) if points > 1 else np.array([largest])

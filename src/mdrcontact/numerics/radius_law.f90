@@ -63,9 +63,9 @@ contains
         if (allocated(error)) return
         self%smallest = radius(1)
         self%largest = radius(size(radius))
-        allocate (self%breaks(size(radius)), stat=stat)
+        allocate (self%table, stat=stat)
+        if (stat == 0) allocate (self%breaks(size(radius)), stat=stat)
         if (stat == 0) allocate (logarithms(size(radius)), stat=stat)
-        if (stat == 0) allocate (self%table, stat=stat)
         if (stat /= 0) then
             call raise(error, error_memory, "no memory for a table")
             return

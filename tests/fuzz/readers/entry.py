@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import atexit
+import shutil
 import tempfile
 from pathlib import Path
 
@@ -17,7 +19,8 @@ from mdrcontact.problem.units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 SEPARATOR = b"\n=====\n"
 """Between the problem file and the table of a fit."""
 
-_folder = tempfile.TemporaryDirectory()
+_folder = tempfile.mkdtemp()
+atexit.register(shutil.rmtree, _folder, ignore_errors=True)
 
 
 def feed(data: bytes) -> None:
@@ -27,7 +30,7 @@ def feed(data: bytes) -> None:
 
 
 def _written(name: str, data: bytes) -> Path:
-    path = Path(_folder.name, name)
+    path = Path(_folder, name)
     path.write_bytes(data)
     return path
 
