@@ -23,8 +23,8 @@ build_and_test() {
     ctest --test-dir "$build/$name" --parallel "$jobs" --output-on-failure --no-tests=error "$@"
 }
 
-# valgrind cannot run what the sanitizers changed; export configures projects of its own, without the flags; c_memory brings a malloc
-# and c_binary counts the static data of the library alone.
+# valgrind cannot run what the sanitizers changed; export configures projects of its own, without the flags; c_memory brings
+# a malloc and c_binary counts the static data of the library alone.
 without="valgrind|helgrind|export|c_memory|c_binary"
 
 # check_address CTEST_ARGUMENTS...

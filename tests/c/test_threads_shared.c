@@ -56,7 +56,8 @@ static void evaluate_fit(task *t, const mdr_fit_problem *problem)
     static const double depth[FIT_POINTS] = {0.1, 0.2, 0.3, 0.4};
     double force[FIT_POINTS], values[8];
     tell(t, mdr_fit_predict(problem, FIT_POINTS, depth, depth, NULL, force));
-    tell(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, next(t, FIT_POINTS), NULL, NULL));
+    tell(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, next(t, FIT_POINTS), NULL,
+                          NULL));
 }
 
 /* Every evaluation of every object, into t->values. */
@@ -102,7 +103,8 @@ static void make_media(shared *s)
 
 static void make_structures(shared *s)
 {
-    static const double sphere[7] = {0.0, 0.0, 1.0, 0.5}, E[PHASES] = {1.0, 2.0}, nu[PHASES] = {0.3, 0.2}, spacing[3] = {0.5, 0.5, 0.5};
+    static const double sphere[7] = {0.0, 0.0, 1.0, 0.5}, spacing[3] = {0.5, 0.5, 0.5};
+    static const double E[PHASES] = {1.0, 2.0}, nu[PHASES] = {0.3, 0.2};
     static const int kind[1] = {MDR_SHAPE_BALL}, size[3] = {2, 2, 1}, labels[4] = {0, 1, 1, 0};
     mdr_structure_options loose;
 

@@ -21,10 +21,13 @@ void fuzz_formulas(world *w)
     }
     p = take_positive(in), q = take_positive(in), r = take_positive(in), s = take_positive(in), t = take_positive(in);
     switch (which) {
-    case 5: judge("mdr_coated_paraboloid_force", mdr_coated_paraboloid_force(n, x, p, q, r, s, out), n, out, NOT_NEGATIVE); break;
+    case 5:
+        judge("mdr_coated_paraboloid_force", mdr_coated_paraboloid_force(n, x, p, q, r, s, out), n, out, NOT_NEGATIVE);
+        break;
     case 6: judge("mdr_coated_cone_force", mdr_coated_cone_force(n, x, p, q, r, s, out), n, out, NOT_NEGATIVE); break;
     case 7:
-        judge("mdr_coated_paraboloid_adhesive_depth", mdr_coated_paraboloid_adhesive_depth(n, x, p, q, r, s, t, out), n, out, FINITE);
+        judge("mdr_coated_paraboloid_adhesive_depth", mdr_coated_paraboloid_adhesive_depth(n, x, p, q, r, s, t, out), n, out,
+              FINITE);
         break;
     case 8:
         judge("mdr_adhesive_radius_scale", mdr_adhesive_radius_scale(p, q, r, out), 1, out, NOT_NEGATIVE);

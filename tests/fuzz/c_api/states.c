@@ -6,7 +6,8 @@
 
 enum { PRICE_OF_STATE = 1, PRICE_OF_EXACT_STATE = 6 };
 
-static int call(const mdr_contact *c, int which, int branch, int n, const double in[], double d[], double a[], double F[], double k[])
+static int call(const mdr_contact *c, int which, int branch, int n, const double in[], double d[], double a[], double F[],
+                double k[])
 {
     switch (which) {
     case 0: return mdr_contact_from_depth(c, n, in, d, a, F, k);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The reader of saved laws. The first byte of the input says what the others are: the text of a file as it is, a text whose checksum
- * is put right first (it would stop almost every mutation at the gate), or the bits of the numbers, from which the text is made.
+ * The reader of saved laws. The first byte of the input says what the others are: the text of a file as it is, a text whose
+ * checksum is put right first (it would stop almost every mutation at the gate), or the bits of the numbers, from which the
+ * text is made.
  * A law that is accepted is evaluated everywhere: it may be wrong, but it must be tame.
  */
 #include "mdrcontact.h"
