@@ -73,8 +73,9 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
             _mark_thickness(axis, problem, curve, depth, unit, values)
             axis.set(xlabel=f"indentation depth d [{depth.symbol}]", ylabel=f"{name} [{unit.symbol}]")
             # an adhesive contact has negative depths and forces too
-            axis.set_xlim(None if curve.depth[0] < 0.0 else 0.0, None)
-            axis.set_ylim(None if values.min() < 0.0 else 0.0, None)
+            # from 0 on, unless an adhesive curve begins far from it and would fill a corner only
+            axis.set_xlim(0.0 if 0.0 <= curve.depth[0] < 0.5 * curve.depth[-1] else None, None)
+            axis.set_ylim(0.0 if 0.0 <= values.min() < 0.5 * values.max() else None, None)
         axes.flat[0].legend()
         _draw_pressures(axes.flat[3], pressures, curve)
         return _render(figure, form)
