@@ -185,7 +185,8 @@ def _mark_thickness(axis: Any, problem: Problem, curve: Curve, depth: Unit, unit
 def _draw_pressures(axis: Any, pressures: Sequence[tuple[float, Any, Any]], curve: Curve) -> None:
     length = practical(LENGTH, curve.radius)
     depth = practical(LENGTH, curve.depth)
-    highest = 4.0 * abs(float(curve.mean_pressure[-1]))
+    # the pressure half way to the edge is finite under every tip, and with adhesion says more than the mean one
+    highest = 4.0 * max(abs(float(np.interp(0.5 * r[-1], r, p))) for _, r, p in pressures)
     unit = practical(MODULUS, [min(highest, max(float(p.max(initial=0.0)) for _, _, p in pressures))])
     for i, (d, r, p) in enumerate(pressures):
         axis.plot(length.of(r), unit.of(p), color=COLOURS[i % len(COLOURS)], label=f"d = {float(depth.of(d)):.3g} {depth.symbol}")
