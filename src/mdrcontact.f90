@@ -5,14 +5,14 @@
 !> set does. Angles are in radian. Equation numbers are those of the source; `theory 5` is section 5 of docs/theory.md, which
 !> states the equations.
 module mdrcontact
-    use mdrcontact_branch, only: control_t, depth_control, force_control
-    use mdrcontact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
-                                       coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
+    use mdrcontact_contact_branch, only: control_t, depth_control, force_control
+    use mdrcontact_contact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
+                                               coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: displacement_values, line_load_values, pressure_values, states_from_depth, &
                                          states_from_force, states_from_radius
-    use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
+    use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_callback, error_domain, error_file, error_invalid, error_memory, error_no_convergence, &
                                 error_t, error_unreachable
     use mdrcontact_fit, only: fit_result_t, solve_fit
@@ -43,7 +43,7 @@ module mdrcontact
     use mdrcontact_law_file, only: load_law, save_law
     use mdrcontact_layered_exact, only: layered_exact_t, new_graded_exact, new_graded_exact_from_functions, new_layered_exact
     use mdrcontact_layered_shared, only: layered_shared_t
-    use mdrcontact_loop, only: loop_t, new_loop, spring_control
+    use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_values, only: modulus_values
@@ -72,8 +72,8 @@ module mdrcontact
     use mdrcontact_profile_values, only: of_height, of_mdr, of_mdr_slope, of_slope, profile_values
     use mdrcontact_profile_sum, only: new_profile_sum, profile_sum_t, profile_term_t
     use mdrcontact_profile_tabulated, only: new_profile_from_function, new_profile_from_mdr, new_tabulated_profile
-    use mdrcontact_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_version, only: version_major, version_minor, version_patch, version_string
     use mdrcontact_weights, only: weight_i0, weight_i1, weight_j0, weight_j1, weight_phi
     implicit none (type, external)

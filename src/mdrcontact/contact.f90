@@ -1,21 +1,21 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact of an indenter with a medium: states from depth, force or radius, and their fields (theory 2, 4, 5).
 module mdrcontact_contact
-    use mdrcontact_branch, only: branch_t, control_t, depth_control, force_control, new_branch, stretch_t
+    use mdrcontact_contact_branch, only: branch_t, control_t, depth_control, force_control, new_branch, stretch_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, equilibrium_t, &
-                                      largest_contact_radius
+    use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, equilibrium_t, &
+                                              largest_contact_radius
     use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
-    use mdrcontact_inversion, only: invert
+    use mdrcontact_contact_inversion, only: invert
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_quadrature, only: merged_breaks
-    use mdrcontact_radius_law, only: radius_law_t
+    use mdrcontact_numerics_quadrature, only: merged_breaks
+    use mdrcontact_numerics_radius_law, only: radius_law_t
     implicit none (type, external)
     private
     public :: contact_t, new_contact, contact_options_t

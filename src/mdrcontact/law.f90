@@ -7,7 +7,7 @@
 !> radius, stiffness and slope are 0 below first touch, and with adhesion below pull-off (on loading: below d = 0).
 module mdrcontact_law
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_branch, only: depth_control, force_control, stretch_t
+    use mdrcontact_contact_branch, only: depth_control, force_control, stretch_t
     use mdrcontact_contact, only: contact_t, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, check_positive, count_text, error_domain, error_invalid, error_no_convergence, &

@@ -5,11 +5,11 @@ module mdrcontact_api_adhesion
     use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_handles, only: check_handle, holds_handle, open_contact
     use mdrcontact_api_status, only: check_given, check_memory, status_of
-    use mdrcontact_branch, only: control_t, depth_control, force_control
+    use mdrcontact_contact_branch, only: control_t, depth_control, force_control
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
-    use mdrcontact_loop, only: loop_t, new_loop, spring_control
+    use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     implicit none (type, external)
     private
     public :: mdr_contact_pull_off, mdr_contact_pull_offs

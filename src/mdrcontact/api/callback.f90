@@ -6,7 +6,7 @@ module mdrcontact_api_callback
     use mdrcontact_api_status, only: check_given
     use mdrcontact_error, only: count_text, error_callback, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: c_function_t, new_c_function

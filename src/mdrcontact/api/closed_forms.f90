@@ -5,9 +5,9 @@ module mdrcontact_api_closed_forms
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_results
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_batch, only: check_threads
-    use mdrcontact_closed_form_values, only: closed_form_values, of_adhesive_depth, of_cone_force, of_paraboloid_force, &
-                                             of_reduced_depth
-    use mdrcontact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale
+    use mdrcontact_contact_closed_form_values, only: closed_form_values, of_adhesive_depth, of_cone_force, of_paraboloid_force, &
+                                                     of_reduced_depth
+    use mdrcontact_contact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale
     use mdrcontact_error, only: check_not_negative, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi
     implicit none (type, external)

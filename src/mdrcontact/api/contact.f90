@@ -9,11 +9,11 @@ module mdrcontact_api_contact
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: states_from_depth, states_from_force, states_from_radius
-    use mdrcontact_equilibrium, only: adhesion_automatic
+    use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_table, count_text, error_invalid, error_t, raise
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_radius_law, only: new_radius_law_from_table, radius_law_t
+    use mdrcontact_numerics_radius_law, only: new_radius_law_from_table, radius_law_t
     implicit none (type, external)
     private
     public :: c_contact_options_t, mdr_contact_options_init, mdr_contact_new

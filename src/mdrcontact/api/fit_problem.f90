@@ -6,7 +6,7 @@ module mdrcontact_api_fit_problem
     use mdrcontact_api_handles, only: open_medium, open_profile
     use mdrcontact_api_medium_options, only: gao_options, medium_options_t
     use mdrcontact_api_status, only: check_given, check_memory, status_of
-    use mdrcontact_equilibrium, only: adhesion_automatic
+    use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit_body, only: indenter_given
     use mdrcontact_fit_medium_of, only: medium_given

@@ -3,14 +3,14 @@
 !>
 !> A machine controls s = depth_weight d + force_weight F: depth (1, 0), force (0, 1), or the far end of a spring of stiffness K
 !> (1, 1/K). Equilibria are stable where s grows with the contact radius; a coated body can have several such stretches.
-module mdrcontact_branch
+module mdrcontact_contact_branch
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_error, only: error_no_convergence, error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_roots, only: find_root, guess_from_below, solve_increasing
-    use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_roots, only: find_root, guess_from_below, solve_increasing
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: branch_t, control_t, stretch_t, new_branch
@@ -451,4 +451,4 @@ contains
         y = log(max(depth, tiny(depth))) - log(self%ratio) - log(max(-state%excess, tiny(depth)))
     end function handover_at
 
-end module mdrcontact_branch
+end module mdrcontact_contact_branch

@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The closed forms at many contact radii, on one thread or several.
-module mdrcontact_closed_form_values
+module mdrcontact_contact_closed_form_values
     use mdrcontact_batch, only: map_t, run_map
-    use mdrcontact_closed_forms, only: coated_cone_force, coated_paraboloid_adhesive_depth, coated_paraboloid_force, &
-                                       reduced_adhesive_depth
+    use mdrcontact_contact_closed_forms, only: coated_cone_force, coated_paraboloid_adhesive_depth, coated_paraboloid_force, &
+                                               reduced_adhesive_depth
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -69,4 +69,4 @@ contains
         end associate
     end subroutine values
 
-end module mdrcontact_closed_form_values
+end module mdrcontact_contact_closed_form_values

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The source's closed forms for an incompressible coating on an incompressible half-space (theory 4 and 5), nu = 1/2:
 !> Popov 2014, equations (24), (27) without and (29), (31), (32) with adhesion.
-module mdrcontact_closed_forms
+module mdrcontact_contact_closed_forms
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_weights, only: weight_i0, weight_j0
     implicit none (type, external)
@@ -94,4 +94,4 @@ contains
         end if
     end function log_remainder
 
-end module mdrcontact_closed_forms
+end module mdrcontact_contact_closed_forms

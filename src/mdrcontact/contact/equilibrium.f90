@@ -2,7 +2,7 @@
 !> The equilibrium of an indenter on a medium at a given contact radius, with or without adhesion (theory 2, 4 and 5).
 !>
 !> With adhesion the edge springs hang by dl(a): d = d0(a) - dl(a), F = F0(a) - k(a) dl(a), d0 and F0 without it.
-module mdrcontact_equilibrium
+module mdrcontact_contact_equilibrium
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
@@ -111,4 +111,4 @@ contains
         radius = min(radius, medium%largest_radius(), largest_number)
     end function largest_contact_radius
 
-end module mdrcontact_equilibrium
+end module mdrcontact_contact_equilibrium

@@ -1,13 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> From a given depth or force to the non-adhesive state: the contact radius that has it, found where every law is nearly straight.
-module mdrcontact_inversion
-    use mdrcontact_branch, only: control_t
+module mdrcontact_contact_inversion
+    use mdrcontact_contact_branch, only: control_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_roots, only: guess_from_below, solve_increasing
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_roots, only: guess_from_below, solve_increasing
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: invert
@@ -193,4 +193,4 @@ contains
         if (radius < self%equilibrium%last_radius) y = y + self%known_slope*(x - self%equilibrium%coordinate_of(radius))
     end function mismatch_value
 
-end module mdrcontact_inversion
+end module mdrcontact_contact_inversion

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A full cycle of approach and retraction under depth control, force control, or through a spring such as an AFM cantilever:
 !> jump-in, adhesive contact, pull-off, and the energy that is lost (theory 5).
-module mdrcontact_loop
-    use mdrcontact_branch, only: control_t, stretch_t
+module mdrcontact_contact_loop
+    use mdrcontact_contact_branch, only: control_t, stretch_t
     use mdrcontact_contact, only: contact_t, on_loading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_positive, count_text, error_invalid, error_t, error_unreachable, raise
@@ -225,4 +225,4 @@ contains
         points = max(2, nint(count*min(abs(to - from)/whole, 1.0_wp)))
     end function share
 
-end module mdrcontact_loop
+end module mdrcontact_contact_loop

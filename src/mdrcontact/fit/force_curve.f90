@@ -5,7 +5,7 @@
 !> inverted on the polynomials. With adhesion the curve is the branch that unloading follows down to pull-off.
 module mdrcontact_fit_force_curve
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_fit_chebyshev, only: node_positions, nodes, tail, to_coefficients, value_and_slope
     use mdrcontact_fit_radius_range, only: last_coordinate, radius_range

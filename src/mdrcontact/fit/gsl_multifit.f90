@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> GSL's nonlinear least squares (gsl_multifit_nlinear), as Fortran interfaces and nothing more.
-module mdrcontact_fit_gsl
+module mdrcontact_fit_gsl_multifit
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr, c_size_t
     implicit none (type, external)
     private
@@ -125,4 +125,4 @@ module mdrcontact_fit_gsl
         end function gsl_multifit_nlinear_jac
     end interface
 
-end module mdrcontact_fit_gsl
+end module mdrcontact_fit_gsl_multifit

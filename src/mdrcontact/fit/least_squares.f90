@@ -7,11 +7,12 @@ module mdrcontact_fit_least_squares
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, c_loc, c_null_funptr, c_null_ptr, &
                                            c_ptr, c_size_t
     use mdrcontact_error, only: error_memory, error_t, raise
-    use mdrcontact_fit_gsl, only: gsl_enoprog, gsl_matrix, gsl_multifit_nlinear_alloc, gsl_multifit_nlinear_default_parameters, &
-                                  gsl_multifit_nlinear_fdf, gsl_multifit_nlinear_free, gsl_multifit_nlinear_init, &
-                                  gsl_multifit_nlinear_iterate, gsl_multifit_nlinear_jac, gsl_multifit_nlinear_parameters, &
-                                  gsl_multifit_nlinear_position, gsl_multifit_nlinear_residual, &
-                                  gsl_multifit_nlinear_solver_qr, gsl_multifit_nlinear_trust, gsl_vector
+    use mdrcontact_fit_gsl_multifit, only: gsl_enoprog, gsl_matrix, gsl_multifit_nlinear_alloc, &
+                                           gsl_multifit_nlinear_default_parameters, gsl_multifit_nlinear_fdf, &
+                                           gsl_multifit_nlinear_free, gsl_multifit_nlinear_init, gsl_multifit_nlinear_iterate, &
+                                           gsl_multifit_nlinear_jac, gsl_multifit_nlinear_parameters, &
+                                           gsl_multifit_nlinear_position, gsl_multifit_nlinear_residual, &
+                                           gsl_multifit_nlinear_solver_qr, gsl_multifit_nlinear_trust, gsl_vector
     use mdrcontact_fit_spectrum, only: newton_decrement
     use mdrcontact_gsl, only: disable_gsl_abort, gsl_success
     use mdrcontact_kinds, only: wp

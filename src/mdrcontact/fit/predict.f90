@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The forward model: what the instrument reads where the problem's numbers are the given ones.
 module mdrcontact_fit_predict
-    use mdrcontact_equilibrium, only: equilibrium_t, largest_contact_radius
+    use mdrcontact_contact_equilibrium, only: equilibrium_t, largest_contact_radius
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_fit_body, only: indenter_count, make_body, medium_count
@@ -13,8 +13,8 @@ module mdrcontact_fit_predict
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_radius_law, only: new_radius_law_from_function, radius_law_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, radius_law_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: predict

@@ -2,7 +2,7 @@
 !> What is fitted to what: the numbers of indenter, medium and instrument, and the measured data.
 module mdrcontact_fit_problem
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
-    use mdrcontact_equilibrium, only: adhesion_automatic
+    use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_invalid, error_t, &
                                 raise, to_text
     use mdrcontact_fit_body, only: fit_body_t, indenter_count, medium_count

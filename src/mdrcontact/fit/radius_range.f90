@@ -2,7 +2,7 @@
 !> The contact radii that belong to a range of depths, roughly: by steps in ln a from a guess.
 module mdrcontact_fit_radius_range
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
     implicit none (type, external)

@@ -9,7 +9,7 @@ module mdrcontact_lateral_field
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_density, only: lateral_density_spheroidal
     use mdrcontact_lateral_structure, only: structure_t
-    use mdrcontact_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
     public :: field_t, field_structure_t, new_field_structure, space_rule, space_rule_size

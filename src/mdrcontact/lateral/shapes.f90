@@ -10,7 +10,7 @@ module mdrcontact_lateral_shapes
     use mdrcontact_lateral_shape, only: depth_breaks, most_depths, section_at, shape_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_material, only: material_t
-    use mdrcontact_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
     public :: shapes_t, new_shapes

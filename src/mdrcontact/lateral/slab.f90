@@ -4,7 +4,7 @@ module mdrcontact_lateral_slab
     use mdrcontact_error, only: error_memory, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_density, only: lateral_density
-    use mdrcontact_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_weights, only: weight_i0, weight_i1, weight_j0, weight_j1
     implicit none (type, external)
     private

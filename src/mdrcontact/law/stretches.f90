@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The stable stretches of a sampled branch, cut where it is not analytic, and compiled.
 module mdrcontact_law_stretches
-    use mdrcontact_branch, only: stretch_t
+    use mdrcontact_contact_branch, only: stretch_t
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_compile, only: compile_pieces, curve_value, piece_t

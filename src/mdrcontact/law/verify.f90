@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> How far a compiled law is from the contact it was made from, at states that had no part in making it.
 module mdrcontact_law_verify
-    use mdrcontact_branch, only: stretch_t
+    use mdrcontact_contact_branch, only: stretch_t
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t

@@ -23,7 +23,7 @@ module mdrcontact_layered_exact
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: layered_exact_t, new_layered_exact, new_graded_exact, new_graded_exact_from_functions

@@ -12,8 +12,8 @@ module mdrcontact_layered_graded
     use mdrcontact_layered_modes, only: half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, transferred
     use mdrcontact_layered_rule, only: new_rule, rule_t
     use mdrcontact_layered_surface, only: surface_t
-    use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: graded_surface_t, new_graded_surface, new_graded_surface_from_functions

@@ -11,7 +11,7 @@ module mdrcontact_layered_indenter
     use mdrcontact_layered_matrix, only: interaction_at
     use mdrcontact_layered_rule, only: rule_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_quadrature, only: graded_rule, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     implicit none (type, external)
     private
     public :: load_t, choose_panels, new_load, add_fine_interaction

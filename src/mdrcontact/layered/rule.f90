@@ -2,7 +2,7 @@
 !> Gauss-Legendre nodes as a basis on a panel [0, 1]: quadrature, Legendre coefficients, interpolation.
 module mdrcontact_layered_rule
     use mdrcontact_kinds, only: wp
-    use mdrcontact_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
     public :: rule_t, new_rule, legendre

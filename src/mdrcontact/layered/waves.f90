@@ -4,7 +4,7 @@
 module mdrcontact_layered_waves
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_kernel, only: degree
-    use mdrcontact_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
     public :: wave_table_t, new_wave_table, waves_at, panel_nodes, order, first_wave

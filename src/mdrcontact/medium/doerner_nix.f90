@@ -3,7 +3,7 @@
 !> Doerner, Nix, J. Mater. Res. 1 (1986) 601; Popov 2014, equation (11).
 module mdrcontact_medium_doerner_nix
     use mdrcontact_error, only: check_positive, error_t
-    use mdrcontact_exponential, only: one_minus_exp, transition_exponents
+    use mdrcontact_numerics_exponential, only: one_minus_exp, transition_exponents
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_coated, only: coated_t

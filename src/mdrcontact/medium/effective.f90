@@ -8,8 +8,8 @@ module mdrcontact_medium_effective
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
-    use mdrcontact_radius_law, only: radius_law_t
+    use mdrcontact_numerics_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
+    use mdrcontact_numerics_radius_law, only: radius_law_t
     implicit none (type, external)
     private
     public :: effective_medium_t, depth_and_force

@@ -11,10 +11,10 @@ module mdrcontact_medium_graded
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_options_t, i0_poisson_choice
-    use mdrcontact_quadrature, only: gauss_legendre
-    use mdrcontact_radius_law, only: new_radius_law_from_function, radius_law_t
-    use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, radius_law_t
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_weights, only: weight_i0, weight_i0_slope, weight_i1, weight_i1_slope, weight_j0, weight_j1
     implicit none (type, external)
     private

@@ -3,7 +3,7 @@
 !> Mencik, Munz, Quandt, Weppelmann, Swain, J. Mater. Res. 12 (1997) 2475.
 module mdrcontact_medium_mencik
     use mdrcontact_error, only: check_positive, error_t
-    use mdrcontact_exponential, only: one_minus_exp, transition_exponents
+    use mdrcontact_numerics_exponential, only: one_minus_exp, transition_exponents
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_coated, only: coated_t

@@ -10,9 +10,9 @@ module mdrcontact_medium_power_graded
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_quadrature, only: graded_rule, smallest_panel_ratio
-    use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: power_graded_t, new_power_graded

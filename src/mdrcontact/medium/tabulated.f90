@@ -4,8 +4,8 @@ module mdrcontact_medium_tabulated
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: tabulated_medium_t, new_tabulated_medium, new_medium_from_function

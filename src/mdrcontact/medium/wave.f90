@@ -3,7 +3,7 @@
 !> Popov 2014, equations (19) and (20).
 module mdrcontact_medium_wave
     use mdrcontact_error, only: check_positive, error_t
-    use mdrcontact_exponential, only: one_minus_exp
+    use mdrcontact_numerics_exponential, only: one_minus_exp
     use mdrcontact_weights, only: weight_i1, weight_i1_slope, weight_j1
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_material, only: material_t

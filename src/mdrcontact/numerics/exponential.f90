@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> 1 - exp(-y) to full relative precision.
-module mdrcontact_exponential
+module mdrcontact_numerics_exponential
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -28,4 +28,4 @@ contains
         y = [(spacing*k, k=1, ceiling((abs(log(contrast)) + beyond)/spacing))]
     end function transition_exponents
 
-end module mdrcontact_exponential
+end module mdrcontact_numerics_exponential

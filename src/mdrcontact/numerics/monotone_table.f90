@@ -2,13 +2,13 @@
 !> A table as a function: piecewise cubic with the slopes of GSL's Steffen interpolation, which never overshoots the data.
 !>
 !> GSL computes the slopes once; the function then is plain data that can be copied and shared between threads.
-module mdrcontact_monotone_table
+module mdrcontact_numerics_monotone_table
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_ptr, c_ptr, c_size_t
     use mdrcontact_error, only: error_invalid, error_memory, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort, gsl_interp_steffen, gsl_spline_alloc, gsl_spline_eval_deriv, &
                               gsl_spline_free, gsl_spline_init, gsl_success
     use mdrcontact_kinds, only: wp
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: monotone_table_t, new_monotone_table
@@ -138,4 +138,4 @@ contains
         u = x - self%x(low)
     end subroutine cubic
 
-end module mdrcontact_monotone_table
+end module mdrcontact_numerics_monotone_table

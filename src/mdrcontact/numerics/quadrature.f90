@@ -6,7 +6,7 @@
 !> a square-root branch to the right (flat ends, tangent points, knots of a table). Panels that grow by a constant ratio
 !> from every such radius and a quadratic substitution behind it make the rule converge exponentially, whatever lengths
 !> are involved.
-module mdrcontact_quadrature
+module mdrcontact_numerics_quadrature
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr, c_size_t
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_gsl, only: gsl_integration_glfixed_point, gsl_integration_glfixed_table_alloc, &
@@ -170,4 +170,4 @@ contains
 
     end subroutine graded_edges
 
-end module mdrcontact_quadrature
+end module mdrcontact_numerics_quadrature

@@ -2,15 +2,15 @@
 !> A quantity known as a function of the contact radius, by a table or by sampling a function: E_eff(a), zeta(a).
 !>
 !> It is interpolated in ln a, and constant below its smallest radius: forces are integrated from first contact.
-module mdrcontact_radius_law
+module mdrcontact_numerics_radius_law
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_error, only: check_positive, check_table, entry_name, error_callback, error_invalid, error_memory, &
                                 error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_monotone_table, only: monotone_table_t, new_monotone_table
-    use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: radius_law_t, new_radius_law_from_table, new_radius_law_from_function
@@ -206,4 +206,4 @@ contains
         end if
     end function logarithmic_value
 
-end module mdrcontact_radius_law
+end module mdrcontact_numerics_radius_law

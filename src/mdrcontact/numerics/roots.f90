@@ -1,13 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Roots of a scalar function by GSL's bracketing Brent solver.
-module mdrcontact_roots
+module mdrcontact_numerics_roots
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, c_loc, c_ptr
     use mdrcontact_error, only: error_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: gsl_function, gsl_root_fsolver_alloc, gsl_root_fsolver_brent, gsl_root_fsolver_free, &
                               gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_set, &
                               gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, gsl_root_test_interval, gsl_success
     use mdrcontact_kinds, only: wp
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: find_root, solve_increasing, guess_from_below
@@ -220,4 +220,4 @@ contains
         y = carrier%f%value(x)
     end function evaluate
 
-end module mdrcontact_roots
+end module mdrcontact_numerics_roots

@@ -4,11 +4,11 @@
 !> Piecewise Chebyshev interpolation on panels that are halved until the last coefficients vanish against the
 !> largest. A panel that begins at a break of the function uses the variable sqrt(x - left edge), in which the square-root
 !> branches of contact mechanics are analytic.
-module mdrcontact_sampled_function
+module mdrcontact_numerics_sampled_function
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: sampled_function_t, new_sampled_function
@@ -318,4 +318,4 @@ contains
         derivative(1) = 0.5_wp*derivative(1)
     end subroutine differentiate
 
-end module mdrcontact_sampled_function
+end module mdrcontact_numerics_sampled_function

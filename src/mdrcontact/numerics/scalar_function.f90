@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A real function of one real variable that carries its own data: what root finders, samplers and callbacks take.
-module mdrcontact_scalar_function
+module mdrcontact_numerics_scalar_function
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -32,4 +32,4 @@ module mdrcontact_scalar_function
         end function value_at
     end interface
 
-end module mdrcontact_scalar_function
+end module mdrcontact_numerics_scalar_function

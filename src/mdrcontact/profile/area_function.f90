@@ -7,8 +7,8 @@ module mdrcontact_profile_area_function
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_profile_sampled, only: sample_from_height, sampled_profile_t
-    use mdrcontact_roots, only: solve_increasing
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_roots, only: solve_increasing
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: new_area_function_profile

@@ -5,9 +5,9 @@ module mdrcontact_profile_sampled
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_quadrature, only: gauss_legendre
-    use mdrcontact_sampled_function, only: new_sampled_function, sampled_function_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: sampled_profile_t, sample_from_height, sample_from_mdr

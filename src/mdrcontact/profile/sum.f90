@@ -4,7 +4,7 @@ module mdrcontact_profile_sum
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_quadrature, only: merged_breaks
+    use mdrcontact_numerics_quadrature, only: merged_breaks
     implicit none (type, external)
     private
     public :: profile_sum_t, profile_term_t, new_profile_sum

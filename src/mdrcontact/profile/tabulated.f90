@@ -5,9 +5,9 @@ module mdrcontact_profile_tabulated
     use mdrcontact_error, only: check_positive, check_table, entry_name, error_callback, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_monotone_table, only: monotone_table_t, new_monotone_table
+    use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
     use mdrcontact_profile_sampled, only: sample_from_height, sample_from_mdr, sampled_profile_t
-    use mdrcontact_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: new_tabulated_profile, new_profile_from_mdr, new_profile_from_function
