@@ -43,6 +43,7 @@ done
 check fortitude .venv/bin/fortitude check "${existing[@]}"
 if grep -q '^\[tool\.ruff' pyproject.toml; then
     check ruff .venv/bin/ruff check python tests examples docs tools
+    check ruff_format .venv/bin/ruff format --check python tests examples docs tools benchmarks
 fi
 if grep -q '^\[tool\.mypy\]' pyproject.toml; then
     check mypy .venv/bin/python -m mypy

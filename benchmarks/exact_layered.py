@@ -75,8 +75,17 @@ def main(path):
         depth, radius, force, stiffness = double(), double(), double(), double()
 
         def solve(a):
-            checked(library.mdr_contact_from_radius(contact, 1, ctypes.byref(a), ctypes.byref(depth), ctypes.byref(radius),
-                                                    ctypes.byref(force), ctypes.byref(stiffness)))
+            checked(
+                library.mdr_contact_from_radius(
+                    contact,
+                    1,
+                    ctypes.byref(a),
+                    ctypes.byref(depth),
+                    ctypes.byref(radius),
+                    ctypes.byref(force),
+                    ctypes.byref(stiffness),
+                )
+            )
 
         for a, budget, repetitions in ((1.0, 10, 1000), (100.0, 1000, 10)):
             report(f"E0/E1 = {ratio}: E_eff, d, F at a/h = {a:g}", fastest(lambda: solve(double(a)), repetitions), budget)

@@ -42,7 +42,7 @@ def page(path: Path, copy: Callable[[Path], str]) -> str:
     for number, line in enumerate(lines[1:], start=2):
         fence = FENCE.match(line)
         if fence and not inside and fence[2]:
-            done += [f"<p class=\"file\">{fence[2]}</p>", ""]
+            done += [f'<p class="file">{fence[2]}</p>', ""]
         if line.startswith("```"):
             inside = not inside
             done.append(f"```{fence[1]}" if fence else line)

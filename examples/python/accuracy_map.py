@@ -26,9 +26,7 @@ def main() -> None:
     colours = plt.get_cmap("RdBu_r")(np.linspace(0.02, 0.98, len(LEVELS) + 1))
     for row, (line, (name, errors)) in enumerate(zip(axes, rows, strict=True)):
         for axis, model, error in zip(line, result.models, errors, strict=True):
-            shown = axis.contourf(
-                result.radius_ratio, result.modulus_ratio, 100.0 * error, LEVELS, colors=colours, extend="both"
-            )
+            shown = axis.contourf(result.radius_ratio, result.modulus_ratio, 100.0 * error, LEVELS, colors=colours, extend="both")
             axis.contour(result.radius_ratio, result.modulus_ratio, 100.0 * error, (-2, 2), colors="#404040", linewidths=0.6)
             axis.set(xscale="log", yscale="log")
             if row == 0:

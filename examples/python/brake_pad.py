@@ -74,15 +74,19 @@ def main() -> None:
         print(f"{a * 1e6:10.0f} um   {values.min() / 1e9:7.2f} {values.mean() / 1e9:7.2f} {values.max() / 1e9:7.2f}")
 
     seen = lateral.indentation_map(structure, mdr.Sphere(100e-6), 1e-6)
-    print(f"\na sphere of radius 100 um, 1 um deep: a = {seen.radius * 1e6:.1f} um, "
-          f"F from {seen.force.min() * 1e3:.1f} to {seen.force.max() * 1e3:.1f} mN")
+    print(
+        f"\na sphere of radius 100 um, 1 um deep: a = {seen.radius * 1e6:.1f} um, "
+        f"F from {seen.force.min() * 1e3:.1f} to {seen.force.max() * 1e3:.1f} mN"
+    )
 
     x = (np.arange(24) + 0.5) * SIZE[2] * CELL / 24
     # for a line, the same structure with coarser voxels
     coarse = lateral.Voxels(structure.labels[2::4, 2::4, 2::4], structure.phases, 4 * CELL)
     moved = lateral.slide(coarse, mdr.Sphere(100e-6), x, y=96e-6, force=0.1, periodic=True, points=9)
-    print(f"sliding under 100 mN: depth from {moved.depth.min() * 1e6:.3f} to {moved.depth.max() * 1e6:.3f} um, "
-          f"lateral force up to {np.abs(moved.lateral_force).max() * 1e3:.3f} mN, mean {moved.lateral_force.mean() * 1e3:.1e} mN")
+    print(
+        f"sliding under 100 mN: depth from {moved.depth.min() * 1e6:.3f} to {moved.depth.max() * 1e6:.3f} um, "
+        f"lateral force up to {np.abs(moved.lateral_force).max() * 1e3:.3f} mN, mean {moved.lateral_force.mean() * 1e3:.1e} mN"
+    )
 
     Path("brake_pad.png").write_bytes(map_figure("Grains and fibres in a resin", structure, RADII, maps, "png"))
     print("written: brake_pad.png")

@@ -36,16 +36,19 @@ def exact(indenter: Any, medium: Any, contact: Callable[..., Any]) -> Table:
     contact : the class Contact
     """
     if not hasattr(medium, "with_model") or getattr(medium, "model", None) == "exact":
-        raise InvalidArgumentError('zeta = "exact" is not allowed here: it needs a coated, layered or graded body under an '
-                                   "approximate model")
+        raise InvalidArgumentError(
+            'zeta = "exact" is not allowed here: it needs a coated, layered or graded body under an approximate model'
+        )
     truth = contact(indenter, medium.with_model("exact"))
     b, h = truth.at_depth(0.0).radius, _thickness(medium)
     beyond = np.geomspace(h * 10.0**-_DECADES, h * 10.0**_DECADES, round(2 * _DECADES * _PER_DECADE) + 1)
     beyond = beyond[beyond > 1e-6 * b]
     radii = _reachable(truth, b, beyond)
     if len(radii) < 3:
-        raise InvalidArgumentError('zeta = "exact" is not allowed here: this indenter has but one contact radius, or ends within '
-                                   "a thousandth of the coating thickness")
+        raise InvalidArgumentError(
+            'zeta = "exact" is not allowed here: this indenter has but one contact radius, or ends within '
+            "a thousandth of the coating thickness"
+        )
     values = np.asarray(truth.at_radius(radii).depth) / np.asarray(indenter.mdr(radii))
     return tuple(radii.tolist()), tuple(values.tolist())
 

@@ -114,7 +114,7 @@ def loop(contact: Any, control: str, largest: Any, points: Any, spring_stiffness
     """A cycle of a contact."""
     chosen = code("control", control, CONTROLS)
     if (spring_stiffness is not None) != (control == "spring"):
-        raise ArgumentTypeError("spring_stiffness is needed under control \"spring\", and only there")
+        raise ArgumentTypeError('spring_stiffness is needed under control "spring", and only there')
     stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
     if isinstance(points, bool) or not isinstance(points, (int, np.integer)) or not 2 <= points <= 1_000_000:
         raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number from 2 to 1000000")

@@ -29,6 +29,7 @@ def test_density_integrates_to_the_weight_of_a_plane():
     from scipy.integrate import quad
 
     for z, nu in ((0.3, 0.5), (1.0, 0.2)):
+
         def ring(rho, which, z=z, nu=nu):
             return 2.0 * np.pi * rho * lateral.density(rho, z, nu)[which]
 

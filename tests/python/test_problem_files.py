@@ -263,9 +263,7 @@ def test_every_medium(number):
 
 
 def test_an_elastic_indenter_on_a_homogeneous_medium():
-    problem = read(
-        {"indenter": {**SHAPES[0][0], "material": HARD}, "medium": MEDIA[0][0], "compute": {"max_depth": "1 nm"}}
-    )
+    problem = read({"indenter": {**SHAPES[0][0], "material": HARD}, "medium": MEDIA[0][0], "compute": {"max_depth": "1 nm"}})
     assert problem.medium == mdr.Homogeneous(_SOFT, indenter=_HARD)
 
 

@@ -82,9 +82,11 @@ def _sum(first, second):
     return Tip(lambda s: first.build(s) + second.build(s), low, high, first.flat)
 
 
-sums = st.tuples(st.one_of(simple_tips, flat_ended_tips), simple_tips).map(
-    lambda v: _sum(*v)
-).filter(lambda tip: tip.low < 0.8 * tip.high)
+sums = (
+    st.tuples(st.one_of(simple_tips, flat_ended_tips), simple_tips)
+    .map(lambda v: _sum(*v))
+    .filter(lambda tip: tip.low < 0.8 * tip.high)
+)
 tips = st.one_of(simple_tips, flat_ended_tips, sums)
 
 materials = st.tuples(_between(0.1, 10.0), st.floats(-0.5, 0.5))

@@ -40,8 +40,9 @@ class Accepted(unittest.TestCase):
 
     def test_the_program_runs_every_test_between_its_fixtures(self):
         text = FILE.format(line="@assertTrue(.true.)").replace(
-            "    @test\n", "    @before\n    subroutine b()\n    end subroutine b\n    @test\n    @disable\n"
-            "    subroutine off()\n    end subroutine off\n    @test\n"
+            "    @test\n",
+            "    @before\n    subroutine b()\n    end subroutine b\n    @test\n    @disable\n"
+            "    subroutine off()\n    end subroutine off\n    @test\n",
         )
         program = translate(text).split("program run_test_it")[1]
         self.assertIn('call start_test("works")\n    call b()\n    if (.not. anyExceptions()) call works()', program)

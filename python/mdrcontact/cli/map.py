@@ -158,7 +158,7 @@ def _problem(table: dict[str, Any], path: Path) -> MapProblem:
 def _labels(structure: Section, path: Path) -> Any:
     name = structure.plain("labels")
     if not isinstance(name, str):
-        raise ProblemError("[structure]: labels must be the name of a file, as in labels = \"labels.npy\"")
+        raise ProblemError('[structure]: labels must be the name of a file, as in labels = "labels.npy"')
     try:
         # mapped, not read: slices come from the file when they are needed
         return np.load(path.parent / name, mmap_mode="r", allow_pickle=False)

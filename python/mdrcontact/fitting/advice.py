@@ -70,9 +70,7 @@ def _identifiability(result: FitResult) -> list[str]:
         )
     if words:
         regime = _regime(result)
-        weak = ", ".join(
-            f"{name} {100.0 * change:+.0f}" for name, change in result.weakest_direction.items() if abs(change) > 0.02
-        )
+        weak = ", ".join(f"{name} {100.0 * change:+.0f}" for name, change in result.weakest_direction.items() if abs(change) > 0.02)
         if result.weakest < 0.05 and len(result.names) > 1:
             words.append(f"the change that the data notice least (in proportion): {weak}")
         if regime:

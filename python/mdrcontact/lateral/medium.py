@@ -39,6 +39,4 @@ class LateralMedium(Medium):
             raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number, at least 3")
         a = np.geomspace(first, last, points)
         created = _native.medium_table(a, np.asarray(structure.modulus(*place, a)))
-        self._own(
-            created, structure=structure, x=place[0], y=place[1], smallest_radius=first, largest_radius=last, points=points
-        )
+        self._own(created, structure=structure, x=place[0], y=place[1], smallest_radius=first, largest_radius=last, points=points)

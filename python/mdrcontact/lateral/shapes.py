@@ -178,8 +178,14 @@ class Shapes(Structure):
         nu = base.nu if reference_nu is None else number("reference_nu", reference_nu)
         self._own_structure(
             _native.structure_shapes(
-                base.E, base.nu, nu, number("tolerance", tolerance), [_KINDS.index(type(b)) for b in known], table,
-                [b.material.E for b in known], [b.material.nu for b in known],
+                base.E,
+                base.nu,
+                nu,
+                number("tolerance", tolerance),
+                [_KINDS.index(type(b)) for b in known],
+                table,
+                [b.material.E for b in known],
+                [b.material.nu for b in known],
             )  # fmt: skip
         )
         self._describe(background=base, shapes=bodies, reference_nu=reference_nu, tolerance=tolerance)

@@ -143,9 +143,7 @@ def _state(indenter: Profile, medium: TabulatedMedium, depth: float | None, forc
     return [d, float(state.force), float(state.radius), elastic_energy(contact, d)]
 
 
-def _largest_radius(
-    structure: Structure, indenter: Profile, x: Array, y: float, depth: float | None, force: float | None
-) -> float:
+def _largest_radius(structure: Structure, indenter: Profile, x: Array, y: float, depth: float | None, force: float | None) -> float:
     """A contact radius that no place on the line exceeds."""
     if depth is not None:
         return 1.0001 * float(Contact(indenter, _UNIT).at_depth(depth).radius)

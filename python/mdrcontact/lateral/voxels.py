@@ -118,8 +118,16 @@ class Voxels(Structure):
             dz, dy, dx = self.spacing
             self._own_structure(
                 _native.structure_voxels(
-                    [nx, ny, nz], cells.ravel(), [m.E for m in self.phases], [m.nu for m in self.phases], [dx, dy, dz],
-                    [self.below.E, self.below.nu], self.reference_nu, int(padded), self.images, [beside.E, beside.nu],
+                    [nx, ny, nz],
+                    cells.ravel(),
+                    [m.E for m in self.phases],
+                    [m.nu for m in self.phases],
+                    [dx, dy, dz],
+                    [self.below.E, self.below.nu],
+                    self.reference_nu,
+                    int(padded),
+                    self.images,
+                    [beside.E, beside.nu],
                     list(self.origin),
                 )  # fmt: skip
             )

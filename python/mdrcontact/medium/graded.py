@@ -65,9 +65,7 @@ def _from_tables(z: Any, E: Any, nu: Any, native: tuple[Any, ...]) -> tuple[tupl
     depths, moduli = row("z", z), row("E", E)
     ratios = (number("nu", nu),) * len(depths) if np.ndim(nu) == 0 else row("nu", nu)
     if not len(depths) == len(moduli) == len(ratios):
-        raise InvalidArgumentError(
-            f"z, E and nu must have the same length; it is {len(depths)}, {len(moduli)} and {len(ratios)}"
-        )
+        raise InvalidArgumentError(f"z, E and nu must have the same length; it is {len(depths)}, {len(moduli)} and {len(ratios)}")
     return _native.medium_graded(depths, moduli, ratios, *native), {"z": depths, "E": moduli, "nu": ratios}
 
 

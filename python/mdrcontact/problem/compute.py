@@ -52,7 +52,7 @@ def read_control(section: Section) -> Control:
     if len(starts) != 1:
         said = " and ".join(starts) if starts else "none of them is there"
         raise ProblemError(
-            f"[{section.path}]: give one of max_depth, max_force, max_radius (as in max_depth = \"100 nm\") or a list "
+            f'[{section.path}]: give one of max_depth, max_force, max_radius (as in max_depth = "100 nm") or a list '
             f"depths, forces, radii; {said}"
         )
     key = starts[0]

@@ -189,7 +189,7 @@ def _read_data(section: Section, path: Path) -> tuple[Data, list[str]]:
         chosen = str(section.plain(role)) if role in section else table.find(aliases, dimension)
         if chosen is None:
             titles = ", ".join(repr(t) for t in table.titles)
-            raise ProblemError(f"{path}: no column is the {role}: name it in [data], as in {role} = \"...\"; there are {titles}")
+            raise ProblemError(f'{path}: no column is the {role}: name it in [data], as in {role} = "..."; there are {titles}')
         values, unit = table.column(chosen, dimension)
         found[role] = chosen, unit, values
     options: dict[str, Any] = {"missing": "drop"}

@@ -83,9 +83,7 @@ def _graded(section: Section) -> medium.Medium:
 
 
 def _power_law_graded(section: Section) -> medium.Medium:
-    return medium.PowerLawGraded(
-        section.quantity("E0"), section.quantity("z0"), section.number("exponent"), section.number("nu")
-    )
+    return medium.PowerLawGraded(section.quantity("E0"), section.quantity("z0"), section.number("exponent"), section.number("nu"))
 
 
 def _table(section: Section) -> medium.Medium:

@@ -33,9 +33,7 @@ class Dimension(NamedTuple):
 LENGTH = Dimension("a length", "m", "500 nm", (("pm", 1e-12), ("nm", 1e-9), ("um", 1e-6), ("mm", 1e-3), ("m", 1.0)), ("angstrom",))
 MODULUS = Dimension("a modulus", "Pa", "70 GPa", (("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)), ("N/m^2", "N/mm^2"))
 FORCE = Dimension("a force", "N", "2 mN", (("pN", 1e-12), ("nN", 1e-9), ("uN", 1e-6), ("mN", 1e-3), ("N", 1.0), ("kN", 1e3)))
-STIFFNESS = Dimension(
-    "a stiffness", "N/m", "50 kN/m", (("uN/m", 1e-6), ("mN/m", 1e-3), ("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6))
-)
+STIFFNESS = Dimension("a stiffness", "N/m", "50 kN/m", (("uN/m", 1e-6), ("mN/m", 1e-3), ("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6)))
 WORK_OF_ADHESION = Dimension(
     "a work of adhesion", "J/m^2", "50 mJ/m^2", (("uJ/m^2", 1e-6), ("mJ/m^2", 1e-3), ("J/m^2", 1.0)), ("N/m",)
 )
@@ -79,9 +77,9 @@ def parse(text: str, dimension: Dimension) -> float:
     """A text such as "500 nm" as a number in SI units."""
     match = _QUANTITY.fullmatch(text)
     if match is None:
-        raise UnitError(f"{text!r} is not {dimension.name}: write it as in \"{dimension.example}\"")
+        raise UnitError(f'{text!r} is not {dimension.name}: write it as in "{dimension.example}"')
     if match[2] is None:
-        raise UnitError(f"{text!r} has no unit: write {dimension.name} as in \"{dimension.example}\"")
+        raise UnitError(f'{text!r} has no unit: write {dimension.name} as in "{dimension.example}"')
     return to_si(match[1], match[2], dimension)
 
 
