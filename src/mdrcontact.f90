@@ -10,8 +10,8 @@ module mdrcontact
                                                coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_values, only: displacement_values, line_load_values, pressure_values, states_from_depth, &
-                                         states_from_force, states_from_radius
+    use mdrcontact_contact_values, only: contact_field, contact_states, field_displacement, field_line_load, field_pressure, &
+                                         given_depth, given_force, given_radius
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_callback, error_domain, error_file, error_invalid, error_memory, error_no_convergence, &
                                 error_t, error_unreachable

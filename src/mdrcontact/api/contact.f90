@@ -8,7 +8,7 @@ module mdrcontact_api_contact
     use mdrcontact_batch, only: check_threads
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_values, only: states_from_depth, states_from_force, states_from_radius
+    use mdrcontact_contact_values, only: contact_states, given_depth, given_force, given_radius
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_table, count_text, error_invalid, error_t, raise
     use mdrcontact_medium, only: medium_t
@@ -29,8 +29,6 @@ module mdrcontact_api_contact
         real(c_double) :: work_of_adhesion = 0.0_c_double
         integer(c_int) :: adhesion_rule = int(adhesion_automatic, c_int)
     end type c_contact_options_t
-
-    integer, parameter :: by_depth = 1, by_force = 2, by_radius = 3
 
 contains
 
@@ -93,7 +91,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_depth, n, in, d, a, f, k, on_unloading, 1_c_int)
+        status = write_states(c, given_depth, n, in, d, a, f, k, on_unloading, 1_c_int)
     end function mdr_contact_from_depth
 
     function mdr_contact_from_depth_on(c, branch, n, in, d, a, f, k) result(status) bind(C)
@@ -103,7 +101,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_depth, n, in, d, a, f, k, int(branch), 1_c_int)
+        status = write_states(c, given_depth, n, in, d, a, f, k, int(branch), 1_c_int)
     end function mdr_contact_from_depth_on
 
     function mdr_contact_from_force(c, n, in, d, a, f, k) result(status) bind(C)
@@ -113,7 +111,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_force, n, in, d, a, f, k, on_unloading, 1_c_int)
+        status = write_states(c, given_force, n, in, d, a, f, k, on_unloading, 1_c_int)
     end function mdr_contact_from_force
 
     function mdr_contact_from_force_on(c, branch, n, in, d, a, f, k) result(status) bind(C)
@@ -123,7 +121,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_force, n, in, d, a, f, k, int(branch), 1_c_int)
+        status = write_states(c, given_force, n, in, d, a, f, k, int(branch), 1_c_int)
     end function mdr_contact_from_force_on
 
     function mdr_contact_from_radius(c, n, in, d, a, f, k) result(status) bind(C)
@@ -133,7 +131,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_radius, n, in, d, a, f, k, on_unloading, 1_c_int)
+        status = write_states(c, given_radius, n, in, d, a, f, k, on_unloading, 1_c_int)
     end function mdr_contact_from_radius
 
     function mdr_contact_from_depth_on_threads(c, branch, n, in, d, a, f, k, threads) result(status) bind(C)
@@ -143,7 +141,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_depth, n, in, d, a, f, k, int(branch), threads)
+        status = write_states(c, given_depth, n, in, d, a, f, k, int(branch), threads)
     end function mdr_contact_from_depth_on_threads
 
     function mdr_contact_from_force_on_threads(c, branch, n, in, d, a, f, k, threads) result(status) bind(C)
@@ -153,7 +151,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_force, n, in, d, a, f, k, int(branch), threads)
+        status = write_states(c, given_force, n, in, d, a, f, k, int(branch), threads)
     end function mdr_contact_from_force_on_threads
 
     function mdr_contact_from_radius_threads(c, n, in, d, a, f, k, threads) result(status) bind(C)
@@ -163,7 +161,7 @@ contains
         real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
         integer(c_int) :: status
 
-        status = write_states(c, by_radius, n, in, d, a, f, k, on_unloading, threads)
+        status = write_states(c, given_radius, n, in, d, a, f, k, on_unloading, threads)
     end function mdr_contact_from_radius_threads
 
     !> All states are computed before the first number is written.
@@ -203,14 +201,7 @@ contains
         allocate (states(size(in)), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        select case (given)
-        case (by_depth)
-            call states_from_depth(contact, in, states, error, branch, threads)
-        case (by_force)
-            call states_from_force(contact, in, states, error, branch, threads)
-        case default
-            call states_from_radius(contact, in, states, error, threads)
-        end select
+        call contact_states(contact, given, in, states, error, branch, threads)
     end subroutine solve
 
 end module mdrcontact_api_contact

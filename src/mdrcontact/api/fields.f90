@@ -8,7 +8,7 @@ module mdrcontact_api_fields
     use mdrcontact_batch, only: check_threads
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_values, only: displacement_values, line_load_values, pressure_values
+    use mdrcontact_contact_values, only: contact_field, field_displacement, field_line_load, field_pressure
     use mdrcontact_error, only: error_t
     implicit none (type, external)
     private
@@ -17,8 +17,6 @@ module mdrcontact_api_fields
     public :: mdr_contact_pressure_at_depth_threads, mdr_contact_displacement_at_depth_threads, &
               mdr_contact_line_load_at_depth_threads
     public :: mdr_contact_pressure_at_depth, mdr_contact_displacement_at_depth, mdr_contact_line_load_at_depth
-
-    integer, parameter :: is_pressure = 1, is_displacement = 2, is_line_load = 3
 
 contains
 
@@ -30,7 +28,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_pressure, a, .false., n, "r", r, out, 1_c_int)
+        status = write_field(c, field_pressure, a, .false., n, "r", r, out, 1_c_int)
     end function mdr_contact_pressure
 
     function mdr_contact_displacement(c, a, n, r, out) result(status) bind(C)
@@ -41,7 +39,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_displacement, a, .false., n, "r", r, out, 1_c_int)
+        status = write_field(c, field_displacement, a, .false., n, "r", r, out, 1_c_int)
     end function mdr_contact_displacement
 
     function mdr_contact_line_load(c, a, n, x, out) result(status) bind(C)
@@ -52,7 +50,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_line_load, a, .false., n, "x", x, out, 1_c_int)
+        status = write_field(c, field_line_load, a, .false., n, "x", x, out, 1_c_int)
     end function mdr_contact_line_load
 
     function mdr_contact_pressure_at_depth(c, d, n, r, out) result(status) bind(C)
@@ -63,7 +61,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_pressure, d, .true., n, "r", r, out, 1_c_int)
+        status = write_field(c, field_pressure, d, .true., n, "r", r, out, 1_c_int)
     end function mdr_contact_pressure_at_depth
 
     function mdr_contact_displacement_at_depth(c, d, n, r, out) result(status) bind(C)
@@ -74,7 +72,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_displacement, d, .true., n, "r", r, out, 1_c_int)
+        status = write_field(c, field_displacement, d, .true., n, "r", r, out, 1_c_int)
     end function mdr_contact_displacement_at_depth
 
     function mdr_contact_line_load_at_depth(c, d, n, x, out) result(status) bind(C)
@@ -85,7 +83,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_line_load, d, .true., n, "x", x, out, 1_c_int)
+        status = write_field(c, field_line_load, d, .true., n, "x", x, out, 1_c_int)
     end function mdr_contact_line_load_at_depth
 
     function mdr_contact_pressure_threads(c, a, n, r, out, threads) result(status) bind(C)
@@ -96,7 +94,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_pressure, a, .false., n, "r", r, out, threads)
+        status = write_field(c, field_pressure, a, .false., n, "r", r, out, threads)
     end function mdr_contact_pressure_threads
 
     function mdr_contact_displacement_threads(c, a, n, r, out, threads) result(status) bind(C)
@@ -107,7 +105,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_displacement, a, .false., n, "r", r, out, threads)
+        status = write_field(c, field_displacement, a, .false., n, "r", r, out, threads)
     end function mdr_contact_displacement_threads
 
     function mdr_contact_line_load_threads(c, a, n, x, out, threads) result(status) bind(C)
@@ -118,7 +116,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_line_load, a, .false., n, "x", x, out, threads)
+        status = write_field(c, field_line_load, a, .false., n, "x", x, out, threads)
     end function mdr_contact_line_load_threads
 
     function mdr_contact_pressure_at_depth_threads(c, d, n, r, out, threads) result(status) bind(C)
@@ -129,7 +127,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_pressure, d, .true., n, "r", r, out, threads)
+        status = write_field(c, field_pressure, d, .true., n, "r", r, out, threads)
     end function mdr_contact_pressure_at_depth_threads
 
     function mdr_contact_displacement_at_depth_threads(c, d, n, r, out, threads) result(status) bind(C)
@@ -140,7 +138,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_displacement, d, .true., n, "r", r, out, threads)
+        status = write_field(c, field_displacement, d, .true., n, "r", r, out, threads)
     end function mdr_contact_displacement_at_depth_threads
 
     function mdr_contact_line_load_at_depth_threads(c, d, n, x, out, threads) result(status) bind(C)
@@ -151,7 +149,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_field(c, is_line_load, d, .true., n, "x", x, out, threads)
+        status = write_field(c, field_line_load, d, .true., n, "x", x, out, threads)
     end function mdr_contact_line_load_at_depth_threads
 
     !> The field of the state at a radius or a depth; nothing is written before all of it is known.
@@ -201,14 +199,7 @@ contains
         allocate (values(size(positions)), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        select case (field)
-        case (is_pressure)
-            call pressure_values(contact, state, positions, values, error, threads)
-        case (is_displacement)
-            call displacement_values(contact, state, positions, values, error, threads)
-        case default
-            call line_load_values(contact, state, positions, values, error, threads)
-        end select
+        call contact_field(contact, field, state, positions, values, error, threads)
         if (.not. allocated(error)) call check_results_or_infinity(error, values)
     end subroutine evaluate
 

@@ -1,24 +1,24 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One state of a contact: contact radius, depth, force and stiffness.
+!> One state of a contact: depth, contact radius, force, stiffness, excess.
 module mdrcontact_contact_state
-    use mdrcontact_kinds, only: wp
+    use, intrinsic :: iso_c_binding, only: c_double
     implicit none (type, external)
     private
     public :: contact_state_t
 
-    !> A point of F(d): what a contact tells of itself. All zero is first touch.
-    type :: contact_state_t
-        !> a [length]
-        real(wp) :: radius = 0.0_wp
+    !> A point of F(d), C's struct mdr_state: a datum that fields read and histories start from. All zero is first touch.
+    type, bind(C) :: contact_state_t
         !> d, positive into the medium [length]
-        real(wp) :: depth = 0.0_wp
+        real(c_double) :: depth = 0.0_c_double
+        !> a [length]
+        real(c_double) :: radius = 0.0_c_double
         !> F, positive in compression [modulus length^2]
-        real(wp) :: force = 0.0_wp
+        real(c_double) :: force = 0.0_c_double
         !> k = dF/dd at constant radius = 2 a E_eff(a) [modulus length]
-        real(wp) :: stiffness = 0.0_wp
-        !> depth beyond that of first touch at this radius [length]: 0 for a non-adhesive contact, -dl(a) at an adhesive edge,
-        !> anything above it at a vertical wall of the indenter
-        real(wp) :: excess = 0.0_wp
+        real(c_double) :: stiffness = 0.0_c_double
+        !> depth beyond that of the non-adhesive state at this radius [length]: 0 without adhesion, -dl(a) with it, the whole depth
+        !> under a flat punch, anything above 0 at another vertical wall of the indenter
+        real(c_double) :: excess = 0.0_c_double
     end type contact_state_t
 
 end module mdrcontact_contact_state

@@ -8,15 +8,17 @@ module mdrcontact_contact_values
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: states_from_depth, states_from_force, states_from_radius
-    public :: pressure_values, displacement_values, line_load_values
+    public :: contact_states, given_depth, given_force, given_radius
+    public :: contact_field, field_pressure, field_displacement, field_line_load
 
-    integer, parameter :: by_depth = 1, by_force = 2, by_radius = 3
-    integer, parameter :: of_pressure = 1, of_displacement = 2, of_line_load = 3
+    !> Which number determines a state.
+    integer, parameter :: given_depth = 1, given_force = 2, given_radius = 3
+    !> Fields of a state: p(r), r <= a; u(r), any r; q(x), x <= a.
+    integer, parameter :: field_pressure = 1, field_displacement = 2, field_line_load = 3
 
     type, extends(batch_t) :: states_batch_t
         type(contact_t), pointer :: contact => null()
-        integer :: given = by_depth
+        integer :: given = given_depth
         integer, allocatable :: branch
         real(wp), pointer :: input(:) => null()
         type(contact_state_t), pointer :: states(:) => null()
@@ -29,7 +31,7 @@ module mdrcontact_contact_values
     type, extends(batch_t) :: field_batch_t
         type(contact_t), pointer :: contact => null()
         type(contact_state_t), pointer :: state => null()
-        integer :: field = of_pressure
+        integer :: field = field_pressure
         integer :: stride = 1
         real(wp), pointer :: positions(:) => null(), values(:) => null()
     contains
@@ -44,65 +46,28 @@ module mdrcontact_contact_values
 
 contains
 
-    !> contact%at_depth for many depths. Where some fail, the error is that of the first, and `states` is undefined.
-    subroutine states_from_depth(contact, depths, states, error, branch, threads)
-        type(contact_t), intent(in) :: contact
-        !> [length]
-        real(wp), intent(in) :: depths(:)
-        !> same size as depths
-        type(contact_state_t), intent(inout) :: states(:)
-        type(error_t), allocatable, intent(out) :: error
-        !> on_loading or on_unloading (default)
-        integer, intent(in), optional :: branch
-        !> at least 1 (default), or 0 for as many as OpenMP offers
-        integer, intent(in), optional :: threads
-
-        call run(contact, by_depth, depths, states, error, branch, threads)
-    end subroutine states_from_depth
-
-    !> contact%at_force for many forces, as states_from_depth.
-    subroutine states_from_force(contact, forces, states, error, branch, threads)
-        type(contact_t), intent(in) :: contact
-        !> [modulus length^2]
-        real(wp), intent(in) :: forces(:)
-        !> same size as forces
-        type(contact_state_t), intent(inout) :: states(:)
-        type(error_t), allocatable, intent(out) :: error
-        !> on_loading or on_unloading (default)
-        integer, intent(in), optional :: branch
-        !> at least 1 (default), or 0 for as many as OpenMP offers
-        integer, intent(in), optional :: threads
-
-        call run(contact, by_force, forces, states, error, branch, threads)
-    end subroutine states_from_force
-
-    !> contact%at_radius for many radii, as states_from_depth.
-    subroutine states_from_radius(contact, radii, states, error, threads)
-        type(contact_t), intent(in) :: contact
-        !> [length]
-        real(wp), intent(in) :: radii(:)
-        !> same size as radii
-        type(contact_state_t), intent(inout) :: states(:)
-        type(error_t), allocatable, intent(out) :: error
-        !> at least 1 (default), or 0 for as many as OpenMP offers
-        integer, intent(in), optional :: threads
-
-        call run(contact, by_radius, radii, states, error, threads=threads)
-    end subroutine states_from_radius
-
-    subroutine run(contact, given, input, states, error, branch, threads)
+    !> contact%at_depth, at_force or at_radius for many numbers. Where some fail, the error is that of the first, and `states` is
+    !> undefined.
+    subroutine contact_states(contact, given, input, states, error, branch, threads)
         type(contact_t), intent(in), target :: contact
+        !> given_depth, given_force or given_radius
         integer, intent(in) :: given
+        !> depths [length], forces [modulus length^2] or radii [length]
         real(wp), intent(in), target :: input(:)
+        !> same size as input
         type(contact_state_t), intent(inout), target :: states(:)
         type(error_t), allocatable, intent(out) :: error
-        integer, intent(in), optional :: branch, threads
+        !> on_loading or on_unloading (default); a radius has one state
+        integer, intent(in), optional :: branch
+        !> at least 1 (default), or 0 for as many as OpenMP offers
+        integer, intent(in), optional :: threads
         type(states_batch_t) :: batch
         integer :: team, smallest
 
         team = 1
         if (present(threads)) team = threads
         call check_threads(error, team)
+        call check_choice(error, "given", given)
         call check_sizes(error, size(input), size(states))
         if (allocated(error)) return
         batch%contact => contact
@@ -113,10 +78,10 @@ contains
         if (contact%is_formula()) then
             call run_batch(batch, size(input), formula_block, formula_smallest, team, error)
         else
-            smallest = merge(radius_smallest, solved_smallest, given == by_radius)
+            smallest = merge(radius_smallest, solved_smallest, given == given_radius)
             call run_batch(batch, size(input), solved_block, smallest, team, error)
         end if
-    end subroutine run
+    end subroutine contact_states
 
     subroutine solve_states(self, first, last, error)
         class(states_batch_t), intent(inout) :: self
@@ -126,9 +91,9 @@ contains
 
         do i = first, last
             select case (self%given)
-            case (by_depth)
+            case (given_depth)
                 call self%contact%at_depth(self%input(i), self%states(i), error, self%branch)
-            case (by_force)
+            case (given_force)
                 call self%contact%at_force(self%input(i), self%states(i), error, self%branch)
             case default
                 call self%contact%at_radius(self%input(i), self%states(i), error)
@@ -139,58 +104,19 @@ contains
         end do
     end subroutine solve_states
 
-    !> contact%pressure at many positions.
-    subroutine pressure_values(contact, state, r, values, error, threads)
-        type(contact_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
-        !> 0 <= r <= a [length]
-        real(wp), intent(in) :: r(:)
-        !> same size as r; undefined after an error
-        real(wp), intent(inout) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        !> at least 1 (default), or 0 for as many as OpenMP offers
-        integer, intent(in), optional :: threads
-
-        call run_field(contact, of_pressure, state, r, values, error, threads)
-    end subroutine pressure_values
-
-    !> contact%displacement at many positions r >= 0, as pressure_values.
-    subroutine displacement_values(contact, state, r, values, error, threads)
-        type(contact_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
-        !> [length]
-        real(wp), intent(in) :: r(:)
-        !> same size as r [length]; undefined after an error
-        real(wp), intent(inout) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        !> at least 1 (default), or 0 for as many as OpenMP offers
-        integer, intent(in), optional :: threads
-
-        call run_field(contact, of_displacement, state, r, values, error, threads)
-    end subroutine displacement_values
-
-    !> contact%line_load at many positions 0 <= x <= a, as pressure_values.
-    subroutine line_load_values(contact, state, x, values, error, threads)
-        type(contact_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
-        !> [length]
-        real(wp), intent(in) :: x(:)
-        !> same size as x [modulus length]; undefined after an error
-        real(wp), intent(inout) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        !> at least 1 (default), or 0 for as many as OpenMP offers
-        integer, intent(in), optional :: threads
-
-        call run_field(contact, of_line_load, state, x, values, error, threads)
-    end subroutine line_load_values
-
-    subroutine run_field(contact, field, state, positions, values, error, threads)
+    !> contact%pressure, displacement or line_load of a state at many positions. Where some fail, the error is that of the first.
+    subroutine contact_field(contact, field, state, positions, values, error, threads)
         type(contact_t), intent(in), target :: contact
+        !> field_pressure, field_displacement or field_line_load
         integer, intent(in) :: field
+        !> a state of this contact
         type(contact_state_t), intent(in), target :: state
+        !> r or x >= 0; at most a but for the displacement [length]
         real(wp), intent(in), target :: positions(:)
+        !> same size as positions [modulus], [length] or [modulus length]; undefined after an error
         real(wp), intent(inout), target :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        !> at least 1 (default), or 0 for as many as OpenMP offers
         integer, intent(in), optional :: threads
         type(field_batch_t) :: batch
         integer :: wanted
@@ -198,6 +124,7 @@ contains
         wanted = 1
         if (present(threads)) wanted = threads
         call check_threads(error, wanted)
+        call check_choice(error, "field", field)
         call check_sizes(error, size(positions), size(values))
         if (allocated(error)) return
         batch%contact => contact
@@ -212,7 +139,7 @@ contains
         batch%stride = 1
         deallocate (error)
         call batch%work(1, 1, error)
-    end subroutine run_field
+    end subroutine contact_field
 
     subroutine evaluate_field(self, first, last, error)
         class(field_batch_t), intent(inout) :: self
@@ -223,9 +150,9 @@ contains
         do i = first, last
             associate (r => self%positions(i::self%stride), values => self%values(i::self%stride))
                 select case (self%field)
-                case (of_pressure)
+                case (field_pressure)
                     call self%contact%pressure(self%state, r, values, error)
-                case (of_displacement)
+                case (field_displacement)
                     call self%contact%displacement(self%state, r, values, error)
                 case default
                     call self%contact%line_load(self%state, r, values, error)
@@ -234,6 +161,16 @@ contains
             if (allocated(error)) return
         end do
     end subroutine evaluate_field
+
+    pure subroutine check_choice(error, name, choice)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        integer, intent(in) :: choice
+
+        if (choice < 1 .or. choice > 3) then
+            call raise(error, error_invalid, name//" = "//count_text(choice)//" is not allowed: it must be 1, 2 or 3")
+        end if
+    end subroutine check_choice
 
     pure subroutine check_sizes(error, given, found)
         type(error_t), allocatable, intent(inout) :: error
