@@ -21,10 +21,11 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/mdrcontact-config-version.
 install(FILES "${CMAKE_BINARY_DIR}/mdrcontact-config.cmake" "${CMAKE_BINARY_DIR}/mdrcontact-config-version.cmake"
   DESTINATION "${package_dir}")
 
-# pkg-config: what a static link needs on top, as -l names without this machine's paths.
+# pkg-config: mdrcontact is the shared library for C; mdrcontact-static the static one, for C and Fortran, with what it needs as -l
+# names without this machine's paths.
 file(RELATIVE_PATH prefix_from_pc "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" prefix_from_pc "${prefix_from_pc}")
-set(private_libraries "")
+set(private_libraries "${CMAKE_STATIC_LIBRARY_PREFIX}mdrcontact${CMAKE_STATIC_LIBRARY_SUFFIX}")
 foreach(library IN LISTS LAPACK_LIBRARIES)
   get_filename_component(name "${library}" NAME_WE)
   string(REGEX REPLACE "^(-l|lib)" "" name "${name}")
@@ -36,5 +37,14 @@ endif()
 if(MDRCONTACT_OPENMP AND CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
   string(APPEND private_libraries " -lgomp")
 endif()
+set(package_name mdrcontact)
+set(package_libs "-L\${libdir} -lmdrcontact")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/mdrcontact.pc.in" "${CMAKE_BINARY_DIR}/mdrcontact.pc" @ONLY)
-install(FILES "${CMAKE_BINARY_DIR}/mdrcontact.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+set(package_name mdrcontact-static)
+set(package_words " (static, with the Fortran modules)")
+set(required_packages " gsl")
+set(package_cflags " -I\${includedir}/mdrcontact/modules")
+set(package_libs "\${libdir}/${private_libraries} -lm")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/mdrcontact.pc.in" "${CMAKE_BINARY_DIR}/mdrcontact-static.pc" @ONLY)
+install(FILES "${CMAKE_BINARY_DIR}/mdrcontact.pc" "${CMAKE_BINARY_DIR}/mdrcontact-static.pc"
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")

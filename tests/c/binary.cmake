@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the compiled library must not have: writable static data, which threads would share, and an executable stack.
+# What the compiled library must not have: writable static data, which threads would share, global symbols of names that a program
+# may use, and an executable stack.
 execute_process(COMMAND "${nm}" "${library}" OUTPUT_VARIABLE symbols RESULT_VARIABLE result)
 if(NOT result EQUAL 0 OR NOT symbols MATCHES "mdr_contact_new")
   message(FATAL_ERROR "${nm} ${library} did not list the library's symbols")
@@ -10,6 +11,25 @@ list(FILTER data EXCLUDE REGEX "(___vtab_|___def_init_|__copy_| last_text$| last
 if(data)
   string(REPLACE ";" "\n" data "${data}")
   message(FATAL_ERROR "static data in ${library}:\n${data}")
+endif()
+
+# Global symbols: mdr_... in both libraries; in the static one also the module procedures, the C functions that Fortran calls and the
+# objects of GSL that it refers to.
+string(REGEX MATCHALL "[^\n]+ [TDBRCVW] [^\n]+" global "${symbols}")
+list(FILTER global EXCLUDE REGEX " [TDBRCVW] (mdr_[a-z0-9_]+|gsl_[a-z_]+|mdrcontact_[a-z_]+|__mdrcontact_.*|__copy_.*|\\.gomp_critical_user_mdrcontact_.*)$")
+if(global)
+  string(REPLACE ";" "\n" global "${global}")
+  message(FATAL_ERROR "global symbols in ${library}:\n${global}")
+endif()
+execute_process(COMMAND "${nm}" -D --defined-only "${shared_library}" OUTPUT_VARIABLE exported RESULT_VARIABLE result)
+if(NOT result EQUAL 0 OR NOT exported MATCHES "mdr_contact_new")
+  message(FATAL_ERROR "${nm} -D ${shared_library} did not list the library's symbols")
+endif()
+string(REGEX MATCHALL "[^\n]+" exported "${exported}")
+list(FILTER exported EXCLUDE REGEX " T mdr_[a-z0-9_]+$")
+if(exported)
+  string(REPLACE ";" "\n" exported "${exported}")
+  message(FATAL_ERROR "symbols exported from ${shared_library}:\n${exported}")
 endif()
 
 if(readelf)

@@ -114,7 +114,8 @@ class Reader:
         stem = Path(block.file).stem if block.file else f"block_{block.line}"
         source, target = self.folder / (block.file or stem + suffix), self.folder / f"{stem}.o"
         source.write_text(block.text, encoding="utf-8")
-        flags = self.command("pkg-config", "--cflags", "--libs", "mdrcontact").split()
+        package = "mdrcontact" if suffix == ".c" else "mdrcontact-static"
+        flags = self.command("pkg-config", "--cflags", "--libs", package).split()
         compiler = "gcc" if suffix == ".c" else "gfortran"
         self.command(compiler, *options, *WARNINGS, "-c", source, "-o", target, *flags)
         if not re.search(main, block.text, flags=re.MULTILINE | re.IGNORECASE):

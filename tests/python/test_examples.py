@@ -69,7 +69,7 @@ def test_readme_compiled_examples(installed, tmp_path, language, suffix):
     (tmp_path / "CMakeLists.txt").write_text(
         "cmake_minimum_required(VERSION 3.22)\nproject(example LANGUAGES C Fortran)\nfind_package(mdrcontact REQUIRED)\n"
         f"add_executable(example example.{suffix})\ntarget_compile_options(example PRIVATE -Wall -Wextra -Werror)\n"
-        "target_link_libraries(example PRIVATE mdrcontact::mdrcontact)\n",
+        f"target_link_libraries(example PRIVATE mdrcontact::{'static' if language == 'fortran' else 'shared'})\n",
         encoding="utf-8",
     )
     run(["cmake", "-S", ".", "-B", "build", f"-DCMAKE_PREFIX_PATH={installed}"], tmp_path)

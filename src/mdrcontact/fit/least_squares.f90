@@ -192,7 +192,8 @@ contains
         values = entries(::vector%stride)
     end subroutine read_vector
 
-    function residual_callback(x, params, f) result(status) bind(C)
+    !> Without a binding label, like all callbacks: under its own name the linker would take a client's function of that name instead.
+    function residual_callback(x, params, f) result(status) bind(C, name="")
         type(gsl_vector), intent(in) :: x
         type(c_ptr), value :: params
         type(gsl_vector), intent(in) :: f
@@ -228,7 +229,7 @@ contains
         residuals%last_r = r
     end subroutine residuals_or_penalty
 
-    function jacobian_callback(x, params, j) result(status) bind(C)
+    function jacobian_callback(x, params, j) result(status) bind(C, name="")
         type(gsl_vector), intent(in) :: x
         type(c_ptr), value :: params
         type(gsl_matrix), intent(in) :: j

@@ -210,7 +210,7 @@ contains
         end if
     end subroutine guess_from_below
 
-    function evaluate(x, params) result(y) bind(C)
+    function evaluate(x, params) result(y) bind(C, name="")
         real(c_double), value :: x
         type(c_ptr), value :: params
         real(c_double) :: y

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A program may have global functions of any name that does not begin with mdr_: the library never calls them. */
+#include "check.h"
+
+/* Functions that the library has inside, under the names they have there. */
+static int calls;
+int residual_callback(void);
+int jacobian_callback(void);
+double evaluate(double x, void *params);
+
+int residual_callback(void) { return calls++, 0; }
+int jacobian_callback(void) { return calls++, 0; }
+double evaluate(double x, void *params) { return calls++, params != NULL ? 0.0 : x; }
+
+/* A sphere's force on a medium of E* = 3e9 found back from the data; the depths come from the library's root search. */
+int main(void)
+{
+    enum { POINTS = 20, NUMBERS = 10 };
+    static const double numbers[NUMBERS] = { 1e-6, 1e9, 0.3, 0, 0, 0, 0, INFINITY, 0.75, 1 };
+    mdr_fit_problem problem;
+    mdr_fit_parameter parameters[NUMBERS];
+    mdr_fit_summary summary;
+    mdr_profile *profile = NULL;
+    mdr_medium *medium = NULL;
+    mdr_contact *contact = NULL;
+    double d[POINTS], F[POINTS], values[NUMBERS];
+
+    CHECK_INT(mdr_profile_sphere(1e-6, &profile), MDR_SUCCESS);
+    CHECK_INT(mdr_medium_homogeneous(3e9, 0.3, &medium), MDR_SUCCESS);
+    CHECK_INT(mdr_contact_new(profile, medium, NULL, &contact), MDR_SUCCESS);
+    for (int i = 0; i < POINTS; i++) d[i] = 5e-9 * (i + 1);
+    CHECK_INT(mdr_contact_from_depth(contact, POINTS, d, NULL, NULL, F, NULL), MDR_SUCCESS);
+
+    mdr_fit_problem_init(&problem);
+    problem.indenter = MDR_FIT_INDENTER_SPHERE;
+    problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;
+    problem.parameter_count = NUMBERS;
+    problem.parameters = parameters;
+    for (int i = 0; i < NUMBERS; i++) parameters[i] = (mdr_fit_parameter){ numbers[i], -INFINITY, INFINITY, 0, 0, i == 1 };
+    CHECK_INT(mdr_fit_solve(&problem, POINTS, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, &summary), MDR_SUCCESS);
+    CHECK_INT(summary.converged, 1);
+    CHECK_CLOSE(values[1], 3e9, 1e-6);
+    CHECK_INT(calls, 0);
+
+    mdr_contact_free(&contact);
+    mdr_medium_free(&medium);
+    mdr_profile_free(&profile);
+    return check_report("names");
+}
