@@ -4,17 +4,14 @@ module mdrcontact_contact
     use mdrcontact_contact_branch, only: branch_t, control_t, depth_control, force_control, new_branch, stretch_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, equilibrium_t, &
-                                              largest_contact_radius
+                                              new_equilibrium
     use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_contact_inversion, only: invert
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
-    use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_medium_homogeneous, only: homogeneous_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_numerics_quadrature, only: merged_breaks
     use mdrcontact_numerics_radius_law, only: radius_law_t
     implicit none (type, external)
     private
@@ -72,44 +69,14 @@ contains
         type(contact_options_t), intent(in), optional :: options
 
         call disable_gsl_abort()
-        if (profile%end_radius() > medium%largest_radius()) then
-            call raise(error, error_domain, "the indenter's flat end, radius "//to_text(profile%end_radius())// &
-                       ", is larger than the largest contact radius of the medium, "//to_text(medium%largest_radius()))
-            return
+        if (present(options)) then
+            call new_equilibrium(self%equilibrium, profile, medium, error, options%zeta)
+        else
+            call new_equilibrium(self%equilibrium, profile, medium, error)
         end if
-        allocate (self%equilibrium%profile, source=profile)
-        allocate (self%equilibrium%medium, source=medium)
-        self%equilibrium%last_radius = largest_contact_radius(profile, medium)
-        if (.not. present(options)) return
-        if (allocated(options%zeta)) call set_zeta(self%equilibrium, options%zeta, error)
-        if (.not. allocated(error)) call set_adhesion(self, options%work_of_adhesion, options%adhesion_rule, error)
+        if (allocated(error) .or. .not. present(options)) return
+        call set_adhesion(self, options%work_of_adhesion, options%adhesion_rule, error)
     end subroutine new_contact
-
-    subroutine set_zeta(equilibrium, zeta, error)
-        type(equilibrium_t), intent(inout) :: equilibrium
-        type(radius_law_t), intent(in) :: zeta
-        type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: radii(:), depths(:)
-        integer :: i
-
-        select type (medium => equilibrium%medium)
-        class is (effective_medium_t)
-            medium%zeta = zeta
-            equilibrium%last_radius = min(equilibrium%last_radius, zeta%largest_radius())
-        class default
-            call raise(error, error_invalid, "zeta is not allowed: this medium determines its depth exactly")
-            return
-        end select
-        radii = pack(zeta%break_radii(), zeta%break_radii() <= equilibrium%profile%largest_radius())
-        depths = zeta%at(radii)*equilibrium%profile%mdr(radii)
-        do i = 2, size(radii)
-            if (depths(i) < depths(i - 1)) then
-                call raise(error, error_invalid, "zeta is not allowed: the depth zeta(a) g(a) decreases between a = "// &
-                           to_text(radii(i - 1))//" and a = "//to_text(radii(i)))
-                return
-            end if
-        end do
-    end subroutine set_zeta
 
     subroutine set_adhesion(self, work_of_adhesion, rule, error)
         type(contact_t), intent(inout) :: self
@@ -142,11 +109,7 @@ contains
         class(contact_t), intent(in) :: self
         logical :: answer
 
-        answer = .false.
-        select type (medium => self%equilibrium%medium)
-        type is (homogeneous_t)
-            answer = .not. (self%is_adhesive() .or. allocated(medium%zeta))
-        end select
+        answer = self%equilibrium%is_formula .and. .not. self%is_adhesive()
     end function is_formula
 
     !> Between which contact radii the contact is defined, and where it is not analytic in between.
@@ -162,12 +125,7 @@ contains
         end_radius = self%equilibrium%profile%end_radius()
         smallest = max(end_radius, self%equilibrium%medium%smallest_radius())
         largest = max(smallest, self%equilibrium%last_radius)
-        breaks = self%equilibrium%profile%break_radii()
-        select type (medium => self%equilibrium%medium)
-        class is (effective_medium_t)
-            breaks = merged_breaks(breaks, medium%modulus_breaks())
-            if (allocated(medium%zeta)) breaks = merged_breaks(breaks, medium%zeta%break_radii())
-        end select
+        breaks = self%equilibrium%breaks()
         breaks = pack(breaks, breaks > smallest .and. breaks < largest)
     end subroutine radius_range
 

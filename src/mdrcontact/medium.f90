@@ -1,8 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The medium: whatever answers "pressed by this profile, what are depth, force, stiffness and line load at contact radius a?".
 !>
-!> Every frictionless contact state at radius a is the state of first touch plus a flat punch of radius a:
-!>     q(x; a) = q_first(x; a) + excess * q_punch(x; a),    excess = d - d_first(a).
+!> Every frictionless contact state at radius a is the non-adhesive state plus a flat punch of radius a:
+!>     q(x; a) = q_nonadhesive(x; a) + excess * q_punch(x; a),    excess = d - d0(a),
+!> q_punch per unit of depth, d0 the depth of the non-adhesive state.
 !> `excess` is 0 without adhesion, negative at an adhesive edge (theory 5) and positive at a vertical wall (flat punch).
 !> Contact, adhesion and fitting are written in these terms and never ask which kind of medium they hold.
 module mdrcontact_medium
@@ -22,7 +23,7 @@ module mdrcontact_medium
         !> dE_eff/da [modulus/length]
         procedure(radius_function), deferred :: modulus_slope
         !> depth [length] and force [modulus length^2] of the non-adhesive contact at radius a
-        procedure(first_touch), deferred :: depth_and_force
+        procedure(nonadhesive_state), deferred :: depth_and_force
         !> q(x; a) [modulus length], 0 <= x <= a
         procedure(field), deferred :: line_load
         !> p(r) [modulus], 0 <= r <= a; infinite at r = a where excess is not 0
@@ -30,13 +31,20 @@ module mdrcontact_medium
         !> displacement of the surface u(r) [length], r > a, positive into the medium
         procedure(field), deferred :: displacement_outside
         !> depth alone [length]; a medium that finds it without the force overrides it
-        procedure :: first_touch_depth
-        !> d'(a) of first touch [1] where the medium knows it without solving anything; negative if it does not
-        procedure :: first_touch_slope => unknown_slope
+        procedure :: nonadhesive_depth
+        !> d0'(a) [1] where the medium knows it without solving anything; negative if it does not
+        procedure :: nonadhesive_slope => unknown_slope
         !> depth, force, modulus and its slope at one radius; a medium that finds them together overrides it
         procedure :: response
-        !> whether the medium meets an adhesive edge exactly, with the energy balance; otherwise the rule is a choice (theory 5)
+        !> whether the medium determines its depth and meets an adhesive edge exactly, with the energy balance; otherwise zeta (9) and
+        !> the rule are choices (theory 4 and 5)
         procedure :: edge_is_exact => no
+        !> whether a state is a formula, so that it costs less than to wake a thread for it
+        procedure :: is_cheap => no
+        !> whether E_eff(a) is a formula; elsewhere each value is the solution of a system
+        procedure :: has_modulus_formula => no
+        !> radii where E_eff is not analytic, ascending [length]
+        procedure :: breaks => no_breaks
         !> the largest contact radius at which the medium is defined [length]; huge() where there is no end
         procedure :: largest_radius => unlimited
         !> the smallest one; 0 where there is no end
@@ -54,7 +62,7 @@ module mdrcontact_medium
             type(error_t), allocatable, intent(out) :: error
         end subroutine radius_function
 
-        subroutine first_touch(self, profile, a, depth, force, error)
+        subroutine nonadhesive_state(self, profile, a, depth, force, error)
             import :: error_t, medium_t, profile_t, wp
             class(medium_t), intent(in) :: self
             class(profile_t), intent(in) :: profile
@@ -63,13 +71,13 @@ module mdrcontact_medium
             !> d [length] and F [modulus length^2]
             real(wp), intent(out) :: depth, force
             type(error_t), allocatable, intent(out) :: error
-        end subroutine first_touch
+        end subroutine nonadhesive_state
 
         subroutine field(self, profile, a, excess, r, values, error)
             import :: error_t, medium_t, profile_t, wp
             class(medium_t), intent(in) :: self
             class(profile_t), intent(in) :: profile
-            !> contact radius [length] and depth beyond that of first touch [length]
+            !> contact radius [length] and depth beyond that of the non-adhesive state [length]
             real(wp), intent(in) :: a, excess
             !> positions [length]
             real(wp), intent(in) :: r(:)
@@ -81,7 +89,7 @@ module mdrcontact_medium
 
 contains
 
-    subroutine first_touch_depth(self, profile, a, value, error)
+    subroutine nonadhesive_depth(self, profile, a, value, error)
         class(medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> contact radius [length]
@@ -92,7 +100,7 @@ contains
         real(wp) :: force
 
         call self%depth_and_force(profile, a, value, force, error)
-    end subroutine first_touch_depth
+    end subroutine nonadhesive_depth
 
     subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
         class(medium_t), intent(in) :: self
@@ -134,6 +142,15 @@ contains
         end associate
         answer = .false.
     end function no
+
+    pure function no_breaks(self) result(radii)
+        class(medium_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        associate (unused => self)
+        end associate
+        allocate (radii(0))
+    end function no_breaks
 
     pure function unlimited(self) result(radius)
         class(medium_t), intent(in) :: self

@@ -36,7 +36,7 @@ module mdrcontact_profile
         procedure :: end_radius => zero
         !> radii at which f is not analytic, ascending, in (0, largest_radius()); quadrature is split there
         procedure :: break_radii => none
-        !> the inverse of g where a closed form exists, the contact radius at depth d = g(a) [length]; negative if none
+        !> where a search for the contact radius at a depth begins: the inverse of g if it has a closed form [length]; negative if not
         procedure :: radius_from_mdr => no_inverse
     end type profile_t
 

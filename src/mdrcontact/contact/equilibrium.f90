@@ -1,17 +1,21 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The equilibrium of an indenter on a medium at a given contact radius, with or without adhesion (theory 2, 4 and 5).
 !>
-!> With adhesion the edge springs hang by dl(a): d = d0(a) - dl(a), F = F0(a) - k(a) dl(a), d0 and F0 without it.
+!> With adhesion the edge springs are drawn by dl(a): d = d0(a) - dl(a), F = F0(a) - k(a) dl(a), d0 and F0 those of the non-adhesive
+!> state. With a zeta(a) the depth is zeta(a) g(a), equation (9).
 module mdrcontact_contact_equilibrium
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_contact_scaled_profile, only: new_scaled_profile, scaled_profile_t
+    use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_numerics_quadrature, only: merged_breaks
+    use mdrcontact_numerics_radius_law, only: radius_law_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: equilibrium_t, largest_contact_radius
+    public :: equilibrium_t, new_equilibrium
     public :: adhesion_automatic, adhesion_paper, adhesion_energy
 
     !> dl by the source's rule (28), sqrt(2 pi a gamma/E_eff), or by the balance of energy, sqrt(4 pi a gamma/k'(a)).
@@ -23,6 +27,7 @@ module mdrcontact_contact_equilibrium
 
     !> What determines a state once the contact radius is known.
     type :: equilibrium_t
+        !> with zeta g for g where a zeta is given
         class(profile_t), allocatable :: profile
         class(medium_t), allocatable :: medium
         !> gamma >= 0 [modulus length]
@@ -31,13 +36,81 @@ module mdrcontact_contact_equilibrium
         integer :: rule = adhesion_automatic
         !> the largest contact radius at which all parts are defined [length]
         real(wp) :: last_radius = 0.0_wp
+        !> whether a state is a formula and costs less than to wake a thread for it
+        logical :: is_formula = .false.
     contains
         procedure :: at
+        procedure :: breaks
         procedure :: radius_of
         procedure :: coordinate_of
     end type equilibrium_t
 
 contains
+
+    !> The equilibrium without adhesion.
+    subroutine new_equilibrium(self, profile, medium, error, zeta)
+        type(equilibrium_t), intent(out) :: self
+        !> copied
+        class(profile_t), intent(in) :: profile
+        !> copied
+        class(medium_t), intent(in) :: medium
+        type(error_t), allocatable, intent(out) :: error
+        !> zeta(a) of (9); without it, or not allocated: 1
+        type(radius_law_t), allocatable, intent(in), optional :: zeta
+        type(scaled_profile_t) :: scaled
+
+        if (profile%end_radius() > medium%largest_radius()) then
+            call raise(error, error_domain, "the indenter's flat end, radius "//to_text(profile%end_radius())// &
+                       ", is larger than the largest contact radius of the medium, "//to_text(medium%largest_radius()))
+            return
+        end if
+        allocate (self%medium, source=medium)
+        self%last_radius = largest_contact_radius(profile, medium)
+        self%is_formula = medium%is_cheap()
+        if (present(zeta)) then
+            if (allocated(zeta)) then
+                call check_zeta(profile, medium, zeta, error)
+                if (allocated(error)) return
+                call new_scaled_profile(scaled, profile, zeta)
+                allocate (self%profile, source=scaled)
+                self%last_radius = min(self%last_radius, zeta%largest_radius())
+                self%is_formula = .false.
+                return
+            end if
+        end if
+        allocate (self%profile, source=profile)
+    end subroutine new_equilibrium
+
+    subroutine check_zeta(profile, medium, zeta, error)
+        class(profile_t), intent(in) :: profile
+        class(medium_t), intent(in) :: medium
+        type(radius_law_t), intent(in) :: zeta
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: radii(:), depths(:)
+        integer :: i
+
+        if (medium%edge_is_exact()) then
+            call raise(error, error_invalid, "zeta is not allowed: this medium determines its depth exactly")
+            return
+        end if
+        radii = pack(zeta%break_radii(), zeta%break_radii() <= profile%largest_radius())
+        depths = zeta%at(radii)*profile%mdr(radii)
+        do i = 2, size(radii)
+            if (depths(i) < depths(i - 1)) then
+                call raise(error, error_invalid, "zeta is not allowed: the depth zeta(a) g(a) decreases between a = "// &
+                           to_text(radii(i - 1))//" and a = "//to_text(radii(i)))
+                return
+            end if
+        end do
+    end subroutine check_zeta
+
+    !> Radii where indenter, zeta or medium are not analytic, ascending [length].
+    pure function breaks(self) result(radii)
+        class(equilibrium_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        radii = merged_breaks(self%profile%break_radii(), self%medium%breaks())
+    end function breaks
 
     !> The state at a radius that the caller has checked; at a vertical wall that of the lowest depth.
     subroutine at(self, radius, state, error)
@@ -52,7 +125,7 @@ contains
         call self%medium%response(self%profile, radius, state%depth, state%force, modulus, modulus_slope, error)
         if (allocated(error)) return
         state%stiffness = 2.0_wp*radius*modulus
-        if (self%work_of_adhesion > 0.0_wp) call hang(self, radius, modulus, modulus_slope, state, error)
+        if (self%work_of_adhesion > 0.0_wp) call add_adhesion(self, radius, modulus, modulus_slope, state, error)
         if (allocated(error)) return
         if (.not. (ieee_is_finite(state%depth) .and. ieee_is_finite(state%force) .and. ieee_is_finite(state%stiffness))) then
             call raise(error, error_no_convergence, "the state at radius = "//to_text(radius)// &
@@ -60,8 +133,8 @@ contains
         end if
     end subroutine at
 
-    !> Lets the edge hang by dl(a), equation (28) or its energy-consistent form.
-    pure subroutine hang(self, radius, modulus, modulus_slope, state, error)
+    !> Draws the edge by dl(a), equation (28) or its energy-consistent form.
+    pure subroutine add_adhesion(self, radius, modulus, modulus_slope, state, error)
         class(equilibrium_t), intent(in) :: self
         real(wp), intent(in) :: radius, modulus, modulus_slope
         type(contact_state_t), intent(inout) :: state
@@ -80,7 +153,7 @@ contains
         state%excess = -sqrt(2.0_wp*pi*radius*self%work_of_adhesion/edge_modulus)
         state%depth = state%depth + state%excess
         state%force = state%force + state%stiffness*state%excess
-    end subroutine hang
+    end subroutine add_adhesion
 
     !> The radius at coordinate x = ln(a - end radius), in which every shape's laws are close to straight lines.
     pure function radius_of(self, x) result(radius)

@@ -165,7 +165,7 @@ contains
 
         y = 0.0_wp
         radius = self%equilibrium%radius_of(x)
-        depth_slope = self%equilibrium%medium%first_touch_slope(self%equilibrium%profile, radius)
+        depth_slope = self%equilibrium%medium%nonadhesive_slope(self%equilibrium%profile, radius)
         modulus = 0.0_wp
         force = 0.0_wp
         ! Where the depth is a formula the force, an integral, is not asked for in vain.
@@ -174,7 +174,7 @@ contains
             call self%equilibrium%medium%response(self%equilibrium%profile, radius, depth, force, modulus, modulus_slope, &
                                                   self%error)
         else
-            call self%equilibrium%medium%first_touch_depth(self%equilibrium%profile, radius, depth, self%error)
+            call self%equilibrium%medium%nonadhesive_depth(self%equilibrium%profile, radius, depth, self%error)
         end if
         if (allocated(self%error)) return
         if (self%has_state) then

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The forward model: what the instrument reads where the problem's numbers are the given ones.
 module mdrcontact_fit_predict
-    use mdrcontact_contact_equilibrium, only: equilibrium_t, largest_contact_radius
+    use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_fit_body, only: indenter_count, make_body, medium_count
@@ -151,16 +151,9 @@ contains
         type(equilibrium_t), intent(out) :: equilibrium
         type(error_t), allocatable, intent(out) :: error
 
-        if (profile%end_radius() > medium%largest_radius()) then
-            call raise(error, error_domain, "the indenter's flat end, radius "//to_text(profile%end_radius())// &
-                       ", is larger than the largest contact radius of the medium")
-            return
-        end if
-        allocate (equilibrium%profile, source=profile)
-        allocate (equilibrium%medium, source=medium)
+        call new_equilibrium(equilibrium, profile, medium, error)
         equilibrium%work_of_adhesion = instrument(at_work_of_adhesion)
         equilibrium%rule = problem%adhesion_rule
-        equilibrium%last_radius = largest_contact_radius(profile, medium)
     end subroutine make_equilibrium
 
     !> Oliver and Pharr's contact radius of each point: that of the tip at height h - epsilon P/S, S freed of the frame.
@@ -239,7 +232,7 @@ contains
             return
         end if
         allocate (modulus(size(a)))
-        if (size(a) < worth_sampling .or. .not. medium%edge_is_exact()) then
+        if (size(a) < worth_sampling .or. medium%has_modulus_formula()) then
             call medium%modulus(a, modulus, error)
         else
             f%medium => medium

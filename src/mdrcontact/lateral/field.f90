@@ -42,9 +42,19 @@ module mdrcontact_lateral_field
         real(wp) :: tolerance = default_tolerance
     contains
         procedure :: means
+        procedure :: calls_user => yes
     end type field_structure_t
 
 contains
+
+    pure function yes(self) result(answer)
+        class(field_structure_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .true.
+    end function yes
 
     !> A structure of the given field.
     subroutine new_field_structure(self, field, reference_nu, error, tolerance)

@@ -16,6 +16,8 @@ module mdrcontact_lateral_structure
         procedure(weighted_means), deferred :: means
         procedure :: modulus
         procedure :: modulus_at
+        !> whether it calls a user's function, which stays on the calling thread
+        procedure :: calls_user => no
     end type structure_t
 
     abstract interface
@@ -32,6 +34,15 @@ module mdrcontact_lateral_structure
     end interface
 
 contains
+
+    pure function no(self) result(answer)
+        class(structure_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .false.
+    end function no
 
     !> E_eff(a, x, y) = 2 G_eff/(1 - nu_eff), equation (33) [modulus], at one place and one radius.
     subroutine modulus_at(self, x, y, a, value, error)

@@ -5,7 +5,6 @@ module mdrcontact_lateral_values
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_density, only: lateral_density
-    use mdrcontact_lateral_field, only: field_structure_t
     use mdrcontact_lateral_structure, only: structure_t
     implicit none (type, external)
     private
@@ -44,10 +43,7 @@ contains
         integer :: team
 
         team = threads
-        select type (structure)
-        class is (field_structure_t)
-            team = 1
-        end select
+        if (structure%calls_user()) team = 1
         batch%structure => structure
         batch%x => x
         batch%y => y

@@ -18,7 +18,7 @@ module mdrcontact_medium_doerner_nix
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: modulus_breaks
+        procedure :: breaks
     end type doerner_nix_t
 
 contains
@@ -62,13 +62,13 @@ contains
     end function effective_modulus_slope
 
     !> At a large contrast the exponential switches from one body to the other within a small range of radii.
-    pure function modulus_breaks(self) result(radii)
+    pure function breaks(self) result(radii)
         class(doerner_nix_t), intent(in) :: self
         real(wp), allocatable :: radii(:)
         real(wp), allocatable :: y(:)
 
         allocate (y, source=transition_exponents(self%coating%contact()/self%substrate%contact()))
         radii = self%alpha*self%thickness/y(size(y):1:-1)
-    end function modulus_breaks
+    end function breaks
 
 end module mdrcontact_medium_doerner_nix

@@ -9,26 +9,22 @@ module mdrcontact_medium_effective
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
-    use mdrcontact_numerics_radius_law, only: radius_law_t
     implicit none (type, external)
     private
-    public :: effective_medium_t, depth_and_force
+    public :: effective_medium_t
 
     !> A medium with an effective contact modulus. Extensions provide E_eff(a) and its slope as elemental functions.
     type, abstract, extends(medium_t) :: effective_medium_t
-        !> zeta(a) of (9), d = zeta(a) g(a); the source's zeta = 1 where it is not given
-        type(radius_law_t), allocatable :: zeta
     contains
         !> E_eff(a) [modulus], a > 0
         procedure(modulus_function), deferred :: effective_modulus
         !> dE_eff/da [modulus/length], a > 0
         procedure(modulus_function), deferred :: effective_modulus_slope
-        !> radii where E_eff is not analytic, ascending [length]
-        procedure :: modulus_breaks => no_breaks
         procedure :: modulus
         procedure :: modulus_slope
-        procedure :: first_touch_depth
-        procedure :: first_touch_slope
+        procedure :: nonadhesive_depth
+        procedure :: nonadhesive_slope
+        procedure :: has_modulus_formula
         procedure :: depth_and_force
         procedure :: response
         procedure :: line_load
@@ -69,77 +65,48 @@ contains
         values = self%effective_modulus_slope(a)
     end subroutine modulus_slope
 
-    !> d = zeta(a) g(a), equation (9).
-    elemental function depth_at(self, profile, a) result(depth)
-        class(effective_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a
-        real(wp) :: depth
-
-        depth = profile%mdr(a)
-        if (allocated(self%zeta)) depth = depth*self%zeta%at(a)
-    end function depth_at
-
-    elemental function depth_slope(self, profile, a) result(slope)
-        class(effective_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a
-        real(wp) :: slope
-
-        slope = profile%mdr_slope(a)
-        if (allocated(self%zeta)) slope = self%zeta%at(a)*slope + self%zeta%slope_at(a)*profile%mdr(a)
-    end function depth_slope
-
-    !> int_0^a s d'(s) ds up to a radius below which zeta is constant.
-    pure function first_moment(self, profile, a) result(moment)
-        class(effective_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a
-        real(wp) :: moment
-
-        moment = profile%mdr_moment(a)
-        if (allocated(self%zeta)) moment = moment*self%zeta%at(a)
-    end function first_moment
-
-    !> Where profile, modulus or zeta are not analytic.
+    !> Where profile or modulus are not analytic.
     pure function all_breaks(self, profile) result(radii)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), allocatable :: radii(:)
 
-        radii = merged_breaks(profile%break_radii(), self%modulus_breaks())
-        if (allocated(self%zeta)) radii = merged_breaks(radii, self%zeta%break_radii())
+        radii = merged_breaks(profile%break_radii(), self%breaks())
     end function all_breaks
 
-    pure function no_breaks(self) result(radii)
+    pure function has_modulus_formula(self) result(answer)
         class(effective_medium_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        logical :: answer
 
         associate (unused => self)
         end associate
-        allocate (radii(0))
-    end function no_breaks
+        answer = .true.
+    end function has_modulus_formula
 
-    subroutine first_touch_depth(self, profile, a, value, error)
+    subroutine nonadhesive_depth(self, profile, a, value, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         real(wp), intent(out) :: value
         type(error_t), allocatable, intent(out) :: error
 
-        value = depth_at(self, profile, a)
-    end subroutine first_touch_depth
+        associate (unused => self)
+        end associate
+        value = profile%mdr(a)
+    end subroutine nonadhesive_depth
 
-    pure function first_touch_slope(self, profile, a) result(slope)
+    pure function nonadhesive_slope(self, profile, a) result(slope)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         real(wp) :: slope
 
-        slope = depth_slope(self, profile, a)
-    end function first_touch_slope
+        associate (unused => self)
+        end associate
+        slope = profile%mdr_slope(a)
+    end function nonadhesive_slope
 
-    !> d = zeta(a) g(a), F = int_0^a 2 s E_eff(s) d'(s) ds. Below the lowest panel E_eff is constant to rounding.
+    !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to rounding.
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -149,13 +116,13 @@ contains
         real(wp), allocatable :: s(:), ds(:)
         real(wp) :: lowest
 
-        depth = depth_at(self, profile, a)
+        depth = profile%mdr(a)
         force = 0.0_wp
         lowest = max(profile%end_radius(), negligible_part(self, profile, a)*a)
         if (a <= lowest) return
         call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds)
-        force = 2.0_wp*(self%effective_modulus(lowest)*first_moment(self, profile, lowest) &
-                        + sum(s*self%effective_modulus(s)*depth_slope(self, profile, s)*ds))
+        force = 2.0_wp*(self%effective_modulus(lowest)*profile%mdr_moment(lowest) &
+                        + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
     end subroutine depth_and_force
 
     subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
@@ -179,13 +146,13 @@ contains
         real(wp) :: part
         real(wp) :: whole, at_axis, at_part, at_edge
 
-        whole = first_moment(self, profile, a)
+        whole = profile%mdr_moment(a)
         at_axis = self%effective_modulus(smallest_panel_ratio*a)
         at_edge = self%effective_modulus(a)
         part = largest_part
         do while (part > smallest_panel_ratio)
             at_part = self%effective_modulus(part*a)
-            if (first_moment(self, profile, part*a)*max(at_part, at_axis) &
+            if (profile%mdr_moment(part*a)*max(at_part, at_axis) &
                 <= negligible*whole*min(at_part, at_axis, at_edge)) return
             part = 0.25_wp*part
         end do
@@ -210,8 +177,8 @@ contains
             if (a <= lowest) cycle
             call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds)
             values(i) = values(i) + self%effective_modulus(lowest) &
-                        *(depth_at(self, profile, lowest) - depth_at(self, profile, min(r(i), lowest))) &
-                        + sum(self%effective_modulus(s)*depth_slope(self, profile, s)*ds)
+                        *(profile%mdr(lowest) - profile%mdr(min(r(i), lowest))) &
+                        + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds)
         end do
     end subroutine line_load
 
@@ -239,9 +206,9 @@ contains
             else if (a > lowest) then
                 call graded_rule(lowest, a, merged_breaks([lowest], all_breaks(self, profile)), profile%singular_radius(), &
                                  s, ds, beyond)
-                values(i) = values(i) + sum(self%effective_modulus(s)*depth_slope(self, profile, s)*ds &
+                values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds &
                                             /sqrt((beyond + (lowest - r(i)))*(s + r(i))))
-                if (from_axis) values(i) = values(i) + self%effective_modulus(lowest)*near_axis(self, profile, lowest)
+                if (from_axis) values(i) = values(i) + self%effective_modulus(lowest)*near_axis(profile, lowest)
             end if
             values(i) = values(i)/pi
         end do
@@ -265,26 +232,25 @@ contains
             values(i) = excess*asin(a/r(i))
             if (a > lowest) then
                 call graded_rule(lowest, a, all_breaks(self, profile), min(profile%singular_radius(), r(i)), s, ds)
-                values(i) = values(i) + first_moment(self, profile, lowest)/r(i) &
-                            + sum(depth_slope(self, profile, s)*asin(s/r(i))*ds)
+                values(i) = values(i) + profile%mdr_moment(lowest)/r(i) &
+                            + sum(profile%mdr_slope(s)*asin(s/r(i))*ds)
             end if
             values(i) = values(i)*(2.0_wp/pi)
         end do
     end subroutine displacement_outside
 
     !> int_0^x d'(s)/s ds where d' is a power of s: infinite pressure at the apex of a cone and of anything sharper.
-    pure function near_axis(self, profile, x) result(integral)
-        class(effective_medium_t), intent(in) :: self
+    pure function near_axis(profile, x) result(integral)
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: x
         real(wp) :: integral
         real(wp) :: exponent
 
         integral = 0.0_wp
-        if (depth_slope(self, profile, x) <= 0.0_wp) return
-        exponent = log(depth_slope(self, profile, x)/depth_slope(self, profile, 0.5_wp*x))/log(2.0_wp)
+        if (profile%mdr_slope(x) <= 0.0_wp) return
+        exponent = log(profile%mdr_slope(x)/profile%mdr_slope(0.5_wp*x))/log(2.0_wp)
         if (exponent > 1.0e-6_wp) then
-            integral = depth_slope(self, profile, x)/exponent
+            integral = profile%mdr_slope(x)/exponent
         else
             integral = ieee_value(integral, ieee_positive_inf)
         end if

@@ -4,7 +4,7 @@ module mdrcontact_medium_homogeneous
     use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium_effective, only: effective_medium_t, integrated => depth_and_force
+    use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -19,6 +19,7 @@ module mdrcontact_medium_homogeneous
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: depth_and_force
+        procedure :: is_cheap
     end type homogeneous_t
 
 contains
@@ -63,7 +64,7 @@ contains
         value = 0.0_wp
     end function effective_modulus_slope
 
-    !> d = g(a), F = 2 E* int_0^a s g'(s) ds, equations (3) and (5); by quadrature where a zeta(a) is given.
+    !> d = g(a), F = 2 E* int_0^a s g'(s) ds, equations (3) and (5).
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(homogeneous_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -71,12 +72,17 @@ contains
         real(wp), intent(out) :: depth, force
         type(error_t), allocatable, intent(out) :: error
 
-        if (allocated(self%zeta)) then
-            call integrated(self, profile, a, depth, force, error)
-            return
-        end if
         depth = profile%mdr(a)
         force = 2.0_wp*self%contact_modulus*profile%mdr_moment(a)
     end subroutine depth_and_force
+
+    pure function is_cheap(self) result(answer)
+        class(homogeneous_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .true.
+    end function is_cheap
 
 end module mdrcontact_medium_homogeneous

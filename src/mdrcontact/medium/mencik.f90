@@ -19,7 +19,7 @@ module mdrcontact_medium_mencik
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: modulus_breaks
+        procedure :: breaks
     end type mencik_t
 
 contains
@@ -73,13 +73,13 @@ contains
     end function effective_modulus_slope
 
     !> At a large contrast the exponential switches from one body to the other within a small range of radii.
-    pure function modulus_breaks(self) result(radii)
+    pure function breaks(self) result(radii)
         class(mencik_t), intent(in) :: self
         real(wp), allocatable :: radii(:)
         real(wp), allocatable :: y(:)
 
         allocate (y, source=transition_exponents(self%coating%contact()/self%substrate%contact()))
         radii = y*self%thickness/self%alpha
-    end function modulus_breaks
+    end function breaks
 
 end module mdrcontact_medium_mencik

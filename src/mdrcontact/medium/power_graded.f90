@@ -32,6 +32,7 @@ module mdrcontact_medium_power_graded
         procedure :: pressure
         procedure :: displacement_outside
         procedure :: edge_is_exact
+        procedure :: has_modulus_formula => edge_is_exact
     end type power_graded_t
 
     !> g(x) of one indenter in this medium.

@@ -20,7 +20,7 @@ module mdrcontact_medium_tabulated
         procedure :: effective_modulus_slope
         procedure :: smallest_radius
         procedure :: largest_radius
-        procedure :: modulus_breaks
+        procedure :: breaks
     end type tabulated_medium_t
 
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
@@ -82,11 +82,11 @@ contains
         radius = self%law%largest_radius()
     end function largest_radius
 
-    pure function modulus_breaks(self) result(radii)
+    pure function breaks(self) result(radii)
         class(tabulated_medium_t), intent(in) :: self
         real(wp), allocatable :: radii(:)
 
         radii = self%law%break_radii()
-    end function modulus_breaks
+    end function breaks
 
 end module mdrcontact_medium_tabulated

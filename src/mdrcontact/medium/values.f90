@@ -5,8 +5,6 @@ module mdrcontact_medium_values
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
-    use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_medium_power_graded, only: power_graded_t
     implicit none (type, external)
     private
     public :: modulus_values
@@ -39,14 +37,11 @@ contains
         batch%medium => medium
         batch%a => a
         batch%values => values
-        select type (medium)
-        class is (effective_medium_t)
+        if (medium%has_modulus_formula()) then
             call run_batch(batch, size(a), formula_block, formula_smallest, threads, error)
-        class is (power_graded_t)
-            call run_batch(batch, size(a), formula_block, formula_smallest, threads, error)
-        class default
+        else
             call run_batch(batch, size(a), 1, 2, threads, error)
-        end select
+        end if
     end subroutine modulus_values
 
     subroutine work(self, first, last, error)

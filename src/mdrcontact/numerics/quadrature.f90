@@ -14,7 +14,7 @@ module mdrcontact_numerics_quadrature
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: gauss_legendre, graded_rule, merged_breaks, smallest_panel_ratio
+    public :: gauss_legendre, graded_rule, graded_edges, merged_breaks, smallest_panel_ratio
 
     !> Nodes in a panel: a panel's nearest singularity lies at least a third of its length away, where 20 nodes give 1e-16.
     integer, parameter :: nodes_per_panel = 20
@@ -118,6 +118,7 @@ contains
         number = size(list)
     end function count_upto
 
+    !> The edges of the panels of graded_rule.
     pure subroutine graded_edges(lower, upper, breaks, singular_end, edges)
         real(wp), intent(in) :: lower, upper, breaks(:), singular_end
         real(wp), allocatable, intent(out) :: edges(:)

@@ -1,0 +1,185 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> An indenter whose depth is corrected, d = zeta(a) g(a), equation (9): zeta g stands for g in all that follows from it.
+module mdrcontact_contact_scaled_profile
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_edges, merged_breaks
+    use mdrcontact_numerics_radius_law, only: radius_law_t
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: scaled_profile_t, new_scaled_profile
+
+    integer, parameter :: nodes = 20
+
+    !> f(r) stays as it is.
+    type, extends(profile_t) :: scaled_profile_t
+        private
+        class(profile_t), allocatable :: profile
+        type(radius_law_t) :: zeta
+        !> the smallest radius of zeta and all breaks above it, and int_0^x s d'(s) ds there
+        real(wp), allocatable :: radii(:), moments(:)
+        !> Gauss-Legendre nodes and weights on [0, 1]
+        real(wp) :: t(nodes) = 0.0_wp, w(nodes) = 0.0_wp
+    contains
+        procedure :: height
+        procedure :: slope
+        procedure :: mdr
+        procedure :: mdr_slope
+        procedure :: mdr_moment
+        procedure :: largest_radius
+        procedure :: singular_radius
+        procedure :: has_wall
+        procedure :: end_radius
+        procedure :: break_radii
+        procedure :: radius_from_mdr
+    end type scaled_profile_t
+
+contains
+
+    subroutine new_scaled_profile(self, profile, zeta)
+        type(scaled_profile_t), intent(out) :: self
+        class(profile_t), intent(in) :: profile
+        type(radius_law_t), intent(in) :: zeta
+        real(wp), allocatable :: breaks(:)
+        integer :: i
+
+        allocate (self%profile, source=profile)
+        self%zeta = zeta
+        call gauss_legendre(self%t, self%w)
+        allocate (breaks, source=self%break_radii())
+        self%radii = [zeta%smallest_radius(), pack(breaks, breaks > zeta%smallest_radius())]
+        self%radii = pack(self%radii, self%radii <= profile%largest_radius())
+        allocate (self%moments(size(self%radii)))
+        do i = 1, size(self%radii)
+            if (i == 1) then
+                self%moments(1) = scaled_moment(self, self%radii(1))
+            else
+                self%moments(i) = self%moments(i - 1) + moment_between(self, self%radii(i - 1), self%radii(i))
+            end if
+        end do
+    end subroutine new_scaled_profile
+
+    elemental function height(self, x) result(y)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%profile%height(x)
+    end function height
+
+    elemental function slope(self, x) result(y)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%profile%slope(x)
+    end function slope
+
+    elemental function mdr(self, x) result(y)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%zeta%at(x)*self%profile%mdr(x)
+    end function mdr
+
+    elemental function mdr_slope(self, x) result(y)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%zeta%at(x)*self%profile%mdr_slope(x) + self%zeta%slope_at(x)*self%profile%mdr(x)
+    end function mdr_slope
+
+    elemental function mdr_moment(self, x) result(y)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        integer :: i
+
+        i = count(self%radii <= x)
+        if (i == 0) then
+            y = scaled_moment(self, x)
+        else
+            y = self%moments(i) + moment_between(self, self%radii(i), x)
+        end if
+    end function mdr_moment
+
+    !> The moment up to a radius below which zeta is constant.
+    pure function scaled_moment(self, x) result(moment)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: moment
+
+        moment = self%zeta%at(x)*self%profile%mdr_moment(x)
+    end function scaled_moment
+
+    !> int s d'(s) ds between two radii, the lower one a break, without breaks between them.
+    pure function moment_between(self, lower, upper) result(moment)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp), intent(in) :: lower, upper
+        real(wp) :: moment
+        real(wp), allocatable :: edges(:)
+        real(wp) :: s(nodes), ds(nodes), length
+        integer :: i
+
+        moment = 0.0_wp
+        if (.not. upper > lower) return
+        call graded_edges(lower, upper, [lower], self%profile%singular_radius(), edges)
+        do i = 1, size(edges) - 1
+            length = edges(i + 1) - edges(i)
+            if (i == 1) then
+                s = lower + length*self%t**2
+                ds = 2.0_wp*length*self%t*self%w
+            else
+                s = edges(i) + length*self%t
+                ds = length*self%w
+            end if
+            moment = moment + sum(s*self%mdr_slope(s)*ds)
+        end do
+    end function moment_between
+
+    pure function largest_radius(self) result(radius)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%profile%largest_radius()
+    end function largest_radius
+
+    pure function singular_radius(self) result(radius)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%profile%singular_radius()
+    end function singular_radius
+
+    pure function has_wall(self) result(answer)
+        class(scaled_profile_t), intent(in) :: self
+        logical :: answer
+
+        answer = self%profile%has_wall()
+    end function has_wall
+
+    pure function end_radius(self) result(radius)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%profile%end_radius()
+    end function end_radius
+
+    pure function break_radii(self) result(radii)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        radii = merged_breaks(self%profile%break_radii(), self%zeta%break_radii())
+    end function break_radii
+
+    pure function radius_from_mdr(self, depth) result(radius)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp), intent(in) :: depth
+        real(wp) :: radius
+
+        radius = self%profile%radius_from_mdr(depth)
+    end function radius_from_mdr
+
+end module mdrcontact_contact_scaled_profile
