@@ -304,7 +304,7 @@ int mdr_medium_graded(int n, const double z[], const double E[], const double nu
                       const mdr_medium_options *options, mdr_medium **out);
 
 /** Graded half-space from smooth functions, equation (16).
- *  @param E        Young's modulus E(z) > 0 on [0, depth] [modulus]
+ *  @param E        Young's modulus E(z) > 0 on 0 < z <= depth [modulus]
  *  @param nu       Poisson's ratio nu(z), -1 < nu <= 1/2 [1]
  *  @param context  passed on to both, may be NULL
  *  @param depth    > 0, below which the body is homogeneous [length]

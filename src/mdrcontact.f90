@@ -5,6 +5,9 @@
 !> set does. Angles are in radian. Equation numbers are those of the source; `theory 5` is section 5 of docs/theory.md, which
 !> states the equations.
 module mdrcontact
+    use mdrcontact_body, only: body_t
+    use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
+    use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_contact_branch, only: control_t, depth_control, force_control
     use mdrcontact_contact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
                                                coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
@@ -41,7 +44,7 @@ module mdrcontact
     use mdrcontact_law, only: contact_law_t, law_options_t, law_point_t, new_contact_law
     use mdrcontact_law_values, only: law_points_from_depth, law_points_from_force
     use mdrcontact_law_file, only: load_law, save_law
-    use mdrcontact_layered_exact, only: layered_exact_t, new_graded_exact, new_graded_exact_from_functions, new_layered_exact
+    use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material
@@ -52,7 +55,7 @@ module mdrcontact
     use mdrcontact_medium_bec, only: bec_t, new_bec
     use mdrcontact_medium_bottom_effect, only: bottom_effect_t, dimitriadis_series, garcia_series, new_bottom_effect
     use mdrcontact_medium_doerner_nix, only: doerner_nix_t, new_doerner_nix
-    use mdrcontact_medium_graded, only: graded_t, new_graded, new_graded_from_functions
+    use mdrcontact_medium_graded, only: graded_t, new_graded
     use mdrcontact_medium_hay_crawford, only: hay_crawford_t, new_hay_crawford
     use mdrcontact_medium_mencik, only: mencik_t, new_mencik
     use mdrcontact_medium_perriot_barthel, only: new_perriot_barthel, perriot_barthel_t

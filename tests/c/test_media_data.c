@@ -74,7 +74,7 @@ static int fails_at_the_surface(double z, double *y, void *context)
 {
     (void)context;
     *y = 0.3;
-    return z > 0 ? 0 : 9;
+    return z > 1e-12 ? 0 : 9;
 }
 
 static void callbacks_refuse(void)
@@ -90,7 +90,7 @@ static void callbacks_refuse(void)
     CHECK_STATUS(mdr_medium_graded_callback(fails, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
                  "the function E reported failure 7 at x = ");
     CHECK_STATUS(mdr_medium_graded_callback(constant, fails_at_the_surface, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
-                 "the function nu reported failure 9 at x = 0");
+                 "the function nu reported failure 9 at x = ");
     CHECK_STATUS(mdr_medium_graded_callback(constant, gives_nan, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
                  "the function nu gave NaN at x = ");
     CHECK_STATUS(mdr_medium_graded_callback(constant, constant, &negative, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "E at ");

@@ -9,11 +9,12 @@ module mdrcontact_api_layered
     use mdrcontact_api_medium_options, only: gao_options, medium_options_t, model_exact, model_gao, &
                                              model_gao_series, options_or_defaults, raise_model
     use mdrcontact_api_status, only: check_memory
+    use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
-    use mdrcontact_layered_exact, only: layered_exact_t, new_graded_exact, new_graded_exact_from_functions
+    use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium_gao, only: gao_t, new_gao_layered
-    use mdrcontact_medium_graded, only: graded_t, new_graded, new_graded_from_functions
+    use mdrcontact_medium_graded, only: graded_t, new_graded
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     implicit none (type, external)
     private
@@ -60,9 +61,7 @@ contains
         type(medium_options_t), intent(in), optional :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(graded_t) :: medium
-        type(layered_exact_t) :: exact
-        type(medium_options_t) :: chosen
+        type(graded_body_t) :: body
         type(error_t), allocatable :: error
 
         call check_count(error, n)
@@ -70,15 +69,8 @@ contains
         call check_array(error, "z", n, present(z))
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))
-        if (model == model_exact) then
-            chosen = options_or_defaults(options)
-            if (.not. allocated(error)) call new_graded_exact(exact, z(:n), e(:n), nu(:n), error, chosen%tolerance)
-            status = deliver_medium(exact, out, error)
-            return
-        end if
-        call check_model(error, model, "MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT")
-        if (.not. allocated(error)) call new_graded(medium, z(:n), e(:n), nu(:n), error, gao_options(model, options))
-        status = deliver_medium(medium, out, error)
+        if (.not. allocated(error)) call new_graded_body(body, z(:n), e(:n), nu(:n), error)
+        status = deliver_graded(body, model, options, out, error)
     end function mdr_medium_graded
 
     function mdr_medium_graded_callback(e, nu, context, depth, model, options, out) result(status) bind(C)
@@ -90,27 +82,36 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(c_function_t) :: young, poisson
-        type(graded_t) :: medium
-        type(layered_exact_t) :: exact
-        type(medium_options_t) :: chosen
+        type(graded_body_t) :: body
         type(error_t), allocatable :: error
 
         call new_c_function(young, "E", e, context, error)
         call new_c_function(poisson, "nu", nu, context, error)
+        if (.not. allocated(error)) call new_graded_body_from_functions(body, young, poisson, depth, error)
+        status = deliver_graded(body, model, options, out, error)
+    end function mdr_medium_graded_callback
+
+    function deliver_graded(body, model, options, out, error) result(status)
+        type(graded_body_t), intent(in) :: body
+        integer(c_int), intent(in) :: model
+        type(medium_options_t), intent(in), optional :: options
+        type(c_ptr), intent(inout), optional :: out
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int) :: status
+        type(graded_t) :: medium
+        type(layered_exact_t) :: exact
+        type(medium_options_t) :: chosen
+
         if (model == model_exact) then
             chosen = options_or_defaults(options)
-            if (.not. allocated(error)) then
-                call new_graded_exact_from_functions(exact, young, poisson, depth, error, chosen%tolerance)
-            end if
+            if (.not. allocated(error)) call new_layered_exact(exact, body, error, chosen%tolerance)
             status = deliver_medium(exact, out, error)
             return
         end if
         call check_model(error, model, "MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT")
-        if (.not. allocated(error)) then
-            call new_graded_from_functions(medium, young, poisson, depth, error, gao_options(model, options))
-        end if
+        if (.not. allocated(error)) call new_graded(medium, body, error, gao_options(model, options))
         status = deliver_medium(medium, out, error)
-    end function mdr_medium_graded_callback
+    end function deliver_graded
 
     function mdr_medium_power_graded(e0, z0, exponent, nu, out) result(status) bind(C)
         real(c_double), value :: e0, z0, exponent, nu

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The medium that belongs to a vector of numbers.
 module mdrcontact_fit_medium_of
+    use mdrcontact_body_graded, only: graded_body_t, new_graded_body
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
@@ -191,6 +192,7 @@ contains
         class(medium_t), allocatable, intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
         type(gao_options_t) :: options
+        type(graded_body_t) :: body
         type(graded_t) :: graded
 
         if (choice%model /= model_gao .and. choice%model /= model_gao_series) then
@@ -200,7 +202,8 @@ contains
         end if
         options = choice%gao
         options%in_series = choice%model == model_gao_series
-        call new_graded(graded, values(1::3), values(2::3), values(3::3), error, options)
+        call new_graded_body(body, values(1::3), values(2::3), values(3::3), error)
+        if (.not. allocated(error)) call new_graded(graded, body, error, options)
         allocate (medium, source=graded)
     end subroutine make_graded
 

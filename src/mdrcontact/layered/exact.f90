@@ -1,32 +1,29 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The exact layered medium (theory 6): no approximation in contact radius, depth or stiffness.
 !>
-!> Once made, the medium holds its kernel; a contact radius then costs a small symmetric positive definite system. Results
-!> meet the stated
-!> relative tolerance, or an error says that they do not.
+!> Once made, the medium holds its body and the kernel; a contact radius then costs a small symmetric positive definite system.
+!> Results meet the stated relative tolerance, or an error says that they do not.
 module mdrcontact_layered_exact
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_body, only: body_t
+    use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_converge, only: solve_to_tolerance
     use mdrcontact_layered_fields, only: displacement_beyond, new_smooth_load, smooth_load_t, smooth_pressure, smooth_value
-    use mdrcontact_layered_graded, only: graded_surface_t, new_graded_surface, new_graded_surface_from_functions
     use mdrcontact_layered_indenter, only: load_t, new_load
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_rule, only: rule_t
     use mdrcontact_layered_shared, only: shared_kernel, shared_rules, layered_shared_t
     use mdrcontact_layered_solve, only: solution_t
-    use mdrcontact_layered_stack, only: new_stack, stack_t
-    use mdrcontact_layered_surface, only: surface_t
     use mdrcontact_material, only: material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: layered_exact_t, new_layered_exact, new_graded_exact, new_graded_exact_from_functions
+    public :: layered_exact_t, new_layered_exact
 
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 
@@ -38,6 +35,7 @@ module mdrcontact_layered_exact
     !> A layered or graded half-space, solved exactly.
     type, extends(medium_t) :: layered_exact_t
         private
+        class(body_t), allocatable :: pressed
         type(kernel_t) :: kernel
         type(rule_t), allocatable :: rules(:)
         !> a half-space of the surface material, and its contact modulus E0* [modulus]
@@ -57,80 +55,25 @@ module mdrcontact_layered_exact
         procedure :: edge_is_exact
         procedure :: largest_radius
         procedure :: zeta
+        procedure :: body
     end type layered_exact_t
+
+    !> The exact medium of a body, or of layers on a substrate.
+    interface new_layered_exact
+        module procedure new_exact_from_body
+        module procedure new_exact_from_layers
+    end interface new_layered_exact
 
 contains
 
-    !> A stack of bonded layers on an elastic half-space or a rigid base.
-    subroutine new_layered_exact(self, layers, thickness, substrate, error, tolerance, rigid_base, shared)
+    !> Any body, solved exactly. The medium keeps it.
+    subroutine new_exact_from_body(self, body, error, tolerance, shared)
         type(layered_exact_t), intent(out) :: self
-        !> materials from the surface down
-        type(material_t), intent(in) :: layers(:)
-        !> their thicknesses > 0, same size [length]
-        real(wp), intent(in) :: thickness(:)
-        !> the half-space below them; an infinite E makes it a rigid base
-        type(material_t), intent(in) :: substrate
-        type(error_t), allocatable, intent(out) :: error
-        !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
-        real(wp), intent(in), optional :: tolerance
-        !> a rigid base instead of the substrate, which is then ignored; default false
-        logical, intent(in), optional :: rigid_base
-        !> what this medium has in common with others made before it, which then costs less
-        type(layered_shared_t), intent(inout), optional :: shared
-        type(stack_t) :: stack
-        logical :: rigid
-
-        rigid = substrate%young > huge(1.0_wp)
-        if (present(rigid_base)) rigid = rigid .or. rigid_base
-        call new_stack(stack, layers, thickness, substrate, error, rigid)
-        if (allocated(error)) return
-        call new_exact_from_surface(self, stack, error, tolerance, shared)
-    end subroutine new_layered_exact
-
-    !> E and nu at given depths, linear between them, constant below the last.
-    subroutine new_graded_exact(self, z, young, poisson, error, tolerance, shared)
-        type(layered_exact_t), intent(out) :: self
-        !> ascending depths from z(1) = 0, at least 2; a thin interval makes a step [length]
-        real(wp), intent(in) :: z(:)
-        !> E > 0 [modulus] and -1 < nu <= 1/2, same size as z
-        real(wp), intent(in) :: young(:), poisson(:)
+        class(body_t), intent(in) :: body
         type(error_t), allocatable, intent(out) :: error
         !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
         real(wp), intent(in), optional :: tolerance
         !> what this medium has in common with others made before it, which then costs less
-        type(layered_shared_t), intent(inout), optional :: shared
-        type(graded_surface_t) :: graded
-
-        call new_graded_surface(graded, z, young, poisson, error)
-        if (allocated(error)) return
-        call new_exact_from_surface(self, graded, error, tolerance, shared)
-    end subroutine new_graded_exact
-
-    !> E(z) and nu(z) as functions on [0, depth], constant below. They are called here and never again.
-    subroutine new_graded_exact_from_functions(self, young, poisson, depth, error, tolerance, shared)
-        type(layered_exact_t), intent(out) :: self
-        !> E(z) > 0 [modulus] and -1 < nu(z) <= 1/2, smooth
-        class(scalar_function_t), intent(inout) :: young, poisson
-        !> depth below which the body is homogeneous, > 0 [length]
-        real(wp), intent(in) :: depth
-        type(error_t), allocatable, intent(out) :: error
-        !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
-        real(wp), intent(in), optional :: tolerance
-        !> what this medium has in common with others made before it, which then costs less
-        type(layered_shared_t), intent(inout), optional :: shared
-        type(graded_surface_t) :: graded
-
-        call new_graded_surface_from_functions(graded, young, poisson, depth, error)
-        if (allocated(error)) return
-        call new_exact_from_surface(self, graded, error, tolerance, shared)
-    end subroutine new_graded_exact_from_functions
-
-    !> Any body whose surface compliance is known.
-    subroutine new_exact_from_surface(self, surface, error, tolerance, shared)
-        type(layered_exact_t), intent(out) :: self
-        class(surface_t), intent(in) :: surface
-        type(error_t), allocatable, intent(out) :: error
-        real(wp), intent(in), optional :: tolerance
         type(layered_shared_t), intent(inout), optional :: shared
         type(layered_shared_t) :: own
 
@@ -143,26 +86,50 @@ contains
             end if
             self%tolerance = tolerance
         end if
-        self%surface_modulus = surface%surface_modulus()
-        self%depth = surface%last_depth()
+        allocate (self%pressed, source=body)
+        self%surface_modulus = body%surface_modulus()
+        self%depth = body%last_depth()
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (allocated(error)) return
         if (present(shared)) then
-            call share(self, surface, shared, error)
+            call share(self, shared, error)
         else
-            call share(self, surface, own, error)
+            call share(self, own, error)
         end if
-    end subroutine new_exact_from_surface
+    end subroutine new_exact_from_body
 
-    subroutine share(self, surface, shared, error)
+    !> A stack of bonded layers on an elastic half-space or a rigid base: the arguments of new_stack and those above.
+    subroutine new_exact_from_layers(self, layers, thickness, substrate, error, tolerance, rigid_base, shared)
+        type(layered_exact_t), intent(out) :: self
+        type(material_t), intent(in) :: layers(:)
+        real(wp), intent(in) :: thickness(:)
+        type(material_t), intent(in) :: substrate
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), intent(in), optional :: tolerance
+        logical, intent(in), optional :: rigid_base
+        type(layered_shared_t), intent(inout), optional :: shared
+        type(stack_t) :: stack
+
+        call new_stack(stack, layers, thickness, substrate, error, rigid_base)
+        if (.not. allocated(error)) call new_exact_from_body(self, stack, error, tolerance, shared)
+    end subroutine new_exact_from_layers
+
+    subroutine share(self, shared, error)
         type(layered_exact_t), intent(inout) :: self
-        class(surface_t), intent(in) :: surface
         type(layered_shared_t), intent(inout) :: shared
         type(error_t), allocatable, intent(out) :: error
 
-        call shared_kernel(shared, surface, self%kernel, error)
+        call shared_kernel(shared, self%pressed, self%kernel, error)
         if (.not. allocated(error)) call shared_rules(shared, self%rules)
     end subroutine share
+
+    !> A copy of the body that the medium was made of.
+    subroutine body(self, copy)
+        class(layered_exact_t), intent(in) :: self
+        class(body_t), allocatable, intent(out) :: copy
+
+        if (allocated(self%pressed)) allocate (copy, source=self%pressed)
+    end subroutine body
 
     !> E_eff(a), the stiffness of a flat punch over 2 a.
     subroutine modulus(self, a, values, error)

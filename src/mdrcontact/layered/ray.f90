@@ -2,7 +2,7 @@
 !> The surface compliance chi(k) of one body on a ray of complex wavenumbers, octave by octave, downwards as far as it matters.
 module mdrcontact_layered_ray
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_surface, only: surface_t
+    use mdrcontact_body, only: body_t
     use mdrcontact_layered_waves, only: first_wave, order, panel_nodes, wave_table_t
     implicit none (type, external)
     private
@@ -36,7 +36,7 @@ contains
     !> Fills the octaves that positions up to the unit need; `more` octaves may follow below them.
     subroutine start_ray(ray, surface, unit, table, more)
         type(ray_t), intent(out) :: ray
-        class(surface_t), intent(in) :: surface
+        class(body_t), intent(in) :: surface
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         integer, intent(in) :: more
@@ -68,7 +68,7 @@ contains
     !> Fills octaves down to `bottom`.
     subroutine extend_ray(ray, surface, unit, table, bottom)
         type(ray_t), intent(inout) :: ray
-        class(surface_t), intent(in) :: surface
+        class(body_t), intent(in) :: surface
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         integer, intent(in) :: bottom
@@ -129,7 +129,7 @@ contains
     !> Whether the integral of chi along the ray equals that along the real axis: no pole lies between them.
     subroutine path_holds(ray, surface, unit, table, holds)
         type(ray_t), intent(inout) :: ray
-        class(surface_t), intent(in) :: surface
+        class(body_t), intent(in) :: surface
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         logical, intent(out) :: holds

@@ -7,7 +7,7 @@ module mdrcontact_layered_shared
     use mdrcontact_layered_converge, only: make_rules
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_rule, only: rule_t
-    use mdrcontact_layered_surface, only: surface_t
+    use mdrcontact_body, only: body_t
     use mdrcontact_layered_tabulate, only: attempts, tabulate_kernel
     use mdrcontact_layered_waves, only: wave_table_t
     implicit none (type, external)
@@ -47,7 +47,7 @@ contains
     !> The kernel of a body: that of one made before where both are the same but for their size.
     subroutine shared_kernel(shared, surface, kernel, error)
         type(layered_shared_t), intent(inout) :: shared
-        class(surface_t), intent(in) :: surface
+        class(body_t), intent(in) :: surface
         type(kernel_t), intent(out) :: kernel
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: ratios(:)

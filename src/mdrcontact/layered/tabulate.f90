@@ -13,7 +13,7 @@ module mdrcontact_layered_tabulate
     use mdrcontact_lapack, only: dgemv
     use mdrcontact_layered_kernel, only: degree, kernel_t, near_degree
     use mdrcontact_layered_ray, only: extend_ray, path_holds, ray_t, rest_below, start_ray
-    use mdrcontact_layered_surface, only: surface_t
+    use mdrcontact_body, only: body_t
     use mdrcontact_layered_waves, only: first_wave, new_wave_table, order, wave_table_t, waves_at
     implicit none (type, external)
     private
@@ -31,7 +31,7 @@ contains
     !> The table of X for a body.
     subroutine tabulate_kernel(kernel, surface, tables, error)
         type(kernel_t), intent(out) :: kernel
-        class(surface_t), intent(in) :: surface
+        class(body_t), intent(in) :: surface
         !> what bodies share; filled as far as it is needed
         type(wave_table_t), intent(inout) :: tables(attempts)
         type(error_t), allocatable, intent(out) :: error
@@ -59,7 +59,7 @@ contains
     subroutine fill_table(kernel, ray, surface, table)
         type(kernel_t), intent(inout) :: kernel
         type(ray_t), intent(inout) :: ray
-        class(surface_t), intent(in) :: surface
+        class(body_t), intent(in) :: surface
         type(wave_table_t), intent(in) :: table
         integer, parameter :: n = degree + 1
         real(wp) :: x(2*n), coefficients(0:degree, 0:2*most_octaves)

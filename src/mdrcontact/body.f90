@@ -1,16 +1,18 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The surface of an elastic body in Hankel space (theory 6): u(k) = C(k) p(k), k C(k) = (2/E0*) sigma(k), sigma = 1 + chi.
+!> What is pressed: an elastic half-space whose constants vary with depth, as far as its surface shows it (theory 6).
 !>
-!> sigma is the body's compliance relative to a half-space of its surface material; chi vanishes for short waves, which
+!> A body answers with its surface compliance in Hankel space: u(k) = C(k) p(k), k C(k) = (2/E0*) sigma(k), sigma = 1 + chi.
+!> sigma is the compliance relative to a half-space of the surface material; chi vanishes for short waves, which
 !> do not reach beyond that material. Both are analytic in a sector around the positive k axis and are needed there.
-module mdrcontact_layered_surface
+!> Concrete bodies are made by their `new_...` procedures, keep their materials and never change afterwards.
+module mdrcontact_body
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: surface_t
+    public :: body_t
 
-    !> The surface compliance of a layered or graded body.
-    type, abstract :: surface_t
+    !> A body of which media are made: by a model (mdrcontact_model), or by its exact compliance.
+    type, abstract :: body_t
     contains
         !> sigma(k) and chi(k) = sigma(k) - 1, each to full relative precision as far as it is known
         procedure(response_at), deferred :: response
@@ -24,28 +26,28 @@ module mdrcontact_layered_surface
         procedure(number), deferred :: last_depth
         !> numbers without a unit that determine the body but for its size and stiffness; none if that takes too many
         procedure(numbers), deferred :: ratios
-    end type surface_t
+    end type body_t
 
     abstract interface
         pure subroutine response_at(self, k, sigma, chi)
-            import :: surface_t, wp
-            class(surface_t), intent(in) :: self
+            import :: body_t, wp
+            class(body_t), intent(in) :: self
             !> wavenumber, real part > 0, argument within the sector of analyticity [1/length]
             complex(wp), intent(in) :: k
             complex(wp), intent(out) :: sigma, chi
         end subroutine response_at
 
         pure function number(self) result(value)
-            import :: surface_t, wp
-            class(surface_t), intent(in) :: self
+            import :: body_t, wp
+            class(body_t), intent(in) :: self
             real(wp) :: value
         end function number
 
         pure function numbers(self) result(values)
-            import :: surface_t, wp
-            class(surface_t), intent(in) :: self
+            import :: body_t, wp
+            class(body_t), intent(in) :: self
             real(wp), allocatable :: values(:)
         end function numbers
     end interface
 
-end module mdrcontact_layered_surface
+end module mdrcontact_body

@@ -7,7 +7,7 @@
 !> against the
 !> wavelength is carried by its transfer matrix instead, whose entries are small where they should be and not by
 !> cancellation: the compliance of a soft layer keeps its relative precision. Nothing is divided by 1 - 2 nu.
-module mdrcontact_layered_modes
+module mdrcontact_body_modes
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -181,4 +181,4 @@ contains
         b = b/(a(1, 1)*a(2, 2) - a(1, 2)*a(2, 1))
     end function inverse
 
-end module mdrcontact_layered_modes
+end module mdrcontact_body_modes

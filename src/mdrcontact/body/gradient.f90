@@ -5,7 +5,7 @@
 !> the bottom of the layer
 !> to its top is a power series in k whose terms are repeated integrals of A over z. They are taken with spectral accuracy:
 !> no staircase.
-module mdrcontact_layered_gradient
+module mdrcontact_body_gradient
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_rule, only: legendre, rule_t
     implicit none (type, external)
@@ -108,4 +108,4 @@ contains
         end do
     end function series_value
 
-end module mdrcontact_layered_gradient
+end module mdrcontact_body_gradient

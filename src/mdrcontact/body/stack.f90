@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A stack of bonded isotropic layers on an elastic half-space or a rigid base, as a surface compliance (theory 6).
-module mdrcontact_layered_stack
+module mdrcontact_body_stack
+    use mdrcontact_body, only: body_t
+    use mdrcontact_body_modes, only: compliance_above, half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, &
+                                     series_product
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_modes, only: compliance_above, half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, &
-                                        series_product
-    use mdrcontact_layered_surface, only: surface_t
     use mdrcontact_material, only: material_t
     implicit none (type, external)
     private
@@ -17,20 +17,27 @@ module mdrcontact_layered_stack
     integer, parameter :: series_order = 10
     real(wp), parameter :: longest = 0.1_wp
 
-    !> The surface compliance of bonded layers.
-    type, extends(surface_t) :: stack_t
-        private
-        type(layer_modes_t), allocatable :: modes(:)
-        !> layer thicknesses [length] and shear moduli relative to the first layer's, from the surface down
-        real(wp), allocatable :: thickness(:), shear(:)
+    !> Bonded layers on a half-space or on a rigid base.
+    type, extends(body_t) :: stack_t
+        !> materials from the surface down
+        type(material_t), allocatable :: layers(:)
+        !> their thicknesses [length]
+        real(wp), allocatable :: thickness(:)
+        !> what lies below them, unless the base is rigid
+        type(material_t) :: substrate
+        logical :: rigid_base = .false.
+        !> the same with neighbours of one material joined, none if the body is homogeneous: modes, thicknesses [length], shear
+        !> moduli relative to the first layer's
+        type(layer_modes_t), allocatable, private :: modes(:)
+        real(wp), allocatable, private :: h(:), shear(:)
         !> compliance of the base relative to 1/(2 G) of the first layer; 0 if rigid
-        complex(wp) :: base(2, 2) = 0.0_wp
-        real(wp) :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
-        !> total thickness [length], and the power series in k of all layers' transfer matrix
-        real(wp) :: total_thickness = 0.0_wp
-        !> the same with the base below them, what the surface compliance takes of it: (2, 1) and (2, 2) of the displacements,
-        !> then (1, 1), (1, 2), (2, 1), (2, 2) of the tractions
-        real(wp) :: series(6, 0:series_order) = 0.0_wp
+        complex(wp), private :: base(2, 2) = 0.0_wp
+        real(wp), private :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
+        !> total thickness [length]
+        real(wp), private :: total_thickness = 0.0_wp
+        !> the power series in k of all layers' transfer matrix with the base below them, what the surface compliance takes of
+        !> it: (2, 1) and (2, 2) of the displacements, then (1, 1), (1, 2), (2, 1), (2, 2) of the tractions
+        real(wp), private :: series(6, 0:series_order) = 0.0_wp
     contains
         procedure :: response
         procedure :: surface_modulus
@@ -42,17 +49,17 @@ module mdrcontact_layered_stack
 
 contains
 
-    !> A stack of layers. Neighbours of one material are joined: a stack of equal layers is a homogeneous body.
+    !> A stack of layers. Equal neighbours are one layer to the compliance: a stack of equal layers is a homogeneous body.
     pure subroutine new_stack(self, layers, thickness, substrate, error, rigid_base)
         type(stack_t), intent(out) :: self
         !> materials from the surface down, as made by new_material
         type(material_t), intent(in) :: layers(:)
         !> thicknesses, same size, > 0 [length]
         real(wp), intent(in) :: thickness(:)
-        !> the half-space below; ignored if rigid_base
+        !> the half-space below; an infinite E makes it a rigid base
         type(material_t), intent(in) :: substrate
         type(error_t), allocatable, intent(out) :: error
-        !> bonded to a rigid base instead of an elastic substrate; default false. At least one layer then.
+        !> bonded to a rigid base instead of the substrate, which is then ignored; default false. At least one layer then.
         logical, intent(in), optional :: rigid_base
         type(material_t) :: kept(size(layers)), surface
         real(wp) :: kept_thickness(size(layers))
@@ -60,8 +67,8 @@ contains
         real(wp) :: series(4, 4, 0:series_order)
         integer :: i, count
 
-        rigid = .false.
-        if (present(rigid_base)) rigid = rigid_base
+        rigid = substrate%young > huge(1.0_wp)
+        if (present(rigid_base)) rigid = rigid .or. rigid_base
         if (size(layers) /= size(thickness)) then
             call raise(error, error_invalid, "thickness must have as many values as there are layers, "// &
                        to_text(real(size(layers), wp))//", not "//to_text(real(size(thickness), wp)))
@@ -92,10 +99,14 @@ contains
             end if
         end if
 
+        self%layers = layers
+        self%thickness = thickness
+        self%substrate = substrate
+        self%rigid_base = rigid
         surface = substrate
         if (count > 0) surface = kept(1)
         self%contact_modulus = surface%contact()
-        self%thickness = kept_thickness(:count)
+        self%h = kept_thickness(:count)
         self%shear = kept(:count)%shear()/surface%shear()
         allocate (self%modes(count))
         series = 0.0_wp
@@ -104,9 +115,9 @@ contains
         end do
         do i = 1, count
             self%modes(i) = new_layer_modes(kept(i)%poisson)
-            call series_product(self%modes(i), self%thickness(i), self%shear(i), series)
+            call series_product(self%modes(i), self%h(i), self%shear(i), series)
         end do
-        self%total_thickness = sum(self%thickness)
+        self%total_thickness = sum(self%h)
         if (.not. rigid) then
             self%base = half_space_compliance(substrate%poisson)*(surface%shear()/substrate%shear())
             self%sigma_zero = surface%contact()/substrate%contact()
@@ -145,7 +156,7 @@ contains
 
         sigma = 1.0_wp
         chi = 0.0_wp
-        if (size(self%thickness) == 0) return
+        if (size(self%h) == 0) return
         scale = real(self%modes(1)%half_space(2, 2), wp)
         if (abs(k)*self%total_thickness < longest) then
             sigma = long_wave_compliance(self%series, k)/scale
@@ -154,17 +165,17 @@ contains
         end if
         compliance = self%base
         depth = 0.0_wp
-        do last = 1, size(self%thickness)
-            if (last > 1) depth = depth + self%thickness(last)*real(k, wp)
-            if (depth > deepest .and. last < size(self%thickness)) then
+        do last = 1, size(self%h)
+            if (last > 1) depth = depth + self%h(last)*real(k, wp)
+            if (depth > deepest .and. last < size(self%h)) then
                 compliance = self%modes(last)%half_space/self%shear(last)
                 exit
             end if
         end do
-        do i = min(last, size(self%thickness) + 1) - 1, 2, -1
-            compliance = compliance_above(self%modes(i), k*self%thickness(i), self%shear(i)*compliance)/self%shear(i)
+        do i = min(last, size(self%h) + 1) - 1, 2, -1
+            compliance = compliance_above(self%modes(i), k*self%h(i), self%shear(i)*compliance)/self%shear(i)
         end do
-        t = k*self%thickness(1)
+        t = k*self%h(1)
         if (abs(t) < 1.0_wp) then
             compliance = compliance_above(self%modes(1), t, compliance)
             sigma = compliance(2, 2)/scale
@@ -210,7 +221,7 @@ contains
         real(wp) :: value
 
         value = 0.0_wp
-        if (size(self%thickness) > 0) value = self%thickness(1)
+        if (size(self%h) > 0) value = self%h(1)
     end function first_depth
 
     pure function last_depth(self) result(value)
@@ -224,9 +235,9 @@ contains
         class(stack_t), intent(in) :: self
         real(wp), allocatable :: values(:)
 
-        allocate (values(3*size(self%thickness) + 5))
-        associate (n => size(self%thickness))
-            if (n > 0) values(:n) = self%thickness/self%thickness(1)
+        allocate (values(3*size(self%h) + 5))
+        associate (n => size(self%h))
+            if (n > 0) values(:n) = self%h/self%h(1)
             values(n + 1:2*n) = self%shear
             values(2*n + 1:3*n) = self%modes%poisson
             values(3*n + 1:3*n + 4) = real([self%base(:, 1), self%base(:, 2)], wp)
@@ -234,4 +245,4 @@ contains
         end associate
     end function ratios
 
-end module mdrcontact_layered_stack
+end module mdrcontact_body_stack

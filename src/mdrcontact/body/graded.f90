@@ -1,22 +1,25 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A body with E(z) and nu(z) varying with depth, as a surface compliance: sublayers that thin towards the surface, each with
-!> its gradient.
+!> A body with E(z) and nu(z) varying with depth: its constants at any depth, and its surface compliance by sublayers that thin
+!> towards the surface, each with its gradient.
 !>
 !> Below the first, homogeneous sublayer (a negligible fraction of the gradient's depth) sublayers take a tenth of their
-!> depth, so that any wavelength sees
-!> the same number of them: those shallower than it through one power series, some forty more one by one.
-module mdrcontact_layered_graded
-    use mdrcontact_error, only: check_poisson, check_positive, check_table, entry_name, error_invalid, error_t, raise, to_text
+!> depth, so that any wavelength sees the same number of them: those shallower than it through one power series, some forty more
+!> one by one.
+module mdrcontact_body_graded
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_body, only: body_t
+    use mdrcontact_body_gradient, only: gradient_series, multiply_series, new_antiderivative, order, series_value
+    use mdrcontact_body_modes, only: half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, transferred
+    use mdrcontact_error, only: check_poisson, check_positive, check_table, entry_name, error_callback, error_invalid, error_t, &
+                                raise, to_text
+    use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_gradient, only: gradient_series, multiply_series, new_antiderivative, order, series_value
-    use mdrcontact_layered_modes, only: half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, transferred
     use mdrcontact_layered_rule, only: new_rule, rule_t
-    use mdrcontact_layered_surface, only: surface_t
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: graded_surface_t, new_graded_surface, new_graded_surface_from_functions
+    public :: graded_body_t, new_graded_body, new_graded_body_from_functions
 
     !> Growth of depth from one sublayer to the next, and the largest ratio of shear moduli within one.
     real(wp), parameter :: growth = 1.1_wp, largest_ratio = 1.3_wp
@@ -26,10 +29,15 @@ module mdrcontact_layered_graded
     !> Octaves of depth above the first entry of a table, and in the range of a function, before the homogeneous top.
     integer, parameter :: table_octaves = 30, function_octaves = 50
     real(wp), parameter :: function_tolerance = 1.0e-13_wp
+    !> Functions that want more panels than this are not smooth.
+    integer, parameter :: most_panels = 500
 
-    !> The surface compliance of a graded half-space.
-    type, extends(surface_t) :: graded_surface_t
+    !> A graded half-space.
+    type, extends(body_t) :: graded_body_t
         private
+        !> E and nu at depths z, or as functions
+        real(wp), allocatable :: z(:), young(:), poisson(:)
+        type(sampled_function_t), allocatable :: young_of, poisson_of
         !> depths of the sublayers' ends, 0 first [length]
         real(wp), allocatable :: ends(:)
         !> series of each sublayer's transfer matrix, and of all from the surface to its end (4, 4, 0:order, sublayer)
@@ -39,34 +47,34 @@ module mdrcontact_layered_graded
         type(layer_modes_t) :: top
         real(wp) :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
     contains
+        procedure :: constants
+        procedure :: knots
         procedure :: response
         procedure :: surface_modulus
         procedure :: long_wave_limit
         procedure :: first_depth
         procedure :: last_depth
         procedure :: ratios
-    end type graded_surface_t
+    end type graded_body_t
 
-    !> G(z) and nu(z), from a table or from sampled functions.
-    type :: constants_t
-        real(wp), allocatable :: z(:), young(:), poisson(:)
-        type(sampled_function_t) :: young_of, poisson_of
-        logical :: is_table = .true.
+    !> A user's function of depth, watched for values that are not numbers.
+    type, extends(scalar_function_t) :: watched_function_t
+        class(scalar_function_t), pointer :: f => null()
+        character(len=2) :: name = ""
     contains
-        procedure :: at => constants_at
-    end type constants_t
+        procedure :: value => watched_value
+    end type watched_function_t
 
 contains
 
     !> E and nu at given depths, linear between them, constant below the last.
-    subroutine new_graded_surface(self, z, young, poisson, error)
-        type(graded_surface_t), intent(out) :: self
+    subroutine new_graded_body(self, z, young, poisson, error)
+        type(graded_body_t), intent(out) :: self
         !> ascending depths from z(1) = 0, at least 2; a thin interval makes a step [length]
         real(wp), intent(in) :: z(:)
         !> E > 0 [modulus] and -1 < nu <= 1/2, same size as z
         real(wp), intent(in) :: young(:), poisson(:)
         type(error_t), allocatable, intent(out) :: error
-        type(constants_t) :: constants
         integer :: i
 
         call check_table(error, "z", z, "E", young, 2)
@@ -79,68 +87,126 @@ contains
             call check_poisson(error, entry_name("nu", i), poisson(i))
         end do
         if (allocated(error)) return
-        allocate (constants%z, source=z)
-        allocate (constants%young, source=young)
-        allocate (constants%poisson, source=poisson)
-        call build(self, constants, scale(z(2), -table_octaves), z(2:))
-    end subroutine new_graded_surface
+        self%z = z
+        self%young = young
+        self%poisson = poisson
+        call build(self, scale(z(2), -table_octaves))
+    end subroutine new_graded_body
 
-    !> E(z) and nu(z) as functions on [0, depth], constant below. They are called here and never again.
-    subroutine new_graded_surface_from_functions(self, young, poisson, depth, error)
-        type(graded_surface_t), intent(out) :: self
+    !> E(z) and nu(z) as functions on 0 < z <= depth, constant below. They are called here and never again.
+    subroutine new_graded_body_from_functions(self, young, poisson, depth, error)
+        type(graded_body_t), intent(out) :: self
         !> E(z) > 0 [modulus] and -1 < nu(z) <= 1/2, smooth
-        class(scalar_function_t), intent(inout) :: young, poisson
+        class(scalar_function_t), intent(inout), target :: young, poisson
         !> depth below which the body is homogeneous, > 0 [length]
         real(wp), intent(in) :: depth
         type(error_t), allocatable, intent(out) :: error
-        type(constants_t) :: constants
+        type(watched_function_t) :: watched_young, watched_poisson
         real(wp) :: edges(function_octaves + 1), shear, nu
+        real(wp), allocatable :: depths(:)
         integer :: i
 
         call check_positive(error, "depth", depth)
         if (allocated(error)) return
+        call disable_gsl_abort()
         edges = [(scale(depth, i - function_octaves), i=0, function_octaves)]
-        call new_sampled_function(constants%young_of, young, edges, spread(.false., 1, function_octaves), function_tolerance, error)
-        if (.not. allocated(error)) call new_sampled_function(constants%poisson_of, poisson, edges, &
+        watched_young%f => young
+        watched_young%name = "E"
+        watched_poisson%f => poisson
+        watched_poisson%name = "nu"
+        allocate (self%young_of, self%poisson_of)
+        call new_sampled_function(self%young_of, watched_young, edges, spread(.false., 1, function_octaves), function_tolerance, &
+                                  error, most=most_panels)
+        if (.not. allocated(error)) call new_sampled_function(self%poisson_of, watched_poisson, edges, &
                                                               spread(.false., 1, function_octaves), function_tolerance, error, &
-                                                              noise=1.0e-15_wp)
+                                                              noise=1.0e-15_wp, most=most_panels)
         if (allocated(error)) return
-        constants%is_table = .false.
-        edges = constants%young_of%value(edges)
-        do i = 1, size(edges)
-            call check_positive(error, "E of the graded body", edges(i))
+        allocate (depths, source=self%knots())
+        do i = 1, size(depths)
+            call self%constants(depths(i), shear, nu)
+            call check_positive(error, "E at z = "//to_text(depths(i)), 2.0_wp*shear*(1.0_wp + nu))
+            call check_poisson(error, "nu at z = "//to_text(depths(i)), nu)
         end do
-        edges = [(scale(depth, i - function_octaves), i=0, function_octaves)]
-        do i = 1, size(edges)
-            call constants%at(edges(i), shear, nu)
-            call check_poisson(error, "nu of the graded body", nu)
-        end do
-        if (allocated(error)) return
-        call build(self, constants, edges(1), constants%young_of%panel_edges())
-    end subroutine new_graded_surface_from_functions
+        if (.not. allocated(error)) call build(self, edges(1))
+    end subroutine new_graded_body_from_functions
 
-    !> Sublayers from a homogeneous one of thickness `first` down to the last of `knots`, split at each of these.
-    subroutine build(self, constants, first, knots)
-        type(graded_surface_t), intent(inout) :: self
-        type(constants_t), intent(in) :: constants
+    function watched_value(self, x) result(y)
+        class(watched_function_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%f%value(x)
+        if (allocated(self%f%error)) then
+            self%error = self%f%error
+        else if (.not. ieee_is_finite(y)) then
+            call raise(self%error, error_callback, "the function for "//trim(self%name)//" returned "//to_text(y)//" at z = "// &
+                       to_text(x)//": it must return a finite number")
+        end if
+    end function watched_value
+
+    !> Ascending depths between which the constants are analytic; beyond the last they are constant [length].
+    pure function knots(self) result(depths)
+        class(graded_body_t), intent(in) :: self
+        real(wp), allocatable :: depths(:)
+
+        if (allocated(self%z)) then
+            depths = self%z(2:)
+        else
+            depths = self%young_of%panel_edges()
+        end if
+    end function knots
+
+    !> G [modulus] and nu at depth z >= 0.
+    pure subroutine constants(self, z, shear, poisson)
+        class(graded_body_t), intent(in) :: self
+        real(wp), intent(in) :: z
+        real(wp), intent(out) :: shear, poisson
+        real(wp) :: young, fraction
+        integer :: low, high, middle
+
+        if (allocated(self%z)) then
+            low = 1
+            high = size(self%z)
+            do while (high - low > 1)
+                middle = (low + high)/2
+                if (z < self%z(middle)) then
+                    high = middle
+                else
+                    low = middle
+                end if
+            end do
+            fraction = min((z - self%z(low))/(self%z(high) - self%z(low)), 1.0_wp)
+            young = self%young(low) + fraction*(self%young(high) - self%young(low))
+            poisson = self%poisson(low) + fraction*(self%poisson(high) - self%poisson(low))
+        else
+            ! a polynomial must not be continued beyond its panel
+            young = self%young_of%value(min(max(z, self%young_of%lower()), self%young_of%upper()))
+            poisson = self%poisson_of%value(min(max(z, self%poisson_of%lower()), self%poisson_of%upper()))
+            ! an incompressible body's 1/2 comes back from the interpolation with its rounding error
+            if (abs(poisson - 0.5_wp) < function_tolerance) poisson = 0.5_wp
+        end if
+        shear = 0.5_wp*young/(1.0_wp + poisson)
+    end subroutine constants
+
+    !> Sublayers from a homogeneous one of thickness `first` down to the last knot, split at each.
+    subroutine build(self, first)
+        type(graded_body_t), intent(inout) :: self
         real(wp), intent(in) :: first
-        !> ascending
-        real(wp), intent(in) :: knots(:)
         type(rule_t) :: rule
         real(wp) :: antiderivative(nodes + 1, nodes), surface_shear, surface_nu, shear(nodes), nu(nodes), g, v
         integer :: i, j, n
 
-        call sublayer_ends(constants, first, knots, self%ends)
+        call sublayer_ends(self, first, self%knots(), self%ends)
         n = size(self%ends) - 1
         allocate (self%series(4, 4, 0:order, n), self%from_surface(4, 4, 0:order, n), self%local(2, 2, n))
         rule = new_rule(nodes)
         antiderivative = new_antiderivative(rule)
-        call constants%at(0.5_wp*first, surface_shear, surface_nu)
+        call self%constants(0.5_wp*first, surface_shear, surface_nu)
         self%top = new_layer_modes(surface_nu)
         self%contact_modulus = 2.0_wp*surface_shear/(1.0_wp - surface_nu)
         do i = 1, n
             do j = 1, nodes
-                call constants%at(self%ends(i) + (self%ends(i + 1) - self%ends(i))*rule%nodes(j), shear(j), nu(j))
+                call self%constants(self%ends(i) + (self%ends(i + 1) - self%ends(i))*rule%nodes(j), shear(j), nu(j))
             end do
             if (i == 1) shear = surface_shear
             if (i == 1) nu = surface_nu
@@ -150,14 +216,14 @@ contains
                 self%from_surface(:, :, :, i) = self%from_surface(:, :, :, i - 1)
                 call multiply_series(self%from_surface(:, :, :, i), self%series(:, :, :, i))
             end if
-            call constants%at(self%ends(i + 1), g, v)
+            call self%constants(self%ends(i + 1), g, v)
             self%local(:, :, i) = half_space_compliance(v)*(surface_shear/g)
         end do
         self%sigma_zero = self%contact_modulus*(1.0_wp - v)/(2.0_wp*g)
     end subroutine build
 
-    subroutine sublayer_ends(constants, first, knots, ends)
-        type(constants_t), intent(in) :: constants
+    subroutine sublayer_ends(self, first, knots, ends)
+        type(graded_body_t), intent(in) :: self
         real(wp), intent(in) :: first, knots(:)
         real(wp), allocatable, intent(out) :: ends(:)
         real(wp) :: here, next, shear, shear_next, nu
@@ -170,9 +236,9 @@ contains
             do while (here < knots(i))
                 next = min(here*growth, knots(i))
                 if (knots(i) - next < 0.3_wp*(next - here)) next = knots(i)
-                call constants%at(here, shear, nu)
+                call self%constants(here, shear, nu)
                 do
-                    call constants%at(next, shear_next, nu)
+                    call self%constants(next, shear_next, nu)
                     if (max(shear/shear_next, shear_next/shear) <= largest_ratio) exit
                     if (next <= here*(1.0_wp + 8.0_wp*epsilon(1.0_wp))) exit
                     next = here + 0.5_wp*(next - here)
@@ -185,7 +251,7 @@ contains
 
     !> The compliance carried up from where waves end, or from the homogeneous body below.
     pure subroutine response(self, k, sigma, chi)
-        class(graded_surface_t), intent(in) :: self
+        class(graded_body_t), intent(in) :: self
         complex(wp), intent(in) :: k
         complex(wp), intent(out) :: sigma, chi
         complex(wp) :: compliance(2, 2)
@@ -210,56 +276,36 @@ contains
         end if
     end subroutine response
 
-    !> G and nu at depth z.
-    pure subroutine constants_at(self, z, shear, poisson)
-        class(constants_t), intent(in) :: self
-        real(wp), intent(in) :: z
-        real(wp), intent(out) :: shear, poisson
-        real(wp) :: young, fraction
-        integer :: i
-
-        if (self%is_table) then
-            i = min(max(count(self%z <= z), 1), size(self%z) - 1)
-            fraction = min((z - self%z(i))/(self%z(i + 1) - self%z(i)), 1.0_wp)
-            young = self%young(i) + fraction*(self%young(i + 1) - self%young(i))
-            poisson = self%poisson(i) + fraction*(self%poisson(i + 1) - self%poisson(i))
-        else
-            young = self%young_of%value(max(z, self%young_of%lower()))
-            poisson = self%poisson_of%value(max(z, self%poisson_of%lower()))
-        end if
-        shear = 0.5_wp*young/(1.0_wp + poisson)
-    end subroutine constants_at
-
     pure function surface_modulus(self) result(value)
-        class(graded_surface_t), intent(in) :: self
+        class(graded_body_t), intent(in) :: self
         real(wp) :: value
 
         value = self%contact_modulus
     end function surface_modulus
 
     pure function long_wave_limit(self) result(value)
-        class(graded_surface_t), intent(in) :: self
+        class(graded_body_t), intent(in) :: self
         real(wp) :: value
 
         value = self%sigma_zero
     end function long_wave_limit
 
     pure function first_depth(self) result(value)
-        class(graded_surface_t), intent(in) :: self
+        class(graded_body_t), intent(in) :: self
         real(wp) :: value
 
         value = self%ends(2)
     end function first_depth
 
     pure function last_depth(self) result(value)
-        class(graded_surface_t), intent(in) :: self
+        class(graded_body_t), intent(in) :: self
         real(wp) :: value
 
         value = self%ends(size(self%ends))
     end function last_depth
 
     pure function ratios(self) result(values)
-        class(graded_surface_t), intent(in) :: self
+        class(graded_body_t), intent(in) :: self
         real(wp), allocatable :: values(:)
 
         associate (unused => self)
@@ -267,4 +313,4 @@ contains
         allocate (values(0))
     end function ratios
 
-end module mdrcontact_layered_graded
+end module mdrcontact_body_graded
