@@ -895,9 +895,10 @@ int mdr_law_info(const mdr_law *law, mdr_law_facts *facts);
  *  @param length  size of buffer, description_length + 1 for all of it; what does not fit is cut off */
 int mdr_law_description(const mdr_law *law, char *buffer, int length);
 
-/** Writes a law to a file, which it replaces: a text with version, description and checksum, for any machine.
+/** Writes a law to a file, which it replaces: a text with version, description and checksum, for any machine. The file is complete or
+ *  as it was before, also while other threads read it. A symbolic link is followed.
  *  @param law   law
- *  @param path  name of the file
+ *  @param path  name of the file; what exists under it must be a regular file
  *  @return also MDR_EFILE if it cannot be written */
 int mdr_law_save(const mdr_law *law, const char *path);
 

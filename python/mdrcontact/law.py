@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native, adhesion
 from ._boundary import FloatOrArray, Handle, check, evaluate, evaluate_all, number, thread_count
+from ._files import replace
 from .adhesion import BRANCHES
 from .contact import Contact
 from .errors import ArgumentTypeError, FileError, InvalidArgumentError
@@ -154,8 +155,8 @@ class ContactLaw:
         return law
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the law to a file that any of the library's languages reads."""
-        Path(path).write_bytes(self.to_bytes())
+        """Writes the law to a file that any of the library's languages reads. When that fails (FileError), what was there stays."""
+        replace(path, self.to_bytes())
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> ContactLaw:

@@ -9,7 +9,7 @@ module mdrcontact_error
     use mdrcontact_padded_text, only: padded_count, padded_number
     implicit none (type, external)
     private
-    public :: error_t, raise, check_finite, check_positive, check_not_negative, check_poisson, check_inclination, &
+    public :: error_t, raise, check_memory, check_finite, check_positive, check_not_negative, check_poisson, check_inclination, &
               check_table, count_text, entry_name, to_text
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file
@@ -63,6 +63,14 @@ contains
 
         if (.not. ieee_is_finite(value)) call raise_value(error, name, value, "it must be a finite number")
     end subroutine check_finite
+
+    !> Raises unless the `stat` of an allocation is zero.
+    pure subroutine check_memory(error, stat)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: stat
+
+        if (stat /= 0) call raise(error, error_memory, "not enough memory")
+    end subroutine check_memory
 
     !> Raises unless `value` is finite and greater than zero.
     pure subroutine check_positive(error, name, value)

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import argparse
-import os
-import tempfile
 from collections.abc import Mapping
 from pathlib import Path
+
+from .._files import check_place, replace
 
 FIGURE_FORMATS = ("png", "pdf", "svg")
 
@@ -29,10 +29,7 @@ def check(*paths: Path | None, overwrite: bool) -> None:
     if len({path.resolve() for path in given}) < len(given):
         raise OutputError("two results cannot go to the same file")
     for path in given:
-        if path.is_dir():
-            raise OutputError(f"{path} is a folder, not a file")
-        if not path.parent.is_dir():
-            raise OutputError(f"{path}: there is no folder {path.parent}")
+        check_place(path)
         if path.exists() and not overwrite:
             raise OutputError(f"{path} exists; --overwrite replaces it")
 
@@ -46,27 +43,8 @@ def figure_format(path: Path) -> str:
 
 
 def write(contents: Mapping[Path, bytes], overwrite: bool) -> None:
-    """Writes each file beside its place first and moves it there when it is complete."""
+    """Writes each file; the command's last act."""
     check(*contents, overwrite=overwrite)
     for path, content in contents.items():
-        try:
-            _replace(path, content)
-        except OSError as problem:
-            raise OutputError(f"{path}: it cannot be written: {problem.strerror or problem}") from problem
+        replace(path, content)
         print(f"written: {path}")
-
-
-def _replace(path: Path, content: bytes) -> None:
-    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
-        beside = Path(file.name)
-        try:
-            file.write(content)
-            file.close()
-            # a temporary file is private; the result gets the permissions of any new file
-            mask = os.umask(0)
-            os.umask(mask)
-            beside.chmod(0o666 & ~mask)
-            beside.replace(path)
-        except BaseException:
-            beside.unlink()
-            raise

@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+import io
 import os
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._files import replace
 from ..errors import MDRError
 from .advice import contact_radii
 from .data import ForceDepth, ModulusRadius, StiffnessDepth
@@ -48,7 +51,9 @@ def draw(result: FitResult, path: str | os.PathLike[str] | None) -> Any:
     for axis in (above, below):
         axis.spines[["top", "right"]].set_visible(False)
     if path is not None:
-        figure.savefig(path, dpi=160)
+        drawn = io.BytesIO()
+        figure.savefig(drawn, format=Path(path).suffix.lower().removeprefix(".") or "png", dpi=160)
+        replace(path, drawn.getvalue())
     return figure
 
 

@@ -7,7 +7,6 @@ import json
 import math
 import os
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 from .. import _native
 from .._boundary import check, number
 from .._choices import nearest
+from .._files import replace
 from ..errors import InvalidArgumentError, MDRError
 
 if TYPE_CHECKING:
@@ -220,7 +220,7 @@ class FitResult:
         """`to_dict` as JSON text; written to `path` if one is given."""
         text = json.dumps(self.to_dict(level), indent=2, allow_nan=False) + "\n"
         if path is not None:
-            Path(path).write_text(text, encoding="utf-8")
+            replace(path, text.encode())
         return text
 
     def __repr__(self) -> str:

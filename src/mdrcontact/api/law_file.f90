@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Compiled contact laws for C: files, and the same content in memory.
 module mdrcontact_api_law_file
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_null_char, c_ptr
     use mdrcontact_api_law, only: read_text
     use mdrcontact_api_law_handle, only: deliver_law, open_law
     use mdrcontact_api_status, only: check_given, check_memory, status_of
@@ -25,7 +25,7 @@ contains
         call check_given(error, "path", c_associated(path))
         if (.not. allocated(error)) then
             call read_text(path, name, error)
-            if (.not. allocated(error)) call save_law(inside, name, error)
+            if (.not. allocated(error)) call save_law(inside, name//c_null_char, error)
         end if
         status = status_of(error)
     end function mdr_law_save
@@ -41,7 +41,7 @@ contains
         call check_given(error, "path", c_associated(path))
         if (.not. allocated(error)) then
             call read_text(path, name, error)
-            if (.not. allocated(error)) call load_law(law, name, error)
+            if (.not. allocated(error)) call load_law(law, name//c_null_char, error)
         end if
         status = deliver_law(law, out, error)
     end function mdr_law_load
@@ -61,9 +61,10 @@ contains
         call open_law(law, inside, error)
         call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
         call check_given(error, "full_length", present(full_length))
+        text = ""
+        if (.not. allocated(error)) call law_to_text(inside, text, error)
         status = status_of(error)
         if (allocated(error)) return
-        call law_to_text(inside, text)
         full_length = len(text, kind=c_int)
         if (length < full_length) return
         call c_f_pointer(buffer, characters, [length])

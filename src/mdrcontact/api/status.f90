@@ -2,7 +2,7 @@
 !> From an `error_t` to the status of a C call and the calling thread's error text.
 module mdrcontact_api_status
     use, intrinsic :: iso_c_binding, only: c_char, c_int
-    use mdrcontact_error, only: error_memory, error_null, error_t, raise, success
+    use mdrcontact_error, only: check_memory, error_null, error_t, raise, success
     implicit none (type, external)
     private
     public :: status_of, check_given, check_memory
@@ -36,13 +36,5 @@ contains
 
         if (.not. is_given) call raise(error, error_null, name//" is NULL: a pointer is required")
     end subroutine check_given
-
-    !> Raises unless the `stat` of an allocation is zero.
-    pure subroutine check_memory(error, stat)
-        type(error_t), allocatable, intent(inout) :: error
-        integer, intent(in) :: stat
-
-        if (stat /= 0) call raise(error, error_memory, "not enough memory")
-    end subroutine check_memory
 
 end module mdrcontact_api_status

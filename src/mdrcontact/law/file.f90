@@ -3,10 +3,12 @@
 !> in hexadecimal (every bit, on any machine), and a checksum.
 module mdrcontact_law_file
     use, intrinsic :: iso_fortran_env, only: int64
-    use mdrcontact_error, only: count_text, error_file, error_t, raise
+    use mdrcontact_error, only: check_memory, count_text, error_file, error_t, raise
+    use mdrcontact_file, only: path_length, read_file, write_file
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_crc32, only: crc32_text
-    use mdrcontact_law_words, only: read_table, reader_t, table_words
+    use mdrcontact_law_sound, only: is_sound
+    use mdrcontact_law_words, only: put_table, read_table, reader_t, word_count
     implicit none (type, external)
     private
     public :: save_law, load_law, law_to_text, law_from_text
@@ -19,74 +21,61 @@ module mdrcontact_law_file
 
 contains
 
-    !> Writes a law to a file, which it replaces.
+    !> Writes a law to a file, which it replaces; when anything goes wrong the file stays as it was.
     subroutine save_law(law, path, error)
         type(contact_law_t), intent(in) :: law
-        !> name of the file
+        !> name of the file. Trailing blanks do not count, as in Fortran's open; a null character ends a name in which they do
         character(len=*), intent(in) :: path
         type(error_t), allocatable, intent(out) :: error
         character(len=:), allocatable :: text
-        character(len=256) :: reason
-        integer :: unit, stat
 
-        call law_to_text(law, text)
-        open (newunit=unit, file=path, access="stream", form="unformatted", action="write", status="replace", iostat=stat, &
-              iomsg=reason)
-        if (stat == 0) then
-            write (unit, iostat=stat, iomsg=reason) text
-            if (stat == 0) then
-                close (unit, iostat=stat, iomsg=reason)
-            else
-                close (unit)
-            end if
-        end if
-        if (stat /= 0) call raise(error, error_file, "the file "//path//" cannot be written: "//trim(reason))
+        call law_to_text(law, text, error)
+        if (.not. allocated(error)) call write_file(path, text, error)
     end subroutine save_law
 
     !> Reads a law from a file.
     subroutine load_law(law, path, error)
         type(contact_law_t), intent(out) :: law
-        !> name of the file
+        !> name of the file, as in save_law
         character(len=*), intent(in) :: path
         type(error_t), allocatable, intent(out) :: error
         character(len=:), allocatable :: text
-        character(len=256) :: reason
-        integer :: unit, stat, length
 
-        open (newunit=unit, file=path, access="stream", form="unformatted", action="read", status="old", iostat=stat, iomsg=reason)
-        if (stat == 0) then
-            inquire (unit=unit, size=length, iostat=stat, iomsg=reason)
-            if (stat == 0) allocate (character(len=max(length, 0)) :: text, stat=stat, errmsg=reason)
-            if (stat == 0) read (unit, iostat=stat, iomsg=reason) text
-            close (unit)
-        end if
-        if (stat /= 0) then
-            call raise(error, error_file, "the file "//path//" cannot be read: "//trim(reason))
-            return
-        end if
+        call read_file(path, text, error)
+        if (allocated(error)) return
         call law_from_text(law, text, error)
-        if (allocated(error)) error%message = "the file "//path//" is refused: "//error%message
+        if (allocated(error)) error%message = "the file "//path(:path_length(path))//" is refused: "//error%message
     end subroutine load_law
 
     !> The content of a law's file.
-    pure subroutine law_to_text(law, text)
+    pure subroutine law_to_text(law, text, error)
         type(contact_law_t), intent(in) :: law
         character(len=:), allocatable, intent(out) :: text
+        type(error_t), allocatable, intent(inout) :: error
         integer(int64), allocatable :: words(:)
-        integer :: i, start
+        character(len=:), allocatable :: first_line
+        integer :: i, start, stat
 
-        allocate (words, source=[transfer([law%tolerance, law%error], [0_int64]), int(law%solutions, int64), &
-                                 table_words(law%by_depth), table_words(law%by_force)])
-        text = title//version//new_line_character//count_text(len(law%description))//" characters of description, then "// &
-               count_text(size(words))//" numbers"//new_line_character//law%description//new_line_character
-        start = len(text)
-        text = text//repeat(" ", word_length*size(words))
+        allocate (words(3 + word_count(law%by_depth) + word_count(law%by_force)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        words(:3) = [transfer([law%tolerance, law%error], [0_int64]), int(law%solutions, int64)]
+        call put_table(law%by_depth, words(4:))
+        call put_table(law%by_force, words(4 + word_count(law%by_depth):))
+        first_line = title//version//new_line_character//count_text(len(law%description))//" characters of description, then "// &
+                     count_text(size(words))//" numbers"//new_line_character
+        start = len(first_line) + len(law%description) + 1
+        allocate (character(len=start + word_length*size(words) + 1 + checksum_line) :: text, stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        text(:len(first_line)) = first_line
+        text(len(first_line) + 1:start) = law%description//new_line_character
         do i = 1, size(words)
             write (text(start + 1:start + word_length), "(z16.16, a)") words(i), merge(new_line_character, " ", modulo(i, 8) == 0)
             start = start + word_length
         end do
-        text = text//new_line_character
-        text = text//checksum_name//crc32_text(text)//new_line_character
+        text(start + 1:start + 1) = new_line_character
+        text(start + 2:) = checksum_name//crc32_text(text(:start + 1))//new_line_character
     end subroutine law_to_text
 
     !> The law in a file's content.
@@ -104,11 +93,12 @@ contains
         law%tolerance = reader%number()
         law%error = reader%number()
         law%solutions = reader%whole(0, huge(1))
-        call read_table(reader, law%by_depth)
-        if (reader%sound) call read_table(reader, law%by_force)
-        if (.not. reader%sound .or. reader%next /= size(reader%words) + 1) then
-            call raise(error, error_file, "its numbers do not describe a contact law")
-        end if
+        call read_table(reader, law%by_depth, error)
+        if (reader%sound .and. .not. allocated(error)) call read_table(reader, law%by_force, error)
+        if (allocated(error)) return
+        if (reader%sound) reader%sound = reader%next == size(reader%words) + 1
+        if (reader%sound) reader%sound = is_sound(law)
+        if (.not. reader%sound) call raise(error, error_file, "its numbers do not describe a contact law")
     end subroutine law_from_text
 
     !> Title, version and checksum.
@@ -153,12 +143,15 @@ contains
             if (length < 0 .or. count < 1 .or. length > len(text) - start .or. count > len(text)/word_length) stat = 1
         end if
         if (stat == 0) then
+            if (start + length + 1 + word_length*count > len(text)) stat = 1
+        end if
+        if (stat == 0) then
+            allocate (character(len=length) :: description, stat=stat)
+            if (stat == 0) allocate (words(count), stat=stat)
+            call check_memory(error, stat)
+            if (allocated(error)) return
             description = text(start:start + length - 1)
             start = start + length + 1
-            if (start + word_length*count > len(text)) stat = 1
-        end if
-        if (stat == 0) allocate (words(count), stat=stat)
-        if (stat == 0) then
             do i = 1, count
                 read (text(start:start + 15), "(z16)", iostat=stat) words(i)
                 if (stat /= 0) exit

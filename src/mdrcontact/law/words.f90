@@ -3,12 +3,13 @@
 module mdrcontact_law_words
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_segment, only: coefficient_count, column_count, most_bits, panel_count, segment_t
     use mdrcontact_law_table, only: law_table_t, table_stretch_t
     implicit none (type, external)
     private
-    public :: table_words, read_table, reader_t
+    public :: put_table, read_table, reader_t, word_count
 
     !> Words still to be read, and whether all were sound so far.
     type :: reader_t
@@ -21,40 +22,58 @@ module mdrcontact_law_words
     end type reader_t
 
     integer, parameter :: most_entries = 10000000
+    !> Words of a stretch and of a segment.
+    integer, parameter :: stretch_words = 4, segment_words = 11
     real(wp), parameter :: largest_y = 1.0e12_wp
 
 contains
 
-    !> All of a table.
-    pure function table_words(table) result(words)
+    !> How many words a table takes.
+    pure function word_count(table) result(count)
         type(law_table_t), intent(in) :: table
-        integer(int64), allocatable :: words(:)
-        integer :: i
+        integer :: count
 
-        allocate (words(0))
-        words = [int([merge(1, 0, table%by_depth), merge(1, 0, table%adhesive)], int64), &
-                 of_reals([table%end_radius, table%lowest, table%highest, table%end_values, table%powers]), &
-                 int([size(table%stretches), size(table%segments), size(table%coefficients, 3)], int64)]
+        count = 8 + 2*column_count + stretch_words*size(table%stretches) + segment_words*size(table%segments) + &
+                size(table%coefficients)
+    end function word_count
+
+    !> All of a table.
+    pure subroutine put_table(table, words)
+        type(law_table_t), intent(in) :: table
+        !> word_count(table) of them or more
+        integer(int64), intent(inout) :: words(:)
+        integer :: i, j, k, next
+
+        words(:2) = int([merge(1, 0, table%by_depth), merge(1, 0, table%adhesive)], int64)
+        words(3:5 + 2*column_count) = transfer([table%end_radius, table%lowest, table%highest, table%end_values, table%powers], &
+                                               [0_int64])
+        next = 6 + 2*column_count
+        words(next:next + 2) = int([size(table%stretches), size(table%segments), size(table%coefficients, 3)], int64)
+        next = next + 3
         do i = 1, size(table%stretches)
             associate (s => table%stretches(i))
-                words = [words, of_reals([s%lowest, s%highest]), int([s%first, s%last], int64)]
+                words(next:next + 1) = transfer([s%lowest, s%highest], [0_int64])
+                words(next + 2:next + 3) = int([s%first, s%last], int64)
             end associate
+            next = next + stretch_words
         end do
         do i = 1, size(table%segments)
             associate (s => table%segments(i))
-                words = [words, of_reals([s%lowest, s%highest, s%origin, s%side, s%scale, s%offset, s%last_y, s%smallest_root]), &
-                         int([merge(1, 0, s%root), s%bits, s%first_panel], int64)]
+                words(next:next + 7) = transfer([s%lowest, s%highest, s%origin, s%side, s%scale, s%offset, s%last_y, &
+                                                 s%smallest_root], [0_int64])
+                words(next + 8:next + 10) = int([merge(1, 0, s%root), s%bits, s%first_panel], int64)
             end associate
+            next = next + segment_words
         end do
-        words = [words, of_reals(reshape(table%coefficients, [size(table%coefficients)]))]
-    end function table_words
-
-    pure function of_reals(values) result(words)
-        real(wp), intent(in) :: values(:)
-        integer(int64) :: words(size(values))
-
-        words = transfer(values, words)
-    end function of_reals
+        do k = 1, size(table%coefficients, 3)
+            do j = 1, column_count
+                do i = 1, coefficient_count
+                    words(next) = transfer(table%coefficients(i, j, k), 0_int64)
+                    next = next + 1
+                end do
+            end do
+        end do
+    end subroutine put_table
 
     !> The next word as a finite number.
     function number(self) result(value)
@@ -84,11 +103,12 @@ contains
         self%next = self%next + 1
     end function whole
 
-    !> The inverse of table_words; reader%sound tells whether the result can be used.
-    subroutine read_table(reader, table)
+    !> The inverse of put_table; reader%sound tells whether the result can be used.
+    subroutine read_table(reader, table, error)
         type(reader_t), intent(inout) :: reader
         type(law_table_t), intent(out) :: table
-        integer :: i, j, k, stretches, segments, panels
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, j, k, stretches, segments, panels, stat
 
         table%by_depth = reader%whole(0, 1) == 1
         table%adhesive = reader%whole(0, 1) == 1
@@ -104,12 +124,14 @@ contains
         stretches = reader%whole(1, most_entries)
         segments = reader%whole(1, most_entries)
         panels = reader%whole(1, most_entries)
-        if (size(reader%words) - reader%next + 1 < 4*stretches + 11*segments + coefficient_count*column_count*panels) then
-            reader%sound = .false.
-        end if
+        if (size(reader%words) - reader%next + 1 < stretch_words*stretches + segment_words*segments + &
+            coefficient_count*column_count*panels) reader%sound = .false.
         if (.not. reader%sound) return
-        allocate (table%stretches(stretches), table%segments(segments))
-        allocate (table%coefficients(coefficient_count, column_count, panels))
+        allocate (table%stretches(stretches), stat=stat)
+        if (stat == 0) allocate (table%segments(segments), stat=stat)
+        if (stat == 0) allocate (table%coefficients(coefficient_count, column_count, panels), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         do i = 1, stretches
             table%stretches(i)%lowest = reader%number()
             table%stretches(i)%highest = reader%number()

@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Whole files, read and written from any number of threads. (Fortran's own statements refuse a file that another unit has open, end a
+ * name at its trailing blanks, and write in place.)
+ *
+ * A file is written beside its place, flushed, closed and then moved there: whoever reads the name finds the old content or the new,
+ * and a full disk costs nothing but an error. A symbolic link is followed, its target replaced. What exists and is not a regular
+ * file (a folder, a device, a pipe) or is write-protected is left alone.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { MOST_LINKS = 40, MOST_TRIALS = 100000, NAME_SPACE = 64 };
+
+static const char *const not_regular = "it is not a regular file";
+
+int mdrcontact_open_file(const char *path, long long *size, char *reason, size_t space);
+int mdrcontact_read_file(int file, char *bytes, size_t size, char *reason, size_t space);
+int mdrcontact_write_file(const char *path, const char *bytes, size_t size, char *reason, size_t space);
+
+static int refuse(char *reason, size_t space, const char *words)
+{
+    snprintf(reason, space, "%s", words);
+    return -1;
+}
+
+static int refuse_by_system(char *reason, size_t space, int number)
+{
+    if (strerror_r(number, reason, space) != 0) snprintf(reason, space, "error %d of the system", number);
+    return -1;
+}
+
+/* Opens a regular file for reading; the descriptor, or -1 with the reason. Only called from Fortran, like the next two. */
+int mdrcontact_open_file(const char *path, long long *size, char *reason, size_t space)
+{
+    struct stat facts;
+    /* a pipe without a writer would wait for ever */
+    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+
+    if (file < 0) return refuse_by_system(reason, space, errno);
+    if (fstat(file, &facts) != 0) {
+        refuse_by_system(reason, space, errno);
+    } else if (!S_ISREG(facts.st_mode)) {
+        refuse(reason, space, not_regular);
+    } else {
+        *size = (long long)facts.st_size;
+        return file;
+    }
+    close(file);
+    return -1;
+}
+
+/* Reads `size` bytes and closes; 0, or -1 with the reason. With `bytes` NULL it closes only. */
+int mdrcontact_read_file(int file, char *bytes, size_t size, char *reason, size_t space)
+{
+    int status = 0;
+
+    for (size_t done = 0; bytes && status == 0 && done < size;) {
+        const ssize_t count = read(file, bytes + done, size - done);
+        if (count > 0) {
+            done += (size_t)count;
+        } else if (count == 0) {
+            status = refuse(reason, space, "it became shorter while it was read");
+        } else if (errno != EINTR) {
+            status = refuse_by_system(reason, space, errno);
+        }
+    }
+    close(file);
+    return status;
+}
+
+/* The length of the folder in a path, its last slash included. */
+static size_t folder_length(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? (size_t)(slash - path) + 1 : 0;
+}
+
+/* Path of what a symbolic link points to, as seen from the folder of the link; NULL with errno. Frees the link's path. */
+static char *follow(char *link, const struct stat *facts)
+{
+    const size_t folder = folder_length(link), space = (size_t)(facts->st_size > 0 ? facts->st_size : 4096) + 1;
+    char *target = malloc(folder + space);
+    const ssize_t count = target ? readlink(link, target + folder, space - 1) : -1;
+
+    if (count < 0 || (size_t)count == space - 1 + (facts->st_size > 0)) {
+        free(target);
+        target = NULL;
+    } else {
+        target[folder + (size_t)count] = '\0';
+        if (target[folder] == '/') {
+            memmove(target, target + folder, (size_t)count + 1);
+        } else {
+            memcpy(target, link, folder);
+        }
+    }
+    free(link);
+    return target;
+}
+
+/* The file that a path means in the end, to be freed; NULL with the reason where nothing may be written. */
+static char *place_of(const char *path, mode_t *mode, char *reason, size_t space)
+{
+    struct stat facts;
+    char *place = strdup(path);
+
+    for (int links = 0; place && links < MOST_LINKS; links++) {
+        if (lstat(place, &facts) != 0) {
+            if (errno == ENOENT) return place; /* a new file; or no such folder, which opening it tells */
+            refuse_by_system(reason, space, errno);
+            free(place);
+            return NULL;
+        }
+        if (S_ISLNK(facts.st_mode)) {
+            place = follow(place, &facts);
+            continue;
+        }
+        *mode = facts.st_mode & 07777;
+        if (S_ISREG(facts.st_mode) && access(place, W_OK) == 0) return place;
+        if (S_ISREG(facts.st_mode)) {
+            refuse_by_system(reason, space, errno);
+        } else {
+            refuse(reason, space, not_regular);
+        }
+        free(place);
+        return NULL;
+    }
+    refuse_by_system(reason, space, place ? ELOOP : errno);
+    free(place);
+    return NULL;
+}
+
+/* Opens a new file beside `place`, whose name goes to `beside` (the length of `place` and NAME_SPACE more); -1 with errno. */
+static int open_beside(const char *place, char *beside)
+{
+    const size_t folder = folder_length(place);
+    int file = -1;
+
+    memcpy(beside, place, folder);
+    for (int i = 0; file < 0 && i < MOST_TRIALS; i++) {
+        snprintf(beside + folder, NAME_SPACE, ".mdrcontact-%ld-%d.tmp", (long)getpid(), i);
+        file = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file < 0 && errno != EEXIST) break;
+    }
+    return file;
+}
+
+/* Writes everything and sees it to the disk; errno of what went wrong, or 0. Closes. */
+static int write_all(int file, const char *bytes, size_t size)
+{
+    int problem = 0;
+
+    for (size_t done = 0; problem == 0 && done < size;) {
+        const ssize_t count = write(file, bytes + done, size - done);
+        if (count >= 0) {
+            done += (size_t)count;
+        } else if (errno != EINTR) {
+            problem = errno;
+        }
+    }
+    /* some file systems find out that they are full here; EINVAL: this one does not flush */
+    if (problem == 0 && fsync(file) != 0 && errno != EINVAL) problem = errno;
+    if (close(file) != 0 && problem == 0) problem = errno;
+    return problem;
+}
+
+/* Makes the file `path` with these bytes, or replaces it; 0, or -1 with the reason and everything as it was. */
+int mdrcontact_write_file(const char *path, const char *bytes, size_t size, char *reason, size_t space)
+{
+    mode_t mode = 0;
+    char *place = place_of(path, &mode, reason, space);
+    char *beside = place ? malloc(strlen(place) + NAME_SPACE) : NULL;
+    int file = -1, problem = 0;
+
+    if (!place) return -1;
+    if (beside) file = open_beside(place, beside);
+    if (file < 0) problem = errno;
+    if (file >= 0) {
+        if (mode) fchmod(file, mode); /* where that is not allowed it stays that of a new file */
+        problem = write_all(file, bytes, size);
+        if (problem == 0 && rename(beside, place) != 0) problem = errno;
+        if (problem != 0) unlink(beside);
+    }
+    free(beside);
+    free(place);
+    return problem == 0 ? 0 : refuse_by_system(reason, space, problem);
+}

@@ -1,0 +1,117 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Whether the numbers of a file are those of a contact: a checksum tells damage, not what somebody wrote on purpose.
+module mdrcontact_law_sound
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_law, only: contact_law_t
+    use mdrcontact_law_segment, only: coefficient_count, column_count, panel_count, polynomial, segment_t
+    use mdrcontact_law_table, only: law_table_t, table_stretch_t
+    implicit none (type, external)
+    private
+    public :: is_sound
+
+    !> Columns whose values are never negative: a and k.
+    integer, parameter :: radius_column = 2, stiffness_column = 3
+    !> What a value may lack where two panels or two segments meet, in shares of it.
+    real(wp), parameter :: rounding = 1.0e-6_wp
+
+contains
+
+    !> Whether both tables of a law describe the same kind of contact, with contact radii and stiffnesses that are nowhere negative.
+    pure function is_sound(law) result(sound)
+        type(contact_law_t), intent(in) :: law
+        logical :: sound
+
+        sound = law%tolerance > 0.0_wp .and. law%error >= 0.0_wp .and. law%by_depth%by_depth .and. .not. law%by_force%by_depth &
+                .and. (law%by_depth%adhesive .eqv. law%by_force%adhesive)
+        if (sound) sound = is_sound_table(law%by_depth)
+        if (sound) sound = is_sound_table(law%by_force)
+    end function is_sound
+
+    pure function is_sound_table(table) result(sound)
+        type(law_table_t), intent(in) :: table
+        logical :: sound
+        integer :: i, column
+
+        sound = table%end_radius >= 0.0_wp .and. table%lowest < table%highest
+        if (.not. table%adhesive) then
+            ! below the range: end_values (s/lowest)^powers
+            sound = sound .and. table%lowest > 0.0_wp .and. all(table%end_values >= 0.0_wp) .and. all(table%powers >= -rounding)
+        end if
+        do i = 1, size(table%coefficients, 3)
+            do column = radius_column, stiffness_column
+                if (sound) sound = is_positive(table%coefficients(:, column, i))
+            end do
+        end do
+        do i = 1, size(table%stretches)
+            if (sound) sound = is_sound_stretch(table, table%stretches(i))
+        end do
+    end function is_sound_table
+
+    !> Whether the segments of a stretch follow each other and the contact radius grows along them.
+    pure function is_sound_stretch(table, stretch) result(sound)
+        type(law_table_t), intent(in) :: table
+        type(table_stretch_t), intent(in) :: stretch
+        logical :: sound
+        real(wp) :: radius, low, high, s, span
+        integer :: i, panel, count
+
+        s = stretch%lowest
+        span = stretch%highest - stretch%lowest
+        sound = stretch%lowest >= table%lowest .and. stretch%highest <= table%highest .and. span > 0.0_wp
+        radius = table%end_radius*(1.0_wp - rounding)
+        do i = stretch%first, stretch%last
+            associate (segment => table%segments(i))
+                sound = sound .and. abs(segment%lowest - s) <= rounding*span .and. segment%highest > segment%lowest
+                s = segment%highest
+                count = panel_count(segment)
+                do panel = 1, count
+                    call radius_ends(table, segment, merge(panel, count + 1 - panel, segment%side > 0.0_wp), low, high)
+                    sound = sound .and. low >= radius*(1.0_wp - rounding) .and. high >= low*(1.0_wp - rounding)
+                    radius = high
+                end do
+            end associate
+        end do
+        sound = sound .and. abs(stretch%highest - s) <= rounding*span
+    end function is_sound_stretch
+
+    !> a at both ends of a panel, by ascending s.
+    pure subroutine radius_ends(table, segment, panel, low, high)
+        type(law_table_t), intent(in) :: table
+        type(segment_t), intent(in) :: segment
+        integer, intent(in) :: panel
+        real(wp), intent(out) :: low, high
+
+        associate (c => table%coefficients(:, radius_column, segment%first_panel + panel))
+            low = polynomial(c, -sign(1.0_wp, segment%side))
+            high = polynomial(c, sign(1.0_wp, segment%side))
+        end associate
+    end subroutine radius_ends
+
+    !> Whether a polynomial is nowhere negative on -1 <= t <= 1: its Bernstein coefficients, whose hull contains it, are not.
+    pure function is_positive(c) result(positive)
+        real(wp), intent(in) :: c(coefficient_count)
+        logical :: positive
+        integer, parameter :: degree = coefficient_count - 1
+        real(wp) :: b(0:degree), binomial
+        integer :: i, k
+
+        b = c
+        do i = 0, degree - 1 ! in powers of x = 1 + t, by repeated division
+            do k = degree - 1, i, -1
+                b(k) = b(k) - b(k + 1)
+            end do
+        end do
+        binomial = 1.0_wp
+        do i = 1, degree ! x = 2 y, 0 <= y <= 1, each power divided by its binomial coefficient
+            binomial = binomial*(degree + 1 - i)/i
+            b(i) = b(i)*2.0_wp**i/binomial
+        end do
+        do i = 1, degree ! b_j = sum over i of binomial(j, i) of them: differences undone
+            do k = degree, i, -1
+                b(k) = b(k) + b(k - 1)
+            end do
+        end do
+        positive = all(b >= 0.0_wp)
+    end function is_positive
+
+end module mdrcontact_law_sound
