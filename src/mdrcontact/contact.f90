@@ -32,6 +32,9 @@ module mdrcontact_contact
         type(radius_law_t), allocatable :: zeta
     end type contact_options_t
 
+    !> Where the lowest pressure is looked for: so many radii, and again as many between the neighbours of the lowest.
+    integer, parameter :: pressure_probes = 32, pressure_rounds = 3
+
     !> An indenter on a medium. It holds copies of both and never changes; any number of threads may share it.
     type :: contact_t
         private
@@ -53,6 +56,7 @@ module mdrcontact_contact
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement
+        procedure :: lowest_pressure
     end type contact_t
 
 contains
@@ -352,6 +356,41 @@ contains
         if (allocated(error)) return
         values = unpack(outside, r > state%radius, state%depth - self%equilibrium%profile%height(min(r, state%radius)))
     end subroutine displacement
+
+    !> The lowest pressure in a contact without adhesion. Below 0 the bodies would have to pull on each other: the contact is then
+    !> not one disc, its pressure is not that of the true contact, and F(d) is a little off (theory 6). On stiff coatings only.
+    subroutine lowest_pressure(self, state, pressure, radius, error)
+        class(contact_t), intent(in) :: self
+        !> a state of this contact, a > 0, without adhesion
+        type(contact_state_t), intent(in) :: state
+        !> the smallest p(r), 0 <= r <= a, and the r that has it: 0 at the edge where no pressure is negative [modulus], [length]
+        real(wp), intent(out) :: pressure, radius
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: from, to, r(pressure_probes), values(pressure_probes)
+        integer :: round, i
+
+        pressure = 0.0_wp
+        radius = state%radius
+        if (self%is_adhesive()) then
+            call raise(error, error_invalid, "lowest_pressure is not allowed: under adhesion the pressure is "// &
+                       "minus infinity at the edge")
+            return
+        end if
+        from = 0.0_wp
+        to = state%radius
+        do round = 1, pressure_rounds
+            ! The edge is left out: p is 0 or infinite there.
+            r = [(from + (to - from)*(i - 1)/pressure_probes, i=1, pressure_probes)]
+            call self%pressure(state, r, values, error)
+            if (allocated(error)) return
+            i = minloc(values, dim=1)
+            if (.not. values(i) < pressure) return
+            pressure = values(i)
+            radius = r(i)
+            from = r(max(i - 1, 1))
+            to = min(r(i) + (r(2) - r(1)), state%radius)
+        end do
+    end subroutine lowest_pressure
 
     !> The stable adhesive state with a given s, on loading (the smallest contact that the approach meets) or on unloading
     !> (the largest).
