@@ -327,9 +327,9 @@ int mdr_medium_power_graded(double E0, double z0, double exponent, double nu, md
  *  below a[0] the modulus is taken as constant when forces are integrated.
  *  @param n        number of radii, at least 3
  *  @param a        [n] contact radii > 0, strictly ascending [length]
- *  @param modulus  [n] E_eff(a) > 0 [modulus]
+ *  @param moduli   [n] E_eff(a) > 0 [modulus]
  *  @param out      receives the handle */
-int mdr_medium_table(int n, const double a[], const double modulus[], mdr_medium **out);
+int mdr_medium_table(int n, const double a[], const double moduli[], mdr_medium **out);
 
 /** Medium whose effective modulus is a smooth function. It is sampled when the handle is made.
  *  @param modulus          E_eff(a) > 0 [modulus]

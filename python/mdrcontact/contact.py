@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from numpy.typing import ArrayLike
 
 from . import _native, _zeta, adhesion
 from ._boundary import FloatOrArray, Handle, evaluate, evaluate_all, number, thread_count
-from ._described import Described
+from ._value import Value
 from .adhesion import BRANCHES, RULES, Loop, PullOff
 from .errors import ArgumentTypeError, UnreachableError
 from .medium import Medium
@@ -32,7 +33,8 @@ class State(NamedTuple):
     """k = dF/dd = 2 a E_eff(a), contact stiffness [modulus length]"""
 
 
-class Contact(Described):
+@dataclass(frozen=True)
+class Contact(Value):
     """A frictionless contact of an indenter with a medium. It never changes and may be shared between threads.
 
     indenter : a profile: Sphere(...), Cone(...), ...
@@ -53,8 +55,7 @@ class Contact(Described):
     medium: Medium
     work_of_adhesion: float
     adhesion_rule: str
-
-    _handle: Handle
+    zeta: _zeta.Table | str | None
 
     def __init__(
         self,
@@ -74,8 +75,8 @@ class Contact(Described):
         # without zeta the table is one unused entry
         native_table = (0, [1.0], [1.0]) if table is None else (len(table[0]), *table)
         created = _native.contact_new(indenter._handle.address, medium._handle.address, *native_table, gamma, rule)
-        object.__setattr__(self, "_handle", Handle(created, _native.contact_free))
-        self._describe(indenter=indenter, medium=medium, work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given)
+        self._set(_handle=Handle(created, _native.contact_free), indenter=indenter, medium=medium)
+        self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given)
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> State:
         """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.

@@ -3,14 +3,17 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from . import _native
-from ._boundary import Handle, evaluate, number
-from ._described import Described
+from ._boundary import Handle, evaluate
+from ._value import Value
 
 __all__ = ["Elastic", "RIGID"]
 
 
-class Elastic(Described):
+@dataclass(frozen=True)
+class Elastic(Value):
     """An isotropic elastic material.
 
     E : Young's modulus, > 0, in the unit of pressure of the whole problem (Pa with metres and newtons)
@@ -19,18 +22,15 @@ class Elastic(Described):
 
     E: float
     nu: float
-    _half_space: Handle
 
-    def __init__(self, E: float, nu: float) -> None:
-        E, nu = number("E", E), number("nu", nu)
+    def __post_init__(self) -> None:
         # the library's half-space of this material checks E and nu, and knows E*
-        object.__setattr__(self, "_half_space", Handle(_native.medium_homogeneous(E, nu), _native.medium_free))
-        self._describe(E=E, nu=nu)
+        self._set(_handle=Handle(_native.medium_homogeneous(*self._numbers()), _native.medium_free))
 
     @property
     def contact_modulus(self) -> float:
         """E* = E/(1 - nu^2), equation (2) [modulus]."""
-        return float(evaluate(_native.medium_modulus, 1, self._half_space.address, name="a", values=1.0))
+        return float(evaluate(_native.medium_modulus, 1, self._handle.address, name="a", values=1.0))
 
 
 class _Rigid:

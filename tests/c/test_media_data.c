@@ -114,12 +114,12 @@ static void table_and_power_refuse(void)
 
     CHECK_STATUS(mdr_medium_table(3, a, E, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_medium_table(3, NULL, E, &m), MDR_ENULL, "a is NULL");
-    CHECK_STATUS(mdr_medium_table(3, a, NULL, &m), MDR_ENULL, "modulus is NULL");
+    CHECK_STATUS(mdr_medium_table(3, a, NULL, &m), MDR_ENULL, "moduli is NULL");
     CHECK_STATUS(mdr_medium_table(-3, a, E, &m), MDR_EINVALID, "n = -3");
     CHECK_STATUS(mdr_medium_table(2, a, E, &m), MDR_EINVALID, "too short");
     CHECK_STATUS(mdr_medium_table(3, zero, E, &m), MDR_EINVALID, "entry 1 of a = 0");
     CHECK_STATUS(mdr_medium_table(3, repeated, E, &m), MDR_EINVALID, "entry 2 of a = 0.1");
-    CHECK_STATUS(mdr_medium_table(3, a, bad_E, &m), MDR_EINVALID, "entry 2 of modulus = -1");
+    CHECK_STATUS(mdr_medium_table(3, a, bad_E, &m), MDR_EINVALID, "entry 2 of moduli = -1");
 
     CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, 0.5, 0.3, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_medium_power_graded(0.0, 1.0, 0.5, 0.3, &m), MDR_EINVALID, "E0 = 0");

@@ -60,7 +60,7 @@ INVALID = [
     (lambda: mdr.Graded([1.0, 2.0], [1.0, 2.0], 0.2), r"z"),
     (lambda: mdr.Graded(-1.0, lambda z: 1.0, 0.2), r"depth = -1 "),
     (lambda: mdr.PowerLawGraded(1.0, 1.0, 1.0, 0.2), r"exponent = 1 "),
-    (lambda: mdr.TabulatedMedium([1.0, 2.0, 3.0], [1.0, -1.0, 1.0]), r"modulus.* = -1 "),
+    (lambda: mdr.TabulatedMedium([1.0, 2.0, 3.0], [1.0, -1.0, 1.0]), r"moduli.* = -1 "),
     (lambda: mdr.TabulatedMedium([1.0, 2.0], [1.0]), r"same length; it is 2 and 1"),
     (lambda: mdr.CallableMedium(lambda a: 1.0, 2.0, 1.0), r"radius"),
     (lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE), zeta=([1.0], [1.0, 2.0])), r"same length; it is 1 and 2"),

@@ -249,7 +249,7 @@ MEDIA = [
         {"type": "power-law-graded", "E0": "1 GPa", "z0": "1 um", "exponent": 0.3, "nu": 0.3},
         mdr.PowerLawGraded(1e9, 1e-6, 0.3, 0.3),
     ),
-    ({"type": "table", "a_um": [1, 2, 3], "modulus_GPa": [1, 2, 3]}, mdr.TabulatedMedium([1e-6, 2e-6, 3e-6], [1e9, 2e9, 3e9])),
+    ({"type": "table", "a_um": [1, 2, 3], "moduli_GPa": [1, 2, 3]}, mdr.TabulatedMedium([1e-6, 2e-6, 3e-6], [1e9, 2e9, 3e9])),
 ]
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,11 +16,9 @@ from ..material import Elastic
 from ..medium import Coated, Homogeneous
 from ..problem import Problem
 from ..problem.units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, Unit, practical
+from .answers import Answer, reference, response_of, spread_text
 from .files import OutputError, figure_format
 from .solve import Array, Curve, crossing, thickness
-
-if TYPE_CHECKING:
-    from .compare import Answer
 
 # Okabe and Ito's colours: told apart by all eyes. Dashes tell apart what colours no longer do.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
@@ -83,8 +81,6 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
 
 def compare_figure(problem: Problem, answers: Sequence[Answer], form: str) -> bytes:
     """Response of every model, its effective modulus against a/h, and the deviation from the reference."""
-    from .compare import reference, response_of, spread_text
-
     with _style():
         figure, axes = _figure(problem.title, 1, 3, (12.0, 4.4))
         name, response, dimension = response_of(problem)

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import contextlib
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,9 +12,7 @@ from .. import medium as media
 from ..contact import Contact
 from ..errors import MDRError
 from .data import ForceDepth, ModulusRadius, StiffnessRadius
-
-if TYPE_CHECKING:
-    from .result import FitResult
+from .result import FitResult
 
 _LARGE_ERROR = 0.3
 _STRONG_CORRELATION = 0.98

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 from .. import medium as media
 from .. import profile as profiles
 from .._boundary import number
 from .._choices import nearest
-from .._described import Described
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Elastic
 from ..medium.coated import base
@@ -19,7 +19,8 @@ from ..medium.models import MODELS, settings
 from ..profile.tips import _Pyramid
 
 
-class Free(Described):
+@dataclass(frozen=True)
+class Free:
     """A parameter that the fit is to find.
 
     start : where the search begins; default: the value in the indenter, medium or instrument
@@ -27,36 +28,31 @@ class Free(Described):
     prior : (value, standard deviation) known beforehand; enters the fit as one more measurement
     """
 
-    start: float | None
-    lower: float
-    upper: float
-    prior: tuple[float, float] | None
+    start: float | None = None
+    lower: float = field(default=-math.inf, kw_only=True)
+    upper: float = field(default=math.inf, kw_only=True)
+    prior: tuple[float, float] | None = field(default=None, kw_only=True)
 
-    def __init__(
-        self,
-        start: float | None = None,
-        *,
-        lower: float = -math.inf,
-        upper: float = math.inf,
-        prior: tuple[float, float] | None = None,
-    ) -> None:
-        if prior is not None:
-            try:
-                mean, sd = prior
-            except (TypeError, ValueError) as problem:
-                raise ArgumentTypeError(f"prior = {prior!r} is not allowed: it must be (value, standard deviation)") from problem
-            prior = number("prior value", mean), number("prior standard deviation", sd)
-            if not (math.isfinite(prior[0]) and 0.0 < prior[1] < math.inf):
-                raise InvalidArgumentError(f"prior = {prior!r} is not allowed: its standard deviation must be greater than 0")
-        self._describe(
-            start=None if start is None else number("start", start),
-            lower=number("lower", lower),
-            upper=number("upper", upper),
-            prior=prior,
-        )
+    def __post_init__(self) -> None:
+        given = {"lower": number("lower", self.lower), "upper": number("upper", self.upper), "start": self.start}
+        if self.start is not None:
+            given["start"] = number("start", self.start)
+        for name, value in given.items():
+            object.__setattr__(self, name, value)
+        if self.prior is None:
+            return
+        try:
+            mean, sd = self.prior
+        except (TypeError, ValueError) as problem:
+            raise ArgumentTypeError(f"prior = {self.prior!r} is not allowed: it must be (value, standard deviation)") from problem
+        prior = number("prior value", mean), number("prior standard deviation", sd)
+        if not (math.isfinite(prior[0]) and 0.0 < prior[1] < math.inf):
+            raise InvalidArgumentError(f"prior = {prior!r} is not allowed: its standard deviation must be greater than 0")
+        object.__setattr__(self, "prior", prior)
 
 
-class Instrument(Described):
+@dataclass(frozen=True, kw_only=True)
+class Instrument:
     """What stands between the contact and the data.
 
     work_of_adhesion : gamma >= 0 [modulus length]; for ForceDepth
@@ -68,30 +64,20 @@ class Instrument(Described):
     stiffness_factor : beta of S = 2 beta a E_r
     """
 
-    indenter: Elastic | None
+    work_of_adhesion: float = 0.0
+    depth_offset: float = 0.0
+    force_offset: float = 0.0
+    frame_compliance: float = 0.0
+    indenter: Elastic | None = None
+    contact_depth_factor: float = 0.75
+    stiffness_factor: float = 1.0
 
-    def __init__(
-        self,
-        *,
-        work_of_adhesion: float = 0.0,
-        depth_offset: float = 0.0,
-        force_offset: float = 0.0,
-        frame_compliance: float = 0.0,
-        indenter: Elastic | None = None,
-        contact_depth_factor: float = 0.75,
-        stiffness_factor: float = 1.0,
-    ) -> None:
-        if indenter is not None and not isinstance(indenter, Elastic):
-            raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an Elastic(E, nu) or None")
-        self._describe(
-            work_of_adhesion=number("work_of_adhesion", work_of_adhesion),
-            depth_offset=number("depth_offset", depth_offset),
-            force_offset=number("force_offset", force_offset),
-            frame_compliance=number("frame_compliance", frame_compliance),
-            indenter=indenter,
-            contact_depth_factor=number("contact_depth_factor", contact_depth_factor),
-            stiffness_factor=number("stiffness_factor", stiffness_factor),
-        )
+    def __post_init__(self) -> None:
+        if self.indenter is not None and not isinstance(self.indenter, Elastic):
+            raise ArgumentTypeError(f"indenter = {self.indenter!r} is not allowed: it must be an Elastic(E, nu) or None")
+        for name, value in vars(self).copy().items():
+            if name != "indenter":
+                object.__setattr__(self, name, number(name, value))
 
 
 class Numbers(NamedTuple):
@@ -165,7 +151,7 @@ def of_medium(medium: Any) -> MediumNumbers:
         names = ["E0", "z0", "exponent", "nu"]
         values = [float(getattr(medium, name)) for name in names]
         return MediumNumbers(Numbers(4, names, values, lambda v: media.PowerLawGraded(*v)), *plain)
-    if isinstance(medium, media.Graded) and medium.model != "exact" and isinstance(medium._arguments["E"], tuple):
+    if isinstance(medium, media.Graded) and medium.model != "exact" and isinstance(medium.E, tuple):
         return _graded(medium)
     return MediumNumbers(Numbers(0, [], [], lambda _: medium), *plain)
 
@@ -173,7 +159,7 @@ def of_medium(medium: Any) -> MediumNumbers:
 def _graded(medium: Any) -> MediumNumbers:
     z, E, nu = medium.z, medium.E, medium.nu
     ratios = nu if isinstance(nu, tuple) else (nu,) * len(z)
-    options = {k: v for k, v in medium._arguments.items() if k in MODELS[medium.model].options}
+    options = dict(medium.options)
     code, _, _, choice, weight_nu, tolerance = settings(medium.model, options, layers=True).native
     names = [f"{name}[{i}]" for i in range(len(z)) for name in ("z", "E", "nu")]
     values = [value for row in zip(z, E, ratios, strict=True) for value in row]
@@ -184,7 +170,7 @@ def _graded(medium: Any) -> MediumNumbers:
 def _stack(medium: Any) -> MediumNumbers:
     coated = isinstance(medium, media.Coated)
     layers = [(medium.coating, medium.thickness)] if coated else list(medium.layers)
-    options = {k: v for k, v in medium._arguments.items() if k in MODELS[medium.model].options}
+    options = dict(medium.options)
     code, alpha, wave_factor, choice, weight_nu, tolerance = settings(medium.model, options).native
     constant = "wave_factor" if medium.model == "wave" else "alpha"
     takes_constant = constant in MODELS[medium.model].options
@@ -211,15 +197,14 @@ def of_instrument(instrument: Instrument) -> Numbers:
     """The instrument's seven numbers."""
     if not isinstance(instrument, Instrument):
         raise ArgumentTypeError(f"instrument = {instrument!r} is not allowed: it must be an Instrument(...)")
-    arguments = instrument._arguments
     modulus = math.inf if instrument.indenter is None else instrument.indenter.contact_modulus
-    values = [modulus if name == "indenter_modulus" else arguments[name] for name in INSTRUMENT]
+    values = [modulus if name == "indenter_modulus" else getattr(instrument, name) for name in INSTRUMENT]
 
     def build(v: Sequence[float]) -> Instrument:
         changed: dict[str, Any] = {name: value for name, value in zip(INSTRUMENT, v, strict=True) if name != "indenter_modulus"}
         if v[4] != modulus:
             changed["indenter"] = Elastic(v[4], 0.0)
-        return instrument.replace(**changed)
+        return replace(instrument, **changed)
 
     return Numbers(0, list(INSTRUMENT), values, build)
 

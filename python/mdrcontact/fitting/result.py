@@ -7,7 +7,7 @@ import json
 import math
 import os
 from concurrent.futures import ThreadPoolExecutor
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,9 +17,8 @@ from .._boundary import check, number
 from .._choices import nearest
 from .._files import replace
 from ..errors import InvalidArgumentError, MDRError
-
-if TYPE_CHECKING:
-    from .solve import Problem
+from .picture import draw
+from .problem import Problem
 
 Array = NDArray[np.float64]
 
@@ -138,8 +137,6 @@ class FitResult:
     def simulate(self, draws: int = 200, seed: int | None = None) -> Array:
         """Estimates from simulated data: the fitted curve plus noise, and priors drawn about their estimates; (draws, parameters).
         Simulations that fail are left out."""
-        from .solve import solve
-
         if not isinstance(draws, int) or draws < 2:
             raise InvalidArgumentError(f"draws = {draws!r} is not allowed: it must be a whole number, at least 2")
         random = np.random.default_rng(seed)
@@ -156,10 +153,10 @@ class FitResult:
 
         def one(problem: Problem) -> list[float] | None:
             try:
-                found = solve(problem, quietly=True)
+                values = problem.answer()[0]
             except MDRError:
                 return None
-            return [found.estimates[name] for name in self.names]
+            return [float(values[problem.names.index(name)]) for name in self.names]
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             rows = [row for row in pool.map(one, trials) if row is not None]
@@ -168,16 +165,43 @@ class FitResult:
         return np.array(rows)
 
     def summary(self, level: float = 0.95) -> str:
-        """The result in words and a table."""
-        from .words import summary
-
-        return summary(self, level)
+        """Table of estimates, quality of the fit, correlations, warnings."""
+        percent = f"{100.0 * level:g} %"
+        rows = [["parameter", "estimate", "standard error", f"{percent} interval", ""]]
+        for name in self.names:
+            lower, upper = self.interval(name, level)
+            value, error = self.estimates[name], self.standard_errors[name]
+            relative = f"{100.0 * error / abs(value):.2g} %" if value else ""
+            bound = {-1: "at its lower bound", 1: "at its upper bound"}.get(self.at_bound[name], relative)
+            rows.append([name, f"{value:.6g}", f"{error:.2g}", f"{lower:.6g} to {upper:.6g}", bound])
+        widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+        lines = [f"Fit of {len(self.data)} points: " + ("converged" if self.converged else "NOT CONVERGED, best point found")]
+        lines[0] += f" after {self.iterations} iterations"
+        lines += ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
+        dof = self.degrees_of_freedom
+        if self.noise_is_known:
+            lines.append(f"chi-square {self.chi_square:.4g} for {dof:.4g} degrees of freedom: ratio {self.chi_square / dof:.3g}")
+        elif self.data.sd is None:
+            lines.append(f"noise, estimated from the residuals: {self.noise:.3g} ({dof:.4g} degrees of freedom)")
+        else:
+            lines.append(f"standard deviations of the data, estimated: {self.noise:.3g} times the given ones")
+        if self.prior_chi_square > 0.0:
+            lines.append(f"chi-square of the priors {self.prior_chi_square:.3g}")
+        lines.append(f"AIC {self.aic:.5g}, BIC {self.bic:.5g}; test of runs of the residuals: p = {self.runs_probability:.2g}")
+        correlation = self.correlation
+        for i, one in enumerate(self.names):
+            for j in range(i):
+                lines.append(f"correlation of {one} and {self.names[j]}: {correlation[i, j]:+.4f}")
+        return "\n".join(lines + [f"warning: {words}" for words in self.warnings])
 
     def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
         """Data, fit and residuals as a matplotlib figure; written to `path` (.png, .pdf, .svg) if one is given."""
-        from .picture import draw
-
-        return draw(self, path)
+        title = [f"{name} = {self.estimates[name]:.4g} ± {self.standard_errors[name]:.2g}" for name in self.names]
+        if not self.converged:
+            title.append("not converged")
+        model = getattr(self.medium, "model", None)
+        label = f"fit ({model})" if model else "fit"
+        return draw(self.data, self.noise, self.fitted, self.residuals, label, title, path)
 
     def to_dict(self, level: float = 0.95) -> dict[str, Any]:
         """Everything but the objects, as plain Python values; numbers that are not finite become None."""

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from .structure import Structure
 _ORDERS = (8, 16, 32, 64)
 
 
+@dataclass(frozen=True)
 class Field(Structure):
     """A structure of moduli E(x, y, z) and nu(x, y, z).
 
@@ -29,15 +31,15 @@ class Field(Structure):
 
     function: Callable[..., Any]
     reference_nu: float
-    tolerance: float
+    tolerance: float = field(default=1e-5, kw_only=True)
 
-    def __init__(self, function: Callable[..., Any], reference_nu: float, *, tolerance: float = 1e-5) -> None:
-        nu, wanted = number("reference_nu", reference_nu), number("tolerance", tolerance)
+    def __post_init__(self) -> None:
+        nu, wanted = number("reference_nu", self.reference_nu), number("tolerance", self.tolerance)
         if not 1e-10 <= wanted <= 0.1:
             raise InvalidArgumentError(f"tolerance = {wanted!r} is not allowed: it must be from 1e-10 to 0.1")
         if not -1.0 < nu <= 0.5:
             raise InvalidArgumentError(f"reference_nu = {nu!r} is not allowed: it must be greater than -1 and at most 0.5")
-        self._describe(function=function, reference_nu=nu, tolerance=wanted)
+        self._set(reference_nu=nu, tolerance=wanted)
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
         """E and nu at points, which broadcast."""

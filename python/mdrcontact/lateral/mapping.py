@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from .. import _native
 from .._boundary import check, row, thread_count
 from ..errors import ArgumentTypeError, InvalidArgumentError, OutOfMemoryError
+from ..material import Elastic
 from ..weights import weight_j0, weight_j1
 from . import _scipy
 from .structure import shear
@@ -201,7 +202,7 @@ def _sizes(shape: tuple[int, int], periodic: bool) -> tuple[int, int]:
 def _bases(voxels: Voxels) -> Array:
     """What each slice is compared with: its mean, or what lies beside it; exactly the common value where all are equal."""
     beside = voxels.beside
-    if beside != "periodic":
+    if isinstance(beside, Elastic):
         return np.tile([shear(beside), beside.nu], (voxels.labels.shape[0], 1))
     values = np.array([[shear(m), m.nu] for m in voxels.phases])
     below = np.array([shear(voxels.below), voxels.below.nu])
@@ -211,7 +212,7 @@ def _bases(voxels: Voxels) -> Array:
 
 def _needs_poisson(voxels: Voxels) -> bool:
     ratios = {m.nu for m in voxels.phases}
-    if voxels.beside != "periodic":
+    if isinstance(voxels.beside, Elastic):
         ratios.add(voxels.beside.nu)
     return len(ratios) > 1
 
@@ -278,7 +279,7 @@ def _dask_map(
     delayed: Any = importlib.import_module("dask").delayed
 
     ny, nx = voxels.labels.shape[1:]
-    settings = {n: v for n, v in voxels._arguments.items() if n != "labels"}
+    settings = {n: v for n, v in voxels._given().items() if n != "labels"}
     rows: dict[int, list[Any]] = {}
     for y0, y1, x0, x1 in spans:
         iy, ix = _window(y0, y1, ny, margin[0], periodic), _window(x0, x1, nx, margin[1], periodic)

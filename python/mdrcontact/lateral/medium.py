@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from .. import _native
@@ -12,6 +14,7 @@ from ..medium import Medium
 from .structure import Structure
 
 
+@dataclass(frozen=True)
 class LateralMedium(Medium):
     """E_eff(a, x, y) at fixed (x, y), equation (33), for Contact: F(d), a(d), pressure and adhesion as on any other medium.
 
@@ -23,14 +26,18 @@ class LateralMedium(Medium):
     """
 
     structure: Structure
+    x: float
+    y: float
+    smallest_radius: float
+    largest_radius: float
+    points: int = 33
 
-    def __init__(
-        self, structure: Structure, x: float, y: float, smallest_radius: float, largest_radius: float, points: int = 33
-    ) -> None:
+    def __post_init__(self) -> None:
+        structure, points = self.structure, self.points
         if not isinstance(structure, Structure):
             raise ArgumentTypeError(f"structure = {structure!r} is not allowed: it must be Shapes, Voxels or Field")
-        place = number("x", x), number("y", y)
-        first, last = number("smallest_radius", smallest_radius), number("largest_radius", largest_radius)
+        place = number("x", self.x), number("y", self.y)
+        first, last = number("smallest_radius", self.smallest_radius), number("largest_radius", self.largest_radius)
         if not 0.0 < first < last < np.inf:
             raise InvalidArgumentError(
                 f"smallest_radius = {first!r}, largest_radius = {last!r} are not allowed: 0 < smallest < largest is needed"
@@ -39,4 +46,4 @@ class LateralMedium(Medium):
             raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number, at least 3")
         a = np.geomspace(first, last, points)
         created = _native.medium_table(a, np.asarray(structure.modulus(*place, a)))
-        self._own(created, structure=structure, x=place[0], y=place[1], smallest_radius=first, largest_radius=last, points=points)
+        self._own(created, x=place[0], y=place[1], smallest_radius=first, largest_radius=last)

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -138,6 +139,7 @@ class Box(NamedTuple):
 Shape = Layer | HalfSpace | Ball | Fibre | Pillar | Box
 
 
+@dataclass(frozen=True)
 class Shapes(Structure):
     """Bodies in a background half-space; where they overlap, the later one is there.
 
@@ -148,18 +150,13 @@ class Shapes(Structure):
     """
 
     background: Elastic
-    shapes: tuple[Shape, ...]
+    shapes: Sequence[Shape] = ()
+    reference_nu: float | None = field(default=None, kw_only=True)
+    tolerance: float = field(default=1e-5, kw_only=True)
 
-    def __init__(
-        self,
-        background: Elastic,
-        shapes: Iterable[Shape] = (),
-        *,
-        reference_nu: float | None = None,
-        tolerance: float = 1e-5,
-    ) -> None:
-        bodies = tuple(shapes)
-        base = elastic("background", background)
+    def __post_init__(self) -> None:
+        bodies = tuple(self.shapes)
+        base, tolerance = elastic("background", self.background), number("tolerance", self.tolerance)
         for body in bodies:
             if not isinstance(body, Shape):
                 raise ArgumentTypeError(f"{body!r} is not allowed: a shape is a Layer, HalfSpace, Ball, Fibre, Pillar or Box")
@@ -175,20 +172,21 @@ class Shapes(Structure):
             if row.shape != (len(_LENGTHS[type(body)]),):
                 raise InvalidArgumentError(f"{body!r} is not allowed: a coordinate is missing or too many")
             table[: row.size, i] = row
-        nu = base.nu if reference_nu is None else number("reference_nu", reference_nu)
-        self._own_structure(
+        nu = base.nu if self.reference_nu is None else number("reference_nu", self.reference_nu)
+        self._own(
             _native.structure_shapes(
                 base.E,
                 base.nu,
                 nu,
-                number("tolerance", tolerance),
+                tolerance,
                 [_KINDS.index(type(b)) for b in known],
                 table,
                 [b.material.E for b in known],
                 [b.material.nu for b in known],
-            )  # fmt: skip
+            ),
+            shapes=bodies,
+            tolerance=tolerance,
         )
-        self._describe(background=base, shapes=bodies, reference_nu=reference_nu, tolerance=tolerance)
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
         """E and nu at points, which broadcast."""

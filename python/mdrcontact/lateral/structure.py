@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,17 +11,18 @@ from numpy.typing import ArrayLike
 
 from .. import _native
 from .._boundary import FloatOrArray, Handle, check, numbers, thread_count
-from .._described import Described
+from .._value import Value
+from ..errors import ArgumentTypeError
 from ..material import Elastic
 
 
-class Structure(Described):
+@dataclass(frozen=True)
+class Structure(Value):
     """A half-space z > 0 whose elastic moduli vary in all three directions. It never changes and may be shared between threads."""
 
-    _structure: Handle
-
-    def _own_structure(self, created: tuple[int, int]) -> None:
-        object.__setattr__(self, "_structure", Handle(created, _native.structure_free))
+    def _own(self, created: tuple[int, int], **values: Any) -> None:
+        """Takes over what a compiled constructor returned, and the fields as they were understood."""
+        self._set(_handle=Handle(created, _native.structure_free), **values)
 
     def modulus(self, x: ArrayLike, y: ArrayLike, a: ArrayLike, *, threads: int = 1) -> FloatOrArray:
         """E_eff(a, x, y) = 2 G_eff/(1 - nu_eff) [modulus], equation (33), for contacts of radius a > 0 at (x, y) [length].
@@ -37,7 +39,7 @@ class Structure(Described):
         return values.reshape(shape) if shape else float(values[0])
 
     def _values(self, x: Any, y: Any, a: Any, threads: int) -> Any:
-        values, status = _native.structure_modulus(threads, self._structure.address, x, y, a)
+        values, status = _native.structure_modulus(threads, self._handle.address, x, y, a)
         check(status)
         return values
 
@@ -48,8 +50,6 @@ class Structure(Described):
 
 def elastic(name: str, material: Any) -> Elastic:
     """`material` if it is one."""
-    from ..errors import ArgumentTypeError
-
     if not isinstance(material, Elastic):
         raise ArgumentTypeError(f"{name} = {material!r} is not allowed: it must be a material, Elastic(E, nu)")
     return material

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from .shapes import Shapes
 from .structure import Structure, elastic
 
 
+@dataclass(frozen=True, eq=False)
 class Voxels(Structure):
     """Cells of one phase each, over a half-space.
 
@@ -33,8 +35,13 @@ class Voxels(Structure):
 
     labels: NDArray[Any]
     phases: tuple[Elastic, ...]
-    spacing: tuple[float, float, float]
+    spacing: tuple[float, ...]
+    beside: str | Elastic
     below: Elastic
+    origin: tuple[float, float]
+    images: int
+    reference_nu: float
+    _counts: NDArray[np.float64] = field(init=False, repr=False)
 
     def __init__(
         self,
@@ -61,7 +68,7 @@ class Voxels(Structure):
             elastic("beside", beside)
         if isinstance(images, bool) or not isinstance(images, int) or not 1 <= images <= 100:
             raise InvalidArgumentError(f"images = {images!r} is not allowed: it must be a whole number from 1 to 100")
-        corner = row("origin", origin)
+        corner: Any = row("origin", origin)
         if len(corner) != 2 or not np.all(np.isfinite(corner)):
             raise InvalidArgumentError(f"origin = {origin!r} is not allowed: it must be two finite numbers (x, y)")
         base = materials[int(np.argmax(counts[-1]))] if below is None else elastic("below", below)
@@ -71,9 +78,8 @@ class Voxels(Structure):
         nu = mean if reference_nu is None else number("reference_nu", reference_nu)
         if not -1.0 < nu <= 0.5:
             raise InvalidArgumentError(f"reference_nu = {nu!r} is not allowed: it must be greater than -1 and at most 0.5")
-        self._describe(labels=cells, phases=materials, spacing=steps, beside=beside, below=base, origin=corner, images=images,
-                       reference_nu=nu)  # fmt: skip
-        object.__setattr__(self, "_counts", counts)
+        self._set(labels=cells, phases=materials, spacing=steps, beside=beside, below=base, origin=corner, images=images,
+                  reference_nu=nu, _counts=counts)  # fmt: skip
 
     @classmethod
     def from_shapes(
@@ -97,7 +103,7 @@ class Voxels(Structure):
         options.setdefault("below", shapes.background)
         return cls(labels, phases, (dz, dy, dx), origin=origin, **options)
 
-    def centres(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def centres(self) -> tuple[NDArray[Any], NDArray[Any]]:
         """x and y of the cells' centres: where maps have their points [length]."""
         _, ny, nx = self.labels.shape
         _, dy, dx = self.spacing
@@ -110,13 +116,13 @@ class Voxels(Structure):
 
     def _values(self, x: Any, y: Any, a: Any, threads: int) -> Any:
         # the library's own copy of the array is made for the first point: maps do not need it
-        if "_structure" not in self.__dict__:
-            padded = self.beside != "periodic"
-            beside = self.beside if padded else self.below
+        if not hasattr(self, "_handle"):
+            padded = isinstance(self.beside, Elastic)
+            beside = self.beside if isinstance(self.beside, Elastic) else self.below
             cells = np.ascontiguousarray(self.labels, dtype=np.int32)
             nz, ny, nx = cells.shape
             dz, dy, dx = self.spacing
-            self._own_structure(
+            self._own(
                 _native.structure_voxels(
                     [nx, ny, nz],
                     cells.ravel(),
@@ -136,7 +142,7 @@ class Voxels(Structure):
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other):
             return NotImplemented
-        mine, its = dict(self._arguments), dict(other._arguments)
+        mine, its = self._given(), other._given()
         return bool(np.array_equal(mine.pop("labels"), its.pop("labels"))) and mine == its
 
     def __hash__(self) -> int:

@@ -3,16 +3,18 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from numpy.typing import ArrayLike
 
 from .. import _native
 from .._boundary import FloatOrArray, Handle, evaluate, thread_count
-from .._described import Described
+from .._value import Value
 
 
-class Medium(Described):
+@dataclass(frozen=True)
+class Medium(Value):
     """An elastic half-space: for a contact radius a it gives the effective contact modulus E_eff(a), equation (10).
 
     Lengths and moduli are in the units of the whole problem. A medium never changes and may be shared between threads.
@@ -20,12 +22,9 @@ class Medium(Described):
     threads : for arrays, see `Contact`
     """
 
-    _handle: Handle
-
-    def _own(self, created: tuple[int, int], **arguments: Any) -> None:
-        """Takes over what a compiled constructor returned and remembers the arguments that rebuild it."""
-        object.__setattr__(self, "_handle", Handle(created, _native.medium_free))
-        self._describe(**arguments)
+    def _own(self, created: tuple[int, int], **values: Any) -> None:
+        """Takes over what a compiled constructor returned, and the fields as they were understood."""
+        self._set(_handle=Handle(created, _native.medium_free), **values)
 
     def modulus(self, a: ArrayLike, *, threads: int = 1) -> FloatOrArray:
         """E_eff(a) [modulus] at contact radii a > 0 [length], any shape."""

@@ -4,15 +4,14 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from dataclasses import dataclass
 
 from .. import _native
 from .._boundary import number
 from ..errors import ArgumentTypeError
 from ..material import RIGID, Elastic, _Rigid
-from .base import Medium
 from .homogeneous import elastic
-from .models import MODELS, settings
+from .models import MODELS, UnderModel, settings
 
 
 def base(substrate: object) -> tuple[float, float]:
@@ -24,7 +23,8 @@ def base(substrate: object) -> tuple[float, float]:
     return substrate.E, substrate.nu
 
 
-class Coated(Medium):
+@dataclass(frozen=True, repr=False)
+class Coated(UnderModel):
     """A half-space with one bonded coating.
 
     coating : Elastic(E, nu)
@@ -49,23 +49,14 @@ class Coated(Medium):
     thickness: float
     substrate: Elastic | _Rigid
     model: str
+    options: tuple[tuple[str, float | str], ...]
 
     def __init__(
         self, coating: Elastic, thickness: float, substrate: Elastic | _Rigid, model: str = "gao", **options: float | str
     ) -> None:
         film, thickness, chosen = elastic("coating", coating), number("thickness", thickness), settings(model, options)
-        self._own(
-            _native.medium_coated(film.E, film.nu, thickness, *base(substrate), *chosen.native),
-            coating=film,
-            thickness=thickness,
-            substrate=substrate,
-            model=model,
-            **chosen.given,
-        )
-
-    def with_model(self, model: str, **options: Any) -> Coated:
-        """The same body under another model; options of the present model are not carried over."""
-        return Coated(self.coating, self.thickness, self.substrate, model, **options)
+        created = _native.medium_coated(film.E, film.nu, thickness, *base(substrate), *chosen.native)
+        self._own_with(created, chosen.given, coating=film, thickness=thickness, substrate=substrate, model=model)
 
     @staticmethod
     def models() -> tuple[str, ...]:

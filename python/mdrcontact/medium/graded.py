@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -14,12 +15,13 @@ from .._boundary import number, row
 from .._callback import Callback
 from ..errors import InvalidArgumentError
 from .base import Medium
-from .models import settings
+from .models import UnderModel, settings
 
 DepthFunction = Callable[[float], float]
 
 
-class Graded(Medium):
+@dataclass(frozen=True, repr=False)
+class Graded(UnderModel):
     """A body whose moduli depend on the depth z below the surface. Two ways to say how:
 
     z, E, nu tables : depths z[0] = 0, ascending [length], E(z) > 0 [modulus] and nu(z) there; linear in between, constant below.
@@ -29,7 +31,11 @@ class Graded(Medium):
     model : "gao" (option weight_nu), "gao-series" (option weight_nu), "exact" (option tolerance); see `Coated`
     """
 
+    z: tuple[float, ...] | float
+    E: tuple[float, ...] | float | DepthFunction
+    nu: tuple[float, ...] | float | DepthFunction
     model: str
+    options: tuple[tuple[str, float | str], ...]
 
     def __init__(
         self,
@@ -44,11 +50,7 @@ class Graded(Medium):
             created, arguments = _from_functions(z, E, nu, chosen.native)
         else:
             created, arguments = _from_tables(z, E, nu, chosen.native)
-        self._own(created, **arguments, model=model, **chosen.given)
-
-    def with_model(self, model: str, **options: Any) -> Graded:
-        """The same body under another model; options of the present model are not carried over."""
-        return Graded(self.z, self.E, self.nu, model, **options)
+        self._own_with(created, chosen.given, **arguments, model=model)
 
 
 def _from_functions(z: Any, E: Any, nu: Any, native: tuple[Any, ...]) -> tuple[tuple[int, int], dict[str, Any]]:
@@ -77,6 +79,7 @@ class _Constant:
         return self._value
 
 
+@dataclass(frozen=True)
 class PowerLawGraded(Medium):
     """A half-space with E(z) = E0 (z/z0)^m and constant nu, solved exactly (Hess 2016).
 
@@ -91,6 +94,5 @@ class PowerLawGraded(Medium):
     exponent: float
     nu: float
 
-    def __init__(self, E0: float, z0: float, exponent: float, nu: float) -> None:
-        given = {name: number(name, value) for name, value in (("E0", E0), ("z0", z0), ("exponent", exponent), ("nu", nu))}
-        self._own(_native.medium_power_graded(*given.values()), **given)
+    def __post_init__(self) -> None:
+        self._own(_native.medium_power_graded(*self._numbers()))

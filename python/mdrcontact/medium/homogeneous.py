@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from .. import _native
 from ..errors import ArgumentTypeError
 from ..material import Elastic
@@ -16,6 +18,7 @@ def elastic(name: str, value: object) -> Elastic:
     return value
 
 
+@dataclass(frozen=True)
 class Homogeneous(Medium):
     """A homogeneous half-space.
 
@@ -25,13 +28,13 @@ class Homogeneous(Medium):
     """
 
     material: Elastic
-    indenter: Elastic | None
+    indenter: Elastic | None = None
 
-    def __init__(self, material: Elastic, indenter: Elastic | None = None) -> None:
-        material = elastic("material", material)
-        if indenter is None:
+    def __post_init__(self) -> None:
+        material = elastic("material", self.material)
+        if self.indenter is None:
             created = _native.medium_homogeneous(material.E, material.nu)
         else:
-            stars = material.contact_modulus, elastic("indenter", indenter).contact_modulus
+            stars = material.contact_modulus, elastic("indenter", self.indenter).contact_modulus
             created = _native.medium_contact_modulus(1.0 / (1.0 / stars[0] + 1.0 / stars[1]))
-        self._own(created, material=material, indenter=indenter)
+        self._own(created)

@@ -4,19 +4,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from dataclasses import dataclass
 
 from .. import _native
 from .._boundary import number
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic, _Rigid
-from .base import Medium
 from .coated import base
 from .homogeneous import elastic
-from .models import settings
+from .models import UnderModel, settings
 
 
-class Layered(Medium):
+@dataclass(frozen=True, repr=False)
+class Layered(UnderModel):
     """A half-space under any number of bonded layers.
 
     layers : [(material, thickness), ...] from the surface down; material an Elastic(E, nu), thickness > 0 [length]
@@ -27,6 +27,7 @@ class Layered(Medium):
     layers: tuple[tuple[Elastic, float], ...]
     substrate: Elastic | _Rigid
     model: str
+    options: tuple[tuple[str, float | str], ...]
 
     def __init__(
         self,
@@ -37,17 +38,8 @@ class Layered(Medium):
     ) -> None:
         stack, chosen = _stack(layers), settings(model, options, layers=True)
         E, nu, h = [m.E for m, _ in stack], [m.nu for m, _ in stack], [t for _, t in stack]
-        self._own(
-            _native.medium_layered(E, nu, h, *base(substrate), *chosen.native),
-            layers=stack,
-            substrate=substrate,
-            model=model,
-            **chosen.given,
-        )
-
-    def with_model(self, model: str, **options: Any) -> Layered:
-        """The same body under another model; options of the present model are not carried over."""
-        return Layered(self.layers, self.substrate, model, **options)
+        created = _native.medium_layered(E, nu, h, *base(substrate), *chosen.native)
+        self._own_with(created, chosen.given, layers=stack, substrate=substrate, model=model)
 
 
 def _stack(layers: Iterable[tuple[Elastic, float]]) -> tuple[tuple[Elastic, float], ...]:

@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from .. import _native
 from .._boundary import number
 from .._choices import nearest
 from ..errors import InvalidArgumentError
+from .base import Medium
+
+Self = TypeVar("Self", bound="UnderModel")
 
 
 class Model(NamedTuple):
@@ -78,3 +81,26 @@ def _weight_nu(value: Any, unused: float) -> tuple[int, float, float | str]:
         words = nearest(value, _WEIGHT_NU)
         raise InvalidArgumentError(f"weight_nu = {value!r} is not allowed: {words}; a number is allowed as well")
     return _WEIGHT_NU[value], unused, value
+
+
+class UnderModel(Medium):
+    """A body whose effective modulus is found by one of several models. Options that were given are attributes, too."""
+
+    model: str
+    options: tuple[tuple[str, float | str], ...]
+
+    def _own_with(self, created: tuple[int, int], options: Mapping[str, float | str], **values: Any) -> None:
+        self._own(created, **values, **options, options=tuple(options.items()))
+
+    def with_model(self: Self, model: str, **options: Any) -> Self:
+        """The same body under another model; options of the present model are not carried over."""
+        body = {name: value for name, value in self._given().items() if name not in dict(self.options)}
+        return type(self)(**{**body, "model": model, **options})
+
+    def _given(self) -> dict[str, Any]:
+        given = super()._given()
+        options = given.pop("options")
+        return {**given, **dict(options)}
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._given().items())})"

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
@@ -14,23 +15,26 @@ from ..errors import InvalidArgumentError
 from .base import Medium
 
 
+@dataclass(frozen=True)
 class TabulatedMedium(Medium):
     """A medium known by a table of its effective contact modulus.
 
     a : contact radii > 0, ascending, at least 3 [length]. States are offered between the first and the last; below the first, where
         every contact begins, the modulus is taken as constant
-    modulus : E_eff there, > 0 [modulus]; interpolated in ln a without overshoot
+    moduli : E_eff there, > 0 [modulus]; interpolated in ln a without overshoot
     """
 
     a: tuple[float, ...]
+    moduli: tuple[float, ...]
 
-    def __init__(self, a: ArrayLike, modulus: ArrayLike) -> None:
-        radii, moduli = row("a", a), row("modulus", modulus)
-        if len(radii) != len(moduli):
-            raise InvalidArgumentError(f"a and modulus must have the same length; it is {len(radii)} and {len(moduli)}")
-        self._own(_native.medium_table(radii, moduli), a=radii, modulus=moduli)
+    def __init__(self, a: ArrayLike, moduli: ArrayLike) -> None:
+        radii, values = row("a", a), row("moduli", moduli)
+        if len(radii) != len(values):
+            raise InvalidArgumentError(f"a and moduli must have the same length; it is {len(radii)} and {len(values)}")
+        self._own(_native.medium_table(radii, values), a=radii, moduli=values)
 
 
+@dataclass(frozen=True)
 class CallableMedium(Medium):
     """A medium known by a function E_eff(a).
 
@@ -45,9 +49,9 @@ class CallableMedium(Medium):
     smallest_radius: float
     largest_radius: float
 
-    def __init__(self, function: Callable[[float], float], smallest_radius: float, largest_radius: float) -> None:
-        callback = Callback("function", function)
-        first, last = number("smallest_radius", smallest_radius), number("largest_radius", largest_radius)
+    def __post_init__(self) -> None:
+        callback = Callback("function", self.function)
+        first, last = number("smallest_radius", self.smallest_radius), number("largest_radius", self.largest_radius)
         created = _native.medium_callback(callback.address, first, last)
         callback.reraise()
-        self._own(created, function=function, smallest_radius=first, largest_radius=last)
+        self._own(created, smallest_radius=first, largest_radius=last)

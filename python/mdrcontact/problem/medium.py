@@ -30,7 +30,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     "z0": LENGTH,
     "exponent": None,
     "a": LENGTH,
-    "modulus": MODULUS,
+    "moduli": MODULUS,
 }
 
 MATERIAL: Mapping[str, Dimension | None] = {"E": MODULUS, "nu": None}
@@ -87,7 +87,7 @@ def _power_law_graded(section: Section) -> medium.Medium:
 
 
 def _table(section: Section) -> medium.Medium:
-    return medium.TabulatedMedium(section.quantities("a"), section.quantities("modulus"))
+    return medium.TabulatedMedium(section.quantities("a"), section.quantities("moduli"))
 
 
 _TYPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], medium.Medium]]] = {
@@ -95,7 +95,7 @@ _TYPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], medium.Medium]]]
     "layered": (("layer", "substrate", "model", *_OPTIONS), _layered),
     "graded": (("z", "E", "nu", "model", *_OPTIONS), _graded),
     "power-law-graded": (("E0", "z0", "exponent", "nu"), _power_law_graded),
-    "table": (("a", "modulus"), _table),
+    "table": (("a", "moduli"), _table),
     "homogeneous": (("material",), lambda section: _homogeneous(section, None)),
 }
 

@@ -3,17 +3,19 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from numpy.typing import ArrayLike
 
 from .. import _native
 from .._boundary import FloatOrArray, Handle, evaluate, thread_count
-from .._described import Described
+from .._value import Value
 from ..errors import ArgumentTypeError, InvalidArgumentError
 
 
-class Profile(Described):
+@dataclass(frozen=True)
+class Profile(Value):
     """A rigid axisymmetric indenter: its profile f(r), f(0) = 0, and its one-dimensional profile g(x), equation (3).
 
     Lengths are in the unit of length of the whole problem. Profiles add: `Cone(...) + Paraboloid(...)`. They never change and may
@@ -22,12 +24,9 @@ class Profile(Described):
     threads : for arrays, see `Contact`
     """
 
-    _handle: Handle
-
-    def _own(self, created: tuple[int, int], **arguments: Any) -> None:
-        """Takes over what a compiled constructor returned and remembers the arguments that rebuild it."""
-        object.__setattr__(self, "_handle", Handle(created, _native.profile_free))
-        self._describe(**arguments)
+    def _own(self, created: tuple[int, int], **values: Any) -> None:
+        """Takes over what a compiled constructor returned, and the fields as they were understood."""
+        self._set(_handle=Handle(created, _native.profile_free), **values)
 
     def height(self, r: ArrayLike, *, threads: int = 1) -> FloatOrArray:
         """f(r) [length] at radii r >= 0 [length], any shape."""
@@ -51,13 +50,14 @@ class Profile(Described):
         return SumProfile(_terms(self) + _terms(other))
 
 
+@dataclass(frozen=True)
 class SumProfile(Profile):
     """The sum of profiles, f(r) = f_1(r) + f_2(r) + ...; made by `+`."""
 
     terms: tuple[Profile, ...]
 
-    def __init__(self, terms: tuple[Profile, ...] | list[Profile]) -> None:
-        terms = tuple(terms)
+    def __post_init__(self) -> None:
+        terms = tuple(self.terms)
         if not terms:
             raise InvalidArgumentError("terms is not allowed: it is empty")
         for term in terms:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
@@ -22,6 +23,7 @@ def _pair(x_name: str, x: ArrayLike, y_name: str, y: ArrayLike) -> tuple[tuple[f
     return positions, values
 
 
+@dataclass(frozen=True)
 class TabulatedProfile(Profile):
     """A profile from a table, interpolated smoothly and without overshoot between the points.
 
@@ -37,6 +39,7 @@ class TabulatedProfile(Profile):
         self._own(_native.profile_table(radii, heights), r=radii, f=heights)
 
 
+@dataclass(frozen=True)
 class TabulatedMDRProfile(Profile):
     """The profile f(r) whose one-dimensional profile is the table g(x): the inverse transform, equation (4).
 
@@ -52,6 +55,7 @@ class TabulatedMDRProfile(Profile):
         self._own(_native.profile_from_mdr_table(positions, values), x=positions, g=values)
 
 
+@dataclass(frozen=True)
 class CallableProfile(Profile):
     """A profile from a user function.
 
@@ -65,11 +69,11 @@ class CallableProfile(Profile):
     f: Callable[[float], float]
     r_max: float
 
-    def __init__(self, f: Callable[[float], float], r_max: float) -> None:
-        callback, r_max = Callback("f", f), number("r_max", r_max)
+    def __post_init__(self) -> None:
+        callback, r_max = Callback("f", self.f), number("r_max", self.r_max)
         # the library calls it largest_radius
         if not 0.0 < r_max < math.inf:
             raise InvalidArgumentError(f"r_max = {r_max:g} is not allowed: it must be finite and greater than 0")
         created = _native.profile_callback(callback.address, r_max)
         callback.reraise()
-        self._own(created, f=f, r_max=r_max)
+        self._own(created, r_max=r_max)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 from .. import _native
 from .._boundary import number
@@ -11,26 +12,27 @@ from ..errors import ArgumentTypeError, InvalidArgumentError
 from .base import Profile
 
 
+@dataclass(frozen=True)
 class Paraboloid(Profile):
     """A paraboloid, f = r^2/(2R): the usual approximation of a sphere for a << R. radius: R > 0 [length]."""
 
     radius: float
 
-    def __init__(self, radius: float) -> None:
-        radius = number("radius", radius)
-        self._own(_native.profile_paraboloid(radius), radius=radius)
+    def __post_init__(self) -> None:
+        self._own(_native.profile_paraboloid(*self._numbers()))
 
 
+@dataclass(frozen=True)
 class Sphere(Profile):
     """A sphere, exact: f = R - sqrt(R^2 - r^2). radius: R > 0 [length]; the contact radius stays below R."""
 
     radius: float
 
-    def __init__(self, radius: float) -> None:
-        radius = number("radius", radius)
-        self._own(_native.profile_sphere(radius), radius=radius)
+    def __post_init__(self) -> None:
+        self._own(_native.profile_sphere(*self._numbers()))
 
 
+@dataclass(frozen=True)
 class Cone(Profile):
     """A cone, f = r tan(phi). Give one of:
 
@@ -52,27 +54,28 @@ class Cone(Profile):
         self._own(_native.profile_cone(phi), inclination=phi)
 
 
+@dataclass(frozen=True)
 class PowerLaw(Profile):
     """A power law, f = c r^n. exponent: n, 0 < n <= 100; coefficient: c > 0 [length^(1-n)]."""
 
     exponent: float
     coefficient: float
 
-    def __init__(self, exponent: float, coefficient: float) -> None:
-        exponent, coefficient = number("exponent", exponent), number("coefficient", coefficient)
-        self._own(_native.profile_power(exponent, coefficient), exponent=exponent, coefficient=coefficient)
+    def __post_init__(self) -> None:
+        self._own(_native.profile_power(*self._numbers()))
 
 
+@dataclass(frozen=True)
 class FlatPunch(Profile):
     """A flat cylindrical punch. radius: b > 0 [length], the contact radius at every depth."""
 
     radius: float
 
-    def __init__(self, radius: float) -> None:
-        radius = number("radius", radius)
-        self._own(_native.profile_flat_punch(radius), radius=radius)
+    def __post_init__(self) -> None:
+        self._own(_native.profile_flat_punch(*self._numbers()))
 
 
+@dataclass(frozen=True)
 class FlatEndedCone(Profile):
     """A truncated cone, f = (r - b) tan(phi) for r > b.
 
@@ -88,6 +91,7 @@ class FlatEndedCone(Profile):
         self._own(_native.profile_flat_cone(end_radius, phi), end_radius=end_radius, inclination=phi)
 
 
+@dataclass(frozen=True)
 class FlatEndedParaboloid(Profile):
     """A worn or truncated paraboloid, f = (r^2 - b^2)/(2R) for r > b.
 
@@ -98,11 +102,11 @@ class FlatEndedParaboloid(Profile):
     end_radius: float
     radius: float
 
-    def __init__(self, end_radius: float, radius: float) -> None:
-        end_radius, radius = number("end_radius", end_radius), number("radius", radius)
-        self._own(_native.profile_flat_paraboloid(end_radius, radius), end_radius=end_radius, radius=radius)
+    def __post_init__(self) -> None:
+        self._own(_native.profile_flat_paraboloid(*self._numbers()))
 
 
+@dataclass(frozen=True)
 class RoundedCone(Profile):
     """A cone whose tip is a paraboloid that meets it without a kink: f = r^2 tan(phi)/(2b) up to r = b, (r - b/2) tan(phi) beyond.
 

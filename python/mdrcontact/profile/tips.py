@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import ClassVar
 
 from numpy.typing import ArrayLike
@@ -13,12 +14,13 @@ from .._boundary import number, row
 from .base import Profile
 
 
+@dataclass(frozen=True)
 class _Pyramid(Profile):
     """A pyramid as the cone of the same projected area at every height; `inclination` is that cone's [radian]."""
 
     half_angle_degrees: ClassVar[float]
 
-    def __init__(self) -> None:
+    def __post_init__(self) -> None:
         self._own(_native.profile_cone(self.inclination))
 
     @property
@@ -27,24 +29,28 @@ class _Pyramid(Profile):
         return math.radians(90.0 - self.half_angle_degrees)
 
 
+@dataclass(frozen=True)
 class Berkovich(_Pyramid):
     """The three-sided Berkovich pyramid as its equivalent cone, half-angle 70.30 degrees."""
 
     half_angle_degrees = 70.30
 
 
+@dataclass(frozen=True)
 class Vickers(_Pyramid):
     """The four-sided Vickers pyramid as its equivalent cone, half-angle 70.30 degrees."""
 
     half_angle_degrees = 70.30
 
 
+@dataclass(frozen=True)
 class CubeCorner(_Pyramid):
     """The cube corner as its equivalent cone, half-angle 42.28 degrees."""
 
     half_angle_degrees = 42.28
 
 
+@dataclass(frozen=True)
 class AreaFunction(Profile):
     """A calibrated tip by its area function A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., A = pi r^2.
 

@@ -13,9 +13,9 @@ module mdrcontact_api_medium_data
 
 contains
 
-    function mdr_medium_table(n, a, modulus, out) result(status) bind(C)
+    function mdr_medium_table(n, a, moduli, out) result(status) bind(C)
         integer(c_int), value :: n
-        real(c_double), intent(in), optional :: a(*), modulus(*)
+        real(c_double), intent(in), optional :: a(*), moduli(*)
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(tabulated_medium_t) :: medium
@@ -24,13 +24,13 @@ contains
         call check_count(error, n)
         call check_not_empty(error, "a", n, 3)
         call check_array(error, "a", n, present(a))
-        call check_array(error, "modulus", n, present(modulus))
+        call check_array(error, "moduli", n, present(moduli))
         if (.not. allocated(error)) then
-            call check_table(error, "a", a(:n), "modulus", modulus(:n), 3)
+            call check_table(error, "a", a(:n), "moduli", moduli(:n), 3)
             call check_each_positive(error, "a", a(:n))
-            call check_each_positive(error, "modulus", modulus(:n))
+            call check_each_positive(error, "moduli", moduli(:n))
         end if
-        if (.not. allocated(error)) call new_tabulated_medium(medium, a(:n), modulus(:n), error)
+        if (.not. allocated(error)) call new_tabulated_medium(medium, a(:n), moduli(:n), error)
         status = deliver_medium(medium, out, error)
     end function mdr_medium_table
 

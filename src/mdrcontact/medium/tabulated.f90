@@ -28,15 +28,15 @@ module mdrcontact_medium_tabulated
 contains
 
     !> E_eff(a) through the points of a table, interpolated in ln a without overshoot (Steffen).
-    subroutine new_tabulated_medium(self, radius, modulus, error)
+    subroutine new_tabulated_medium(self, radius, moduli, error)
         type(tabulated_medium_t), intent(out) :: self
         !> ascending contact radii > 0, at least 3 [length]
         real(wp), intent(in) :: radius(:)
         !> E_eff > 0, same size [modulus]
-        real(wp), intent(in) :: modulus(:)
+        real(wp), intent(in) :: moduli(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call new_radius_law_from_table(self%law, radius, "modulus", modulus, error)
+        call new_radius_law_from_table(self%law, radius, "moduli", moduli, error)
     end subroutine new_tabulated_medium
 
     !> E_eff(a) by a function, which is called here and never again.

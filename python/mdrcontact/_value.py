@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Objects that are what their fields say, and hold an object of the compiled library."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from functools import partial
+from typing import Any, TypeVar
+
+from ._boundary import Handle, number
+
+Self = TypeVar("Self", bound="Value")
+
+
+@dataclass(frozen=True)
+class Value:
+    """A frozen dataclass with a handle: printed, compared and hashed by its fields; copied and pickled by being made anew."""
+
+    _handle: Handle = field(init=False, repr=False, compare=False)
+
+    def replace(self: Self, **changes: Any) -> Self:
+        """A new object with some constructor arguments changed: `coated.replace(thickness=2e-6)`."""
+        return type(self)(**{**self._given(), **changes})
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return partial(type(self), **self._given()), ()
+
+    def _given(self) -> dict[str, Any]:
+        """The arguments that rebuild the object."""
+        return {f.name: getattr(self, f.name) for f in fields(self) if f.init}
+
+    def _numbers(self) -> tuple[float, ...]:
+        """The fields, all of which must be numbers, as floats."""
+        self._set(**{name: number(name, value) for name, value in self._given().items()})
+        return tuple(self._given().values())
+
+    def _set(self, **values: Any) -> None:
+        """Only for the constructor: fields as they were understood, and what belongs to the object."""
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
