@@ -21,17 +21,14 @@ module layered_rows
 
 contains
 
-    !> All rows of a file; `found` is false, and there are none, where there is no such file.
-    subroutine read_layered_rows(path, rows, found)
+    !> All rows of a file.
+    subroutine read_layered_rows(path, rows)
         character(len=*), intent(in) :: path
         type(layered_row_t), allocatable, intent(out) :: rows(:)
-        logical, intent(out) :: found
         character(len=512) :: line
         integer :: unit, status
 
         allocate (rows(0))
-        inquire (file=path, exist=found)
-        if (.not. found) return
         open (newunit=unit, file=path, action="read", status="old")
         read (unit, "(a)") line
         do
