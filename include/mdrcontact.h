@@ -514,7 +514,7 @@ int mdr_contact_pull_offs(const mdr_contact *c, int control, int capacity, doubl
  *  @param c                 contact
  *  @param control           one of enum mdr_control: what the positions of the loop are
  *  @param largest           position where the motion turns back, > 0 [length, or modulus length^2 under force control]
- *  @param points            points on each way, at least 2; jumps and their ends come on top
+ *  @param points            points on each way, 2 to 1000000; jumps and their ends come on top
  *  @param spring_stiffness  > 0 for MDR_CONTROL_SPRING [modulus length], not looked at otherwise
  *  @param out               receives the handle
  *  @return also MDR_EUNREACHABLE if `largest` cannot be reached or the bodies do not stick when they touch,
@@ -632,8 +632,8 @@ typedef struct mdr_structure_options {
                               over all voxels. */
     double tolerance;    /**< Shapes: relative error of G_eff and nu_eff, 1e-10 to 0.1; default 1e-5. */
     int padded;          /**< Voxels: 0: the array repeats itself in x and y (default); else one material lies beside it. */
-    int images;          /**< Voxels that repeat: periods that count cell by cell, at least 1; beyond them each slice counts with
-                              its mean; default 1. */
+    int images;          /**< Voxels that repeat: periods that count cell by cell, 1 to 100; beyond them each slice counts with its
+                              mean; default 1. */
     double beside_E;     /**< Padded voxels: Young's modulus of what lies beside, > 0 [modulus]. */
     double beside_nu;    /**< Padded voxels: its Poisson's ratio, -1 < nu <= 1/2 [1]. */
     double origin[2];    /**< Voxels: x and y of the array's lower corner; default 0 [length]. */
@@ -696,7 +696,7 @@ int mdr_structure_modulus(const mdr_structure *s, int n, const double x[], const
  *  @param y                centre of the contact [length]
  *  @param smallest_radius  > 0 [length]
  *  @param largest_radius   > smallest_radius [length]
- *  @param points           number of radii, evenly spaced in ln a, at least 3
+ *  @param points           number of radii, evenly spaced in ln a, 3 to 1000000
  *  @param out              receives the handle
  *  @return also as mdr_structure_modulus() */
 int mdr_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius, int points,
@@ -895,8 +895,8 @@ int mdr_law_info(const mdr_law *law, mdr_law_facts *facts);
  *  @param length  size of buffer, description_length + 1 for all of it; what does not fit is cut off */
 int mdr_law_description(const mdr_law *law, char *buffer, int length);
 
-/** Writes a law to a file, which it replaces: a text with version, description and checksum, for any machine. The file is complete or
- *  as it was before, also while other threads read it. A symbolic link is followed.
+/** Writes a law to a file, which it replaces: a text with version, description and checksum, for any machine. The file is complete
+ *  or as it was before, also while other threads read it. A symbolic link is followed.
  *  @param law   law
  *  @param path  name of the file; what exists under it must be a regular file
  *  @return also MDR_EFILE if it cannot be written */

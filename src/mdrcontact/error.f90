@@ -9,8 +9,8 @@ module mdrcontact_error
     use mdrcontact_padded_text, only: padded_count, padded_number
     implicit none (type, external)
     private
-    public :: error_t, raise, check_memory, check_finite, check_positive, check_not_negative, check_poisson, check_inclination, &
-              check_table, count_text, entry_name, to_text
+    public :: error_t, raise, check_memory, check_count_within, check_finite, check_positive, check_not_negative, check_poisson, &
+              check_inclination, check_table, count_text, entry_name, to_text
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file
 
@@ -71,6 +71,17 @@ contains
 
         if (stat /= 0) call raise(error, error_memory, "not enough memory")
     end subroutine check_memory
+
+    !> Raises unless smallest <= count <= largest.
+    pure subroutine check_count_within(error, name, count, smallest, largest)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        integer, intent(in) :: count, smallest, largest
+
+        if (count >= smallest .and. count <= largest) return
+        call raise(error, error_invalid, name//" = "//count_text(count)//" is not allowed: it must be from "// &
+                   count_text(smallest)//" to "//count_text(largest))
+    end subroutine check_count_within
 
     !> Raises unless `value` is finite and greater than zero.
     pure subroutine check_positive(error, name, value)

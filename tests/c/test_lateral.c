@@ -2,6 +2,8 @@
 /* Laterally heterogeneous structures: refusals, layers against the layered medium, points, lines, voxels, weights. */
 #include "check.h"
 
+#include <limits.h>
+
 static const double nan_free[3] = {0.1, 1.0, 10.0};
 static const double zeros[3] = {0.0, 0.0, 0.0};
 
@@ -50,6 +52,10 @@ static void refusals(void)
     mdr_structure_options_init(&options);
     options.padded = 1;
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID, "beside E = 0");
+    mdr_structure_options_init(&options);
+    options.images = 1000000000;
+    CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID,
+                 "images = 1000000000 is not allowed: it must be from 1 to 100");
     CHECK_STATUS(mdr_structure_callback(NULL, NULL, 0.5, 1e-5, &s), MDR_ENULL, "field is NULL");
     CHECK_TRUE(s == NULL);
 
@@ -59,6 +65,7 @@ static void refusals(void)
     CHECK_STATUS(mdr_structure_modulus(NULL, 3, zeros, zeros, nan_free, out), MDR_ENULL, "s is NULL");
     CHECK_STATUS(mdr_structure_medium(s, 0.0, 0.0, 1.0, 0.5, 10, &m), MDR_EINVALID, "largest_radius = 0.5");
     CHECK_STATUS(mdr_structure_medium(s, 0.0, 0.0, 0.5, 1.0, 2, &m), MDR_EINVALID, "points = 2");
+    CHECK_STATUS(mdr_structure_medium(s, 0.0, 0.0, 0.5, 1.0, INT_MAX, &m), MDR_EINVALID, "it must be from 3 to 1000000");
     CHECK_STATUS(mdr_structure_medium(s, NAN, 0.0, 0.5, 1.0, 5, &m), MDR_EINVALID, "x = NaN");
     CHECK_TRUE(m == NULL);
     CHECK_SUCCESS(mdr_structure_modulus(s, 0, NULL, NULL, NULL, NULL));
@@ -146,6 +153,7 @@ static void weights(void)
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, depth, top, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "z_bottom = 0");
     CHECK_STATUS(mdr_lateral_cells(0.3, -1.0, top, depth, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "a = -1");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 0, lines, 2, lines, shear, poisson), MDR_EINVALID, "nx = 0");
+    CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, INT_MAX, lines, 2, lines, shear, poisson), MDR_EINVALID, "nx = 2147483647");
     CHECK_SUCCESS(mdr_lateral_density(2, rho, z, 0.5, shear, poisson));
     CHECK_TRUE(shear[0] > shear[1] && shear[1] > 0.0);
     CHECK_STATUS(mdr_lateral_density(2, falling, z, 0.5, shear, poisson), MDR_EINVALID, "rho");

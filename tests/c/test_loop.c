@@ -2,6 +2,8 @@
 /* Pull-off and loops of an adhesive paraboloid on a homogeneous body: refusals, then JKR. */
 #include "check.h"
 
+#include <limits.h>
+
 static const double pi = 3.14159265358979323846;
 static const double R = 2.0, modulus = 3.0, work = 0.05;
 
@@ -56,6 +58,7 @@ static void loop_refuses(const mdr_contact *c)
     }
     CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, 1, 0.0, &l), MDR_EINVALID, "points = 1");
     CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, -1, 0.0, &l), MDR_EINVALID, "points = -1");
+    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, INT_MAX, 0.0, &l), MDR_EINVALID, "it must be from 2 to 1000000");
     CHECK_TRUE(l == NULL);
     CHECK_STATUS(mdr_loop_size(NULL, &number, &number, &number), MDR_ENULL, "l is NULL");
     CHECK_STATUS(mdr_loop_path(NULL, 1, d, d, d, d), MDR_ENULL, "l is NULL");

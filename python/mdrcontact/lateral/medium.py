@@ -22,7 +22,7 @@ class LateralMedium(Medium):
     x, y : place of the contact [length]
     smallest_radius, largest_radius : contact radii between which E_eff is sampled, evenly in ln a, and interpolated; below the
         smaller one it is taken as constant [length]
-    points : number of samples, at least 3
+    points : number of samples, 3 to 1000000
     """
 
     structure: Structure
@@ -42,8 +42,8 @@ class LateralMedium(Medium):
             raise InvalidArgumentError(
                 f"smallest_radius = {first!r}, largest_radius = {last!r} are not allowed: 0 < smallest < largest is needed"
             )
-        if isinstance(points, bool) or not isinstance(points, int) or points < 3:
-            raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number, at least 3")
+        if isinstance(points, bool) or not isinstance(points, int) or not 3 <= points <= 1_000_000:
+            raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number from 3 to 1000000")
         a = np.geomspace(first, last, points)
         created = _native.medium_table(a, np.asarray(structure.modulus(*place, a)))
         self._own(created, x=place[0], y=place[1], smallest_radius=first, largest_radius=last)

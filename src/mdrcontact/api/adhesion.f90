@@ -86,7 +86,6 @@ contains
         type(contact_t), pointer :: contact
         type(control_t) :: chosen
         type(loop_handle_t), pointer :: inside
-        type(loop_t) :: loop
         type(error_t), allocatable :: error
         integer :: stat
 
@@ -94,17 +93,15 @@ contains
         call open_contact(c, "c", contact, error)
         call check_given(error, "out", present(out))
         call choose_control(chosen, control, spring_stiffness, .true., error)
-        if (points < 2) call raise(error, error_invalid, "points = "//count_text(int(points))//" is not allowed: it must be "// &
-                                   "at least 2")
-        if (.not. allocated(error)) call new_loop(loop, contact, chosen, largest, int(points), error)
         if (.not. allocated(error)) then
             allocate (inside, stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error)) then
-            inside%object = loop
-            out = c_loc(inside)
+            call new_loop(inside%object, contact, chosen, largest, int(points), error)
+            if (allocated(error)) deallocate (inside)
         end if
+        if (.not. allocated(error)) out = c_loc(inside)
         status = status_of(error)
     end function mdr_loop_new
 

@@ -5,8 +5,8 @@ module mdrcontact_api_lateral
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_finite, check_each_not_negative
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_batch, only: check_threads
-    use mdrcontact_error, only: check_not_negative, check_poisson, check_positive, count_text, entry_name, error_invalid, error_t, &
-                                raise, to_text
+    use mdrcontact_error, only: check_count_within, check_not_negative, check_poisson, check_positive, entry_name, error_invalid, &
+                                error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_cells, only: cell_weights
     use mdrcontact_lateral_field, only: space_rule, space_rule_size
@@ -70,6 +70,9 @@ contains
                                                " is not allowed: it must be greater than z_top = "//to_text(z_top))
         call check_lines(error, "x", nx, x)
         call check_lines(error, "y", ny, y)
+        if (real(nx, wp)*real(ny, wp) > real(huge(1), wp)) then
+            call raise(error, error_invalid, "there are more cells than an int counts")
+        end if
         call check_given(error, "shear", present(shear))
         call check_given(error, "poisson", present(poisson))
         if (.not. allocated(error)) then
@@ -96,8 +99,7 @@ contains
         type(error_t), allocatable :: error
         integer :: n
 
-        if (order < 1 .or. order > 200) call raise(error, error_invalid, "order = "//count_text(int(order))// &
-                                                   " is not allowed: it must be from 1 to 200")
+        call check_count_within(error, "order", int(order), 1, 200)
         call check_poisson(error, "nu", nu)
         call check_given(error, "points", present(points))
         call check_given(error, "weights", present(weights))
@@ -115,7 +117,7 @@ contains
         real(c_double), intent(in), optional :: lines(*)
         integer :: i
 
-        if (n < 1) call raise(error, error_invalid, "n"//name//" = "//count_text(int(n))//" is not allowed: it must be at least 1")
+        call check_count_within(error, "n"//name, int(n), 1, huge(1) - 1)
         call check_given(error, name, present(lines))
         if (allocated(error)) return
         call check_each_finite(error, name, lines(:n + 1))

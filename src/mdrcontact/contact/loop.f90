@@ -5,7 +5,7 @@ module mdrcontact_contact_loop
     use mdrcontact_contact_branch, only: control_t, stretch_t
     use mdrcontact_contact, only: contact_t, on_loading
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_positive, count_text, error_invalid, error_t, error_unreachable, raise
+    use mdrcontact_error, only: check_count_within, check_memory, check_positive, error_t, error_unreachable, raise
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -23,10 +23,13 @@ module mdrcontact_contact_loop
         integer, allocatable :: jumps(:)
         !> energy lost in the cycle, the area of the loop [modulus length^3]
         real(wp) :: dissipated_energy = 0.0_wp
+        !> number of points so far
+        integer, private :: points = 0
     end type loop_t
 
     !> How far before pull-off a drawn loop begins, relative to the pull-off position.
     real(wp), parameter :: margin = 1.25_wp
+    integer, parameter :: most_points = 1000000
 
 contains
 
@@ -48,21 +51,36 @@ contains
         type(control_t), intent(in) :: control
         !> the position where the motion turns back, > 0
         real(wp), intent(in) :: largest
-        !> number of points on each way, at least 2; jumps and their ends come on top
+        !> number of points on each way, 2 to 1000000; jumps and their ends come on top
+        integer, intent(in) :: count
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_positive(error, "largest", largest)
+        call check_count_within(error, "points", count, 2, most_points)
+        if (allocated(error)) return
+        allocate (self%jumps(0))
+        call resize(self, 2*count + 8, error)
+        if (allocated(error)) return
+        if (contact%is_adhesive()) then
+            call adhesive_way(self, contact, control, largest, count, error)
+        else
+            call elastic_way(self, contact, control, largest, count, error)
+        end if
+        if (.not. allocated(error)) call resize(self, self%points, error)
+    end subroutine new_loop
+
+    !> With adhesion: jump-in, contact, pull-off.
+    subroutine adhesive_way(self, contact, control, largest, count, error)
+        type(loop_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: largest
         integer, intent(in) :: count
         type(error_t), allocatable, intent(out) :: error
         type(stretch_t), allocatable :: list(:)
         real(wp) :: start
         integer :: current
 
-        call check_positive(error, "largest", largest)
-        if (count < 2) call raise(error, error_invalid, "count = "//count_text(count)//" is not allowed: at least 2 points")
-        if (allocated(error)) return
-        allocate (self%position(0), self%state(0), self%jumps(0))
-        if (.not. contact%is_adhesive()) then
-            call elastic_way(self, contact, control, largest, count, error)
-            return
-        end if
         call contact%stable_stretches(control, list, error)
         if (allocated(error)) return
         current = findloc(list%lowest <= 0.0_wp .and. 0.0_wp <= list%highest, .true., dim=1)
@@ -72,17 +90,17 @@ contains
             return
         end if
         start = margin*min(minval(list%lowest), 0.0_wp)
-        call add_apart(self, control, start)
-        call add_apart(self, control, 0.0_wp)
-        call load(self, contact, control, list, current, largest, count, error)
+        call add_apart(self, control, start, error)
+        if (.not. allocated(error)) call add_apart(self, control, 0.0_wp, error)
+        if (.not. allocated(error)) call load(self, contact, control, list, current, largest, count, error)
         if (allocated(error)) return
-        self%turning_point = size(self%position)
+        self%turning_point = self%points
         call unload(self, contact, control, list, current, largest, count, error)
         if (allocated(error)) return
         call add_jump(self)
-        call add_apart(self, control, self%position(size(self%position)))
-        call add_apart(self, control, start)
-    end subroutine new_loop
+        call add_apart(self, control, self%position(self%points), error)
+        if (.not. allocated(error)) call add_apart(self, control, start, error)
+    end subroutine adhesive_way
 
     subroutine load(self, contact, control, list, current, largest, count, error)
         type(loop_t), intent(inout) :: self
@@ -160,9 +178,10 @@ contains
                 first = state
                 ! Under a prescribed force the load does work while the contact jumps.
                 if (control%depth_weight == 0.0_wp) self%dissipated_energy = self%dissipated_energy &
-                    + self%state(size(self%state))%force*(state%depth - self%state(size(self%state))%depth)
+                    + self%state(self%points)%force*(state%depth - self%state(self%points)%depth)
             end if
-            call add(self, s, state)
+            call add(self, s, state, error)
+            if (allocated(error)) return
         end do
         self%dissipated_energy = self%dissipated_energy + contact%work_between(first, state)
         if (control%depth_weight > 0.0_wp) self%dissipated_energy = self%dissipated_energy &
@@ -184,37 +203,64 @@ contains
             associate (s => largest*(real(min(i, 2*(count - 1) - i), wp)/(count - 1)))
                 call contact%at_control(control, "position", s, state, error, on_loading)
                 if (allocated(error)) return
-                call add(self, s, state)
+                call add(self, s, state, error)
+                if (allocated(error)) return
             end associate
         end do
         self%turning_point = count
     end subroutine elastic_way
 
     !> The bodies apart: no force, and the depth that the machine leaves them.
-    subroutine add_apart(self, control, position)
+    subroutine add_apart(self, control, position, error)
         type(loop_t), intent(inout) :: self
         type(control_t), intent(in) :: control
         real(wp), intent(in) :: position
+        type(error_t), allocatable, intent(inout) :: error
         type(contact_state_t) :: apart
 
         if (control%depth_weight > 0.0_wp) apart%depth = position/control%depth_weight
-        call add(self, position, apart)
+        call add(self, position, apart, error)
     end subroutine add_apart
 
     subroutine add_jump(self)
         type(loop_t), intent(inout) :: self
 
-        self%jumps = [self%jumps, size(self%position)]
+        self%jumps = [self%jumps, self%points]
     end subroutine add_jump
 
-    subroutine add(self, position, state)
+    subroutine add(self, position, state, error)
         type(loop_t), intent(inout) :: self
         real(wp), intent(in) :: position
         type(contact_state_t), intent(in) :: state
+        type(error_t), allocatable, intent(inout) :: error
 
-        self%position = [self%position, position]
-        self%state = [self%state, state]
+        if (self%points == size(self%position)) call resize(self, 2*self%points, error)
+        if (allocated(error)) return
+        self%points = self%points + 1
+        self%position(self%points) = position
+        self%state(self%points) = state
     end subroutine add
+
+    !> Room for so many points.
+    subroutine resize(self, room, error)
+        type(loop_t), intent(inout) :: self
+        integer, intent(in) :: room
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: position(:)
+        type(contact_state_t), allocatable :: state(:)
+        integer :: stat
+
+        allocate (position(room), stat=stat)
+        if (stat == 0) allocate (state(room), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        if (self%points > 0) then
+            position(:self%points) = self%position(:self%points)
+            state(:self%points) = self%state(:self%points)
+        end if
+        call move_alloc(position, self%position)
+        call move_alloc(state, self%state)
+    end subroutine resize
 
     !> Points for a part of the way, in proportion to its length.
     pure function share(from, to, whole, count) result(points)

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A structure given by voxels: the phase of every cell of a regular array, a micrograph or a tomogram (theory 7).
 module mdrcontact_lateral_voxels
-    use mdrcontact_error, only: check_finite, check_not_negative, check_poisson, check_positive, count_text, error_invalid, &
-                                error_memory, error_t, raise
+    use mdrcontact_error, only: check_count_within, check_finite, check_memory, check_not_negative, check_poisson, &
+                                check_positive, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_cells, only: cell_weights
     use mdrcontact_lateral_slab, only: new_slab, slab_t
@@ -13,6 +13,9 @@ module mdrcontact_lateral_voxels
     public :: voxels_t, new_voxels
 
     real(wp), parameter :: two_pi = 2.0_wp*pi
+    !> Periods that count cell by cell, and their cells in a slice.
+    integer, parameter :: most_images = 100
+    real(wp), parameter :: most_cells = 2.0_wp**30
 
     !> Cell (i, j, k) fills origin + spacing*[i-1 ... i, j-1 ... j] and the depths spacing(3)*(k-1 ... k).
     type, extends(structure_t) :: voxels_t
@@ -46,7 +49,7 @@ contains
         !> x and y of the array's lower corner; default 0 [length]
         real(wp), intent(in), optional :: origin(2)
         !> periodic only: how many periods in each direction count cell by cell; beyond them each slice counts with its mean.
-        !> Default 1
+        !> 1 to 100, default 1
         integer, intent(in), optional :: images
         !> Poisson's ratio of the weights; default: the mean over all voxels
         real(wp), intent(in), optional :: reference_nu
@@ -63,10 +66,14 @@ contains
         end if
         if (allocated(error)) return
         allocate (self%labels, source=labels, stat=stat)
-        if (stat /= 0) call raise(error, error_memory, "not enough memory")
+        if (stat == 0) allocate (self%shear(size(phases)), stat=stat)
+        if (stat == 0) allocate (self%poisson(size(phases)), stat=stat)
+        call check_memory(error, stat)
         if (allocated(error)) return
-        self%shear = phases%shear()
-        self%poisson = phases%poisson
+        do i = 1, size(phases)
+            self%shear(i) = phases(i)%shear()
+            self%poisson(i) = phases(i)%poisson
+        end do
         self%spacing = spacing
         self%below = below
         self%periodic = .not. present(beside)
@@ -76,7 +83,11 @@ contains
         do i = 1, 2
             call check_finite(error, "origin "//count_text(i), self%origin(i))
         end do
-        if (self%images < 1) call raise(error, error_invalid, "images = "//count_text(self%images)//" is not allowed: at least 1")
+        call check_count_within(error, "images", self%images, 1, most_images)
+        if (4.0_wp*real(self%images, wp)**2*size(labels, 1)*size(labels, 2) > most_cells) then
+            call raise(error, error_invalid, "images = "//count_text(self%images)//" is not allowed: so many periods have more "// &
+                       "cells than can be summed")
+        end if
         self%reference_nu = 0.0_wp
         do i = 1, size(phases)
             self%reference_nu = self%reference_nu + self%poisson(i)*(count(labels == i)/real(size(labels), wp))
@@ -101,11 +112,12 @@ contains
 
         shear = 0.0_wp
         poisson = 0.0_wp
-        call window(self, 1, x, columns, lines_x)
-        call window(self, 2, y, rows, lines_y)
+        call window(self, 1, x, columns, lines_x, error)
+        if (.not. allocated(error)) call window(self, 2, y, rows, lines_y, error)
+        if (allocated(error)) return
         allocate (shear_weights(size(columns), size(rows)), stat=stat)
         if (stat == 0) allocate (poisson_weights(size(columns), size(rows)), stat=stat)
-        if (stat /= 0) call raise(error, error_memory, "not enough memory")
+        call check_memory(error, stat)
         if (allocated(error)) return
         lines_x = lines_x/a
         lines_y = lines_y/a
@@ -126,13 +138,14 @@ contains
     end subroutine means
 
     !> The cells that count one by one in a direction: their indices, and their lines relative to the axis.
-    pure subroutine window(self, direction, at, indices, lines)
+    pure subroutine window(self, direction, at, indices, lines, error)
         class(voxels_t), intent(in) :: self
         integer, intent(in) :: direction
         real(wp), intent(in) :: at
         integer, allocatable, intent(out) :: indices(:)
         real(wp), allocatable, intent(out) :: lines(:)
-        integer :: n, i, first, last
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: n, i, first, last, stat
         real(wp) :: place
 
         n = size(self%labels, direction)
@@ -145,8 +158,14 @@ contains
             first = 0
             last = n
         end if
-        indices = [(modulo(i, n) + 1, i=first, last - 1)]
-        lines = [((i - place)*self%spacing(direction), i=first, last)]
+        allocate (indices(last - first), stat=stat)
+        if (stat == 0) allocate (lines(last - first + 1), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        do i = first, last
+            lines(i - first + 1) = (i - place)*self%spacing(direction)
+            if (i < last) indices(i - first + 1) = modulo(i, n) + 1
+        end do
     end subroutine window
 
     !> What a slice is compared with: the surroundings, or its own mean where it repeats itself.
