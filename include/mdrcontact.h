@@ -234,6 +234,19 @@ enum mdr_model {
     MDR_MODEL_EXACT = 11              /**< The exact solution of the layered half-space. */
 };
 
+/** The name of a model, as Python and problem files write it: "gao-series", "exact", ...
+ *  @param model   one of enum mdr_model
+ *  @param length  size of name, at least 20
+ *  @param name    [length] receives the name and a null character
+ *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a model that does not exist or too short a length */
+int mdr_model_name(int model, int length, char *name);
+
+/** The model of a name.
+ *  @param name   ended by a null character
+ *  @param model  receives one of enum mdr_model
+ *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a name that no model has */
+int mdr_model_from_name(const char *name, int *model);
+
 /** Which Poisson's ratio enters I0 of Gao's weights, which the source leaves open. */
 enum mdr_weight_nu {
     MDR_WEIGHT_NU_SURFACE = 0,   /**< That of the surface: the most accurate on average, and the default. */

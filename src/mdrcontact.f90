@@ -23,9 +23,7 @@ module mdrcontact
                                    indenter_given, indenter_paraboloid, indenter_power_law, indenter_rounded_cone, indenter_sphere
     use mdrcontact_fit_interval, only: profile_interval
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_graded, medium_homogeneous, medium_power_graded, &
-                                        medium_stack, model_bec, model_dimitriadis, model_doerner_nix, model_exact, model_gao, &
-                                        model_gao_series, model_garcia, model_hay_crawford, model_mencik_exponential, &
-                                        model_mencik_reciprocal, model_perriot_barthel, model_wave
+                                        medium_stack
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
                                       at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_force_depth, &
@@ -63,6 +61,7 @@ module mdrcontact
     use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
     use mdrcontact_medium_wave, only: new_wave, wave_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus
+    use mdrcontact_model, only: find_model, model_options_t, models, new_medium
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
     use mdrcontact_profile_area_function, only: new_area_function_profile

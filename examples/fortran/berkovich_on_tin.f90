@@ -26,7 +26,7 @@ program berkovich_on_tin
     call check(error)
     call new_cone(tip, (90.0_wp - 70.30_wp)*degree, error)
     call check(error)
-    call new_gao(coated, tin, 2.0_wp, steel, error, gao_options_t(in_series=.true.))
+    call new_gao(coated, tin, 2.0_wp, steel, error, gao_options_t(exponent=-1.0_wp))
     call check(error)
     call new_contact(contact, tip, coated, error)
     call check(error)

@@ -8,7 +8,7 @@ program film_from_punches
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use, intrinsic :: iso_fortran_env, only: error_unit, iostat_end
     use mdrcontact, only: data_stiffness_radius, error_t, fit_data_t, fit_problem_t, fit_result_t, indenter_given, &
-                          instrument_numbers, medium_stack, model_exact, new_paraboloid, power_law_t, profile_interval, &
+                          instrument_numbers, medium_stack, models, new_paraboloid, power_law_t, profile_interval, &
                           solve_fit, wp
     implicit none (type, external)
 
@@ -73,7 +73,7 @@ contains
         problem%body%indenter = indenter_given
         allocate (problem%body%profile, source=tip)
         problem%body%medium%kind = medium_stack
-        problem%body%medium%model = model_exact
+        problem%body%medium%model = models%exact
         problem%body%medium%layers = 1
         allocate (problem%parameters(stack_numbers + instrument_numbers))
         problem%parameters%value = [1.0_wp, 0.49_wp, 2.0_wp, ieee_value(1.0_wp, ieee_positive_inf), 0.0_wp, 1.0_wp, &

@@ -39,7 +39,7 @@ C     Makes the contact. IERR = 0 or the library's error code.
      &  call new_material(aluminium, 70.0d9, 0.33d0, error)
       if (.not. allocated(error))
      &  call new_gao(plate, epoxy, 25.0d-6, aluminium, error,
-     &               gao_options_t(in_series=.true.))
+     &               gao_options_t(exponent=-1.0d0))
       if (.not. allocated(error))
      &  call new_paraboloid(ball, radius, error)
       if (.not. allocated(error))

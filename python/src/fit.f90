@@ -3,16 +3,16 @@
 
 !> See mdr_fit_solve. numbers: converged, iterations, evaluations, chi_square, prior_chi_square, degrees_of_freedom, noise,
 !> log_likelihood, runs_probability, weakest.
-subroutine fit_solve(n, m, codes, reals, objects, table, x, y, force, sd, has_sd, values, covariance, at_bound, &
+subroutine fit_solve(n, m, r, codes, reals, objects, table, x, y, force, sd, has_sd, values, covariance, at_bound, &
     weakest_direction, fitted, residuals, numbers, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_c_fit, only: fit_parameter_t, fit_summary_t, mdr_fit_solve
     use mdrcontact_flat_fit, only: optional_column, to_parameters, to_problem
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n, m, has_sd
-    integer(c_int), intent(in) :: codes(11)
-    real(c_double), intent(in) :: reals(3)
+    integer(c_int), intent(in) :: n, m, r, has_sd
+    integer(c_int), intent(in) :: codes(10)
+    real(c_double), intent(in) :: reals(r)
     integer(c_int64_t), intent(in) :: objects(2)
     real(c_double), intent(in) :: table(6, m)
     real(c_double), intent(in) :: x(n), y(n), force(n)
@@ -40,15 +40,15 @@ subroutine fit_solve(n, m, codes, reals, objects, table, x, y, force, sd, has_sd
 end subroutine fit_solve
 
 !> See mdr_fit_predict.
-subroutine fit_predict(n, m, codes, reals, objects, table, x, y, force, fitted, status)
+subroutine fit_predict(n, m, r, codes, reals, objects, table, x, y, force, fitted, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_c_fit, only: fit_parameter_t, mdr_fit_predict
     use mdrcontact_flat_fit, only: to_parameters, to_problem
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n, m
-    integer(c_int), intent(in) :: codes(11)
-    real(c_double), intent(in) :: reals(3)
+    integer(c_int), intent(in) :: n, m, r
+    integer(c_int), intent(in) :: codes(10)
+    real(c_double), intent(in) :: reals(r)
     integer(c_int64_t), intent(in) :: objects(2)
     real(c_double), intent(in) :: table(6, m)
     real(c_double), intent(in) :: x(n), y(n), force(n)
@@ -62,15 +62,15 @@ subroutine fit_predict(n, m, codes, reals, objects, table, x, y, force, fitted, 
 end subroutine fit_predict
 
 !> See mdr_fit_interval.
-subroutine fit_interval(n, m, codes, reals, objects, table, x, y, force, sd, has_sd, position, level, lower, upper, status)
+subroutine fit_interval(n, m, r, codes, reals, objects, table, x, y, force, sd, has_sd, position, level, lower, upper, status)
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t
     use mdrcontact_c_fit, only: fit_parameter_t, mdr_fit_interval
     use mdrcontact_flat_fit, only: optional_column, to_parameters, to_problem
     implicit none (type, external)
     !f2py threadsafe
-    integer(c_int), intent(in) :: n, m, has_sd, position
-    integer(c_int), intent(in) :: codes(11)
-    real(c_double), intent(in) :: reals(3), level
+    integer(c_int), intent(in) :: n, m, r, has_sd, position
+    integer(c_int), intent(in) :: codes(10)
+    real(c_double), intent(in) :: reals(r), level
     integer(c_int64_t), intent(in) :: objects(2)
     real(c_double), intent(in) :: table(6, m)
     real(c_double), intent(in) :: x(n), y(n), force(n)

@@ -1,23 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-! Default options, values and end of a medium, flat for f2py.
-
-!> The defaults that mdr_medium_options_init sets.
-subroutine medium_default_options(alpha, wave_factor, weight_nu_choice, weight_nu, tolerance)
-    use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_medium_options, only: mdr_medium_options_init, medium_options_t
-    implicit none (type, external)
-    real(c_double), intent(out) :: alpha, wave_factor
-    integer(c_int), intent(out) :: weight_nu_choice
-    real(c_double), intent(out) :: weight_nu, tolerance
-    type(medium_options_t) :: options
-
-    call mdr_medium_options_init(options)
-    alpha = options%alpha
-    wave_factor = options%wave_factor
-    weight_nu_choice = options%weight_nu_choice
-    weight_nu = options%weight_nu
-    tolerance = options%tolerance
-end subroutine medium_default_options
+! Values and end of a medium, flat for f2py.
 
 !> See mdr_medium_modulus.
 subroutine medium_modulus(n, threads, handle, a, values, status)

@@ -291,8 +291,33 @@ static void bottom_effect(void)
     }
 }
 
+/* The names of the table of models, both ways. */
+static void model_names(void)
+{
+    char name[20] = "untouched";
+    int model = -1;
+
+    for (int i = MDR_MODEL_GAO; i <= MDR_MODEL_EXACT; i++) {
+        CHECK_SUCCESS(mdr_model_name(i, 20, name));
+        CHECK_SUCCESS(mdr_model_from_name(name, &model));
+        CHECK_TRUE(model == i);
+    }
+    CHECK_TRUE(strcmp(name, "exact") == 0);
+    CHECK_SUCCESS(mdr_model_from_name("mencik-exponential", &model));
+    CHECK_TRUE(model == MDR_MODEL_MENCIK_EXPONENTIAL);
+    CHECK_STATUS(mdr_model_name(MDR_MODEL_GAO, 20, NULL), MDR_ENULL, "name is NULL");
+    CHECK_STATUS(mdr_model_name(-1, 20, name), MDR_EINVALID, "model = -1");
+    CHECK_STATUS(mdr_model_name(MDR_MODEL_GAO, 5, name), MDR_EINVALID, "length = 5");
+    CHECK_STATUS(mdr_model_from_name(NULL, &model), MDR_ENULL, "name is NULL");
+    CHECK_STATUS(mdr_model_from_name("gao", NULL), MDR_ENULL, "model is NULL");
+    CHECK_STATUS(mdr_model_from_name("gauss", &model), MDR_EINVALID, "name = gauss");
+    CHECK_STATUS(mdr_model_from_name("a name longer than that of any model", &model), MDR_EINVALID, "name = a name");
+    CHECK_TRUE(model == MDR_MODEL_MENCIK_EXPONENTIAL && strcmp(name, "exact") == 0);
+}
+
 int main(void)
 {
+    model_names();
     homogeneous_refuses();
     coated_refuses();
     published_models();

@@ -85,7 +85,7 @@ def _candidates(medium: Any) -> list[str]:
     if isinstance(medium, media.Layered):
         return [name for name, model in MODELS.items() if model.layers]
     if medium.substrate is RIGID:
-        return [name for name, model in MODELS.items() if model.needs_rigid_base or name == "exact"]
+        return [name for name, model in MODELS.items() if model.allows_rigid_base]
     return [name for name, model in MODELS.items() if not model.needs_rigid_base]
 
 

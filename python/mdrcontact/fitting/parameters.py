@@ -15,7 +15,7 @@ from .._choices import nearest
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Elastic
 from ..medium.coated import base
-from ..medium.models import MODELS, settings
+from ..medium.models import DEFAULTS, MODELS, settings
 from ..profile.tips import _Pyramid
 
 
@@ -129,10 +129,8 @@ class MediumNumbers(NamedTuple):
 
     numbers: Numbers
     model: int
+    options: tuple[float, ...]
     layers: int
-    weight_nu_choice: int
-    weight_nu: float
-    tolerance: float
 
 
 def of_medium(medium: Any) -> MediumNumbers:
@@ -141,7 +139,7 @@ def of_medium(medium: Any) -> MediumNumbers:
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
     if isinstance(medium, (media.Coated, media.Layered)):
         return _stack(medium)
-    plain = (0, 1, 0, 0.5, 1e-10)
+    plain = (*settings("exact", {}).native, 1)
     if isinstance(medium, media.Homogeneous):
         if medium.indenter is not None:
             raise InvalidArgumentError("Homogeneous(material, indenter) is not allowed in a fit: say Instrument(indenter=...)")
@@ -151,7 +149,7 @@ def of_medium(medium: Any) -> MediumNumbers:
         names = ["E0", "z0", "exponent", "nu"]
         values = [float(getattr(medium, name)) for name in names]
         return MediumNumbers(Numbers(4, names, values, lambda v: media.PowerLawGraded(*v)), *plain)
-    if isinstance(medium, media.Graded) and medium.model != "exact" and isinstance(medium.E, tuple):
+    if isinstance(medium, media.Graded) and isinstance(medium.E, tuple):
         return _graded(medium)
     return MediumNumbers(Numbers(0, [], [], lambda _: medium), *plain)
 
@@ -160,37 +158,35 @@ def _graded(medium: Any) -> MediumNumbers:
     z, E, nu = medium.z, medium.E, medium.nu
     ratios = nu if isinstance(nu, tuple) else (nu,) * len(z)
     options = dict(medium.options)
-    code, _, _, choice, weight_nu, tolerance = settings(medium.model, options, layers=True).native
+    native = settings(medium.model, options).native
     names = [f"{name}[{i}]" for i in range(len(z)) for name in ("z", "E", "nu")]
     values = [value for row in zip(z, E, ratios, strict=True) for value in row]
     numbers = Numbers(3, names, values, lambda v: media.Graded(v[0::3], v[1::3], v[2::3], medium.model, **options))
-    return MediumNumbers(numbers, code, len(z), choice, weight_nu, tolerance)
+    return MediumNumbers(numbers, *native, len(z))
 
 
 def _stack(medium: Any) -> MediumNumbers:
     coated = isinstance(medium, media.Coated)
     layers = [(medium.coating, medium.thickness)] if coated else list(medium.layers)
     options = dict(medium.options)
-    code, alpha, wave_factor, choice, weight_nu, tolerance = settings(medium.model, options).native
-    constant = "wave_factor" if medium.model == "wave" else "alpha"
-    takes_constant = constant in MODELS[medium.model].options
+    native, constant = settings(medium.model, options).native, MODELS[medium.model].constant
     names, values = [], []
     for i, (material, h) in enumerate(layers):
         of = ("coating.", "") if coated else (f"layers[{i}].",) * 2
         names += [f"{of[0]}E", f"{of[0]}nu", f"{of[1]}thickness"]
         values += [material.E, material.nu, h]
-    names += ["substrate.E", "substrate.nu", constant if takes_constant else ""]
-    values += [*base(medium.substrate), wave_factor if constant == "wave_factor" else alpha]
+    names += ["substrate.E", "substrate.nu", constant]
+    values += [*base(medium.substrate), options.get(constant, DEFAULTS.get(constant, 1.0))]
 
     def build(v: Sequence[float]) -> Any:
         substrate = RIGID if medium.substrate is RIGID else Elastic(v[-3], v[-2])
-        given = {**options, constant: v[-1]} if takes_constant else options
+        given = {**options, constant: v[-1]} if constant else options
         stack = [(Elastic(v[3 * i], v[3 * i + 1]), v[3 * i + 2]) for i in range(len(layers))]
         if coated:
             return media.Coated(*stack[0], substrate, medium.model, **given)
         return media.Layered(stack, substrate, medium.model, **given)
 
-    return MediumNumbers(Numbers(2, names, values, build), code, len(layers), choice, weight_nu, tolerance)
+    return MediumNumbers(Numbers(2, names, values, build), *native, len(layers))
 
 
 def of_instrument(instrument: Instrument) -> Numbers:

@@ -102,7 +102,7 @@ def make_problem(
         entry = chosen[name]
         start = values[i] if entry.start is None else entry.start
         table[:, i] = start, entry.lower, entry.upper, *(entry.prior or (0.0, 0.0)), 1.0
-    problem_codes = [data.code, parts[0].code, parts[1].numbers.code, parts[1].model, parts[1].layers, parts[1].weight_nu_choice]
+    problem_codes = [data.code, parts[0].code, parts[1].numbers.code, parts[1].model, parts[1].layers]
     problem_codes += [rule, loss_code, int(bool(sd_is_absolute)), max_iterations, int(bool(check_units))]
     if not len(data):
         raise InvalidArgumentError("too few points: there are none")
@@ -112,7 +112,7 @@ def make_problem(
         names,
         chosen,
         np.array(problem_codes, dtype=np.int32),
-        np.array([parts[1].weight_nu, parts[1].tolerance, number("loss_scale", loss_scale)]),
+        np.array([number("loss_scale", loss_scale), *parts[1].options]),
         np.array([indenter._handle.address, medium._handle.address], dtype=np.int64),
         table,
     )

@@ -78,7 +78,7 @@ class FitResult:
     @property
     def noise_is_known(self) -> bool:
         """Whether the standard deviations of the data were given as absolute ones."""
-        return self.data.sd is not None and bool(self.problem.codes[8])
+        return self.data.sd is not None and bool(self.problem.codes[7])
 
     @property
     def correlation(self) -> Array:

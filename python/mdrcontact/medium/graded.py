@@ -26,7 +26,7 @@ class Graded(UnderModel):
 
     z, E, nu tables : depths z[0] = 0, ascending [length], E(z) > 0 [modulus] and nu(z) there; linear in between, constant below.
         nu may be one number
-    z a number, E and nu functions : E(z) and nu(z) on 0 <= z <= that depth [length], constant below; nu may be a number. They are
+    z a number, E and nu functions : E(z) and nu(z) on 0 < z <= that depth [length], constant below; nu may be a number. They are
         called while the object is made and never later; what they raise is raised to the caller
     model : "gao" (option weight_nu), "gao-series" (option weight_nu), "exact" (option tolerance); see `Coated`
     """
@@ -45,7 +45,7 @@ class Graded(UnderModel):
         model: str = "gao",
         **options: float | str,
     ) -> None:
-        chosen = settings(model, options, layers=True)
+        chosen = settings(model, options, graded=True)
         if callable(E) or callable(nu):
             created, arguments = _from_functions(z, E, nu, chosen.native)
         else:

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import itertools
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple, TypeVar
 
 from .. import _native
@@ -16,29 +17,44 @@ Self = TypeVar("Self", bound="UnderModel")
 
 
 class Model(NamedTuple):
-    """One model: its code in the C API and the options it takes."""
+    """A row of the library's table of models."""
 
     code: int
-    options: tuple[str, ...] = ()
-    needs_rigid_base: bool = False
-    layers: bool = False
+    options: tuple[str, ...]
+    constant: str
+    """the option that is a number which a fit can vary, or nothing"""
+    needs_rigid_base: bool
+    allows_rigid_base: bool
+    layers: bool
+    graded: bool
 
 
-MODELS: Mapping[str, Model] = {
-    "gao": Model(0, ("weight_nu",), layers=True),
-    "gao-series": Model(1, ("weight_nu",), layers=True),
-    "doerner-nix": Model(2, ("alpha",)),
-    "wave": Model(3, ("wave_factor",)),
-    "mencik-exponential": Model(4, ("alpha",)),
-    "mencik-reciprocal": Model(5, ("alpha",)),
-    "bec": Model(6),
-    "perriot-barthel": Model(7),
-    "hay-crawford": Model(8),
-    "dimitriadis": Model(9, needs_rigid_base=True),
-    "garcia": Model(10, needs_rigid_base=True),
-    "exact": Model(11, ("tolerance",), layers=True),
-}
-"""Every model by its name. Layered and graded media take those with `layers`."""
+def _models() -> Iterator[tuple[str, Model]]:
+    for position in itertools.count(1):
+        code, base, layers, graded, has_constant, name, option = _native.model_row(position)
+        if code < 0:
+            return
+        words = [text.decode().strip() for text in (name, option)]
+        options = (words[1],) if words[1] else ()
+        yield words[0], Model(code, options, words[1] * has_constant, base == 2, base > 0, bool(layers), bool(graded))
+
+
+def _options() -> Iterator[tuple[str, float]]:
+    for position in itertools.count(1):
+        default, name = _native.model_option(position)
+        if not name.strip():
+            return
+        yield name.decode().strip(), default
+
+
+MODELS: Mapping[str, Model] = dict(_models())
+"""Every model by its name."""
+
+DEFAULTS: Mapping[str, float] = dict(_options())
+"""What the library takes for each option that is not given."""
+
+OPTIONS: tuple[str, ...] = tuple(sorted({name for model in MODELS.values() for name in model.options}))
+"""The options of all models."""
 
 _WEIGHT_NU = {"surface": 0, "substrate": 1, "effective": 2}
 _WEIGHT_NU_GIVEN = 3
@@ -47,40 +63,36 @@ _WEIGHT_NU_GIVEN = 3
 class Settings(NamedTuple):
     """Model code and options as the library takes them, and the options as the user gave them."""
 
-    native: tuple[int, float, float, int, float, float]
+    native: tuple[int, tuple[float, ...]]
     given: dict[str, float | str]
 
 
-def settings(model: str, options: Mapping[str, Any], *, layers: bool = False) -> Settings:
+def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, graded: bool = False) -> Settings:
     """Checks a model's name and its options; wrong names are answered with the nearest right one."""
-    known = {name: entry for name, entry in MODELS.items() if entry.layers or not layers}
+    known = {name: row for name, row in MODELS.items() if row.layers >= layers and row.graded >= graded}
     if not isinstance(model, str) or model not in known:
         raise InvalidArgumentError(f"model = {model!r} is not allowed: {nearest(str(model), known)}")
-    entry = known[model]
-    alpha, wave_factor, choice, weight_nu, tolerance = _native.medium_default_options()
+    values = dict(DEFAULTS)
     given: dict[str, float | str] = {}
     for name, value in options.items():
-        if name not in entry.options:
-            words = nearest(name, entry.options)
+        if name not in known[model].options:
+            words = nearest(name, known[model].options)
             raise InvalidArgumentError(f"{name} is not an option of the model {model!r}: {words}")
+        if name == "weight_nu" and isinstance(value, str):
+            given[name] = value
+            values["weight_nu_choice"] = _weight_nu(value)
+            continue
+        given[name] = values[name] = number(name, value)
         if name == "weight_nu":
-            choice, weight_nu, value = _weight_nu(value, weight_nu)
-        else:
-            value = number(name, value)
-        given[name] = value
-    alpha, wave_factor = given.get("alpha", alpha), given.get("wave_factor", wave_factor)
-    tolerance = given.get("tolerance", tolerance)
-    return Settings((entry.code, alpha, wave_factor, choice, weight_nu, tolerance), given)
+            values["weight_nu_choice"] = _WEIGHT_NU_GIVEN
+    return Settings((known[model].code, tuple(values.values())), given)
 
 
-def _weight_nu(value: Any, unused: float) -> tuple[int, float, float | str]:
-    if not isinstance(value, str):
-        value = number("weight_nu", value)
-        return _WEIGHT_NU_GIVEN, value, value
+def _weight_nu(value: str) -> int:
     if value not in _WEIGHT_NU:
         words = nearest(value, _WEIGHT_NU)
         raise InvalidArgumentError(f"weight_nu = {value!r} is not allowed: {words}; a number is allowed as well")
-    return _WEIGHT_NU[value], unused, value
+    return _WEIGHT_NU[value]
 
 
 class UnderModel(Medium):

@@ -8,7 +8,7 @@ from typing import Any
 
 from .. import medium
 from ..material import RIGID, Elastic, _Rigid
-from ..medium.models import MODELS
+from ..medium.models import MODELS, OPTIONS
 from .section import ProblemError, Section
 from .units import LENGTH, MODULUS, Dimension
 
@@ -19,10 +19,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     "coating": None,
     "layer": None,
     "substrate": None,
-    "alpha": None,
-    "wave_factor": None,
-    "weight_nu": None,
-    "tolerance": None,
+    **dict.fromkeys(OPTIONS),
     "z": LENGTH,
     "E": MODULUS,
     "nu": None,
@@ -35,7 +32,6 @@ KNOWN: Mapping[str, Dimension | None] = {
 
 MATERIAL: Mapping[str, Dimension | None] = {"E": MODULUS, "nu": None}
 _FILM: Mapping[str, Dimension | None] = {**MATERIAL, "thickness": LENGTH}
-_OPTIONS = ("alpha", "wave_factor", "weight_nu", "tolerance")
 
 
 def read_material(section: Section) -> Elastic:
@@ -45,7 +41,7 @@ def read_material(section: Section) -> Elastic:
 
 
 def _model(section: Section) -> tuple[str, dict[str, Any]]:
-    options = {name: section.plain(name) for name in _OPTIONS if name in section}
+    options = {name: section.plain(name) for name in OPTIONS if name in section}
     return section.choice("model", MODELS, default="gao"), options
 
 
@@ -91,9 +87,9 @@ def _table(section: Section) -> medium.Medium:
 
 
 _TYPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], medium.Medium]]] = {
-    "coated": (("coating", "substrate", "model", *_OPTIONS), _coated),
-    "layered": (("layer", "substrate", "model", *_OPTIONS), _layered),
-    "graded": (("z", "E", "nu", "model", *_OPTIONS), _graded),
+    "coated": (("coating", "substrate", "model", *OPTIONS), _coated),
+    "layered": (("layer", "substrate", "model", *OPTIONS), _layered),
+    "graded": (("z", "E", "nu", "model", *OPTIONS), _graded),
     "power-law-graded": (("E0", "z0", "exponent", "nu"), _power_law_graded),
     "table": (("a", "moduli"), _table),
     "homogeneous": (("material",), lambda section: _homogeneous(section, None)),

@@ -4,7 +4,7 @@ module mdrcontact_flat_fit
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use mdrcontact_address, only: to_pointer
     use mdrcontact_c_fit, only: fit_parameter_t, fit_problem_t
-    use mdrcontact_api_medium_options, only: medium_options_t
+    use mdrcontact_model, only: options_of
     implicit none (type, external)
     private
     public :: to_parameters, to_problem, optional_column
@@ -23,18 +23,18 @@ contains
         end do
     end function to_parameters
 
-    !> codes: data kind, indenter, medium, model, layers, weight_nu_choice, adhesion rule, loss, sd_is_absolute, max_iterations,
-    !> check_units. reals: weight_nu, tolerance, loss_scale. objects: addresses of profile and medium.
+    !> codes: data kind, indenter, medium, model, layers, adhesion rule, loss, sd_is_absolute, max_iterations, check_units.
+    !> reals: loss_scale, then the options of the model. objects: addresses of profile and medium.
     function to_problem(codes, reals, objects, parameters) result(problem)
-        integer(c_int), intent(in) :: codes(11)
-        real(c_double), intent(in) :: reals(3)
+        integer(c_int), intent(in) :: codes(10)
+        real(c_double), intent(in) :: reals(:)
         integer(c_int64_t), intent(in) :: objects(2)
         type(fit_parameter_t), intent(in), target :: parameters(:)
         type(fit_problem_t) :: problem
 
         problem = fit_problem_t(codes(1), codes(2), to_pointer(objects(1)), codes(3), to_pointer(objects(2)), codes(4), codes(5), &
-                                medium_options_t(1.0_c_double, 1.0_c_double, codes(6), reals(1), reals(2)), codes(7), codes(8), &
-                                reals(3), codes(9), codes(10), codes(11), size(parameters, kind=c_int), c_loc(parameters))
+                                options_of(reals(2:)), codes(6), codes(7), reals(1), codes(8), codes(9), codes(10), &
+                                size(parameters, kind=c_int), c_loc(parameters))
     end function to_problem
 
     !> The address of a column, null if it does not count.

@@ -4,7 +4,7 @@ module mdrcontact_api_fit_problem
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_null_ptr, c_ptr
     use mdrcontact_api_arrays, only: check_count
     use mdrcontact_api_handles, only: open_medium, open_profile
-    use mdrcontact_api_medium_options, only: gao_options, medium_options_t
+    use mdrcontact_api_medium_options, only: medium_options_t
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
@@ -102,8 +102,7 @@ contains
         problem%body%medium%kind = int(given%medium)
         problem%body%medium%model = int(given%model)
         problem%body%medium%layers = int(given%layers)
-        problem%body%medium%gao = gao_options(given%model, given%options)
-        problem%body%medium%tolerance = given%options%tolerance
+        problem%body%medium%options = given%options
         problem%adhesion_rule = int(given%adhesion_rule)
         problem%loss = int(given%loss)
         problem%loss_scale = given%loss_scale

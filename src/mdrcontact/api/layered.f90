@@ -1,26 +1,42 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Layered and graded half-spaces, for C.
+!> Coated, layered and graded half-spaces under a model of the caller's choice, for C.
 module mdrcontact_api_layered
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty, check_each_positive
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_exact, only: deliver_exact
     use mdrcontact_api_handles, only: deliver_medium
-    use mdrcontact_api_medium_options, only: gao_options, medium_options_t, model_exact, model_gao, &
-                                             model_gao_series, options_or_defaults, raise_model
-    use mdrcontact_api_status, only: check_memory
+    use mdrcontact_api_medium_options, only: medium_options_t, options_or_defaults
+    use mdrcontact_api_status, only: check_memory, status_of
+    use mdrcontact_body, only: body_t
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
+    use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
-    use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_material, only: material_t, new_material
-    use mdrcontact_medium_gao, only: gao_t, new_gao_layered
-    use mdrcontact_medium_graded, only: graded_t, new_graded
+    use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
+    use mdrcontact_model, only: new_medium
     implicit none (type, external)
     private
-    public :: mdr_medium_layered, mdr_medium_graded, mdr_medium_graded_callback, mdr_medium_power_graded
+    public :: mdr_medium_coated, mdr_medium_layered, mdr_medium_graded, mdr_medium_graded_callback, mdr_medium_power_graded
 
 contains
+
+    function mdr_medium_coated(coating_e, coating_nu, thickness, substrate_e, substrate_nu, model, options, out) &
+        result(status) bind(C)
+        real(c_double), value :: coating_e, coating_nu, thickness, substrate_e, substrate_nu
+        integer(c_int), value :: model
+        type(medium_options_t), intent(in), optional :: options
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(material_t) :: coating
+        type(stack_t) :: body
+        type(error_t), allocatable :: error
+
+        call new_material(coating, coating_e, coating_nu, error, "coating")
+        if (.not. allocated(error)) call new_body(body, [coating], [thickness], substrate_e, substrate_nu, error)
+        status = deliver_model(body, model, options, out, error)
+    end function mdr_medium_coated
 
     function mdr_medium_layered(n, e, nu, thickness, substrate_e, substrate_nu, model, options, out) result(status) bind(C)
         integer(c_int), value :: n
@@ -31,8 +47,7 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(material_t), allocatable :: layers(:)
-        type(material_t) :: substrate
-        type(gao_t) :: medium
+        type(stack_t) :: body
         type(error_t), allocatable :: error
 
         call check_count(error, n)
@@ -40,18 +55,10 @@ contains
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))
         call check_array(error, "thickness", n, present(thickness))
-        if (model /= model_exact) call check_model(error, model, "MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT")
         if (.not. allocated(error)) call new_layers(layers, e(:n), nu(:n), error)
         if (.not. allocated(error)) call check_each_positive(error, "thickness", thickness(:n))
-        if (model == model_exact .and. .not. allocated(error)) then
-            status = deliver_exact(layers, thickness(:n), substrate_e, substrate_nu, options, out, error)
-            return
-        end if
-        if (.not. allocated(error)) call new_material(substrate, substrate_e, substrate_nu, error, "substrate")
-        if (.not. allocated(error)) then
-            call new_gao_layered(medium, layers, thickness(:n), substrate, error, gao_options(model, options))
-        end if
-        status = deliver_medium(medium, out, error)
+        if (.not. allocated(error)) call new_body(body, layers, thickness(:n), substrate_e, substrate_nu, error)
+        status = deliver_model(body, model, options, out, error)
     end function mdr_medium_layered
 
     function mdr_medium_graded(n, z, e, nu, model, options, out) result(status) bind(C)
@@ -70,7 +77,7 @@ contains
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))
         if (.not. allocated(error)) call new_graded_body(body, z(:n), e(:n), nu(:n), error)
-        status = deliver_graded(body, model, options, out, error)
+        status = deliver_model(body, model, options, out, error)
     end function mdr_medium_graded
 
     function mdr_medium_graded_callback(e, nu, context, depth, model, options, out) result(status) bind(C)
@@ -88,30 +95,8 @@ contains
         call new_c_function(young, "E", e, context, error)
         call new_c_function(poisson, "nu", nu, context, error)
         if (.not. allocated(error)) call new_graded_body_from_functions(body, young, poisson, depth, error)
-        status = deliver_graded(body, model, options, out, error)
+        status = deliver_model(body, model, options, out, error)
     end function mdr_medium_graded_callback
-
-    function deliver_graded(body, model, options, out, error) result(status)
-        type(graded_body_t), intent(in) :: body
-        integer(c_int), intent(in) :: model
-        type(medium_options_t), intent(in), optional :: options
-        type(c_ptr), intent(inout), optional :: out
-        type(error_t), allocatable, intent(inout) :: error
-        integer(c_int) :: status
-        type(graded_t) :: medium
-        type(layered_exact_t) :: exact
-        type(medium_options_t) :: chosen
-
-        if (model == model_exact) then
-            chosen = options_or_defaults(options)
-            if (.not. allocated(error)) call new_layered_exact(exact, body, error, chosen%tolerance)
-            status = deliver_medium(exact, out, error)
-            return
-        end if
-        call check_model(error, model, "MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT")
-        if (.not. allocated(error)) call new_graded(medium, body, error, gao_options(model, options))
-        status = deliver_medium(medium, out, error)
-    end function deliver_graded
 
     function mdr_medium_power_graded(e0, z0, exponent, nu, out) result(status) bind(C)
         real(c_double), value :: e0, z0, exponent, nu
@@ -123,6 +108,38 @@ contains
         call new_power_graded(medium, e0, z0, exponent, nu, error)
         status = deliver_medium(medium, out, error)
     end function mdr_medium_power_graded
+
+    !> The medium of a body, unless there is an error already.
+    function deliver_model(body, model, options, out, error) result(status)
+        class(body_t), intent(in) :: body
+        integer(c_int), intent(in) :: model
+        type(medium_options_t), intent(in), optional :: options
+        type(c_ptr), intent(inout), optional :: out
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int) :: status
+        class(medium_t), allocatable :: medium
+
+        if (.not. allocated(error)) call new_medium(medium, body, int(model), error, options_or_defaults(options))
+        if (allocated(error)) then
+            status = status_of(error)
+        else
+            status = deliver_medium(medium, out, error)
+        end if
+    end function deliver_model
+
+    !> Layers that have been checked, on a substrate or, with an infinite substrate_e, on a rigid base.
+    subroutine new_body(body, layers, thickness, substrate_e, substrate_nu, error)
+        type(stack_t), intent(out) :: body
+        type(material_t), intent(in) :: layers(:)
+        real(c_double), intent(in) :: thickness(:), substrate_e, substrate_nu
+        type(error_t), allocatable, intent(out) :: error
+        type(material_t) :: substrate
+        logical :: rigid_base
+
+        rigid_base = .not. ieee_is_finite(substrate_e) .and. substrate_e > 0.0_c_double
+        if (.not. rigid_base) call new_material(substrate, substrate_e, substrate_nu, error, "substrate")
+        if (.not. allocated(error)) call new_stack(body, layers, thickness, substrate, error, rigid_base)
+    end subroutine new_body
 
     subroutine new_layers(layers, e, nu, error)
         type(material_t), allocatable, intent(out) :: layers(:)
@@ -137,14 +154,5 @@ contains
             call new_material(layers(i), e(i), nu(i), error, "layer "//count_text(i))
         end do
     end subroutine new_layers
-
-    pure subroutine check_model(error, model, allowed)
-        type(error_t), allocatable, intent(inout) :: error
-        integer(c_int), intent(in) :: model
-        character(len=*), intent(in) :: allowed
-
-        if (model == model_gao .or. model == model_gao_series) return
-        call raise_model(error, model, allowed)
-    end subroutine check_model
 
 end module mdrcontact_api_layered

@@ -1,12 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coatings and layers by Gao's weights (theory 3): the shear moduli of all depths averaged in parallel, or their compliances in
-!> series, with the weight dI0, Poisson's ratios with dI1. Exact to first order in the contrast.
+!> Coatings and layers by Gao's weights (theory 3): the shear moduli of all depths averaged with the weight dI0 - in parallel, their
+!> compliances in series, or by any power mean between -, Poisson's ratios with dI1. Exact to first order in the contrast.
 !> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(16).
 module mdrcontact_medium_gao
     use mdrcontact_error, only: check_poisson, check_positive, count_text, entry_name, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_effective, only: effective_medium_t
+    use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
     use mdrcontact_weights, only: all_weights, weight_i0_poisson_slope, weight_i0_slope, weight_i1_slope
     implicit none (type, external)
     private
@@ -19,8 +20,9 @@ module mdrcontact_medium_gao
 
     !> The choices that Gao's weights leave.
     type :: gao_options_t
-        !> average the compliances 1/G instead of the moduli G: far closer to the exact solution at large contrast
-        logical :: in_series = .false.
+        !> p of the power mean [sum w G^p]^(1/p), -1 <= p <= 1: 1 the moduli in parallel (the source's), -1 the compliances in series,
+        !> which is far closer to the exact solution at large contrast; 0 their logarithms
+        real(wp) :: exponent = 1.0_wp
         !> one of gao_nu_...
         integer :: weight_nu_choice = gao_nu_surface
         !> the number for gao_nu_given
@@ -30,7 +32,9 @@ module mdrcontact_medium_gao
     !> Layers 1, 2, ... from the surface down on a substrate, which is the last entry of each array.
     type, extends(effective_medium_t) :: gao_t
         private
+        !> G as the mean takes it, and nu
         real(wp), allocatable :: shear(:), poisson(:)
+        type(power_mean_t) :: mean
         !> depths of the interfaces [length]
         real(wp), allocatable :: depth(:)
         type(gao_options_t) :: options
@@ -79,6 +83,9 @@ contains
         end do
         if (present(options)) self%options = options
         self%shear = [layers%shear(), substrate%shear()]
+        call new_power_mean(self%mean, self%options%exponent, self%shear, error)
+        if (allocated(error)) return
+        self%shear = self%mean%transformed(self%shear)
         self%poisson = [layers%poisson, substrate%poisson]
         self%depth = thickness
         do i = 2, size(thickness)
@@ -111,43 +118,46 @@ contains
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
         real(wp) :: value
-        real(wp) :: nu, shear
+        real(wp) :: nu, total
 
-        call averages(self, a, nu, shear)
-        value = 2.0_wp*shear/(1.0_wp - nu)
+        call averages(self, a, nu, total)
+        value = 2.0_wp*self%mean%mean(total)/(1.0_wp - nu)
     end function effective_modulus
 
     elemental function effective_modulus_slope(self, a) result(value)
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
         real(wp) :: value
-        real(wp) :: nu, nu_slope, shear, shear_slope
+        real(wp) :: nu, nu_slope, total, shear, shear_slope
+        integer :: n
 
-        call averages(self, a, nu, shear)
-        nu_slope = -sum((self%poisson(:size(self%depth)) - self%poisson(2:))*weight_i1_slope(self%depth/a)*(self%depth/a))/a
-        shear_slope = averaged_shear_slope(self, a, i0_poisson(self%options, nu), shear, nu_slope)
+        call averages(self, a, nu, total)
+        shear = self%mean%mean(total)
+        n = size(self%depth)
+        nu_slope = -sum((self%poisson(:n) - self%poisson(2:))*weight_i1_slope(self%depth/a)*(self%depth/a))/a
+        shear_slope = self%mean%mean_slope(total) &
+                      *sum((self%shear(:n) - self%shear(2:))*i0_slopes(self, a, i0_poisson(self%options, nu), nu_slope))
         value = 2.0_wp*(shear_slope + shear*nu_slope/(1.0_wp - nu))/(1.0_wp - nu)
     end function effective_modulus_slope
 
-    !> nu_eff and G_eff
-    pure subroutine averages(self, a, nu, shear)
+    !> nu_eff, and the sum that belongs to G_eff
+    pure subroutine averages(self, a, nu, total)
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: nu, shear
+        real(wp), intent(out) :: nu, total
         real(wp) :: unused
 
-        call average(self, a, self%options%weight_nu, nu, shear)
-        if (self%options%weight_nu_choice == gao_nu_effective) call average(self, a, nu, unused, shear)
-        if (self%options%in_series) shear = 1.0_wp/shear
+        call average(self, a, self%options%weight_nu, nu, total)
+        if (self%options%weight_nu_choice == gao_nu_effective) call average(self, a, nu, unused, total)
     end subroutine averages
 
-    !> nu_eff, and G_eff or 1/G_eff, with nu_weight in I0. The weight of each layer comes from the weights above (i) and below
+    !> nu_eff, and the weighted sum for G_eff with nu_weight in I0. The weight of each layer comes from the weights above (i) and below
     !> (j = 1 - i) its interfaces, as the difference of whichever is smaller, so that a thin or remote layer's share keeps its
     !> relative accuracy. Called at every node of every force: no arrays.
-    pure subroutine average(self, a, nu_weight, nu, shear)
+    pure subroutine average(self, a, nu_weight, nu, total)
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a, nu_weight
-        real(wp), intent(out) :: nu, shear
+        real(wp), intent(out) :: nu, total
         real(wp) :: i0, j0, i1, j1, i0_above, j0_above, i1_above, j1_above
         integer :: layer
 
@@ -156,28 +166,20 @@ contains
         i1_above = 0.0_wp
         j1_above = 1.0_wp
         nu = 0.0_wp
-        shear = 0.0_wp
+        total = 0.0_wp
         do layer = 1, size(self%depth)
             call all_weights(self%depth(layer)/a, nu_weight, i0, j0, i1, j1)
             nu = nu + self%poisson(layer)*share(i1, i1_above, j1, j1_above)
-            shear = shear + modulus_of(layer)*share(i0, i0_above, j0, j0_above)
+            total = total + self%shear(layer)*share(i0, i0_above, j0, j0_above)
             i0_above = i0
             j0_above = j0
             i1_above = i1
             j1_above = j1
         end do
         nu = nu + self%poisson(layer)*j1_above
-        shear = shear + modulus_of(layer)*j0_above
+        total = total + self%shear(layer)*j0_above
 
     contains
-
-        pure function modulus_of(layer) result(value)
-            integer, intent(in) :: layer
-            real(wp) :: value
-
-            value = self%shear(layer)
-            if (self%options%in_series) value = 1.0_wp/value
-        end function modulus_of
 
         pure function share(i, i_above, j, j_above) result(value)
             real(wp), intent(in) :: i, i_above, j, j_above
@@ -188,24 +190,17 @@ contains
 
     end subroutine average
 
-    pure function averaged_shear_slope(self, a, nu, shear, nu_slope) result(slope)
+    !> dI0/da at each interface; nu may vary with a.
+    pure function i0_slopes(self, a, nu, nu_slope) result(slopes)
         class(gao_t), intent(in) :: self
-        real(wp), intent(in) :: a, nu, shear, nu_slope
-        real(wp) :: slope
-        real(wp) :: weight_slope(size(self%depth))
-        integer :: n
+        real(wp), intent(in) :: a, nu, nu_slope
+        real(wp) :: slopes(size(self%depth))
 
-        n = size(self%depth)
-        weight_slope = -weight_i0_slope(self%depth/a, nu)*(self%depth/a)/a
+        slopes = -weight_i0_slope(self%depth/a, nu)*(self%depth/a)/a
         if (self%options%weight_nu_choice == gao_nu_effective) then
-            weight_slope = weight_slope + weight_i0_poisson_slope(self%depth/a, nu)*nu_slope
+            slopes = slopes + weight_i0_poisson_slope(self%depth/a, nu)*nu_slope
         end if
-        if (self%options%in_series) then
-            slope = -shear**2*sum((1.0_wp/self%shear(:n) - 1.0_wp/self%shear(2:))*weight_slope)
-        else
-            slope = sum((self%shear(:n) - self%shear(2:))*weight_slope)
-        end if
-    end function averaged_shear_slope
+    end function i0_slopes
 
     pure function i0_poisson(options, effective) result(nu)
         type(gao_options_t), intent(in) :: options

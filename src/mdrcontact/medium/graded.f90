@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Any depth dependence of the elastic constants by Gao's weights (theory 3; Popov 2014, equations (16)-(18)):
-!>     nu_eff = int (dI1(z/a)/dz) nu(z) dz,    G_eff = int (dI0(z/a)/dz) G(z) dz   (or 1/G in series).
+!>     nu_eff = int (dI1(z/a)/dz) nu(z) dz,    G_eff = int (dI0(z/a)/dz) G(z) dz   (or another power mean of G).
 !>
 !> The integrals are done once, when the medium is made, over a range of contact radii; afterwards E_eff(a) is an interpolation.
 module mdrcontact_medium_graded
@@ -10,6 +10,7 @@ module mdrcontact_medium_graded
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_options_t, i0_poisson_choice
+    use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, radius_law_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -29,7 +30,9 @@ module mdrcontact_medium_graded
 
     !> E_eff(a) by quadrature over depth, z(1) < z < z(n); constant above and below.
     type, extends(scalar_function_t) :: average_t
+        !> G as the mean takes it, and nu
         real(wp), allocatable :: z(:), dz(:), shear(:), poisson(:)
+        type(power_mean_t) :: mean
         real(wp) :: top_depth = 0.0_wp, bottom_depth = 0.0_wp
         real(wp) :: top_shear = 0.0_wp, top_poisson = 0.0_wp, bottom_shear = 0.0_wp, bottom_poisson = 0.0_wp
         type(gao_options_t) :: options
@@ -66,7 +69,11 @@ contains
         call body%constants(average%bottom_depth, average%bottom_shear, average%bottom_poisson)
         if (present(options)) average%options = options
         call i0_poisson_choice(average%options, average%top_poisson, average%bottom_poisson, error)
+        call new_power_mean(average%mean, average%options%exponent, [average%top_shear, average%shear, average%bottom_shear], error)
         if (allocated(error)) return
+        average%shear = average%mean%transformed(average%shear)
+        average%top_shear = average%mean%transformed(average%top_shear)
+        average%bottom_shear = average%mean%transformed(average%bottom_shear)
         ! E_eff(a) at all radii at which it varies
         call new_radius_law_from_function(self%law, average, "the effective modulus", average%top_depth, &
                                           average%bottom_depth*range_factor, sampling_tolerance, error, most_law_panels)
@@ -123,21 +130,16 @@ contains
         class(average_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: nu, weight_nu, shear, top, bottom
+        real(wp) :: nu, weight_nu, total, top, bottom
 
         top = self%top_depth/x
         bottom = self%bottom_depth/x
         nu = sum(weight_i1_slope(self%z/x)*(self%dz/x)*self%poisson) + weight_i1(top)*self%top_poisson &
              + weight_j1(bottom)*self%bottom_poisson
         weight_nu = merge(nu, self%options%weight_nu, self%options%weight_nu_choice == gao_nu_effective)
-        if (self%options%in_series) then
-            shear = 1.0_wp/(sum(weight_i0_slope(self%z/x, weight_nu)*(self%dz/x)/self%shear) &
-                            + weight_i0(top, weight_nu)/self%top_shear + weight_j0(bottom, weight_nu)/self%bottom_shear)
-        else
-            shear = sum(weight_i0_slope(self%z/x, weight_nu)*(self%dz/x)*self%shear) &
-                    + weight_i0(top, weight_nu)*self%top_shear + weight_j0(bottom, weight_nu)*self%bottom_shear
-        end if
-        y = 2.0_wp*shear/(1.0_wp - nu)
+        total = sum(weight_i0_slope(self%z/x, weight_nu)*(self%dz/x)*self%shear) &
+                + weight_i0(top, weight_nu)*self%top_shear + weight_j0(bottom, weight_nu)*self%bottom_shear
+        y = 2.0_wp*self%mean%mean(total)/(1.0_wp - nu)
     end function average_at
 
 end module mdrcontact_medium_graded

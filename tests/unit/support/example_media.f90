@@ -43,10 +43,10 @@ contains
         type(error_t), allocatable :: error
         integer :: i
 
-        options(2)%in_series = .true.
+        options(2)%exponent = -1.0_wp
         options(3)%weight_nu_choice = gao_nu_substrate
         options(4)%weight_nu_choice = gao_nu_effective
-        options(5) = gao_options_t(in_series=.true., weight_nu_choice=gao_nu_given, weight_nu=-0.3_wp)
+        options(5) = gao_options_t(exponent=-1.0_wp, weight_nu_choice=gao_nu_given, weight_nu=-0.3_wp)
         do i = 1, 5
             call new_gao(gao, coating, 1.0_wp, substrate, error, options(i))
             call put(examples(i), names(i), gao, error)

@@ -1,0 +1,309 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The models under which a body becomes a medium: the one table of their codes, names and options, and the one factory.
+!>
+!>     call new_stack(film, [oxide], [500e-9_wp], silicon, error)
+!>     if (.not. allocated(error)) call new_medium(medium, film, models%exact, error)
+module mdrcontact_model
+    use, intrinsic :: iso_c_binding, only: c_double, c_int
+    use mdrcontact_body, only: body_t
+    use mdrcontact_body_graded, only: graded_body_t
+    use mdrcontact_body_stack, only: stack_t
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise, to_text
+    use mdrcontact_kinds, only: half_pi, wp
+    use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
+    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_material, only: material_t
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_bec, only: bec_t, new_bec
+    use mdrcontact_medium_bottom_effect, only: bottom_effect_t, dimitriadis_series, garcia_series, new_bottom_effect
+    use mdrcontact_medium_doerner_nix, only: doerner_nix_t, new_doerner_nix
+    use mdrcontact_medium_gao, only: gao_options_t, gao_t, new_gao_layered
+    use mdrcontact_medium_graded, only: graded_t, new_graded
+    use mdrcontact_medium_hay_crawford, only: hay_crawford_t, new_hay_crawford
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
+    use mdrcontact_medium_mencik, only: mencik_t, new_mencik
+    use mdrcontact_medium_perriot_barthel, only: new_perriot_barthel, perriot_barthel_t
+    use mdrcontact_medium_wave, only: new_wave, wave_t
+    implicit none (type, external)
+    private
+    public :: models, model_table, new_medium, find_model, model_position
+    public :: model_options_t, option_names, option_values, options_of, with_constant
+    public :: base_elastic, base_any, base_rigid
+
+    !> Codes of the models, enum mdr_model of the C header.
+    type :: model_codes_t
+        integer :: gao = 0, gao_series = 1, doerner_nix = 2, wave = 3, mencik_exponential = 4, mencik_reciprocal = 5, bec = 6, &
+                   perriot_barthel = 7, hay_crawford = 8, dimitriadis = 9, garcia = 10, exact = 11
+    end type model_codes_t
+
+    type(model_codes_t), parameter :: models = model_codes_t()
+
+    !> What a model asks of the base: an elastic half-space, nothing, a rigid one.
+    integer, parameter :: base_elastic = 0, base_any = 1, base_rigid = 2
+
+    !> What a model leaves to choose, struct mdr_medium_options; a model looks only at what concerns it.
+    type, bind(C) :: model_options_t
+        !> decay constant > 0 of Doerner-Nix and Mencik
+        real(c_double) :: alpha = 1.0_c_double
+        !> q a > 0 of the wave
+        real(c_double) :: wave_factor = half_pi
+        !> one of gao_nu_..., which nu enters I0, and the number for gao_nu_given
+        integer(c_int) :: weight_nu_choice = 0_c_int
+        real(c_double) :: weight_nu = 0.5_c_double
+        !> relative tolerance of the exact solution
+        real(c_double) :: tolerance = 1.0e-10_c_double
+    end type model_options_t
+
+    !> Names of the options, in the order of their values below.
+    character(len=16), parameter :: option_names(*) = [character(len=16) :: "alpha", "wave_factor", "weight_nu_choice", &
+                                                       "weight_nu", "tolerance"]
+
+    !> A row of the table.
+    type :: model_t
+        integer :: code = -1
+        character(len=18) :: name = ""
+        !> one of base_...
+        integer :: base = base_elastic
+        !> whether it takes any number of layers, and a graded body
+        logical :: layers = .false., graded = .false.
+        !> the option it takes
+        character(len=16) :: option = ""
+        !> whether this option is a number that can be fitted
+        logical :: has_constant = .false.
+    end type model_t
+
+    !> The models.
+    type(model_t), parameter :: model_table(*) = [ &
+        model_t(models%gao, "gao", base_elastic, .true., .true., "weight_nu"), &
+        model_t(models%gao_series, "gao-series", base_elastic, .true., .true., "weight_nu"), &
+        model_t(models%doerner_nix, "doerner-nix", option="alpha", has_constant=.true.), &
+        model_t(models%wave, "wave", option="wave_factor", has_constant=.true.), &
+        model_t(models%mencik_exponential, "mencik-exponential", option="alpha", has_constant=.true.), &
+        model_t(models%mencik_reciprocal, "mencik-reciprocal", option="alpha", has_constant=.true.), &
+        model_t(models%bec, "bec"), &
+        model_t(models%perriot_barthel, "perriot-barthel"), &
+        model_t(models%hay_crawford, "hay-crawford"), &
+        model_t(models%dimitriadis, "dimitriadis", base_rigid), &
+        model_t(models%garcia, "garcia", base_rigid), &
+        model_t(models%exact, "exact", base_any, .true., .true., "tolerance")]
+
+contains
+
+    !> Where a model stands in the table; 0 for a code that does not exist.
+    pure function model_position(code) result(position)
+        integer, intent(in) :: code
+        integer :: position
+
+        position = findloc(model_table%code, code, dim=1)
+    end function model_position
+
+    !> The code of the model of this name; -1 if there is none.
+    pure function find_model(name) result(code)
+        character(len=*), intent(in) :: name
+        integer :: code
+        integer :: i
+
+        code = -1
+        do i = 1, size(model_table)
+            if (model_table(i)%name == name) code = model_table(i)%code
+        end do
+    end function find_model
+
+    !> The options as numbers, in the order of their names.
+    pure function option_values(options) result(values)
+        type(model_options_t), intent(in) :: options
+        real(wp) :: values(size(option_names))
+
+        values = [options%alpha, options%wave_factor, real(options%weight_nu_choice, wp), options%weight_nu, options%tolerance]
+    end function option_values
+
+    !> The options with these values.
+    pure function options_of(values) result(options)
+        real(wp), intent(in) :: values(:)
+        type(model_options_t) :: options
+
+        options = model_options_t(values(1), values(2), nint(values(3), c_int), values(4), values(5))
+    end function options_of
+
+    !> The options with another value for the model's constant, if it has one.
+    pure function with_constant(options, model, constant) result(changed)
+        type(model_options_t), intent(in) :: options
+        integer, intent(in) :: model
+        real(wp), intent(in) :: constant
+        type(model_options_t) :: changed
+        real(wp) :: values(size(option_names))
+        integer :: i
+
+        changed = options
+        i = model_position(model)
+        if (i == 0) return
+        if (.not. model_table(i)%has_constant) return
+        values = option_values(options)
+        where (option_names == model_table(i)%option) values = constant
+        changed = options_of(values)
+    end function with_constant
+
+    !> A body under a model.
+    subroutine new_medium(medium, body, model, error, options, shared)
+        class(medium_t), allocatable, intent(out) :: medium
+        class(body_t), intent(in) :: body
+        !> one of models%...
+        integer, intent(in) :: model
+        type(error_t), allocatable, intent(out) :: error
+        !> without it: the defaults
+        type(model_options_t), intent(in), optional :: options
+        !> what exact media made one after the other have in common
+        type(layered_shared_t), intent(inout), optional :: shared
+        type(model_options_t) :: chosen
+        type(layered_exact_t) :: exact
+
+        if (present(options)) chosen = options
+        call check_model(body, model, error)
+        if (allocated(error)) return
+        if (model == models%exact) then
+            call new_layered_exact(exact, body, error, chosen%tolerance, shared)
+            allocate (medium, source=exact)
+            return
+        end if
+        select type (body)
+        type is (stack_t)
+            call new_layered_medium(medium, body, model, chosen, error)
+        type is (graded_body_t)
+            call new_graded_medium(medium, body, model, chosen, error)
+        class default
+            call raise(error, error_invalid, "this body is not allowed with an approximate model: use exact")
+        end select
+    end subroutine new_medium
+
+    !> Raises unless the model exists and knows this kind of body.
+    pure subroutine check_model(body, model, error)
+        class(body_t), intent(in) :: body
+        integer, intent(in) :: model
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        i = model_position(model)
+        if (i == 0) then
+            call refuse(model, "", model_table%code >= 0, error)
+            return
+        end if
+        select type (body)
+        type is (stack_t)
+            if (size(body%layers) > 1 .and. .not. model_table(i)%layers) then
+                call refuse(model, " for "//count_text(size(body%layers))//" layers", model_table%layers, error)
+            else if (body%rigid_base .and. model_table(i)%base == base_elastic) then
+                call refuse(model, " on a rigid base (substrate E = infinity)", model_table%base /= base_elastic, error)
+            else if (model_table(i)%base == base_rigid .and. .not. body%rigid_base) then
+                call raise(error, error_invalid, "substrate E = "//to_text(body%substrate%young)//" is not allowed: the model "// &
+                           trim(model_table(i)%name)//" is for a layer on a rigid base, substrate E = infinity")
+            end if
+        type is (graded_body_t)
+            if (.not. model_table(i)%graded) call refuse(model, " for a graded body", model_table%graded, error)
+        end select
+    end subroutine check_model
+
+    pure subroutine refuse(model, what, allowed, error)
+        integer, intent(in) :: model
+        character(len=*), intent(in) :: what
+        !> which models are allowed (size(model_table))
+        logical, intent(in) :: allowed(:)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=20*size(model_table)) :: names
+        character(len=len(model_table%name) + 15) :: name
+        integer :: i
+
+        names = ""
+        do i = 1, size(model_table)
+            if (allowed(i)) names = trim(names)//", "//trim(model_table(i)%name)
+        end do
+        name = count_text(model)
+        i = model_position(model)
+        if (i > 0) name = trim(name)//" ("//trim(model_table(i)%name)//")"
+        call raise(error, error_invalid, "model = "//trim(name)//" is not allowed"//what//": choose from "//trim(names(3:)))
+    end subroutine refuse
+
+    pure function gao_options(model, options) result(chosen)
+        integer, intent(in) :: model
+        type(model_options_t), intent(in) :: options
+        type(gao_options_t) :: chosen
+
+        chosen%exponent = merge(-1.0_wp, 1.0_wp, model == models%gao_series)
+        chosen%weight_nu_choice = int(options%weight_nu_choice)
+        chosen%weight_nu = options%weight_nu
+    end function gao_options
+
+    subroutine new_graded_medium(medium, body, model, options, error)
+        class(medium_t), allocatable, intent(out) :: medium
+        type(graded_body_t), intent(in) :: body
+        integer, intent(in) :: model
+        type(model_options_t), intent(in) :: options
+        type(error_t), allocatable, intent(inout) :: error
+        type(graded_t) :: graded
+
+        call new_graded(graded, body, error, gao_options(model, options))
+        allocate (medium, source=graded)
+    end subroutine new_graded_medium
+
+    subroutine new_layered_medium(medium, body, model, options, error)
+        class(medium_t), allocatable, intent(out) :: medium
+        type(stack_t), intent(in) :: body
+        integer, intent(in) :: model
+        type(model_options_t), intent(in) :: options
+        type(error_t), allocatable, intent(inout) :: error
+        type(homogeneous_t) :: homogeneous
+        type(gao_t) :: gao
+
+        if (size(body%layers) == 0) then
+            call new_homogeneous(homogeneous, body%substrate)
+            allocate (medium, source=homogeneous)
+        else if (model == models%gao .or. model == models%gao_series) then
+            call new_gao_layered(gao, body%layers, body%thickness, body%substrate, error, gao_options(model, options))
+            allocate (medium, source=gao)
+        else
+            call new_coated_medium(medium, body%layers(1), body%thickness(1), body%substrate, model, options, error)
+        end if
+    end subroutine new_layered_medium
+
+    !> The models that know one coating only.
+    subroutine new_coated_medium(medium, coating, h, substrate, model, options, error)
+        class(medium_t), allocatable, intent(out) :: medium
+        type(material_t), intent(in) :: coating, substrate
+        real(wp), intent(in) :: h
+        integer, intent(in) :: model
+        type(model_options_t), intent(in) :: options
+        type(error_t), allocatable, intent(inout) :: error
+        type(doerner_nix_t) :: doerner_nix
+        type(wave_t) :: wave
+        type(mencik_t) :: mencik
+        type(bec_t) :: bec
+        type(perriot_barthel_t) :: perriot_barthel
+        type(hay_crawford_t) :: hay_crawford
+        type(bottom_effect_t) :: bottom_effect
+
+        select case (model)
+        case (models%doerner_nix)
+            call new_doerner_nix(doerner_nix, coating, h, substrate, error, options%alpha)
+            allocate (medium, source=doerner_nix)
+        case (models%wave)
+            call new_wave(wave, coating, h, substrate, error, options%wave_factor)
+            allocate (medium, source=wave)
+        case (models%mencik_exponential, models%mencik_reciprocal)
+            call new_mencik(mencik, coating, h, substrate, error, model == models%mencik_reciprocal, options%alpha)
+            allocate (medium, source=mencik)
+        case (models%bec)
+            call new_bec(bec, coating, h, substrate, error)
+            allocate (medium, source=bec)
+        case (models%perriot_barthel)
+            call new_perriot_barthel(perriot_barthel, coating, h, substrate, error)
+            allocate (medium, source=perriot_barthel)
+        case (models%hay_crawford)
+            call new_hay_crawford(hay_crawford, coating, h, substrate, error)
+            allocate (medium, source=hay_crawford)
+        case (models%dimitriadis, models%garcia)
+            call new_bottom_effect(bottom_effect, coating, h, &
+                                   merge(garcia_series, dimitriadis_series, model == models%garcia), error)
+            allocate (medium, source=bottom_effect)
+        end select
+    end subroutine new_coated_medium
+
+end module mdrcontact_model
