@@ -49,6 +49,8 @@ module mdrcontact_medium_power_graded
     !> distance of r from b.
     real(wp), parameter :: behind_corner(3) = [1.0e-13_wp, 1.0e-10_wp, 1.0e-3_wp]
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
+    !> accuracy of g from the f' of a sampled profile
+    real(wp), parameter :: roughness = 3.0e-11_wp
     integer, parameter :: octaves = 34
 
 contains
@@ -131,10 +133,12 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        real(wp) :: depth
         integer :: i
 
+        depth = mdr(profile, self%exponent, a) + excess
         do i = 1, size(r)
-            values(i) = mdr(profile, self%exponent, a) - mdr(profile, self%exponent, r(i)) + excess
+            values(i) = depth - mdr(profile, self%exponent, r(i))
             if (r(i) > 0.0_wp .or. self%exponent >= 0.0_wp) then
                 values(i) = values(i)*self%spring*r(i)**self%exponent
             else
@@ -281,7 +285,7 @@ contains
         if (corners(1) > 0.0_wp) edges = [corners(1), edges]
         call new_sampled_function(g, transform, edges, spread(.false., 1, size(edges) - 1), sampling_tolerance, error, &
                                   noise=merge(sampling_tolerance, 0.0_wp, size(corners) > 2 .or. corners(1) > 0.0_wp) &
-                                  *transform%value(a))
+                                  *transform%value(a), roughness=roughness)
     end subroutine sample_transform
 
     function transform_at(self, x) result(y)

@@ -47,7 +47,7 @@ module mdrcontact_numerics_sampled_function
 contains
 
     !> Samples `f` between the first and the last of `edges` to a relative `tolerance` of the largest value in each panel.
-    subroutine new_sampled_function(self, f, edges, from_root, tolerance, error, noise, most)
+    subroutine new_sampled_function(self, f, edges, from_root, tolerance, error, noise, most, roughness)
         type(sampled_function_t), intent(out) :: self
         class(scalar_function_t), intent(inout) :: f
         !> ascending; panels never cross one, so put them where f is not analytic
@@ -60,6 +60,8 @@ contains
         real(wp), intent(in), optional :: noise
         !> number of panels, beyond which f is not smooth enough; default most_panels
         integer, intent(in), optional :: most
+        !> relative accuracy of the values of f, beyond which a panel whose coefficients no longer fall is not refined; default 0
+        real(wp), intent(in), optional :: roughness
         real(wp), allocatable :: stack(:, :)
         logical, allocatable :: root_stack(:)
         integer :: waiting, count, limit
@@ -93,6 +95,8 @@ contains
             resolved = unresolved <= tolerance*maxval(abs(coefficients)) + &
                        epsilon(left)*max(abs(left), abs(right))/(right - left)*maxval(abs(coefficients(2:)))
             if (present(noise)) resolved = resolved .or. unresolved <= noise
+            if (present(roughness)) resolved = resolved .or. unresolved <= roughness*maxval(abs(coefficients)) .and. &
+                                               unresolved > 0.1_wp*maxval(abs(coefficients(nodes/2:nodes - 3)))
             if (.not. resolved .and. right - left <= shortest_panel*max(abs(left), abs(right))) resolved = .true.
             if (.not. resolved .and. waiting < size(root_stack)) then
                 stack(:, waiting + 1) = [left, 0.5_wp*(left + right)]

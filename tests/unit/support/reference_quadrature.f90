@@ -33,19 +33,22 @@ contains
         class(integrand_t), intent(in) :: f
         real(wp), intent(in) :: edges(:)
         real(wp) :: total
+        real(wp) :: x(-last:last, size(edges) - 1), weight(-last:last, size(edges) - 1)
+        logical :: inside(-last:last, size(edges) - 1)
         integer :: i
 
-        total = 0.0_wp
         do i = 1, size(edges) - 1
-            if (edges(i + 1) > edges(i)) total = total + panel(f, edges(i), edges(i + 1))
+            call panel(edges(i), edges(i + 1), x(:, i), weight(:, i), inside(:, i))
         end do
+        ! one call: to begin an evaluation can be most of the work
+        total = sum(pack(weight, inside)*f%at(pack(x, inside)))
     end function integral
 
-    function panel(f, lower, upper) result(total)
-        class(integrand_t), intent(in) :: f
+    pure subroutine panel(lower, upper, x, weight, inside)
         real(wp), intent(in) :: lower, upper
-        real(wp) :: total, t(-last:last), distance(-last:last), weight(-last:last), x(-last:last)
-        logical :: inside(-last:last)
+        real(wp), intent(out) :: x(-last:last), weight(-last:last)
+        logical, intent(out) :: inside(-last:last)
+        real(wp) :: t(-last:last), distance(-last:last)
         integer :: i
 
         t = [(i*step, i=-last, last)]
@@ -54,7 +57,6 @@ contains
         weight = half_pi*cosh(t)/cosh(half_pi*sinh(t))**2*0.5_wp*(upper - lower)*step
         x = merge(lower + distance*(upper - lower), upper - distance*(upper - lower), t < 0.0_wp)
         inside = x > lower .and. x < upper
-        total = sum(pack(weight, inside)*f%at(pack(x, inside)))
-    end function panel
+    end subroutine panel
 
 end module reference_quadrature
