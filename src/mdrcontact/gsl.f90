@@ -14,6 +14,8 @@ module mdrcontact_gsl
     public :: gsl_root_fsolver_brent, gsl_root_fsolver_alloc, gsl_root_fsolver_free, gsl_root_fsolver_set, &
               gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, &
               gsl_root_test_interval
+    public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1
+    public :: gsl_sort_index
     public :: gsl_interp_steffen, gsl_spline_alloc, gsl_spline_init, gsl_spline_free, gsl_spline_eval_deriv
 
     !> Status of a call that did what it says.
@@ -145,6 +147,28 @@ module mdrcontact_gsl
             type(c_ptr), value :: accelerator
             real(c_double) :: slope
         end function gsl_spline_eval_deriv
+
+        !> Bessel function J0(x).
+        pure function gsl_sf_bessel_j0(x) result(y) bind(C, name="gsl_sf_bessel_J0")
+            import :: c_double
+            real(c_double), intent(in), value :: x
+            real(c_double) :: y
+        end function gsl_sf_bessel_j0
+
+        !> Bessel function J1(x).
+        pure function gsl_sf_bessel_j1(x) result(y) bind(C, name="gsl_sf_bessel_J1")
+            import :: c_double
+            real(c_double), intent(in), value :: x
+            real(c_double) :: y
+        end function gsl_sf_bessel_j1
+
+        !> The order, from 0, in which data ascends.
+        subroutine gsl_sort_index(order, data, stride, n) bind(C)
+            import :: c_double, c_size_t
+            integer(c_size_t), intent(out) :: order(*)
+            real(c_double), intent(in) :: data(*)
+            integer(c_size_t), value :: stride, n
+        end subroutine gsl_sort_index
     end interface
 
 contains

@@ -1,0 +1,264 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Stresses and displacements inside a homogeneous half-space under a line load q(x), by closed kernels integrated by parts.
+!>
+!> With zeta = z + i x and rho = sqrt(r^2 + zeta^2), Re rho >= 0, each field is a sum of I[f] = (1/pi) int_0^a q Re f dx with
+!>     A0 = 1/rho   A1 = zeta/rho^3   A2 = (2 zeta^2 - r^2)/rho^5                                   (Hankel integrals with J0)
+!>     b0 = 1/(rho (rho + zeta))   b1 = 1/rho^3   b2 = 3 zeta/rho^5                                 (J1/r)
+!>     c0 = 1/(rho (rho + zeta)^2)   c1 = (zeta + 2 rho)/(rho^3 (rho + zeta)^2)                     (J2/r^2)
+!> and I[f] = (1/pi) {q(a) Im P(z + i a) - int_0^a q' Im P dx} with dP/dzeta = f: no factor a/z is lost near the surface.
+module mdrcontact_field_half_space
+    use mdrcontact_field_load, only: load_t
+    use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    implicit none (type, external)
+    private
+    public :: half_space_rule_t, new_half_space_rule, add_normal_sums, add_shear_sums
+    public :: normal_sums, shear_sums
+
+    !> How many sums describe the field of a normal and of a shear load, see add_normal_sums and add_shear_sums.
+    integer, parameter :: normal_sums = 5, shear_sums = 8
+    !> The integrals I[f] by their place in a list.
+    integer, parameter :: a0 = 1, a1 = 2, a2 = 3, b0 = 4, b1 = 5, b2 = 6, c0 = 7, c1 = 8, kernels = 8
+
+    !> Nodes of a panel no longer than its distance to the nearest singularity: 1e-15 of the integral.
+    integer, parameter :: nodes = 10
+    !> Nodes that are worked on together.
+    integer, parameter :: chunk = 64*nodes
+    !> A panel is not made shorter than this part of a.
+    real(wp), parameter :: shortest = 1.0e-18_wp
+
+    !> Length of the panel beside an axis where q is a broken power.
+    real(wp), parameter :: first_beside_axis = 1.0e-6_wp
+
+    !> The nodes of a panel on [0, 1].
+    type :: half_space_rule_t
+        real(wp) :: node(nodes) = 0.0_wp, weight(nodes) = 0.0_wp
+    end type half_space_rule_t
+
+contains
+
+    !> The rule that all points share.
+    subroutine new_half_space_rule(self)
+        type(half_space_rule_t), intent(out) :: self
+
+        call gauss_legendre(self%node, self%weight)
+    end subroutine new_half_space_rule
+
+    !> Adds the homogeneous body's part to the five sums of a normal load at one point:
+    !>     2 mu u_z, sigma_zz, int p_hat y1 k J0 dk, 2 mu u_r/r, sigma_rz/r                               (lengths in units of a)
+    pure subroutine add_normal_sums(rule, load, poisson, r, z, sums)
+        type(half_space_rule_t), intent(in) :: rule
+        class(load_t), intent(in) :: load
+        real(wp), intent(in) :: poisson
+        !> the point [a]
+        real(wp), intent(in) :: r, z
+        real(wp), intent(inout) :: sums(normal_sums)
+        real(wp) :: i(kernels)
+
+        call integrate(rule, load, r, z, i)
+        sums = sums + [2.0_wp*(1.0_wp - poisson)*i(a0) + z*i(a1), -i(a1) - z*i(a2), &
+                       -(1.0_wp - 2.0_wp*poisson)*i(a1) + z*i(a2), -(1.0_wp - 2.0_wp*poisson)*i(b0) + z*i(b1), -z*i(b2)]
+    end subroutine add_normal_sums
+
+    !> Adds the homogeneous body's part to the eight sums of a load that shears, p(r) in +x: the Hankel integrals of
+    !>     (y5 - y1) J0, (N - T) k J0, y2 J1/r, S k J1/r, y1 k J1/r, y5 k J1/r, (y5 + y1) J2/r^2, (N + T) k J2
+    pure subroutine add_shear_sums(rule, load, poisson, r, z, sums)
+        type(half_space_rule_t), intent(in) :: rule
+        class(load_t), intent(in) :: load
+        real(wp), intent(in) :: poisson
+        !> the point [a]
+        real(wp), intent(in) :: r, z
+        real(wp), intent(inout) :: sums(shear_sums)
+        real(wp) :: i(kernels)
+
+        call integrate(rule, load, r, z, i)
+        sums = sums + [(4.0_wp - 2.0_wp*poisson)*i(a0) - z*i(a1), -2.0_wp*i(a1) + z*i(a2), &
+                       (1.0_wp - 2.0_wp*poisson)*i(b0) + z*i(b1), -z*i(b2), -2.0_wp*(1.0_wp - poisson)*i(b1) + z*i(b2), &
+                       2.0_wp*i(b1), 2.0_wp*poisson*i(c0) + z*i(c1), z*(i(a2) - 2.0_wp*i(b1))]
+    end subroutine add_shear_sums
+
+    !> I[f] for all kernels; at z = 0 those that only occur with a factor z are left 0.
+    pure subroutine integrate(rule, load, r, z, integrals)
+        type(half_space_rule_t), intent(in) :: rule
+        class(load_t), intent(in) :: load
+        real(wp), intent(in) :: r, z
+        real(wp), intent(out) :: integrals(kernels)
+        real(wp) :: ends(size(load%kinks) + 3), t(chunk), weight(chunk), low, high, length
+        integer :: i, filled
+        logical :: kink
+
+        call segments(load, r, ends)
+        integrals = 0.0_wp
+        filled = 0
+        do i = 1, size(ends) - 1
+            if (.not. ends(i + 1) > ends(i)) cycle
+            ! positions relative to r, where the kernels are singular as z tends to 0
+            kink = any(abs(load%kinks - ends(i)*load%radius) <= 4.0_wp*epsilon(1.0_wp)*load%radius)
+            low = ends(i) - r
+            high = ends(i + 1) - r
+            do while (low < high)
+                length = high - low
+                do while (length > shortest)
+                    if (length <= reach(load, r, z, ends(i) - r, low, low + length, kink)) exit
+                    length = 0.5_wp*length
+                end do
+                if (.not. low + length > low) exit
+                call place_nodes(rule, low, length, kink .and. low <= ends(i) - r, z <= 0.0_wp, &
+                                 t(filled + 1:filled + nodes), weight(filled + 1:filled + nodes))
+                filled = filled + nodes
+                low = low + length
+                if (filled == chunk) call add_chunk(load, r, z, t, weight, integrals)
+                if (filled == chunk) filled = 0
+            end do
+        end do
+        if (filled > 0) call add_chunk(load, r, z, t(:filled), weight(:filled), integrals)
+        if (load%edge /= 0.0_wp) call add_kernels(r, z, [1.0_wp - r], [-load%edge/load%radius], integrals)
+        integrals = -integrals/pi
+    end subroutine integrate
+
+    !> Where the integrand is not analytic in x: 0, the kinks, r, and a [a], ascending.
+    pure subroutine segments(load, r, ends)
+        class(load_t), intent(in) :: load
+        real(wp), intent(in) :: r
+        real(wp), intent(out) :: ends(:)
+        integer :: n, below
+
+        n = size(load%kinks)
+        below = count(load%kinks < r*load%radius)
+        ends(1) = 0.0_wp
+        ends(2:below + 1) = load%kinks(:below)/load%radius
+        ends(below + 2) = min(r, 1.0_wp)
+        ends(below + 3:n + 2) = load%kinks(below + 1:)/load%radius
+        ends(n + 3) = 1.0_wp
+    end subroutine segments
+
+    !> How long a panel from `low` to `high` may be: its distance to the nearest singularity.
+    pure function reach(load, r, z, start, low, high, kink) result(length)
+        class(load_t), intent(in) :: load
+        !> the point, and beginning of the segment and ends of the panel, the last three relative to r [a]
+        real(wp), intent(in) :: r, z, start, low, high
+        !> whether q is singular at the beginning of the segment
+        logical, intent(in) :: kink
+        real(wp) :: length
+        logical :: at_r
+
+        at_r = low == 0.0_wp .or. high == 0.0_wp
+        length = hypot(max(low, -high, 0.0_wp), z)
+        if (z <= 0.0_wp .and. at_r) then
+            ! x = r -+ s^2 there: what remains is singular at x = -r
+            length = 0.4_wp*r
+            if (kink .and. low <= start .and. high == 0.0_wp) length = 0.0_wp
+            if (r <= 0.0_wp) length = huge(1.0_wp)
+        end if
+        if (kink .and. low > start) length = min(length, low - start)
+        ! beside the axis a broken power, which s^2 alone does not cure
+        if (kink .and. start + r <= 0.0_wp .and. low <= start) length = min(length, first_beside_axis)
+        length = min(length, load%singular_end/load%radius - r - high)
+    end function reach
+
+    !> Nodes and weights of a panel relative to r; s^2 instead of s beside a kink, and beside r where the point is on the surface.
+    pure subroutine place_nodes(rule, low, length, at_kink, on_surface, t, weight)
+        type(half_space_rule_t), intent(in) :: rule
+        real(wp), intent(in) :: low, length
+        logical, intent(in) :: at_kink, on_surface
+        real(wp), intent(out) :: t(nodes), weight(nodes)
+
+        if (at_kink .or. (on_surface .and. low == 0.0_wp)) then
+            t = low + length*rule%node**2
+            weight = 2.0_wp*length*rule%weight*rule%node
+        else if (on_surface .and. low + length == 0.0_wp) then
+            t = low*rule%node**2
+            weight = 2.0_wp*length*rule%weight*rule%node
+        else
+            t = low + length*rule%node
+            weight = length*rule%weight
+        end if
+    end subroutine place_nodes
+
+    pure subroutine add_chunk(load, r, z, t, weight, integrals)
+        class(load_t), intent(in) :: load
+        real(wp), intent(in) :: r, z, t(:), weight(:)
+        real(wp), intent(inout) :: integrals(kernels)
+
+        call add_kernels(r, z, t, weight*load%slope(load%radius*(r + t)), integrals)
+    end subroutine add_chunk
+
+    !> Adds sum of weight Im P(z + i (r + t)) for all kernels.
+    pure subroutine add_kernels(r, z, t, weight, integrals)
+        real(wp), intent(in) :: r, z, t(:), weight(:)
+        real(wp), intent(inout) :: integrals(kernels)
+
+        if (z > 0.0_wp) then
+            call add_inside(r, z, t, weight, integrals)
+        else
+            call add_on_surface(r, t, weight, integrals)
+        end if
+    end subroutine add_kernels
+
+    pure subroutine add_inside(r, z, t, weight, integrals)
+        real(wp), intent(in) :: r, z, t(:), weight(:)
+        real(wp), intent(inout) :: integrals(kernels)
+        real(wp), dimension(size(t)) :: im_a0, im_a1, im_a2, im_b0, im_b1, im_b2, im_c0, im_c1
+        real(wp) :: x, square, cross, modulus, root, rho_re, rho_im, g_re, g_im, inv_re, inv_im, inv2_re, inv2_im, inv3_re, &
+                    inv3_im, h_re, h_im, b_re, b_im
+        integer :: i
+
+        do i = 1, size(t)
+            x = r + t(i)
+            ! rho^2 without the cancellation of r^2 + zeta^2
+            square = z**2 - t(i)*(2.0_wp*r + t(i))
+            cross = 2.0_wp*z*x
+            modulus = sqrt(square**2 + cross**2)
+            root = sqrt(0.5_wp*(modulus + abs(square)))
+            rho_re = merge(root, 0.5_wp*cross/root, square >= 0.0_wp)
+            rho_im = merge(0.5_wp*cross/root, root, square >= 0.0_wp)
+            inv_re = rho_re/modulus
+            inv_im = -rho_im/modulus
+            h_re = rho_re + z
+            h_im = rho_im + x
+            root = 1.0_wp/(h_re**2 + h_im**2)
+            g_re = h_re*root
+            g_im = -h_im*root
+            inv2_re = inv_re**2 - inv_im**2
+            inv2_im = 2.0_wp*inv_re*inv_im
+            inv3_re = inv2_re*inv_re - inv2_im*inv_im
+            inv3_im = inv2_re*inv_im + inv2_im*inv_re
+            b_re = inv_re*g_re - inv_im*g_im
+            b_im = inv_re*g_im + inv_im*g_re
+            im_a0(i) = atan2(h_im, h_re)
+            im_a1(i) = -inv_im
+            im_a2(i) = -(z*inv3_im + x*inv3_re)
+            im_b0(i) = -g_im
+            im_b1(i) = -b_im
+            im_b2(i) = -inv3_im
+            im_c0(i) = -g_re*g_im
+            im_c1(i) = -(b_re*g_im + b_im*g_re)
+        end do
+        integrals = integrals + [sum(weight*im_a0), sum(weight*im_a1), sum(weight*im_a2), sum(weight*im_b0), sum(weight*im_b1), &
+                                 sum(weight*im_b2), sum(weight*im_c0), sum(weight*im_c1)]
+    end subroutine add_inside
+
+    !> The limits for z = 0 of the kernels that do not occur with a factor z; the others do not matter there.
+    pure subroutine add_on_surface(r, t, weight, integrals)
+        real(wp), intent(in) :: r, t(:), weight(:)
+        real(wp), intent(inout) :: integrals(kernels)
+        real(wp) :: x, root
+        integer :: i
+
+        do i = 1, size(t)
+            x = r + t(i)
+            root = sqrt(abs(t(i))*(2.0_wp*r + t(i)))
+            if (t(i) > 0.0_wp) then
+                integrals(a0) = integrals(a0) + weight(i)*half_pi
+                integrals(a1) = integrals(a1) + weight(i)/root
+                integrals(b0) = integrals(b0) + weight(i)/(x + root)
+            else
+                integrals(a0) = integrals(a0) + weight(i)*atan2(x, root)
+                integrals(b0) = integrals(b0) + weight(i)*x/r**2
+                if (root > 0.0_wp) integrals(b1) = integrals(b1) + weight(i)*x/(root*r**2)
+                integrals(c0) = integrals(c0) + weight(i)*x*root/r**4
+            end if
+        end do
+    end subroutine add_on_surface
+
+end module mdrcontact_field_half_space

@@ -1,0 +1,299 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Hankel integrals of the layers' states: int p_hat(k) y(k, z) J_n(k r) dk and the like, at single points or on grids of r and z.
+!>
+!> A prepared integral knows layers and load; points and grids then cost sums over its nodes, on a grid as products of matrices.
+module mdrcontact_field_hankel
+    use mdrcontact_batch, only: batch_t, run_batch
+    use mdrcontact_error, only: error_t
+    use mdrcontact_field_half_space, only: shear_sums
+    use mdrcontact_field_load, only: load_t
+    use mdrcontact_field_sweep, only: layer_state, layers_t, new_sweep, normal_rows, shear_rows, sweep_t
+    use mdrcontact_field_waves, only: bessel_012, faded, wave_rule
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_lapack, only: dgemm
+    implicit none (type, external)
+    private
+    public :: hankel_t, new_hankel, depth_t, add_point, add_grid
+
+    !> Wavenumbers and radii that are worked on together.
+    integer, parameter :: slab = 256, radii = 25
+
+    !> How the state at a depth is integrated.
+    type :: depth_t
+        !> [a]
+        real(wp) :: z = 0.0_wp
+        integer :: layer = 1
+        !> without the homogeneous half-space of the surface layer's material
+        logical :: less = .false.
+        !> largest wavenumber needed [1/a]
+        real(wp) :: last = 0.0_wp
+    end type depth_t
+
+    !> Layers (lengths in units of a) under a load, ready to be integrated for r <= farthest - 1 and k <= last.
+    type :: hankel_t
+        type(layers_t) :: layers
+        real(wp), allocatable :: tops(:)
+        logical :: along_surface = .false.
+        type(sweep_t) :: sweep
+        !> wavenumbers and p_hat dk
+        real(wp), allocatable :: k(:), load(:)
+    end type hankel_t
+
+    !> A slab of wavenumbers of a grid: first the states at all depths, then their products with the Bessel functions.
+    type, extends(batch_t) :: grid_t
+        type(hankel_t), pointer :: hankel => null()
+        type(depth_t), pointer :: depths(:) => null()
+        real(wp), pointer :: r(:) => null(), sums(:, :, :) => null()
+        integer, pointer :: place(:) => null()
+        !> (node, sum, depth in the order of `place`)
+        real(wp), allocatable :: columns(:, :, :)
+        integer :: first = 0, last = 0, active = 0
+        logical :: is_bessel = .false.
+    contains
+        procedure :: work => grid_work
+    end type grid_t
+
+contains
+
+    subroutine new_hankel(self, load, layers, along_surface, farthest, last)
+        type(hankel_t), intent(out) :: self
+        class(load_t), intent(in) :: load
+        !> lengths in units of a
+        type(layers_t), intent(in) :: layers
+        !> whether the load shears the surface instead of pressing it
+        logical, intent(in) :: along_surface
+        !> largest a + r [a] and largest wavenumber [1/a]
+        real(wp), intent(in) :: farthest, last
+        real(wp), allocatable :: weight(:)
+        real(wp) :: total, stiffest, softest
+        integer :: i, n
+
+        n = size(layers%thickness)
+        self%layers = layers
+        self%along_surface = along_surface
+        self%tops = [(layers%top(i), i=1, n + 1)]
+        total = sum(layers%thickness)
+        if (.not. layers%rigid_base) n = n + 1
+        stiffest = maxval(layers%shear(:n))
+        softest = minval(layers%shear(:n))
+        call wave_rule(farthest, total*stiffest/softest, last, self%k, weight)
+        allocate (self%load(size(self%k)))
+        call load%transform(self%k/load%radius, self%load)
+        self%load = self%load*weight/load%radius**2
+        call new_sweep(self%sweep, layers, self%k, along_surface)
+    end subroutine new_hankel
+
+    !> How many nodes a depth needs.
+    pure function wave_count(self, depth) result(number)
+        type(hankel_t), intent(in) :: self
+        type(depth_t), intent(in) :: depth
+        integer :: number
+
+        number = count(self%k <= depth%last)
+    end function wave_count
+
+    !> How many of the sums have J0, J1/r and J2/r^2, in this order.
+    pure function groups(self) result(sizes)
+        type(hankel_t), intent(in) :: self
+        integer :: sizes(0:2)
+
+        sizes = merge([2, 4, 2], [3, 2, 0], self%along_surface)
+    end function groups
+
+    !> What stands beside the Bessel functions in each sum, times p_hat dk: (node, sum). The last shear sum is with J2 itself.
+    pure subroutine weighted_state(self, depth, first, last, columns)
+        type(hankel_t), intent(in) :: self
+        type(depth_t), intent(in) :: depth
+        !> nodes wanted
+        integer, intent(in) :: first, last
+        real(wp), intent(out) :: columns(:, :)
+        real(wp) :: y(last - first + 1, merge(shear_rows, normal_rows, self%along_surface))
+        integer :: i
+
+        call layer_state(self%sweep, self%layers, depth%layer, self%tops(depth%layer), depth%z, depth%less, first, last, y)
+        do i = 1, size(y, 2)
+            y(:, i) = self%load(first:last)*y(:, i)
+        end do
+        associate (k => self%k(first:last))
+            if (self%along_surface) then
+                columns(:, 1) = y(:, 5) - y(:, 1)
+                columns(:, 2) = k*(y(:, 6) - y(:, 3))
+                columns(:, 3) = y(:, 2)
+                columns(:, 4) = k*y(:, 4)
+                columns(:, 5) = k*y(:, 1)
+                columns(:, 6) = k*y(:, 5)
+                columns(:, 7) = y(:, 5) + y(:, 1)
+                columns(:, 8) = k*(y(:, 6) + y(:, 3))
+            else
+                columns(:, 1) = y(:, 2)
+                columns(:, 2) = k*y(:, 4)
+                columns(:, 3) = k*y(:, 1)
+                columns(:, 4) = y(:, 1)
+                columns(:, 5) = k*y(:, 3)
+            end if
+        end associate
+    end subroutine weighted_state
+
+    !> J0, J1/r and J2/r^2 at nodes first to last: (node, order).
+    pure subroutine bessel_table(self, r, first, last, j)
+        type(hankel_t), intent(in) :: self
+        real(wp), intent(in) :: r
+        integer, intent(in) :: first, last
+        real(wp), intent(out) :: j(first:, 0:)
+        integer :: i
+
+        do i = first, last
+            if (self%along_surface) then
+                call bessel_012(self%k(i), r, j(i, 0), j(i, 1), j(i, 2))
+            else
+                call bessel_012(self%k(i), r, j(i, 0), j(i, 1))
+            end if
+        end do
+    end subroutine bessel_table
+
+    !> Adds the sums at one point.
+    pure subroutine add_point(self, depth, r, sums)
+        type(hankel_t), intent(in) :: self
+        type(depth_t), intent(in) :: depth
+        real(wp), intent(in) :: r
+        real(wp), intent(inout) :: sums(:)
+        integer, parameter :: block = 128
+        real(wp) :: columns(block, size(sums)), j(block, 0:2)
+        integer :: first, last, waves, n, group(0:2), order, i, place
+
+        waves = wave_count(self, depth)
+        group = groups(self)
+        do first = 1, waves, block
+            last = min(first + block - 1, waves)
+            n = last - first + 1
+            call weighted_state(self, depth, first, last, columns(:n, :))
+            call bessel_table(self, r, first, last, j(:n, :))
+            place = 0
+            do order = 0, 2
+                do i = 1, group(order)
+                    place = place + 1
+                    sums(place) = sums(place) + sum(j(:n, order)*columns(:n, place))*merge(r**2, 1.0_wp, place == shear_sums)
+                end do
+            end do
+        end do
+    end subroutine add_point
+
+    !> Adds the sums on a grid of radii and depths, by threads.
+    subroutine add_grid(self, depths, r, sums, threads)
+        type(hankel_t), intent(in), target :: self
+        type(depth_t), intent(in), target :: depths(:)
+        real(wp), intent(in), target :: r(:)
+        !> (radius, sum, depth)
+        real(wp), intent(inout), target :: sums(:, :, :)
+        integer, intent(in) :: threads
+        type(grid_t) :: grid
+        type(error_t), allocatable :: error
+        integer, target :: place(size(depths))
+        integer :: first, waves, i
+
+        grid%hankel => self
+        grid%depths => depths
+        grid%r => r
+        grid%sums => sums
+        ! deepest reach in k first: those that need a slab are the first ones
+        place = [(i, i=1, size(depths))]
+        call sort_descending(depths%last, place)
+        grid%place => place
+        waves = wave_count(self, depths(place(1)))
+        allocate (grid%columns(slab, size(sums, 2), size(depths)))
+        do first = 1, waves, slab
+            grid%first = first
+            grid%last = min(first + slab - 1, waves)
+            grid%active = count(depths%last >= self%k(first))
+            grid%is_bessel = .false.
+            call run_batch(grid, grid%active, 4, 8, threads, error)
+            grid%is_bessel = .true.
+            call run_batch(grid, size(r), radii, 2*radii, threads, error)
+        end do
+    end subroutine add_grid
+
+    subroutine grid_work(self, first, last, error)
+        class(grid_t), intent(inout) :: self
+        integer, intent(in) :: first, last
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i, n
+
+        if (self%is_bessel) then
+            do i = first, last, radii
+                call multiply(self, i, min(i + radii - 1, last))
+            end do
+        else
+            do i = first, last
+                associate (depth => self%depths(self%place(i)))
+                    n = min(wave_count(self%hankel, depth), self%last) - self%first + 1
+                    self%columns(n + 1:, :, i) = 0.0_wp
+                    call weighted_state(self%hankel, depth, self%first, self%first + n - 1, self%columns(:n, :, i))
+                end associate
+            end do
+        end if
+    end subroutine grid_work
+
+    !> The radii from first to last of a slab: one product of matrices for every order of the Bessel functions.
+    subroutine multiply(self, first, last)
+        class(grid_t), intent(inout) :: self
+        integer, intent(in) :: first, last
+        real(wp), allocatable :: j(:, :, :)
+        integer :: i, order, n, m, low, high, group(0:2)
+
+        n = self%last - self%first + 1
+        m = last - first + 1
+        group = groups(self%hankel)
+        allocate (j(n, 0:2, m))
+        do i = 1, m
+            call bessel_table(self%hankel, self%r(first + i - 1), self%first, self%last, j(:, :, i))
+        end do
+        high = 0
+        do order = 0, 2
+            if (group(order) == 0) cycle
+            low = high + 1
+            high = high + group(order)
+            call add_product(self%hankel%along_surface .and. order == 2, j(:, order, :), self%columns(:n, low:high, :self%active), &
+                             self%r(first:last), self%place(:self%active), self%sums(first:last, low:high, :))
+        end do
+    end subroutine multiply
+
+    !> Adds the products of one order of the Bessel functions to the sums.
+    subroutine add_product(j2_itself, j, columns, r, place, sums)
+        !> whether the last sum is with J2, not J2/r^2
+        logical, intent(in) :: j2_itself
+        !> (node, radius), (node, sum, depth)
+        real(wp), intent(in) :: j(:, :), columns(:, :, :)
+        real(wp), intent(in) :: r(:)
+        !> which depth each is
+        integer, intent(in) :: place(:)
+        !> (radius, sum, depth)
+        real(wp), intent(inout) :: sums(:, :, :)
+        real(wp), allocatable :: product(:, :, :)
+        integer :: i
+
+        allocate (product(size(j, 2), size(columns, 2), size(columns, 3)))
+        call dgemm("T", "N", size(j, 2), size(columns, 2)*size(columns, 3), size(j, 1), 1.0_wp, j, size(j, 1), &
+                   columns, size(columns, 1), 0.0_wp, product, size(j, 2))
+        do i = 1, size(place)
+            if (j2_itself) product(:, size(columns, 2), i) = product(:, size(columns, 2), i)*r**2
+            sums(:, :, place(i)) = sums(:, :, place(i)) + product(:, :, i)
+        end do
+    end subroutine add_product
+
+    !> Orders `place` so that values(place) descends.
+    pure subroutine sort_descending(values, place)
+        real(wp), intent(in) :: values(:)
+        integer, intent(inout) :: place(:)
+        integer :: i, j, held
+
+        do i = 2, size(place)
+            held = place(i)
+            do j = i - 1, 1, -1
+                if (values(place(j)) >= values(held)) exit
+                place(j + 1) = place(j)
+            end do
+            place(j + 1) = held
+        end do
+    end subroutine sort_descending
+
+end module mdrcontact_field_hankel

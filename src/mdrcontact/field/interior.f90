@@ -1,0 +1,353 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Displacements and stresses inside a homogeneous, layered or graded body under a load on its surface.
+!>
+!> In the surface layer: the closed field of a half-space of its material, and the Hankel integral of what the layers below
+!> add; deeper: the Hankel integral of the whole state. z >= 0 points into the body, tension is positive.
+module mdrcontact_field_interior
+    use, intrinsic :: iso_c_binding, only: c_size_t
+    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_batch, only: batch_t, run_batch
+    use mdrcontact_error, only: check_not_negative, error_domain, error_t, raise, to_text
+    use mdrcontact_field_half_space, only: add_normal_sums, add_shear_sums, half_space_rule_t, new_half_space_rule, normal_sums, &
+                                           shear_sums
+    use mdrcontact_field_hankel, only: add_grid, add_point, depth_t, hankel_t, new_hankel
+    use mdrcontact_field_load, only: load_t
+    use mdrcontact_field_sweep, only: layers_t
+    use mdrcontact_field_waves, only: faded
+    use mdrcontact_gsl, only: gsl_sort_index
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: interior_field, components
+    public :: u_r, u_t, u_z, s_rr, s_tt, s_zz, s_rz, s_rt, s_tz
+
+    !> The components by their place in a result.
+    integer, parameter :: u_r = 1, u_t = 2, u_z = 3, s_rr = 4, s_tt = 5, s_zz = 6, s_rz = 7, s_rt = 8, s_tz = 9, components = 9
+
+    !> Points farther away than this are refused [a].
+    real(wp), parameter :: farthest_point = 1.0e12_wp
+    !> On a grid the whole state is integrated from this part of the surface layer on: the waves are shared there.
+    real(wp), parameter :: shared_from = 0.5_wp
+
+    !> Points whose sums are to be found; `order` lists those of one prepared integral.
+    type, extends(batch_t) :: points_t
+        class(load_t), pointer :: load => null()
+        type(half_space_rule_t) :: rule
+        type(hankel_t), pointer :: hankel => null()
+        type(depth_t), pointer :: depths(:) => null()
+        real(wp), pointer :: r(:) => null(), sums(:, :) => null()
+        integer, allocatable :: order(:)
+        real(wp) :: poisson = 0.0_wp
+        logical :: along_surface = .false., is_closed = .false.
+    contains
+        procedure :: work => points_work
+    end type points_t
+
+contains
+
+    !> The field at points (r, z, angle); a grid of few distinct r and z costs far less than as many scattered points.
+    !>
+    !> Stresses are infinite where the load is singular on the surface: edge of a flat punch or of an adhesive contact, apex of
+    !> a cone, edge of a flat end.
+    subroutine interior_field(load, layers, r, z, below, field, error, friction, angle, threads)
+        class(load_t), intent(in), target :: load
+        type(layers_t), intent(in) :: layers
+        !> distance from the axis r >= 0 and depth z >= 0 [length]
+        real(wp), intent(in) :: r(:), z(:)
+        !> which side of an interface is meant
+        logical, intent(in) :: below
+        !> (size(r), components) [length] and [modulus]
+        real(wp), intent(out) :: field(:, :)
+        type(error_t), allocatable, intent(out) :: error
+        !> traction friction*p(r) in +x on the surface; default 0
+        real(wp), intent(in), optional :: friction
+        !> azimuth of the points from +x [radian]; default 0
+        real(wp), intent(in), optional :: angle(:)
+        !> how many threads; default 1
+        integer, intent(in), optional :: threads
+        type(depth_t), allocatable :: depths(:)
+        type(layers_t) :: scaled
+        real(wp), allocatable :: radii(:), sums(:, :)
+        integer :: team
+        logical :: is_grid
+
+        team = 1
+        if (present(threads)) team = threads
+        call check_points(load, layers, r, z, below, error)
+        if (allocated(error) .or. size(r) == 0) return
+        scaled = layers
+        scaled%thickness = layers%thickness/load%radius
+        allocate (radii, source=r/load%radius)
+        is_grid = forms_grid(r, z)
+        call set_depths(layers, z, below, load%radius, is_grid, depths)
+        allocate (sums(normal_sums, size(r)))
+        call find_sums(load, scaled, .false., is_grid, radii, depths, sums, team)
+        call normal_components(layers, depths, radii, load%radius, sums, field)
+        if (present(friction)) then
+            if (friction /= 0.0_wp) then
+                deallocate (sums)
+                allocate (sums(shear_sums, size(r)))
+                call find_sums(load, scaled, .true., is_grid, radii, depths, sums, team)
+                if (present(angle)) then
+                    call add_shear_components(layers, depths, radii, load%radius, sums, friction, angle, field)
+                else
+                    call add_shear_components(layers, depths, radii, load%radius, sums, friction, spread(0.0_wp, 1, size(r)), field)
+                end if
+            end if
+        end if
+        call mark_singular(load, layers%poisson(1), r, z, field)
+    end subroutine interior_field
+
+    subroutine check_points(load, layers, r, z, below, error)
+        class(load_t), intent(in) :: load
+        type(layers_t), intent(in) :: layers
+        real(wp), intent(in) :: r(:), z(:)
+        logical, intent(in) :: below
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        do i = 1, size(r)
+            call check_not_negative(error, "r", r(i))
+            call check_not_negative(error, "z", z(i))
+            if (allocated(error)) return
+            if (max(r(i), z(i)) > farthest_point*load%radius) then
+                call raise(error, error_domain, "the point r = "//to_text(r(i))//", z = "//to_text(z(i))//" is too far away: "// &
+                           "stresses are offered within 1e12 contact radii, a = "//to_text(load%radius))
+            else if (layers%layer_at(z(i), below) == 0) then
+                call raise(error, error_domain, "z = "//to_text(z(i))//" lies in the rigid base, which begins at z = "// &
+                           to_text(sum(layers%thickness))//" (its surface belongs to the side above)")
+            end if
+            if (allocated(error)) return
+        end do
+    end subroutine check_points
+
+    !> Whether a product of matrices over the distinct radii and depths does less than sums at every point.
+    function forms_grid(r, z) result(answer)
+        real(wp), intent(in) :: r(:), z(:)
+        logical :: answer
+        integer :: which(size(r))
+        integer, allocatable :: first_r(:), first_z(:)
+
+        call distinct(r, first_r, which)
+        call distinct(z, first_z, which)
+        answer = real(size(first_r), wp)*real(size(first_z), wp) < 4.0_wp*real(size(r), wp) .and. size(first_r) > 1
+    end function forms_grid
+
+    pure subroutine set_depths(layers, z, below, unit, is_grid, depths)
+        type(layers_t), intent(in) :: layers
+        real(wp), intent(in) :: z(:), unit
+        logical, intent(in) :: below, is_grid
+        type(depth_t), allocatable, intent(out) :: depths(:)
+        integer :: i
+
+        allocate (depths(size(z)))
+        do i = 1, size(z)
+            depths(i)%z = z(i)/unit
+            depths(i)%layer = layers%layer_at(z(i), below)
+            depths(i)%less = depths(i)%layer == 1
+            if (size(layers%thickness) == 0) cycle
+            associate (thickness => layers%thickness(1)/unit)
+                if (is_grid) depths(i)%less = depths(i)%less .and. depths(i)%z < shared_from*thickness
+                if (depths(i)%less) then
+                    depths(i)%last = faded/(2.0_wp*thickness - depths(i)%z)
+                else
+                    depths(i)%last = faded/depths(i)%z
+                end if
+            end associate
+        end do
+    end subroutine set_depths
+
+    !> The sums of all points, for a load across or along the surface.
+    subroutine find_sums(load, layers, along_surface, is_grid, r, depths, sums, threads)
+        class(load_t), intent(in), target :: load
+        !> lengths in units of a
+        type(layers_t), intent(in) :: layers
+        logical, intent(in) :: along_surface, is_grid
+        real(wp), intent(in), target :: r(:)
+        type(depth_t), intent(in), target :: depths(:)
+        real(wp), intent(out), target :: sums(:, :)
+        integer, intent(in) :: threads
+        type(points_t) :: points
+        type(hankel_t), target :: hankel
+        type(error_t), allocatable :: error
+        logical :: open(size(r)), chosen(size(r))
+        real(wp) :: reach
+        integer :: i
+
+        sums = 0.0_wp
+        points%load => load
+        points%depths => depths
+        points%r => r
+        points%sums => sums
+        points%along_surface = along_surface
+        points%poisson = layers%poisson(1)
+        call new_half_space_rule(points%rule)
+        points%is_closed = .true.
+        points%order = pack([(i, i=1, size(r))], depths%less)
+        call run_batch(points, size(points%order), 32, 64, threads, error)
+        if (size(layers%thickness) == 0) return
+        points%is_closed = .false.
+        open = .true.
+        ! far points need more waves than near ones: each doubling of a + r has its own rule
+        do while (any(open))
+            reach = max(3.0_wp, 2.0_wp*(1.0_wp + minval(r, mask=open)))
+            chosen = open .and. 1.0_wp + r <= reach
+            open = open .and. .not. chosen
+            call new_hankel(hankel, load, layers, along_surface, 1.0_wp + maxval(r, mask=chosen), maxval(depths%last, mask=chosen))
+            points%hankel => hankel
+            points%order = pack([(i, i=1, size(r))], chosen)
+            if (is_grid) then
+                call add_on_grid(hankel, depths, r, points%order, sums, threads)
+            else
+                call run_batch(points, size(points%order), 16, 32, threads, error)
+            end if
+        end do
+    end subroutine find_sums
+
+    !> The Hankel integrals of chosen points by products of matrices over their distinct radii and depths.
+    subroutine add_on_grid(hankel, depths, r, order, sums, threads)
+        type(hankel_t), intent(in) :: hankel
+        type(depth_t), intent(in) :: depths(:)
+        real(wp), intent(in) :: r(:)
+        !> the points meant
+        integer, intent(in) :: order(:)
+        real(wp), intent(inout) :: sums(:, :)
+        integer, intent(in) :: threads
+        integer, dimension(size(order)) :: row, column
+        integer, allocatable :: first_r(:), first_z(:)
+        real(wp), allocatable :: table(:, :, :)
+        integer :: i
+
+        call distinct(r(order), first_r, row)
+        call distinct(depths(order)%z, first_z, column)
+        allocate (table(size(first_r), size(sums, 1), size(first_z)), source=0.0_wp)
+        call add_grid(hankel, depths(order(first_z)), r(order(first_r)), table, threads)
+        do i = 1, size(order)
+            sums(:, order(i)) = sums(:, order(i)) + table(row(i), :, column(i))
+        end do
+    end subroutine add_on_grid
+
+    !> The distinct ones of some values: where each occurs first, and which one each value is.
+    subroutine distinct(values, first, which)
+        real(wp), intent(in) :: values(:)
+        integer, allocatable, intent(out) :: first(:)
+        !> same size as values
+        integer, intent(out) :: which(:)
+        integer(c_size_t) :: order(size(values))
+        integer :: i, count
+
+        allocate (first(size(values)))
+        call gsl_sort_index(order, values, 1_c_size_t, size(values, kind=c_size_t))
+        count = 0
+        do i = 1, size(values)
+            associate (here => int(order(i)) + 1)
+                if (i == 1) then
+                    count = 1
+                    first(1) = here
+                else if (values(here) > values(first(count))) then
+                    count = count + 1
+                    first(count) = here
+                end if
+                which(here) = count
+            end associate
+        end do
+        first = first(:count)
+    end subroutine distinct
+
+    subroutine points_work(self, first, last, error)
+        class(points_t), intent(inout) :: self
+        integer, intent(in) :: first, last
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i, j
+
+        do j = first, last
+            i = self%order(j)
+            if (.not. self%is_closed) then
+                call add_point(self%hankel, self%depths(i), self%r(i), self%sums(:, i))
+            else if (self%along_surface) then
+                call add_shear_sums(self%rule, self%load, self%poisson, self%r(i), self%depths(i)%z, self%sums(:, i))
+            else
+                call add_normal_sums(self%rule, self%load, self%poisson, self%r(i), self%depths(i)%z, self%sums(:, i))
+            end if
+        end do
+    end subroutine points_work
+
+    pure subroutine normal_components(layers, depths, r, unit, sums, field)
+        type(layers_t), intent(in) :: layers
+        type(depth_t), intent(in) :: depths(:)
+        real(wp), intent(in) :: r(:), unit, sums(:, :)
+        real(wp), intent(out) :: field(:, :)
+        integer :: i
+
+        field(:, [u_t, s_rt, s_tz]) = 0.0_wp
+        do i = 1, size(r)
+            associate (s => sums(:, i), nu => layers%poisson(depths(i)%layer), mu => layers%shear(depths(i)%layer))
+                field(i, u_z) = unit*s(1)/(2.0_wp*mu)
+                field(i, u_r) = unit*r(i)*s(4)/(2.0_wp*mu)
+                field(i, s_zz) = s(2)
+                field(i, s_rr) = (s(3) + nu*s(2))/(1.0_wp - nu) - s(4)
+                field(i, s_tt) = nu*(s(3) + s(2))/(1.0_wp - nu) + s(4)
+                field(i, s_rz) = r(i)*s(5)
+            end associate
+        end do
+    end subroutine normal_components
+
+    pure subroutine add_shear_components(layers, depths, r, unit, sums, friction, angle, field)
+        type(layers_t), intent(in) :: layers
+        type(depth_t), intent(in) :: depths(:)
+        real(wp), intent(in) :: r(:), unit, sums(:, :), friction, angle(:)
+        real(wp), intent(inout) :: field(:, :)
+        real(wp) :: along, across
+        integer :: i
+
+        do i = 1, size(r)
+            along = friction*cos(angle(i))
+            across = friction*sin(angle(i))
+            associate (s => sums(:, i), nu => layers%poisson(depths(i)%layer), mu => layers%shear(depths(i)%layer))
+                field(i, u_r) = field(i, u_r) + along*unit*(s(1) + r(i)**2*s(7))/(4.0_wp*mu)
+                field(i, u_t) = field(i, u_t) - across*unit*(s(1) - r(i)**2*s(7))/(4.0_wp*mu)
+                field(i, u_z) = field(i, u_z) + along*unit*r(i)*s(3)/(2.0_wp*mu)
+                field(i, s_rr) = field(i, s_rr) + along*r(i)*((s(5) + nu*s(4))/(1.0_wp - nu) - s(7))
+                field(i, s_tt) = field(i, s_tt) + along*r(i)*(nu*(s(5) + s(4))/(1.0_wp - nu) + s(7))
+                field(i, s_zz) = field(i, s_zz) + along*r(i)*s(4)
+                field(i, s_rz) = field(i, s_rz) + along*0.5_wp*(s(2) + s(8))
+                field(i, s_rt) = field(i, s_rt) + across*r(i)*(0.5_wp*s(6) - s(7))
+                field(i, s_tz) = field(i, s_tz) - across*0.5_wp*(s(2) - s(8))
+            end associate
+        end do
+    end subroutine add_shear_components
+
+    !> Infinities where the load is singular on the surface: the quadratures do not see them.
+    subroutine mark_singular(load, poisson, r, z, field)
+        class(load_t), intent(in) :: load
+        real(wp), intent(in) :: poisson, r(:), z(:)
+        real(wp), intent(inout) :: field(:, :)
+        real(wp) :: pressure, slope(1), place
+        integer :: i, j
+
+        do i = 1, size(r)
+            if (z(i) > 0.0_wp .or. r(i) > load%radius) cycle
+            if (r(i) == load%radius) then
+                if (load%edge == 0.0_wp) cycle
+                pressure = sign(ieee_value(1.0_wp, ieee_positive_inf), load%edge)
+            else
+                if (r(i) > 0.0_wp .and. .not. any(load%kinks == r(i))) cycle
+                slope = load%slope(r(i) + load%radius*[1.0e-11_wp])
+                ! p is infinite where q' does not vanish on the axis, and where q' is infinite at a kink
+                place = load%order_at(r(i))
+                if (place > merge(-0.1_wp, 1.0e-6_wp, r(i) > 0.0_wp) .or. .not. abs(slope(1)) > 0.0_wp) cycle
+                pressure = -sign(ieee_value(1.0_wp, ieee_positive_inf), slope(1))
+            end if
+            field(i, s_zz) = -pressure
+            if (r(i) > 0.0_wp) then
+                field(i, s_rr) = -pressure
+                if (abs(poisson) > 0.0_wp) field(i, s_tt) = -sign(1.0_wp, poisson)*pressure
+            else
+                do j = s_rr, s_tt
+                    if (abs(poisson + 0.5_wp) > 0.0_wp) field(i, j) = -sign(1.0_wp, poisson + 0.5_wp)*pressure
+                end do
+            end if
+        end do
+    end subroutine mark_singular
+
+end module mdrcontact_field_interior

@@ -1,0 +1,137 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The load on a surface as stresses inside need it: an axisymmetric pressure given by its line load q(x), 0 <= x <= a.
+!>
+!> p(r) follows from q by equation (6), and its Hankel transform is p_hat(k) = int_0^a p J0(kr) r dr = (1/pi) int_0^a q cos kx dx.
+module mdrcontact_field_load
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    implicit none (type, external)
+    private
+    public :: load_t
+
+    !> Nodes of a panel, and the largest k times its length.
+    integer, parameter :: nodes = 16
+    real(wp), parameter :: longest_phase = 15.0_wp
+
+    !> A line load. Extensions hold its parameters; it never changes once made.
+    type, abstract :: load_t
+        !> a > 0 [length]
+        real(wp) :: radius = 0.0_wp
+        !> q(a) [modulus length]: 0 without adhesion, negative at an adhesive edge, positive under a flat punch
+        real(wp) :: edge = 0.0_wp
+        !> positions in [0, a) where q is not analytic to the right, ascending; q' may be infinite there as (x - b)^(-1/2)
+        real(wp), allocatable :: kinks(:)
+        !> position beyond a where q is singular [length]; huge() if nowhere
+        real(wp) :: singular_end = huge(1.0_wp)
+    contains
+        !> q(x) [modulus length]
+        procedure(function_of_position), deferred :: value
+        !> q'(x) [modulus]
+        procedure(function_of_position), deferred :: slope
+        !> p_hat(k) [modulus length^2]
+        procedure :: transform
+        !> positions and weights for integrals over the contact
+        procedure :: rule
+        !> makes the axis a kink where q' behaves as a broken power there; for constructors
+        procedure :: mark_axis
+        !> e of q' ~ (x - kink)^e
+        procedure :: order_at
+    end type load_t
+
+    abstract interface
+        pure function function_of_position(self, x) result(y)
+            import :: load_t, wp
+            class(load_t), intent(in) :: self
+            !> 0 < x < a [length]
+            real(wp), intent(in) :: x(:)
+            real(wp) :: y(size(x))
+        end function function_of_position
+    end interface
+
+contains
+
+    !> p_hat(k) by quadrature.
+    subroutine transform(self, k, values)
+        class(load_t), intent(in) :: self
+        !> wavenumbers >= 0 [1/length]
+        real(wp), intent(in) :: k(:)
+        !> same size as k
+        real(wp), intent(out) :: values(:)
+        real(wp), allocatable :: x(:), weight(:)
+        integer :: i
+
+        call self%rule(maxval(k), x, weight)
+        weight = weight*self%value(x)/pi
+        do i = 1, size(k)
+            values(i) = sum(weight*cos(k(i)*x))
+        end do
+    end subroutine transform
+
+    !> Positions and weights for integrals over [0, a] with q and waves up to k: Gauss-Legendre panels, none longer than the
+    !> shortest wave allows, and x = b + s^2 beyond a kink b.
+    subroutine rule(self, k, x, weight)
+        class(load_t), intent(in) :: self
+        !> [1/length]
+        real(wp), intent(in) :: k
+        real(wp), allocatable, intent(out) :: x(:), weight(:)
+        real(wp), allocatable :: ends(:)
+        real(wp) :: node(nodes), w(nodes), low, length
+        integer :: i, j, from
+        integer, allocatable :: panels(:)
+        logical :: from_zero
+
+        call gauss_legendre(node, w)
+        from_zero = size(self%kinks) > 0
+        if (from_zero) from_zero = self%kinks(1) <= 0.0_wp
+        allocate (ends(size(self%kinks) + merge(1, 2, from_zero)))
+        ends(1) = 0.0_wp
+        ends(size(ends) - size(self%kinks):) = [self%kinks, self%radius]
+        panels = 1 + int(k*(ends(2:) - ends(:size(ends) - 1))/longest_phase)
+        ! s^2 spreads the last panel to twice its length
+        where ([(any(self%kinks == ends(i)), i=1, size(panels))]) panels = 2*panels
+        allocate (x(nodes*sum(panels)), weight(nodes*sum(panels)))
+        from = 0
+        do i = 1, size(panels)
+            length = ends(i + 1) - ends(i)
+            do j = 1, panels(i)
+                associate (t => x(from + 1:from + nodes), dt => weight(from + 1:from + nodes))
+                    low = real(j - 1, wp)/real(panels(i), wp)
+                    t = low + node/real(panels(i), wp)
+                    dt = w*length/real(panels(i), wp)
+                    if (any(self%kinks == ends(i))) then
+                        dt = 2.0_wp*t*dt
+                        t = t**2
+                    end if
+                    t = ends(i) + length*t
+                end associate
+                from = from + nodes
+            end do
+        end do
+    end subroutine rule
+
+    !> Makes the axis a kink where q' is a broken power there; constructors call it.
+    subroutine mark_axis(self)
+        class(load_t), intent(inout) :: self
+        real(wp) :: order
+
+        if (size(self%kinks) > 0) then
+            if (self%kinks(1) <= 0.0_wp) return
+        end if
+        order = self%order_at(0.0_wp)
+        if (abs(order - anint(order)) > 1.0e-4_wp) self%kinks = [0.0_wp, self%kinks]
+    end subroutine mark_axis
+
+    !> e of q' ~ (x - kink)^e just beyond a position: 0 also where q' does not vary.
+    pure function order_at(self, kink) result(order)
+        class(load_t), intent(in) :: self
+        !> 0 <= kink < a [length]
+        real(wp), intent(in) :: kink
+        real(wp) :: order
+        real(wp) :: slope(2)
+
+        slope = self%slope(kink + self%radius*[1.0_wp, 4.0_wp]*merge(1.0e-9_wp, 1.0e-11_wp, kink > 0.0_wp))
+        order = 0.0_wp
+        if (slope(1)*slope(2) > 0.0_wp) order = log(slope(2)/slope(1))/log(4.0_wp)
+    end function order_at
+
+end module mdrcontact_field_load

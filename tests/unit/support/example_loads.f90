@@ -1,0 +1,80 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Line loads known in closed form: q(x) = sum of c_i x^(i - 1), as those of a flat punch, cone, paraboloid on a half-space.
+module example_loads
+    use mdrcontact_field_load, only: load_t
+    use mdrcontact_kinds, only: half_pi, wp
+    implicit none (type, external)
+    private
+    public :: polynomial_load_t, hertz_load, cone_load, punch_load
+
+    type, extends(load_t) :: polynomial_load_t
+        real(wp), allocatable :: coefficients(:)
+    contains
+        procedure :: value
+        procedure :: slope
+    end type polynomial_load_t
+
+contains
+
+    pure function value(self, x) result(y)
+        class(polynomial_load_t), intent(in) :: self
+        real(wp), intent(in) :: x(:)
+        real(wp) :: y(size(x))
+        integer :: i
+
+        y = 0.0_wp
+        do i = size(self%coefficients), 1, -1
+            y = self%coefficients(i) + x*y
+        end do
+    end function value
+
+    pure function slope(self, x) result(y)
+        class(polynomial_load_t), intent(in) :: self
+        real(wp), intent(in) :: x(:)
+        real(wp) :: y(size(x))
+        integer :: i
+
+        y = 0.0_wp
+        do i = size(self%coefficients), 2, -1
+            y = real(i - 1, wp)*self%coefficients(i) + x*y
+        end do
+    end function slope
+
+    pure function with_coefficients(radius, coefficients) result(load)
+        real(wp), intent(in) :: radius, coefficients(:)
+        type(polynomial_load_t) :: load
+        real(wp) :: edge(1)
+
+        load%radius = radius
+        allocate (load%coefficients, source=coefficients)
+        allocate (load%kinks(0))
+        edge = load%value([radius])
+        load%edge = edge(1)
+        if (abs(load%edge) < 1.0e-14_wp*maxval(abs(coefficients))) load%edge = 0.0_wp
+    end function with_coefficients
+
+    !> Pressure p0 sqrt(1 - r^2/a^2): p0 = 2 E* a/(pi R), q = E* (a^2 - x^2)/R.
+    pure function hertz_load(radius, p0) result(load)
+        real(wp), intent(in) :: radius, p0
+        type(polynomial_load_t) :: load
+
+        load = with_coefficients(radius, half_pi*p0*[radius, 0.0_wp, -1.0_wp/radius])
+    end function hertz_load
+
+    !> Pressure p_m arcosh(a/r), p_m the mean pressure: q = pi p_m (a - x).
+    pure function cone_load(radius, mean) result(load)
+        real(wp), intent(in) :: radius, mean
+        type(polynomial_load_t) :: load
+
+        load = with_coefficients(radius, 2.0_wp*half_pi*mean*[radius, -1.0_wp])
+    end function cone_load
+
+    !> Pressure p_m/(2 sqrt(1 - r^2/a^2)): q = pi p_m a/2.
+    pure function punch_load(radius, mean) result(load)
+        real(wp), intent(in) :: radius, mean
+        type(polynomial_load_t) :: load
+
+        load = with_coefficients(radius, [half_pi*mean*radius])
+    end function punch_load
+
+end module example_loads
