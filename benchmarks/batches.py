@@ -4,7 +4,6 @@
 As a module it gives the rows to compare.py."""
 
 import time
-from functools import partial
 
 import numpy as np
 
@@ -28,7 +27,7 @@ def seconds(function, rounds=5, least=0.05):
 
 
 def cases():
-    """(what, points, function of the number of threads)."""
+    """(what, points, function)."""
     coating, substrate = mdr.Elastic(2.0, 0.3), mdr.Elastic(1.0, 0.3)
     ball = mdr.Paraboloid(50.0)
     gao, exact = (mdr.Coated(coating, 1.0, substrate, model) for model in ("gao", "exact"))
@@ -42,26 +41,26 @@ def cases():
     wide_depth = on_exact.at_radius(wide).depth
     half_space_force = on_half_space.at_depth(many).force
     return [
-        ("g of a paraboloid", many.size, lambda t: ball.mdr(many, threads=t)),
-        ("weight I0", many.size, lambda t: mdr.weight_i0(many, 0.3, threads=t)),
-        ("closed form (24)", many.size, lambda t: mdr.coated_paraboloid_force(many, 1.0, 3.0, 1.0, 0.5, threads=t)),
-        ("weights of a point, lateral", many.size, lambda t: density(many, many, 0.3, threads=t)),
-        ("E_eff, Gao's weights", many.size, lambda t: gao.modulus(many, threads=t)),
-        ("E_eff, exact film, a up to h", some.size, lambda t: exact.modulus(some, threads=t)),
-        ("half-space, from depth", many.size, lambda t: on_half_space.at_depth(many, threads=t)),
-        ("half-space, from force", many.size, lambda t: on_half_space.at_force(half_space_force, threads=t)),
-        ("Gao film, from depth", some.size, lambda t: on_gao.at_depth(depth, threads=t)),
-        ("Gao film, from force", some.size, lambda t: on_gao.at_force(force, threads=t)),
-        ("Gao film with adhesion, from force", some.size, lambda t: sticky.at_force(force, threads=t)),
-        ("exact film, a up to h, from radius", some.size, lambda t: on_exact.at_radius(some, threads=t)),
-        ("exact film, a up to h, from depth", some.size, lambda t: on_exact.at_depth(depth, threads=t)),
-        ("exact film, a up to h, from force", some.size, lambda t: on_exact.at_force(force, threads=t)),
-        ("exact film, 2 depths", 2, lambda t: on_exact.at_depth(depth[-2:], threads=t)),
-        ("exact film, a up to 100 h, from depth", wide.size, lambda t: on_exact.at_depth(wide_depth, threads=t)),
-        ("pressure, Gao film", r.size, lambda t: on_gao.pressure(r, radius=1.0, threads=t)),
-        ("pressure, exact film", r.size, lambda t: on_exact.pressure(r, radius=1.0, threads=t)),
-        ("displacement, exact film", r.size, lambda t: on_exact.displacement(2.0 * r, radius=1.0, threads=t)),
-        ("E_eff beside an inclusion", few.size, lambda t: inclusion.modulus(few, 0.0, 1.0, threads=t)),
+        ("g of a paraboloid", many.size, lambda: ball.mdr(many)),
+        ("weight I0", many.size, lambda: mdr.weight_i0(many, 0.3)),
+        ("closed form (24)", many.size, lambda: mdr.coated_paraboloid_force(many, 1.0, 3.0, 1.0, 0.5)),
+        ("weights of a point, lateral", many.size, lambda: density(many, many, 0.3)),
+        ("E_eff, Gao's weights", many.size, lambda: gao.modulus(many)),
+        ("E_eff, exact film, a up to h", some.size, lambda: exact.modulus(some)),
+        ("half-space, from depth", many.size, lambda: on_half_space.at_depth(many)),
+        ("half-space, from force", many.size, lambda: on_half_space.at_force(half_space_force)),
+        ("Gao film, from depth", some.size, lambda: on_gao.at_depth(depth)),
+        ("Gao film, from force", some.size, lambda: on_gao.at_force(force)),
+        ("Gao film with adhesion, from force", some.size, lambda: sticky.at_force(force)),
+        ("exact film, a up to h, from radius", some.size, lambda: on_exact.at_radius(some)),
+        ("exact film, a up to h, from depth", some.size, lambda: on_exact.at_depth(depth)),
+        ("exact film, a up to h, from force", some.size, lambda: on_exact.at_force(force)),
+        ("exact film, 2 depths", 2, lambda: on_exact.at_depth(depth[-2:])),
+        ("exact film, a up to 100 h, from depth", wide.size, lambda: on_exact.at_depth(wide_depth)),
+        ("pressure, Gao film", r.size, lambda: on_gao.pressure(r, radius=1.0)),
+        ("pressure, exact film", r.size, lambda: on_exact.pressure(r, radius=1.0)),
+        ("displacement, exact film", r.size, lambda: on_exact.displacement(2.0 * r, radius=1.0)),
+        ("E_eff beside an inclusion", few.size, lambda: inclusion.modulus(few, 0.0, 1.0)),
     ]
 
 
@@ -69,7 +68,11 @@ def rows():
     """(what, points, nanoseconds a point on one thread, throughput of two threads against one)."""
     found = []
     for name, points, call in cases():
-        alone, shared = (seconds(partial(call, threads)) for threads in (1, 2))
+        taken = []
+        for threads in (1, 2):
+            mdr.set_threads(threads)
+            taken.append(seconds(call))
+        alone, shared = taken
         found.append((name, points, 1e9 * alone / points, alone / shared))
     return found
 

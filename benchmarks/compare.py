@@ -122,7 +122,12 @@ def batch_scaling():
     rows = []
     for points in (1, 10, 100, 1000, 10_000, 100_000, 1_000_000):
         depth = np.geomspace(1e-4, 1.0, points) if points > 1 else np.array([0.5])
-        rows.append((points, *(1e9 * seconds_each(lambda d=depth, t=t: law.force(d, threads=t)) / points for t in (1, 2))))
+        row = [points]
+        for threads in (1, 2):
+            mdr.set_threads(threads)
+            row.append(1e9 * seconds_each(lambda d=depth: law.force(d)) / points)
+        mdr.set_threads(1)
+        rows.append(row)
     return rows
 
 

@@ -30,6 +30,10 @@
  * output array may be the input array itself; otherwise arrays must not overlap. Error messages count entries from 1,
  * indices in arguments and results begin at 0.
  *
+ * @par Structures of options
+ * They begin with their size, which their ..._init function sets: call it before anything else, then change members. A program that
+ * was compiled with fewer members than the library has gets the defaults of the rest. MDR_EINVALID for a size that cannot be.
+ *
  * @par Handles and who frees them
  * mdr_profile, mdr_medium, mdr_contact, mdr_loop, mdr_structure and mdr_law are made by the functions with an `out` argument,
  * belong to the caller, and are freed by mdr_profile_free() and so on, which also set the caller's pointer to NULL. What a
@@ -38,12 +42,14 @@
  *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
- * Functions of arrays have twins with the ending _threads, which share the work among so many threads of their own (OpenMP).
+ * Functions of arrays share the work among several threads of their own (OpenMP) where mdr_set_threads() allows it.
  * Only freeing a handle needs the certainty that no other thread uses it. GSL's error handler, which would end the program, is
  * switched off for the process when an object is made; a program with a GSL handler of its own sets it again afterwards.
  */
 #ifndef MDRCONTACT_H
 #define MDRCONTACT_H
+
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -86,6 +92,18 @@ const char *mdr_status_name(int status);
  * @return        the full length of the text without its closing zero, at most 1023: length + 1 characters hold all of it
  */
 int mdr_last_error(char *buffer, int length);
+
+/**
+ * How many threads the calling thread's functions of arrays may use from now on: 1 at first. Each thread of a program has its own
+ * number.
+ *
+ * Arrays too small to gain stay on the calling thread: some ten thousand points of a closed form, two states that are solved for;
+ * so do structures made by mdr_structure_callback(). Within a parallel region of the caller's all stays on the calling thread. The
+ * results are the same to the last bit for every number of threads; where entries fail, the error is that of the first of them. A
+ * library built without OpenMP uses one thread.
+ * @param threads  at least 1, or 0 for as many as OpenMP offers
+ */
+int mdr_set_threads(int threads);
 
 /** An indenter. Made by mdr_profile_..., freed by mdr_profile_free(). */
 typedef struct mdr_profile mdr_profile;
@@ -130,7 +148,7 @@ int mdr_profile_cone(double inclination, mdr_profile **out);
 int mdr_profile_power(double exponent, double coefficient, mdr_profile **out);
 
 /** Flat cylindrical punch: f = g = 0 up to its radius, where it ends in a vertical wall. The contact radius is that radius
- *  at every depth: ask for states by depth or force, and for fields by the ..._at_depth functions.
+ *  at every depth: ask for states by depth or force.
  *  @param radius  b > 0 [length]
  *  @param out     receives the handle */
 int mdr_profile_flat_punch(double radius, mdr_profile **out);
@@ -247,6 +265,28 @@ int mdr_model_name(int model, int length, char *name);
  *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a name that no model has */
 int mdr_model_from_name(const char *name, int *model);
 
+/** What a model asks of the substrate. */
+enum mdr_model_base {
+    MDR_BASE_ELASTIC = 0, /**< An elastic half-space. */
+    MDR_BASE_ANY = 1,     /**< An elastic half-space or a rigid base. */
+    MDR_BASE_RIGID = 2    /**< A rigid base. */
+};
+
+/** What a model takes. */
+typedef struct mdr_model_facts {
+    int base;             /**< One of enum mdr_model_base. */
+    int takes_layers;     /**< 1: any number of layers; 0: one coating. */
+    int takes_graded;     /**< 1: graded half-spaces too. */
+    int option_is_number; /**< 1: its option is a number that a fit can find. */
+    char name[24];        /**< Its name. */
+    char option[24];      /**< The member of mdr_medium_options that concerns it; empty if there is none. */
+} mdr_model_facts;
+
+/** What a model takes.
+ *  @param model  one of enum mdr_model
+ *  @param facts  receives it */
+int mdr_model_info(int model, mdr_model_facts *facts);
+
 /** Which Poisson's ratio enters I0 of Gao's weights, which the source leaves open. */
 enum mdr_weight_nu {
     MDR_WEIGHT_NU_SURFACE = 0,   /**< That of the surface: the most accurate on average, and the default. */
@@ -257,6 +297,7 @@ enum mdr_weight_nu {
 
 /** What a model leaves to choose. Set by mdr_medium_options_init(), then changed; a model looks only at what concerns it. */
 typedef struct mdr_medium_options {
+    size_t size;          /**< Of this structure; set by mdr_medium_options_init(). */
     double alpha;         /**< Doerner-Nix, Mencik: decay constant > 0 [1]; default 1. */
     double wave_factor;   /**< Wave: q a > 0 [1]; default pi/2. */
     int weight_nu_choice; /**< Gao: one of enum mdr_weight_nu; default MDR_WEIGHT_NU_SURFACE. */
@@ -393,7 +434,7 @@ int mdr_weight_j1(int n, const double xi[], double nu, double out[]);
 
 /* ---- contacts (2)-(10), (21)-(32) ------------------------------------------------------------------------------ */
 
-/** How far the edge springs of an adhesive contact hang. */
+/** The edge opening dl of an adhesive contact: the distance of the springs at the edge from the indenter when they let go. */
 enum mdr_adhesion_rule {
     MDR_ADHESION_AUTOMATIC = 0, /**< Energy where the medium meets the balance exactly, the source's rule elsewhere. */
     MDR_ADHESION_PAPER = 1,     /**< dl = sqrt(2 pi a gamma/E_eff), equation (28). */
@@ -403,7 +444,7 @@ enum mdr_adhesion_rule {
 /** Which stable state is meant where an adhesive contact has several. */
 enum mdr_branch {
     MDR_ON_LOADING = 1,  /**< The smallest contact, met when the bodies approach. */
-    MDR_ON_UNLOADING = 2 /**< The largest contact, kept when they are drawn apart: what from_depth and from_force give. */
+    MDR_ON_UNLOADING = 2 /**< The largest contact, kept when they are drawn apart: what mdr_contact_from_depth() gives. */
 };
 
 /** What the machine prescribes. */
@@ -416,6 +457,7 @@ enum mdr_control {
 /** What a contact can have beyond indenter and medium. Set by mdr_contact_options_init(), then changed. The arrays are
  *  copied by mdr_contact_new(). */
 typedef struct mdr_contact_options {
+    size_t size;               /**< Of this structure; set by mdr_contact_options_init(). */
     int zeta_count;            /**< Size of the table of zeta in (9), d = zeta(a) g(a), at least 3; default 0: zeta = 1. */
     const double *zeta_radius; /**< [zeta_count] contact radii > 0, strictly ascending; contacts reach the last one [length]. */
     const double *zeta;        /**< [zeta_count] zeta > 0 [1]; zeta(a) g(a) must not decrease. */
@@ -434,65 +476,71 @@ void mdr_contact_options_init(mdr_contact_options *options);
  *  @return also MDR_EDOMAIN if the indenter's flat end is larger than the medium's largest contact radius */
 int mdr_contact_new(const mdr_profile *profile, const mdr_medium *medium, const mdr_contact_options *options, mdr_contact **out);
 
-/** States from indentation depths. Outputs that are NULL are skipped.
- *
- *  Without adhesion depth 0 is first touch, with F = 0. With adhesion it is the state kept on unloading.
+/** A state of a contact: what fields are computed from. */
+typedef struct mdr_state {
+    double depth;     /**< d, indentation depth, positive into the medium [length]. */
+    double radius;    /**< a, contact radius [length]. */
+    double force;     /**< F, normal force, positive in compression [modulus length^2]. */
+    double stiffness; /**< k = dF/dd at constant a, 2 a E_eff(a) [modulus length]. */
+    double excess;    /**< Depth beyond that of the non-adhesive state of this radius: 0 without adhesion, less than 0 with it, the whole
+                           depth under a flat punch [length]. */
+} mdr_state;
+
+/** Which number determines a state. */
+enum mdr_given {
+    MDR_GIVEN_DEPTH = 1, /**< Indentation depth >= 0, with adhesion down to the pull-off depth [length]. */
+    MDR_GIVEN_FORCE = 2, /**< Normal force >= 0, with adhesion down to the pull-off force [modulus length^2]. */
+    MDR_GIVEN_RADIUS = 3 /**< Contact radius >= 0, at least that of the indenter's flat end, below its vertical wall [length]. With
+                              adhesion the state may be unstable under given depth or force. */
+};
+
+/** Fields of a state. */
+enum mdr_field_kind {
+    MDR_FIELD_PRESSURE = 1,     /**< p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says so: at
+                                     the edge of a flat punch or of an adhesive contact, at the apex of a cone. */
+    MDR_FIELD_DISPLACEMENT = 2, /**< u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the free
+                                     surface beyond; any r >= 0 [length]. */
+    MDR_FIELD_LINE_LOAD = 3     /**< q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a [modulus
+                                     length]. */
+};
+
+/** States from depths, forces or radii.
+ *  @param c       contact
+ *  @param given   one of enum mdr_given: what `in` holds
+ *  @param branch  one of enum mdr_branch: which state of an adhesive contact; not looked at for radii
+ *  @param n       number of states
+ *  @param in      [n] depths, forces or radii
+ *  @param out     [n] states; depth 0 without adhesion is first touch, all of it 0
+ *  @return also MDR_EUNREACHABLE if there is no such state, MDR_EDOMAIN beyond the end of the indenter or the medium,
+ *          MDR_ENOCONVERGENCE */
+int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const double in[], mdr_state out[]);
+
+/** States from indentation depths: mdr_contact_states() on unloading, into loose arrays. Outputs that are NULL are skipped.
  *  @param c    contact
  *  @param n    number of states
- *  @param in   [n] depths >= 0, with adhesion down to the pull-off depth [length]
+ *  @param in   [n] depths, see enum mdr_given [length]
  *  @param d    [n] or NULL: indentation depths [length]
  *  @param a    [n] or NULL: contact radii [length]
  *  @param F    [n] or NULL: normal forces [modulus length^2]
  *  @param k    [n] or NULL: stiffnesses dF/dd at constant a, 2 a E_eff(a) [modulus length]
- *  @return also MDR_EUNREACHABLE if no state has such a depth, MDR_ENOCONVERGENCE */
+ *  @return as mdr_contact_states() */
 int mdr_contact_from_depth(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
 
-/** States from normal forces: `in` are forces >= 0, with adhesion down to the pull-off force [modulus length^2].
- *  Otherwise as mdr_contact_from_depth(). */
+/** States from normal forces [modulus length^2]. Otherwise as mdr_contact_from_depth(). */
 int mdr_contact_from_force(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
 
-/** States from contact radii: `in` are radii >= 0, at least that of the indenter's flat end, below its vertical wall [length].
- *  With adhesion the state may be unstable under given depth or force. Otherwise as mdr_contact_from_depth().
- *  @return also MDR_EDOMAIN beyond the end of the indenter or the medium */
+/** States from contact radii [length]. Otherwise as mdr_contact_from_depth(). */
 int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
 
-/** As mdr_contact_from_depth(), on a branch of an adhesive contact.
- *  @param branch  one of enum mdr_branch */
-int mdr_contact_from_depth_on(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[], double F[],
-                              double k[]);
-
-/** As mdr_contact_from_force(), on a branch of an adhesive contact.
- *  @param branch  one of enum mdr_branch */
-int mdr_contact_from_force_on(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[], double F[],
-                              double k[]);
-
-/** p(r), the contact pressure, equation (6), in the state of contact radius a. Infinite where theory says so: at the
- *  edge of a flat punch or of an adhesive contact, at the apex of a cone.
- *  @param c    contact
- *  @param a    contact radius > 0, as for mdr_contact_from_radius() [length]
- *  @param n    number of positions
- *  @param r    [n] 0 <= r <= a [length]
- *  @param out  [n] pressures [modulus]
- *  @return also MDR_EDOMAIN if r > a or a is too large, MDR_EUNREACHABLE if no state has this radius, or more than one has
- *          it (flat punch), MDR_ENOCONVERGENCE */
-int mdr_contact_pressure(const mdr_contact *c, double a, int n, const double r[], double out[]);
-
-/** u(r), the displacement of the surface [length]: d - f(r) for r <= a, the free surface beyond. Arguments and errors as
- *  mdr_contact_pressure(), with any r >= 0 (inside the contact f(r) must be defined). */
-int mdr_contact_displacement(const mdr_contact *c, double a, int n, const double r[], double out[]);
-
-/** q(x), the line load of the one-dimensional springs, equations (5), (21) [modulus length]. Arguments and errors as
- *  mdr_contact_pressure(), with 0 <= x <= a [length] in place of r. */
-int mdr_contact_line_load(const mdr_contact *c, double a, int n, const double x[], double out[]);
-
-/** @name The same in the state of indentation depth d [length]
- *  For indenters whose radius does not determine the state (flat punch), and where the depth is what is known. Depths as for
- *  mdr_contact_from_depth(), at which there must be contact; otherwise as the functions above. */
-/** @{ */
-int mdr_contact_pressure_at_depth(const mdr_contact *c, double d, int n, const double r[], double out[]);
-int mdr_contact_displacement_at_depth(const mdr_contact *c, double d, int n, const double r[], double out[]);
-int mdr_contact_line_load_at_depth(const mdr_contact *c, double d, int n, const double x[], double out[]);
-/** @} */
+/** A field of a state.
+ *  @param c      contact
+ *  @param field  one of enum mdr_field_kind
+ *  @param state  a state of this contact, with a radius > 0
+ *  @param n      number of positions
+ *  @param r      [n] r or x, see enum mdr_field_kind [length]
+ *  @param out    [n] values, see enum mdr_field_kind
+ *  @return also MDR_EDOMAIN for a position outside the range of the field, MDR_ENOCONVERGENCE */
+int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, int n, const double r[], double out[]);
 
 /** Frees a contact and sets *c to NULL. c = NULL and *c = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *c is not a contact */
@@ -641,6 +689,7 @@ enum mdr_shape {
 /** What a structure leaves to choose. Set by mdr_structure_options_init(), then changed; a structure looks only at what concerns
  *  it. */
 typedef struct mdr_structure_options {
+    size_t size;         /**< Of this structure; set by mdr_structure_options_init(). */
     double reference_nu; /**< Poisson's ratio of the weights, -1 < nu <= 1/2 [1]; default NAN: that of the background, or the mean
                               over all voxels. */
     double tolerance;    /**< Shapes: relative error of G_eff and nu_eff, 1e-10 to 0.1; default 1e-5. */
@@ -751,62 +800,6 @@ int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx
  *  @param weights  [2 N] weights of the shear modulus and of Poisson's ratio at each point, with sum 1 each [1] */
 int mdr_lateral_rule(int order, double nu, double points[], double weights[]);
 
-/* ---- the same on several threads ------------------------------------------------------------------------------- */
-
-/**
- * @name Arrays on several threads
- * Each does what the function of the same name without _threads does, on `threads` threads: at least 1, or 0 for as many as
- * OpenMP offers. Arrays too small to gain stay on the calling thread: some ten thousand points of a closed form, two
- * states that are solved for. Within a parallel region of the caller's all stays on the calling thread. The results are
- * the same to the last bit for every number of threads; where entries fail, the error is that of the first of them. A
- * library built without OpenMP uses one thread. MDR_EINVALID for threads < 0.
- */
-/** @{ */
-int mdr_profile_height_threads(const mdr_profile *p, int n, const double r[], double out[], int threads);
-int mdr_profile_slope_threads(const mdr_profile *p, int n, const double r[], double out[], int threads);
-int mdr_profile_mdr_threads(const mdr_profile *p, int n, const double x[], double out[], int threads);
-int mdr_profile_mdr_slope_threads(const mdr_profile *p, int n, const double x[], double out[], int threads);
-
-int mdr_medium_modulus_threads(const mdr_medium *m, int n, const double a[], double out[], int threads);
-int mdr_medium_stiffness_threads(const mdr_medium *m, int n, const double a[], double out[], int threads);
-
-int mdr_weight_phi_threads(int n, const double xi[], double nu, double out[], int threads);
-int mdr_weight_i0_threads(int n, const double xi[], double nu, double out[], int threads);
-int mdr_weight_i1_threads(int n, const double xi[], double nu, double out[], int threads);
-int mdr_weight_j0_threads(int n, const double xi[], double nu, double out[], int threads);
-int mdr_weight_j1_threads(int n, const double xi[], double nu, double out[], int threads);
-
-int mdr_contact_from_depth_on_threads(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[],
-                                      double F[], double k[], int threads);
-int mdr_contact_from_force_on_threads(const mdr_contact *c, int branch, int n, const double in[], double d[], double a[],
-                                      double F[], double k[], int threads);
-int mdr_contact_from_radius_threads(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[],
-                                    double k[], int threads);
-
-int mdr_contact_pressure_threads(const mdr_contact *c, double a, int n, const double r[], double out[], int threads);
-int mdr_contact_displacement_threads(const mdr_contact *c, double a, int n, const double r[], double out[], int threads);
-int mdr_contact_line_load_threads(const mdr_contact *c, double a, int n, const double x[], double out[], int threads);
-int mdr_contact_pressure_at_depth_threads(const mdr_contact *c, double d, int n, const double r[], double out[], int threads);
-int mdr_contact_displacement_at_depth_threads(const mdr_contact *c, double d, int n, const double r[], double out[], int threads);
-int mdr_contact_line_load_at_depth_threads(const mdr_contact *c, double d, int n, const double x[], double out[], int threads);
-
-int mdr_coated_paraboloid_force_threads(int n, const double a[], double radius, double coating_shear, double substrate_shear,
-                                        double thickness, double out[], int threads);
-int mdr_coated_cone_force_threads(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
-                                  double thickness, double out[], int threads);
-int mdr_coated_paraboloid_adhesive_depth_threads(int n, const double a[], double radius, double coating_shear,
-                                                 double substrate_shear, double thickness, double work_of_adhesion,
-                                                 double out[], int threads);
-int mdr_reduced_adhesive_depth_threads(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness,
-                                       double out[], int threads);
-
-/** A structure made by mdr_structure_callback() stays on the calling thread. */
-int mdr_structure_modulus_threads(const mdr_structure *s, int n, const double x[], const double y[], const double a[],
-                                  double out[], int threads);
-int mdr_lateral_density_threads(int n, const double rho[], const double z[], double nu, double shear[], double poisson[],
-                                int threads);
-/** @} */
-
 /* ---- compiled laws: F(d), a(d), k(d) and their inverses for the price of a short polynomial; docs/laws.md ------------ */
 
 /** The law of one contact over a range of depths, made once, verified against the contact, then evaluated in nanoseconds.
@@ -816,6 +809,7 @@ typedef struct mdr_law mdr_law;
 
 /** What a law can be asked for. Set by mdr_law_options_init(), then changed. */
 typedef struct mdr_law_options {
+    size_t size;             /**< Of this structure; set by mdr_law_options_init(). */
     double smallest_depth;   /**< Without adhesion: depth > 0 from which on the tolerance holds, at most half the largest; nearer
                                   to first touch the law follows a power of d. Default 0: 1e-4 of the largest [length]. */
     double tolerance;        /**< Of F, a and k, relative, 1e-12 to 1e-2; with adhesion relative to |F| + |d dF/dd|;
@@ -864,10 +858,9 @@ int mdr_law_follow(const mdr_law *law, double d, int *stretch, double *F, double
  *  @param slope    [n] or NULL: dF/dd along the branch [modulus length]
  *  @param a        [n] or NULL: contact radii [length]
  *  @param k        [n] or NULL: stiffnesses dF/dd at constant a [modulus length]
- *  @param threads  as in "Arrays on several threads"
  *  @return also MDR_EDOMAIN beyond the largest depth */
-int mdr_law_from_depth(const mdr_law *law, int branch, int n, const double d[], double F[], double slope[], double a[], double k[],
-                       int threads);
+int mdr_law_from_depth(const mdr_law *law, int branch, int n, const double d[], double F[], double slope[], double a[],
+                       double k[]);
 
 /** States from normal forces. Outputs that are NULL are skipped.
  *  @param law         law
@@ -878,10 +871,9 @@ int mdr_law_from_depth(const mdr_law *law, int branch, int n, const double d[], 
  *  @param compliance  [n] or NULL: dd/dF along the branch [1/(modulus length)]
  *  @param a           [n] or NULL: contact radii [length]
  *  @param k           [n] or NULL: stiffnesses dF/dd at constant a [modulus length]
- *  @param threads     as in "Arrays on several threads"
  *  @return also MDR_EUNREACHABLE below the lowest force, MDR_EDOMAIN beyond the largest */
 int mdr_law_from_force(const mdr_law *law, int branch, int n, const double F[], double d[], double compliance[], double a[],
-                       double k[], int threads);
+                       double k[]);
 
 /** What a law is. */
 typedef struct mdr_law_facts {
@@ -1006,6 +998,7 @@ typedef struct mdr_fit_parameter {
 
 /** The question of a fit. Set by mdr_fit_problem_init(), then changed. Handles and parameters are only read, during the call. */
 typedef struct mdr_fit_problem {
+    size_t size;                         /**< Of this structure; set by mdr_fit_problem_init(). */
     int data_kind;                       /**< One of enum mdr_fit_data_kind; default MDR_FIT_FORCE_DEPTH. */
     int indenter;                        /**< One of enum mdr_fit_indenter; default MDR_FIT_INDENTER_GIVEN. */
     const mdr_profile *profile;          /**< For MDR_FIT_INDENTER_GIVEN. */
@@ -1013,8 +1006,8 @@ typedef struct mdr_fit_problem {
     const mdr_medium *medium_object;     /**< For MDR_FIT_MEDIUM_GIVEN. */
     int model;                           /**< One of enum mdr_model, for stacks and graded media; default MDR_MODEL_GAO. */
     int layers;                          /**< Layers of a stack, or depths of a graded medium, 1 to 100000; default 1. */
-    mdr_medium_options options;          /**< weight_nu_choice, weight_nu and tolerance; alpha and wave_factor are not looked at:
-                                              they are among the numbers. */
+    const mdr_medium_options *options;   /**< Or NULL (default): weight_nu_choice, weight_nu and tolerance; alpha and wave_factor
+                                              are not looked at: they are among the parameters. */
     int adhesion_rule;                   /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
     int loss;                            /**< One of enum mdr_fit_loss; default MDR_FIT_LINEAR. */
     double loss_scale;                   /**< Standard deviations > 0 beyond which a residual counts less; default 1.345. */
@@ -1060,7 +1053,7 @@ int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
  *  @param values             [m] or NULL: all numbers, each in its unit
  *  @param covariance         [m m] or NULL: their covariance, 0 for fixed ones; symmetric
  *  @param at_bound           [m] or NULL: -1 or 1 for a number at its lower or upper bound, else 0
- *  @param weakest_direction  [m] or NULL: the relative change of the free numbers that the data notice least
+ *  @param weakest_direction  [m] or NULL: the relative change of the free parameters that the data determine least
  *  @param fitted             [n] or NULL: the model at the data, in the unit of y
  *  @param residuals          [n] or NULL: (y - model)/standard deviation [1]
  *  @param summary            or NULL: what speaks for or against the fit
@@ -1073,14 +1066,16 @@ int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const
  *  @param problem  problem
  *  @param n        number of points
  *  @param x        [n] see enum mdr_fit_data_kind
- *  @param y        [n] readings; they enter where the frame gives way or contact depths follow from them
+ *  @param y        [n] readings; they enter where the frame compliance is not 0, and for MDR_FIT_STIFFNESS_DEPTH
  *  @param force    [n] forces, for MDR_FIT_STIFFNESS_DEPTH; otherwise may be NULL [modulus length^2]
  *  @param fitted   [n] the model, in the unit of y
  *  @return also what the model answers: MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
                     double fitted[]);
 
-/** Profile-likelihood interval of one free number: how far it can be moved, all others following, before the data protest. An end
+/** Profile-likelihood interval of one free number: the values at which the
+ * weighted sum of squares, minimal over all other free ones, exceeds its minimum by the quantile of that level (chi-square with one
+ * degree of freedom, or F where the noise is estimated). An end
  *  beyond a bound is the bound; one that does not exist is infinite. Data as for mdr_fit_solve().
  *  @param problem   problem
  *  @param n         number of points

@@ -43,17 +43,19 @@ int main(void)
     const int models[3] = {MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES, MDR_MODEL_PERRIOT_BARTHEL};
     const char *names[3] = {"Gao, parallel", "Gao, series", "Perriot-Barthel"};
     const double force[COUNT] = {1e3, 1e4, 1e5, 1e6, 2e6, 5e6};
-    double depth[COUNT], radius[COUNT], stiffness[COUNT], pressure[1];
+    mdr_state state[COUNT];
+    double pressure[1];
     const double middle[1] = {0.0};
 
     for (int i = 0; i < 3; i++) {
         mdr_contact *contact = sphere_on_oxide(models[i]);
-        check(mdr_contact_from_force(contact, COUNT, force, depth, radius, NULL, stiffness));
+        check(mdr_contact_states(contact, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, COUNT, force, state));
         printf("%s\n%12s %12s %12s %16s %20s\n", names[i], "force, mN", "depth, nm", "radius, nm", "stiffness, N/m",
                "pressure at 0, GPa");
         for (int j = 0; j < COUNT; j++) {
-            check(mdr_contact_pressure(contact, radius[j], 1, middle, pressure));
-            printf("%12.4f %12.3f %12.2f %16.1f %20.4f\n", force[j] * 1e-6, depth[j], radius[j], stiffness[j], pressure[0]);
+            check(mdr_contact_field(contact, MDR_FIELD_PRESSURE, &state[j], 1, middle, pressure));
+            printf("%12.4f %12.3f %12.2f %16.1f %20.4f\n", state[j].force * 1e-6, state[j].depth, state[j].radius,
+                   state[j].stiffness, pressure[0]);
         }
         check(mdr_contact_free(&contact));
     }

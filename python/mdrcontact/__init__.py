@@ -7,7 +7,7 @@
     silicon = mdr.Elastic(165e9, 0.22)
     medium = mdr.Coated(oxide, 500e-9, silicon)         # h [m]
     contact = mdr.Contact(mdr.Sphere(10e-6), medium)
-    state = contact.at_depth([20e-9, 50e-9, 100e-9])    # State(depth, radius, force, stiffness)
+    state = contact.at_depth([20e-9, 50e-9, 100e-9])    # State(depth, radius, force, stiffness, excess)
 
 Any consistent units: in the descriptions the unit of each number stands in brackets, [length], [modulus] (that of pressure), and
 forces are in [modulus length^2]; [1] has none. Equation numbers are those of the source; "theory 5" is section 5 of
@@ -15,7 +15,7 @@ docs/theory.md, which states the equations. Numbers give floats, arrays give arr
 compare and pickle by their constructor arguments, and may be shared between threads. Errors are `MDRError` and its subclasses.
 """
 
-from . import accuracy, adhesion, closed_forms, contact, errors, fitting, law, material, medium, profile, weights
+from . import accuracy, adhesion, closed_forms, contact, errors, fitting, law, material, medium, profile, threads, weights
 from ._native import version as _version
 from .accuracy import *  # noqa: F403
 from .adhesion import *  # noqa: F403
@@ -27,6 +27,7 @@ from .law import *  # noqa: F403
 from .material import *  # noqa: F403
 from .medium import *  # noqa: F403
 from .profile import *  # noqa: F403
+from .threads import *  # noqa: F403
 from .weights import *  # noqa: F403
 
 __all__ = [
@@ -40,6 +41,7 @@ __all__ = [
     *material.__all__,
     *medium.__all__,
     *profile.__all__,
+    *threads.__all__,
     *weights.__all__,
 ]
 

@@ -18,6 +18,7 @@ FloatOrArray = float | NDArray[np.float64]
 """What an evaluation returns: a float for a number, an array of the same shape for an array."""
 
 _ONE_POINT = np.ones(1)
+_LONGEST_TEXT = 1024
 _FIRST_ENTRY = re.compile(r"^entry 1(?: of |: )")
 
 
@@ -27,7 +28,9 @@ def check(status: int, *, single: bool = False) -> None:
     single : whether the array in question is one number of the user's, which has no entry 1
     """
     if status:
-        words = _native.last_error().decode("utf-8", "replace").rstrip("\0 ")
+        buffer = np.zeros(_LONGEST_TEXT, np.uint8)
+        length = _native.last_error(address(buffer), _LONGEST_TEXT)
+        words = bytes(buffer[:length]).decode("utf-8", "replace")
         raise error_class(status)(_FIRST_ENTRY.sub("", words) if single else words)
 
 
@@ -70,21 +73,46 @@ def row(name: str, values: ArrayLike) -> tuple[float, ...]:
     return tuple(array.tolist())
 
 
-def evaluate(function: Callable[..., Any], *leading: Any, name: str, values: ArrayLike) -> FloatOrArray:
+def call(function: Callable[..., Any], *arguments: Any) -> Any:
+    """What a compiled function gives beside its status: nothing, its one output, or a list of them."""
+    answer = function(*arguments)
+    status, *results = answer if isinstance(answer, tuple) else (answer,)
+    check(status)
+    return results[0] if len(results) == 1 else results
+
+
+def evaluate(name: str, values: ArrayLike, function: Callable[[NDArray[np.float64]], Any]) -> FloatOrArray:
     """Calls a compiled function that maps n numbers to n numbers, for input of any shape."""
-    (result,) = evaluate_all(function, *leading, name=name, values=values)
+    (result,) = evaluate_all(name, values, function)
     return result
 
 
-def evaluate_all(function: Callable[..., Any], *leading: Any, name: str, values: ArrayLike) -> list[FloatOrArray]:
-    """The same for a function that gives several results."""
+def evaluate_all(name: str, values: ArrayLike, function: Callable[[NDArray[np.float64]], Any]) -> list[FloatOrArray]:
+    """The same for a function that gives several results, as arrays or as the columns of one."""
     points = numbers(name, values)
     # f2py takes no empty arrays: for them one harmless point tells how many results there are
-    *results, status = function(*leading, points.ravel() if points.size else _ONE_POINT)
+    status, *results = function(points.ravel() if points.size else _ONE_POINT)
+    if results[0].ndim > 1:
+        results = list(results[0].T)
     if not points.size:
         return [np.empty(points.shape) for _ in results]
     check(status, single=not points.shape)
     return [result.reshape(points.shape) if points.shape else float(result[0]) for result in results]
+
+
+def record(layout: np.dtype[Any], init: Callable[[int], None] | None = None, **members: Any) -> NDArray[Any]:
+    """A structure of the header: its defaults, and members that are not; an array of one, whose address is `address(...)`."""
+    made = np.zeros(1, layout)
+    if init is not None:
+        init(made.ctypes.data)
+    for name, value in members.items():
+        made[name] = value
+    return made
+
+
+def address(array: NDArray[Any] | None) -> int:
+    """Where an array lies, which must be contiguous and live as long as the address is used; 0 for None, a NULL pointer."""
+    return 0 if array is None else int(array.ctypes.data)
 
 
 class Handle:
@@ -93,8 +121,8 @@ class Handle:
     __slots__ = ("address", "__weakref__")
 
     def __init__(self, created: tuple[int, int], free: Callable[[int], Any]) -> None:
-        """`created` is what a compiled constructor returns: address and status."""
-        address, status = created
+        """`created` is what a compiled constructor returns: status and address."""
+        status, handle = created
         check(status)
-        self.address = int(address)
+        self.address = int(handle)
         weakref.finalize(self, free, self.address)

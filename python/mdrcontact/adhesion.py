@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from ._boundary import Handle, check, number
+from ._boundary import Handle, call, number
 from ._choices import nearest
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -98,8 +98,7 @@ def pull_offs(contact: Any, control: str) -> PullOff:
     """The pull-off of a contact and its other ends of stability."""
     chosen, room = code("control", control, CONTROLS, "force", "displacement"), _FIRST_ROOM
     while True:
-        d, a, F, count, status = _native.contact_pull_offs(room, contact._handle.address, chosen)
-        check(status)
+        d, a, F, count = call(_native.contact_pull_offs, contact._handle.address, chosen, room)
         if count <= room:
             break
         room = count
@@ -118,16 +117,12 @@ def loop(contact: Any, control: str, largest: Any, points: Any, spring_stiffness
     stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
     if isinstance(points, bool) or not isinstance(points, (int, np.integer)) or not 2 <= points <= 1_000_000:
         raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number from 2 to 1000000")
-    created = _native.loop_new(contact._handle.address, chosen, number("largest", largest), points, stiffness)
+    created = _native.loop_new(contact._handle.address, chosen, number("largest", largest), int(points), stiffness)
     handle = Handle(created, _native.loop_free)
-    count, turning_point, jumps, status = _native.loop_size(handle.address)
-    check(status)
-    position, d, a, F, status = _native.loop_path(count, handle.address)
-    check(status)
-    # f2py takes no empty arrays
-    indices, status = _native.loop_jumps(max(jumps, 1), handle.address)
-    check(status)
-    energy, status = _native.loop_dissipated_energy(handle.address)
-    check(status)
+    count, turning_point, jumps = call(_native.loop_size, handle.address)
+    position, d, a, F = call(_native.loop_path, handle.address, count)
+    # f2py makes no empty arrays
+    indices = call(_native.loop_jumps, handle.address, max(jumps, 1))
+    energy = call(_native.loop_dissipated_energy, handle.address)
     where = np.asarray(indices[:jumps], dtype=np.int64)
     return Loop(position, d, a, F, int(turning_point), where, float(energy), control)

@@ -2,8 +2,6 @@
 """Closed forms for a paraboloid or cone on an incompressible coating (nu = 1/2), equations (24), (27), (29), (31), (32).
 
 They are what a `Contact` on `Coated(..., model="gao")` gives for incompressible bodies, whose E is 3 G.
-
-threads : for arrays, see `Contact`
 """
 
 from __future__ import annotations
@@ -13,7 +11,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._boundary import FloatOrArray, check, evaluate, number, thread_count
+from ._boundary import FloatOrArray, call, evaluate, number
 
 __all__ = [
     "coated_paraboloid_force",
@@ -26,7 +24,7 @@ __all__ = [
 
 
 def coated_paraboloid_force(
-    a: ArrayLike, radius: float, coating_shear: float, substrate_shear: float, thickness: float, *, threads: int = 1
+    a: ArrayLike, radius: float, coating_shear: float, substrate_shear: float, thickness: float
 ) -> FloatOrArray:
     """F(a) [modulus length^2] of a paraboloid without adhesion, equation (24).
 
@@ -36,18 +34,18 @@ def coated_paraboloid_force(
     thickness : h > 0 [length]
     """
     given = _numbers(radius=radius, coating_shear=coating_shear, substrate_shear=substrate_shear, thickness=thickness)
-    return evaluate(_native.coated_paraboloid_force, thread_count(threads), *given, name="a", values=a)
+    return evaluate("a", a, lambda points: _native.coated_paraboloid_force(points, *given))
 
 
 def coated_cone_force(
-    a: ArrayLike, inclination: float, coating_shear: float, substrate_shear: float, thickness: float, *, threads: int = 1
+    a: ArrayLike, inclination: float, coating_shear: float, substrate_shear: float, thickness: float
 ) -> FloatOrArray:
     """F(a) [modulus length^2] of a cone without adhesion, equation (27): 2 pi a^2 tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
 
     inclination : phi, 0 < phi < pi/2 [radian]; the others as in `coated_paraboloid_force`
     """
     given = _numbers(inclination=inclination, coating_shear=coating_shear, substrate_shear=substrate_shear, thickness=thickness)
-    return evaluate(_native.coated_cone_force, thread_count(threads), *given, name="a", values=a)
+    return evaluate("a", a, lambda points: _native.coated_cone_force(points, *given))
 
 
 def coated_paraboloid_adhesive_depth(
@@ -57,8 +55,6 @@ def coated_paraboloid_adhesive_depth(
     substrate_shear: float,
     thickness: float,
     work_of_adhesion: float,
-    *,
-    threads: int = 1,
 ) -> FloatOrArray:
     """d(a) [length] of an adhesive paraboloid by the source's rule, equation (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)).
 
@@ -71,7 +67,7 @@ def coated_paraboloid_adhesive_depth(
         thickness=thickness,
         work_of_adhesion=work_of_adhesion,
     )
-    return evaluate(_native.coated_paraboloid_adhesive_depth, thread_count(threads), *given, name="a", values=a)
+    return evaluate("a", a, lambda points: _native.coated_paraboloid_adhesive_depth(points, *given))
 
 
 def adhesive_radius_scale(radius: float, substrate_shear: float, work_of_adhesion: float) -> float:
@@ -91,9 +87,7 @@ def adhesive_depth_scale(radius: float, substrate_shear: float, work_of_adhesion
     return _scale(_native.adhesive_depth_scale, radius, substrate_shear, work_of_adhesion)
 
 
-def reduced_adhesive_depth(
-    reduced_radius: ArrayLike, shear_ratio: float, reduced_thickness: float, *, threads: int = 1
-) -> FloatOrArray:
+def reduced_adhesive_depth(reduced_radius: ArrayLike, shear_ratio: float, reduced_thickness: float) -> FloatOrArray:
     """d/d_c, equation (32): at^2/3 - (4/3) sqrt(at) [1 + (tau - 1) I0(ht/at; nu = 1/2)]^(-1/2).
 
     reduced_radius : at = a/a_c > 0, any shape
@@ -101,7 +95,7 @@ def reduced_adhesive_depth(
     reduced_thickness : ht = h/a_c > 0
     """
     given = _numbers(shear_ratio=shear_ratio, reduced_thickness=reduced_thickness)
-    return evaluate(_native.reduced_adhesive_depth, thread_count(threads), *given, name="reduced_radius", values=reduced_radius)
+    return evaluate("reduced_radius", reduced_radius, lambda points: _native.reduced_adhesive_depth(points, *given))
 
 
 def _numbers(**values: Any) -> list[float]:
@@ -109,6 +103,5 @@ def _numbers(**values: Any) -> list[float]:
 
 
 def _scale(function: Any, radius: float, substrate_shear: float, work_of_adhesion: float) -> float:
-    scale, status = function(*_numbers(radius=radius, substrate_shear=substrate_shear, work_of_adhesion=work_of_adhesion))
-    check(status)
-    return float(scale)
+    numbers = _numbers(radius=radius, substrate_shear=substrate_shear, work_of_adhesion=work_of_adhesion)
+    return float(call(function, *numbers))

@@ -3,17 +3,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native, _zeta, adhesion
-from ._boundary import FloatOrArray, Handle, evaluate, evaluate_all, number, thread_count
+from . import _layout, _native, _zeta, adhesion
+from ._boundary import FloatOrArray, Handle, address, evaluate, evaluate_all, number, record
 from ._value import Value
 from .adhesion import BRANCHES, RULES, Loop, PullOff
-from .errors import ArgumentTypeError, UnreachableError
+from .errors import ArgumentTypeError
 from .medium import Medium
 from .profile import Profile
 
@@ -31,6 +31,13 @@ class State(NamedTuple):
     """F, normal force, positive in compression [modulus length^2]"""
     stiffness: FloatOrArray
     """k = dF/dd = 2 a E_eff(a), contact stiffness [modulus length]"""
+    excess: FloatOrArray = 0.0
+    """depth beyond that of the non-adhesive state of this radius [length]: 0 without adhesion, less than 0 with it, the whole depth
+    under a flat punch"""
+
+    def one(self, index: Any) -> State:
+        """One of several states, as the fields of a contact take it: `states.one(3)`, `states.one((0, 2))`."""
+        return State(*(float(np.asarray(value)[index]) for value in self))
 
 
 @dataclass(frozen=True)
@@ -40,15 +47,14 @@ class Contact(Value):
     indenter : a profile: Sphere(...), Cone(...), ...
     medium : Coated(...), Homogeneous(...), ...
     work_of_adhesion : gamma >= 0 [modulus length], J/m^2 in SI units; 0 is the contact without adhesion
-    adhesion_rule : how far the springs at the edge hang
+    adhesion_rule : the edge opening, by which the springs at the edge are stretched when they let go
         "paper": sqrt(2 pi a gamma/E_eff), equation (28); "energy": sqrt(4 pi a gamma/k'(a)), the balance of energy;
         "automatic": energy for exact media, where it is exact, and the paper's rule for all others
     zeta : ratio d/g(a) of equation (9), the correction of the contact radius; None: 1, the source's approximation.
         Else a table (radii, values): at least 3 radii > 0 ascending [length], values > 0; or "exact": that of the same coated or
         layered body solved exactly, for radii up to 1000 thicknesses, so that E_eff is the only approximation left
 
-    Whatever takes arrays takes `threads`, here and everywhere in the package: how many threads share the work, 0 for as
-    many as OpenMP offers. Arrays too small to gain stay on one; the numbers are the same to the last bit for any of them.
+    Arrays may be shared out among several threads, see `set_threads`.
     """
 
     indenter: Profile
@@ -72,33 +78,34 @@ class Contact(Value):
         gamma, rule = number("work_of_adhesion", work_of_adhesion), adhesion.code("adhesion_rule", adhesion_rule, RULES)
         given: Any = zeta if zeta is None or isinstance(zeta, str) and zeta == "exact" else _zeta.table(zeta)
         table = _zeta.exact(indenter, medium, Contact) if isinstance(given, str) else given
-        # without zeta the table is one unused entry
-        native_table = (0, [1.0], [1.0]) if table is None else (len(table[0]), *table)
-        created = _native.contact_new(indenter._handle.address, medium._handle.address, *native_table, gamma, rule)
+        columns = [np.array(column) for column in table or ((), ())]
+        options = record(_layout.contact_options, _native.contact_options_init, work_of_adhesion=gamma, adhesion_rule=rule,
+                         zeta_count=len(columns[0]), zeta_radius=address(columns[0]), zeta=address(columns[1]))  # fmt: skip
+        created = _native.contact_new(indenter._handle.address, medium._handle.address, address(options))
         self._set(_handle=Handle(created, _native.contact_free), indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given)
 
-    def at_depth(self, depth: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> State:
+    def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
         """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.
 
         branch : where an adhesive contact has several stable states, the one met on "loading" (the smallest contact, d >= 0) or
             kept on "unloading" (the largest)
         """
-        return self._states(_native.contact_from_depth, threads, "depth", depth, adhesion.code("branch", branch, BRANCHES))
+        return self._states("depth", _layout.GIVEN_DEPTH, depth, branch)
 
-    def at_force(self, force: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> State:
+    def at_force(self, force: ArrayLike, branch: str = "unloading") -> State:
         """The stable states under normal forces F >= 0 [modulus length^2], any shape; with adhesion down to the pull-off force.
 
         branch : as in `at_depth`
         """
-        return self._states(_native.contact_from_force, threads, "force", force, adhesion.code("branch", branch, BRANCHES))
+        return self._states("force", _layout.GIVEN_FORCE, force, branch)
 
-    def at_radius(self, radius: ArrayLike, *, threads: int = 1) -> State:
+    def at_radius(self, radius: ArrayLike) -> State:
         """The states of equilibrium at contact radii a >= 0 [length], any shape; with adhesion they may be unstable.
 
         A radius at a vertical wall (flat punch) determines no state.
         """
-        return self._states(_native.contact_from_radius, threads, "radius", radius)
+        return self._states("radius", _layout.GIVEN_RADIUS, radius, "unloading")
 
     def pull_off(self, control: str = "force") -> PullOff:
         """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "displacement" (the depth d).
@@ -122,89 +129,73 @@ class Contact(Value):
     def pressure(
         self,
         r: ArrayLike,
-        radius: float | None = None,
+        state: State | None = None,
         *,
         depth: float | None = None,
         force: float | None = None,
+        radius: float | None = None,
         branch: str = "unloading",
-        threads: int = 1,
     ) -> FloatOrArray:
-        """Contact pressure p(r) [modulus], equation (6), at 0 <= r <= a, any shape; of the state given by radius, depth or force.
+        """Contact pressure p(r) [modulus], equation (6), at 0 <= r <= a, any shape, of one state: one that `at_depth` and the like
+        gave, or the one with this depth, force or radius.
 
         Infinite where theory says so: at the edge of a flat punch, at the apex of a cone; minus infinity at an adhesive edge.
         branch : which state of that depth or force, as in `at_depth`
         """
-        return self._field("pressure", "r", r, radius, depth, force, branch, threads)
+        return self._field(_layout.FIELD_PRESSURE, "r", r, state, depth, force, radius, branch)
 
     def displacement(
         self,
         r: ArrayLike,
-        radius: float | None = None,
+        state: State | None = None,
         *,
         depth: float | None = None,
         force: float | None = None,
+        radius: float | None = None,
         branch: str = "unloading",
-        threads: int = 1,
     ) -> FloatOrArray:
-        """Surface displacement u(r) [length], positive into the medium, at r >= 0, any shape; of the state given by radius,
-        depth or force. Inside the contact it is d - f(r), outside it is the free surface, with the neck of an adhesive contact.
-
-        branch : as in `pressure`
-        """
-        return self._field("displacement", "r", r, radius, depth, force, branch, threads)
+        """Surface displacement u(r) [length], positive into the medium, at r >= 0, any shape, of one state. Inside the contact it
+        is d - f(r), outside it is the free surface, with the neck of an adhesive contact. Arguments as of `pressure`."""
+        return self._field(_layout.FIELD_DISPLACEMENT, "r", r, state, depth, force, radius, branch)
 
     def line_load(
         self,
         x: ArrayLike,
-        radius: float | None = None,
+        state: State | None = None,
         *,
         depth: float | None = None,
         force: float | None = None,
+        radius: float | None = None,
         branch: str = "unloading",
-        threads: int = 1,
     ) -> FloatOrArray:
-        """Line load q(x) [modulus length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, any shape; of the
-        state given by radius, depth or force.
+        """Line load q(x) [modulus length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, any shape, of one
+        state. Arguments as of `pressure`."""
+        return self._field(_layout.FIELD_LINE_LOAD, "x", x, state, depth, force, radius, branch)
 
-        branch : as in `pressure`
-        """
-        return self._field("line_load", "x", x, radius, depth, force, branch, threads)
-
-    def _states(self, function: Callable[..., Any], threads: int, name: str, values: ArrayLike, *branch: int) -> State:
-        return State(*evaluate_all(function, thread_count(threads), self._handle.address, *branch, name=name, values=values))
+    def _states(self, name: str, given: int, values: ArrayLike, branch: str) -> State:
+        chosen = adhesion.code("branch", branch, BRANCHES)
+        return State(*evaluate_all(name, values, lambda v: _native.contact_states(self._handle.address, given, chosen, v)))
 
     def _field(
         self,
-        field: str,
+        field: int,
         name: str,
         points: ArrayLike,
-        radius: float | None,
+        state: State | None,
         depth: float | None,
         force: float | None,
+        radius: float | None,
         branch: str,
-        threads: int,
     ) -> FloatOrArray:
-        if sum(value is not None for value in (radius, depth, force)) != 1:
-            raise ArgumentTypeError(f"{field} needs one of radius, depth and force, and not more")
-        if force is not None:
-            state = self.at_force(number("force", force), branch)
-            radius, depth = self._by_radius_or_depth(state)
-        elif depth is not None and (self.work_of_adhesion > 0.0 or branch != "unloading"):
-            radius, depth = self._by_radius_or_depth(self.at_depth(number("depth", depth), branch))
+        if sum(value is not None for value in (state, depth, force, radius)) != 1:
+            raise ArgumentTypeError("a field needs one of state, depth, force and radius, and not more")
         if depth is not None:
-            function, at = getattr(_native, f"contact_{field}_at_depth"), number("depth", depth)
-        else:
-            function, at = getattr(_native, f"contact_{field}"), number("radius", radius)
-        return evaluate(function, thread_count(threads), self._handle.address, at, name=name, values=points)
-
-    def _by_radius_or_depth(self, state: State) -> tuple[float | None, float | None]:
-        """What determines a state: its depth where the largest contact of this depth is meant, else its radius."""
-        depth, radius = float(state.depth), float(state.radius)
-        if self.work_of_adhesion > 0.0:
-            try:
-                kept = float(self.at_depth(depth).radius)
-            except UnreachableError:
-                return radius, None
-            if abs(kept - radius) > 1e-6 * radius:
-                return radius, None
-        return None, depth
+            state = self.at_depth(number("depth", depth), branch)
+        elif force is not None:
+            state = self.at_force(number("force", force), branch)
+        elif radius is not None:
+            state = self.at_radius(number("radius", radius))
+        if not isinstance(state, State):
+            raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State; a radius is given as radius=...")
+        row = [number(f"{member} of the state", value) for member, value in zip(state._fields, state, strict=True)]
+        return evaluate(name, points, lambda r: _native.contact_field(self._handle.address, field, row, r))

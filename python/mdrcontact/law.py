@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native, adhesion
-from ._boundary import FloatOrArray, Handle, check, evaluate, evaluate_all, number, thread_count
+from . import _layout, _native, adhesion
+from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record
 from ._files import replace
 from .adhesion import BRANCHES
 from .contact import Contact
@@ -51,7 +51,7 @@ class ContactLaw:
     Unlike the contact, the law has an answer for bodies that are apart: zero.
     """
 
-    __slots__ = ("_handle", "_numbers", "_counts")
+    __slots__ = ("_handle", "_facts")
 
     def __init__(
         self,
@@ -70,88 +70,89 @@ class ContactLaw:
         smallest = 0.0 if smallest_depth is None else number("smallest_depth", smallest_depth)
         if smallest_depth is not None and smallest == 0.0:
             raise InvalidArgumentError("smallest_depth = 0.0 is not allowed: it must be greater than 0")
-        created = _native.law_new(
-            contact._handle.address,
-            number("largest_depth", largest_depth),
-            smallest,
-            number("tolerance", tolerance),
-            _bytes_row(words.encode() + b"\0"),
-        )
-        self._own(created)
+        text = np.frombuffer(words.encode() + b"\0", np.uint8)
+        options = record(_layout.law_options, _native.law_options_init, smallest_depth=smallest,
+                         tolerance=number("tolerance", tolerance), description=address(text))  # fmt: skip
+        self._own(_native.law_new(contact._handle.address, number("largest_depth", largest_depth), address(options)))
 
     def _own(self, created: tuple[int, int]) -> None:
         self._handle = Handle(created, _native.law_free)
-        self._numbers, self._counts, status = _native.law_info(self._handle.address)
-        check(status)
+        facts = record(_layout.law_facts)
+        call(_native.law_info, self._handle.address, address(facts))
+        self._facts = facts[0]
 
-    def force(self, depth: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> FloatOrArray:
+    def force(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
         """F [modulus length^2] at depths d up to the largest one [length], any shape.
 
         branch : "loading" or "unloading", as in `Contact.at_depth`
-        threads : for arrays, see `Contact`
         """
-        return evaluate(_native.law_force, *self._how(branch, threads), name="depth", values=depth)
+        chosen = adhesion.code("branch", branch, BRANCHES)
+        return evaluate("depth", depth, lambda d: self._from_depth(chosen, d, 1))
 
-    def at_depth(self, depth: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> LawState:
+    def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> LawState:
         """The states at depths d up to the largest one [length], any shape. Further arguments as in `force`."""
-        F, slope, a, k = evaluate_all(_native.law_from_depth, *self._how(branch, threads), name="depth", values=depth)
+        chosen = adhesion.code("branch", branch, BRANCHES)
+        F, slope, a, k = evaluate_all("depth", depth, lambda d: self._from_depth(chosen, d, 4))
         return LawState(_as_given(depth), a, F, k, slope)
 
-    def at_force(self, force: ArrayLike, branch: str = "unloading", *, threads: int = 1) -> LawState:
+    def _from_depth(self, branch: int, depth: NDArray[np.float64], wanted: int) -> tuple[Any, ...]:
+        """Status, and the first of F, slope, a and k: F alone is cheapest."""
+        columns = [np.empty(depth.shape) for _ in range(wanted)]
+        places = [address(column) for column in columns] + [0] * (4 - wanted)
+        return _native.law_from_depth(self._handle.address, branch, depth, *places), *columns
+
+    def at_force(self, force: ArrayLike, branch: str = "unloading") -> LawState:
         """The states under forces F of the compiled range [modulus length^2], any shape. Further arguments as in `force`."""
-        d, compliance, a, k = evaluate_all(_native.law_from_force, *self._how(branch, threads), name="force", values=force)
+        chosen = adhesion.code("branch", branch, BRANCHES)
+        d, compliance, a, k = evaluate_all("force", force, lambda F: _native.law_from_force(self._handle.address, chosen, F))
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) > 0.0)
         return LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
-
-    def _how(self, branch: str, threads: int) -> tuple[int, int, int]:
-        return self._handle.address, adhesion.code("branch", branch, BRANCHES), thread_count(threads)
 
     @property
     def depth_range(self) -> tuple[float, float]:
         """The compiled depths [length]: from pull-off on with adhesion."""
-        return float(self._numbers[0]), float(self._numbers[1])
+        return float(self._facts["lowest_depth"]), float(self._facts["highest_depth"])
 
     @property
     def force_range(self) -> tuple[float, float]:
         """The compiled forces [modulus length^2]."""
-        return float(self._numbers[2]), float(self._numbers[3])
+        return float(self._facts["lowest_force"]), float(self._facts["highest_force"])
 
     @property
     def tolerance(self) -> float:
         """The relative tolerance asked for."""
-        return float(self._numbers[4])
+        return float(self._facts["tolerance"])
 
     @property
     def error(self) -> float:
         """The largest relative error found when the law was verified against the contact."""
-        return float(self._numbers[5])
+        return float(self._facts["error"])
 
     @property
     def solutions(self) -> int:
         """How many contact states were computed to make and verify the law."""
-        return int(self._counts[0])
+        return int(self._facts["solutions"])
 
     @property
     def description(self) -> str:
         """The problem the law was made from."""
-        length = int(self._counts[3])
-        buffer, status = _native.law_description(self._handle.address, length + 1)
-        check(status)
-        return str(bytes(buffer[:length].astype(np.uint8)), "utf-8")
+        length = int(self._facts["description_length"])
+        buffer = np.zeros(length + 1, np.uint8)
+        call(_native.law_description, self._handle.address, address(buffer), length + 1)
+        return str(bytes(buffer[:length]), "utf-8")
 
     def to_bytes(self) -> bytes:
         """The content of a law's file: version, description, numbers, checksum."""
-        length, status = _native.law_length(self._handle.address)
-        check(status)
-        buffer, status = _native.law_write(self._handle.address, length)
-        check(status)
-        return bytes(buffer.astype(np.uint8))
+        length = call(_native.law_write, self._handle.address, 0, 0)
+        buffer = np.zeros(length, np.uint8)
+        call(_native.law_write, self._handle.address, address(buffer), length)
+        return bytes(buffer)
 
     @classmethod
     def from_bytes(cls, content: bytes) -> ContactLaw:
         """The law in a file's content. Damaged or foreign content is refused with its reason (FileError)."""
         law = cls.__new__(cls)
-        law._own(_native.law_read(_bytes_row(content or b"\0")))
+        law._own(_native.law_read(address(np.frombuffer(content or b"\0", np.uint8)), len(content)))
         return law
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -178,10 +179,6 @@ class ContactLaw:
 
     def __hash__(self) -> int:
         return hash(self.to_bytes())
-
-
-def _bytes_row(content: bytes) -> NDArray[np.int32]:
-    return np.frombuffer(content, dtype=np.uint8).astype(np.int32)
 
 
 def _as_given(values: Any) -> FloatOrArray:

@@ -30,7 +30,7 @@ class Elastic(Value):
     @property
     def contact_modulus(self) -> float:
         """E* = E/(1 - nu^2), equation (2) [modulus]."""
-        return float(evaluate(_native.medium_modulus, 1, self._handle.address, name="a", values=1.0))
+        return float(evaluate("a", 1.0, lambda radii: _native.medium_modulus(self._handle.address, radii)))
 
 
 class _Rigid:

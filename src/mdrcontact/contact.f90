@@ -315,7 +315,7 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call check_positions(state, "x", x, state%radius, error)
+        call check_positions(self, state, "x", x, state%radius, error)
         if (allocated(error)) return
         call self%equilibrium%medium%line_load(self%equilibrium%profile, state%radius, state%excess, x, values, error)
     end subroutine line_load
@@ -331,7 +331,7 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call check_positions(state, "r", r, state%radius, error)
+        call check_positions(self, state, "r", r, state%radius, error)
         if (allocated(error)) return
         call self%equilibrium%medium%pressure(self%equilibrium%profile, state%radius, state%excess, r, values, error)
     end subroutine pressure
@@ -348,7 +348,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: outside(:)
 
-        call check_positions(state, "r", r, huge(1.0_wp), error)
+        call check_positions(self, state, "r", r, huge(1.0_wp), error)
         if (allocated(error)) return
         allocate (outside(count(r > state%radius)))
         call self%equilibrium%medium%displacement_outside(self%equilibrium%profile, state%radius, state%excess, &
@@ -430,7 +430,8 @@ contains
         end if
     end subroutine adhesive_state
 
-    pure subroutine check_positions(state, name, positions, largest, error)
+    pure subroutine check_positions(self, state, name, positions, largest, error)
+        type(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
         character(len=*), intent(in) :: name
         real(wp), intent(in) :: positions(:), largest
@@ -439,8 +440,13 @@ contains
 
         if (.not. state%radius > 0.0_wp) then
             call raise(error, error_invalid, "the contact radius of the state must be greater than 0: there is no contact")
-            return
+        else if (state%radius > self%equilibrium%last_radius) then
+            call raise(error, error_invalid, "the contact radius of the state, "//to_text(state%radius)//", is not one of this "// &
+                       "contact: indenter and medium are defined up to "//to_text(self%equilibrium%last_radius))
         end if
+        call check_finite(error, "depth of the state", state%depth)
+        call check_finite(error, "excess of the state", state%excess)
+        if (allocated(error)) return
         do i = 1, size(positions)
             call check_not_negative(error, name, positions(i))
             if (allocated(error)) return

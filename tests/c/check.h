@@ -108,6 +108,14 @@ static inline void check_untouched_at(const char *file, int line, const char *wh
 
 #define CHECK_UNTOUCHED(n, values) check_untouched_at(__FILE__, __LINE__, #values, (n), (values))
 
+/* A field of the state that a radius, depth or force determines, on unloading. */
+static inline int field_at(const mdr_contact *c, int field, int given, double value, int n, const double r[], double out[])
+{
+    mdr_state state = {0.0, 0.0, 0.0, 0.0, 0.0};
+    const int status = mdr_contact_states(c, given, MDR_ON_UNLOADING, 1, &value, &state);
+    return status != MDR_SUCCESS ? status : mdr_contact_field(c, field, &state, n, r, out);
+}
+
 static inline int check_report(const char *name)
 {
     printf("%s: %d checks, %d failed\n", name, check_count, check_failures);

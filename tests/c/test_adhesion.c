@@ -37,23 +37,21 @@ static void options_refuse(void)
     CHECK_TRUE(c == NULL);
 }
 
-typedef int (*branch_call)(const mdr_contact *, int, int, const double[], double[], double[], double[], double[]);
-
-static void branches_refuse(const mdr_contact *c, branch_call states)
+static void branches_refuse(const mdr_contact *c, int given)
 {
     const double good[1] = {0.1}, not_a_number[1] = {NAN}, far[1] = {-100.0};
-    double d[1];
+    mdr_state out = {untouched, untouched, untouched, untouched, untouched};
 
-    fill_untouched(1, d);
-    CHECK_STATUS(states(NULL, MDR_ON_LOADING, 1, good, d, NULL, NULL, NULL), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(states(c, MDR_ON_LOADING, -1, good, d, NULL, NULL, NULL), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(states(c, MDR_ON_LOADING, 1, NULL, d, NULL, NULL, NULL), MDR_ENULL, "in is NULL");
-    CHECK_STATUS(states(c, 0, 1, good, d, NULL, NULL, NULL), MDR_EINVALID, "branch = 0");
-    CHECK_STATUS(states(c, 3, 1, good, d, NULL, NULL, NULL), MDR_EINVALID, "branch = 3");
-    CHECK_STATUS(states(c, MDR_ON_UNLOADING, 1, not_a_number, d, NULL, NULL, NULL), MDR_EINVALID, "NaN");
-    CHECK_STATUS(states(c, MDR_ON_UNLOADING, 1, far, d, NULL, NULL, NULL), MDR_EUNREACHABLE, "-100");
-    CHECK_UNTOUCHED(1, d);
-    CHECK_SUCCESS(states(c, MDR_ON_LOADING, 0, NULL, NULL, NULL, NULL, NULL));
+    CHECK_STATUS(mdr_contact_states(NULL, given, MDR_ON_LOADING, 1, good, &out), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_states(c, given, MDR_ON_LOADING, -1, good, &out), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_contact_states(c, given, MDR_ON_LOADING, 1, NULL, &out), MDR_ENULL, "in is NULL");
+    CHECK_STATUS(mdr_contact_states(c, given, 0, 1, good, &out), MDR_EINVALID, "branch = 0");
+    CHECK_STATUS(mdr_contact_states(c, given, 3, 1, good, &out), MDR_EINVALID, "branch = 3");
+    CHECK_STATUS(mdr_contact_states(c, given, MDR_ON_UNLOADING, 1, not_a_number, &out), MDR_EINVALID, "NaN");
+    CHECK_STATUS(mdr_contact_states(c, given, MDR_ON_UNLOADING, 1, far, &out), MDR_EUNREACHABLE, "-100");
+    CHECK_CLOSE(out.depth, untouched, 0.0);
+    CHECK_CLOSE(out.excess, untouched, 0.0);
+    CHECK_SUCCESS(mdr_contact_states(c, given, MDR_ON_LOADING, 0, NULL, NULL));
 }
 
 static void jkr(const mdr_contact *c)
@@ -61,6 +59,7 @@ static void jkr(const mdr_contact *c)
     /* stable under force control: a above that of pull-off, a^3 = 9 pi gamma R^2/(8 E*) */
     const double a_pull_off = cbrt(9 * pi * work * R * R / (8 * modulus));
     double a[4], d[4], F[4], found[4];
+    mdr_state states[4];
 
     for (int i = 0; i < 4; i++) {
         a[i] = a_pull_off * (1.1 + i);
@@ -75,10 +74,16 @@ static void jkr(const mdr_contact *c)
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
     CHECK_SUCCESS(mdr_contact_from_force(c, 4, F, NULL, found, NULL, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
-    CHECK_SUCCESS(mdr_contact_from_force_on(c, MDR_ON_UNLOADING, 4, F, NULL, found, NULL, NULL));
-    for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
-    CHECK_SUCCESS(mdr_contact_from_depth_on(c, MDR_ON_UNLOADING, 4, d, NULL, found, NULL, NULL));
-    for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, 4, F, states));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(states[i].radius, a[i], 1e-10);
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 4, d, states));
+    for (int i = 0; i < 4; i++) {
+        CHECK_CLOSE(states[i].radius, a[i], 1e-10);
+        CHECK_CLOSE(states[i].depth, d[i], 1e-12);
+        CHECK_CLOSE(states[i].force, F[i], 1e-9);
+        CHECK_CLOSE(states[i].stiffness, 2 * modulus * a[i], 1e-9);
+        CHECK_CLOSE(states[i].excess, d[i] - a[i] * a[i] / R, 1e-9);
+    }
 }
 
 /* Pull-off at (3/2) pi gamma R under force control: a state just before, none just after. On approach none before touching. */
@@ -87,12 +92,13 @@ static void pull_off(const mdr_contact *c)
     const double pull_off_force = -1.5 * pi * work * R;
     const double before[1] = {0.999999 * pull_off_force}, after[1] = {1.000001 * pull_off_force};
     double a[1];
+    mdr_state state;
 
     CHECK_SUCCESS(mdr_contact_from_force(c, 1, before, NULL, a, NULL, NULL));
     CHECK_CLOSE(a[0], cbrt(9 * pi * work * R * R / (8 * modulus)), 3e-3);
     CHECK_STATUS(mdr_contact_from_force(c, 1, after, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
-    CHECK_STATUS(mdr_contact_from_depth_on(c, MDR_ON_LOADING, 1, (const double[]){-0.01}, NULL, a, NULL, NULL),
-                 MDR_EUNREACHABLE, "depth = ");
+    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_LOADING, 1, (const double[]){-0.01}, &state), MDR_EUNREACHABLE,
+                 "depth = ");
 }
 
 int main(void)
@@ -105,8 +111,8 @@ int main(void)
         options.work_of_adhesion = work;
         options.adhesion_rule = rule;
         CHECK_SUCCESS(new_contact(&options, &c));
-        branches_refuse(c, mdr_contact_from_depth_on);
-        branches_refuse(c, mdr_contact_from_force_on);
+        branches_refuse(c, MDR_GIVEN_DEPTH);
+        branches_refuse(c, MDR_GIVEN_FORCE);
         jkr(c);
         pull_off(c);
         CHECK_SUCCESS(mdr_contact_free(&c));

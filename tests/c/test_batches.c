@@ -51,43 +51,54 @@ static void end(objects *o)
     CHECK_SUCCESS(mdr_profile_free(&o->profile));
 }
 
+/* The states of a batch in one column. */
+static int force_on_loading(const mdr_contact *c, double F[])
+{
+    static const mdr_state none;
+    mdr_state states[STATES];
+    const int status = mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_LOADING, STATES, small_place, states);
+
+    for (int i = 0; i < STATES; i++) F[i] = status == MDR_SUCCESS ? states[i].force : none.force;
+    return status;
+}
+
 /* Every function there is; out: OUTPUTS rows of QUICK numbers. Returns how many calls failed. */
 static int evaluate(const objects *o, int threads, double *out)
 {
     double *v = out;
-    int failed = 0;
+    int failed = mdr_set_threads(threads) != MDR_SUCCESS;
 #define NEXT (v += QUICK, v - QUICK)
 #define CALL(call) (failed += (call) != MDR_SUCCESS)
     for (int i = 0; i < OUTPUTS * QUICK; i++) out[i] = 0.0;
-    CALL(mdr_profile_height_threads(o->profile, QUICK, place, NEXT, threads));
-    CALL(mdr_profile_slope_threads(o->profile, QUICK, place, NEXT, threads));
-    CALL(mdr_profile_mdr_threads(o->profile, QUICK, place, NEXT, threads));
-    CALL(mdr_profile_mdr_slope_threads(o->profile, QUICK, place, NEXT, threads));
-    CALL(mdr_medium_modulus_threads(o->medium, QUICK, place, NEXT, threads));
-    CALL(mdr_medium_stiffness_threads(o->exact_medium, EXACT, small_place + 1, NEXT, threads));
-    CALL(mdr_weight_phi_threads(QUICK, place, 0.3, NEXT, threads));
-    CALL(mdr_weight_i0_threads(QUICK, place, 0.3, NEXT, threads));
-    CALL(mdr_weight_i1_threads(QUICK, place, 0.3, NEXT, threads));
-    CALL(mdr_weight_j0_threads(QUICK, place, 0.3, NEXT, threads));
-    CALL(mdr_weight_j1_threads(QUICK, place, 0.3, NEXT, threads));
-    CALL(mdr_contact_from_depth_on_threads(o->contact, MDR_ON_LOADING, STATES, small_place, NULL, NULL, NEXT, NULL, threads));
-    CALL(mdr_contact_from_force_on_threads(o->contact, MDR_ON_UNLOADING, STATES, small_place, NULL, NEXT, NULL, NULL, threads));
-    CALL(mdr_contact_from_depth_on_threads(o->quick, MDR_ON_UNLOADING, QUICK, place, NULL, NULL, NEXT, NULL, threads));
-    CALL(mdr_contact_from_force_on_threads(o->exact, MDR_ON_UNLOADING, EXACT, small_place, NEXT, NULL, NULL, NULL, threads));
-    CALL(mdr_contact_from_radius_threads(o->exact, EXACT, small_place, NULL, NULL, NULL, NEXT, threads));
-    CALL(mdr_contact_pressure_threads(o->contact, 1.0, STATES, small_place, NEXT, threads));
-    CALL(mdr_contact_displacement_threads(o->exact, 0.5, STATES, small_place, NEXT, threads));
-    CALL(mdr_contact_line_load_threads(o->exact, 1.0, STATES, small_place, NEXT, threads));
-    CALL(mdr_contact_pressure_at_depth_threads(o->quick, 0.6, STATES, small_place, NEXT, threads));
-    CALL(mdr_contact_displacement_at_depth_threads(o->contact, 0.1, STATES, small_place, NEXT, threads));
-    CALL(mdr_contact_line_load_at_depth_threads(o->contact, 0.6, STATES, small_place, NEXT, threads));
-    CALL(mdr_coated_paraboloid_force_threads(QUICK, place, 1.0, 3.0, 1.0, 0.5, NEXT, threads));
-    CALL(mdr_coated_cone_force_threads(QUICK, place, 0.3, 3.0, 1.0, 0.5, NEXT, threads));
-    CALL(mdr_coated_paraboloid_adhesive_depth_threads(QUICK, place, 1.0, 3.0, 1.0, 0.5, 0.1, NEXT, threads));
-    CALL(mdr_reduced_adhesive_depth_threads(QUICK, place, 3.0, 0.5, NEXT, threads));
-    CALL(mdr_structure_modulus_threads(o->structure, EXACT, small_place, small_place, place, NEXT, threads));
-    CALL(mdr_lateral_density_threads(QUICK, place, place, 0.3, v, v + QUICK, threads));
-    return failed;
+    CALL(mdr_profile_height(o->profile, QUICK, place, NEXT));
+    CALL(mdr_profile_slope(o->profile, QUICK, place, NEXT));
+    CALL(mdr_profile_mdr(o->profile, QUICK, place, NEXT));
+    CALL(mdr_profile_mdr_slope(o->profile, QUICK, place, NEXT));
+    CALL(mdr_medium_modulus(o->medium, QUICK, place, NEXT));
+    CALL(mdr_medium_stiffness(o->exact_medium, EXACT, small_place + 1, NEXT));
+    CALL(mdr_weight_phi(QUICK, place, 0.3, NEXT));
+    CALL(mdr_weight_i0(QUICK, place, 0.3, NEXT));
+    CALL(mdr_weight_i1(QUICK, place, 0.3, NEXT));
+    CALL(mdr_weight_j0(QUICK, place, 0.3, NEXT));
+    CALL(mdr_weight_j1(QUICK, place, 0.3, NEXT));
+    CALL(force_on_loading(o->contact, NEXT));
+    CALL(mdr_contact_from_force(o->contact, STATES, small_place, NULL, NEXT, NULL, NULL));
+    CALL(mdr_contact_from_depth(o->quick, QUICK, place, NULL, NULL, NEXT, NULL));
+    CALL(mdr_contact_from_force(o->exact, EXACT, small_place, NEXT, NULL, NULL, NULL));
+    CALL(mdr_contact_from_radius(o->exact, EXACT, small_place, NULL, NULL, NULL, NEXT));
+    CALL(field_at(o->contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, STATES, small_place, NEXT));
+    CALL(field_at(o->exact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.5, STATES, small_place, NEXT));
+    CALL(field_at(o->exact, MDR_FIELD_LINE_LOAD, MDR_GIVEN_RADIUS, 1.0, STATES, small_place, NEXT));
+    CALL(field_at(o->quick, MDR_FIELD_PRESSURE, MDR_GIVEN_DEPTH, 0.6, STATES, small_place, NEXT));
+    CALL(field_at(o->contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_DEPTH, 0.1, STATES, small_place, NEXT));
+    CALL(field_at(o->contact, MDR_FIELD_LINE_LOAD, MDR_GIVEN_DEPTH, 0.6, STATES, small_place, NEXT));
+    CALL(mdr_coated_paraboloid_force(QUICK, place, 1.0, 3.0, 1.0, 0.5, NEXT));
+    CALL(mdr_coated_cone_force(QUICK, place, 0.3, 3.0, 1.0, 0.5, NEXT));
+    CALL(mdr_coated_paraboloid_adhesive_depth(QUICK, place, 1.0, 3.0, 1.0, 0.5, 0.1, NEXT));
+    CALL(mdr_reduced_adhesive_depth(QUICK, place, 3.0, 0.5, NEXT));
+    CALL(mdr_structure_modulus(o->structure, EXACT, small_place, small_place, place, NEXT));
+    CALL(mdr_lateral_density(QUICK, place, place, 0.3, v, v + QUICK));
+    return failed + (mdr_set_threads(1) != MDR_SUCCESS);
 }
 
 static double *rows(void)
@@ -109,7 +120,7 @@ static void test_every_number_of_threads(const objects *o, const double *alone)
     free(found);
 }
 
-/* The functions without threads, and single points, give these numbers too. */
+/* Single points give these numbers too. */
 static void test_one_by_one(const objects *o, const double *alone)
 {
     double one, all[STATES];
@@ -124,15 +135,17 @@ static void test_one_by_one(const objects *o, const double *alone)
     }
     /* in place */
     for (int i = 0; i < STATES; i++) all[i] = small_place[i];
-    CHECK_SUCCESS(mdr_weight_i0_threads(STATES, all, 0.3, all, 2));
+    CHECK_SUCCESS(mdr_set_threads(2));
+    CHECK_SUCCESS(mdr_weight_i0(STATES, all, 0.3, all));
+    CHECK_SUCCESS(mdr_set_threads(1));
     for (int i = 0; i < STATES; i++) {
         CHECK_SUCCESS(mdr_weight_i0(1, &small_place[i], 0.3, &one));
         CHECK_CLOSE(all[i], one, 0.0);
     }
     CHECK_CLOSE(all[0], 0.0, 0.0);
-    CHECK_SUCCESS(mdr_contact_from_depth_on(o->contact, MDR_ON_LOADING, STATES, small_place, NULL, NULL, all, NULL));
+    CHECK_SUCCESS(force_on_loading(o->contact, all));
     CHECK_INT(memcmp(all, alone + 11 * QUICK, sizeof all), 0);
-    CHECK_SUCCESS(mdr_contact_pressure(o->contact, 1.0, STATES, small_place, all));
+    CHECK_SUCCESS(field_at(o->contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, STATES, small_place, all));
     CHECK_INT(memcmp(all, alone + 16 * QUICK, sizeof all), 0);
 }
 
@@ -150,23 +163,20 @@ static void test_errors(const objects *o)
     x[41] = 4.0;
     x[200] = -5.0;
     fill_untouched(STATES, out);
-    for (int threads = 0; threads < 6; threads++) {
-        CHECK_STATUS(mdr_contact_from_depth_on_threads(o->exact, MDR_ON_UNLOADING, STATES, bad, out, NULL, NULL, NULL, threads),
-                     MDR_EUNREACHABLE, "entry 4: depth = -4 ");
-        CHECK_STATUS(mdr_contact_from_force_on_threads(o->contact, MDR_ON_LOADING, STATES, bad, NULL, out, NULL, NULL, threads),
-                     MDR_EUNREACHABLE, "entry 4: force = -4 ");
-        CHECK_STATUS(mdr_contact_pressure_threads(o->exact, 1.0, STATES, x, out, threads), MDR_EDOMAIN, "r = 3 ");
-        CHECK_STATUS(mdr_weight_i0_threads(STATES, bad, 0.3, out, threads), MDR_EINVALID, "entry 4 of xi");
-        CHECK_STATUS(mdr_structure_modulus_threads(o->structure, EXACT, x, x, bad, out, threads), MDR_EINVALID, "a = -4 ");
+    for (int threads = 5; threads >= 0; threads--) {
+        mdr_state states[STATES];
+
+        CHECK_SUCCESS(mdr_set_threads(threads));
+        CHECK_STATUS(mdr_contact_from_depth(o->exact, STATES, bad, out, NULL, NULL, NULL), MDR_EUNREACHABLE,
+                     "entry 4: depth = -4 ");
+        CHECK_STATUS(mdr_contact_states(o->contact, MDR_GIVEN_FORCE, MDR_ON_LOADING, STATES, bad, states), MDR_EUNREACHABLE,
+                     "entry 4: force = -4 ");
+        CHECK_STATUS(field_at(o->exact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, STATES, x, out), MDR_EDOMAIN, "r = 3 ");
+        CHECK_STATUS(mdr_weight_i0(STATES, bad, 0.3, out), MDR_EINVALID, "entry 4 of xi");
+        CHECK_STATUS(mdr_structure_modulus(o->structure, EXACT, x, x, bad, out), MDR_EINVALID, "a = -4 ");
+        CHECK_STATUS(mdr_set_threads(-1), MDR_EINVALID, "threads = -1 is not allowed");
     }
-    CHECK_STATUS(mdr_weight_i0_threads(STATES, small_place, 0.3, out, -1), MDR_EINVALID, "threads = -1 is not allowed");
-    CHECK_STATUS(mdr_profile_mdr_threads(o->profile, 1, place, out, -2), MDR_EINVALID, "threads = -2");
-    CHECK_STATUS(mdr_contact_from_radius_threads(o->exact, 1, place, out, NULL, NULL, NULL, -1), MDR_EINVALID, "threads = -1");
-    CHECK_STATUS(mdr_contact_line_load_threads(o->exact, 1.0, 1, place, out, -1), MDR_EINVALID, "threads = -1");
-    CHECK_STATUS(mdr_medium_modulus_threads(o->medium, 1, place, out, -1), MDR_EINVALID, "threads = -1");
-    CHECK_STATUS(mdr_structure_modulus_threads(o->structure, 1, x, x, place, out, -1), MDR_EINVALID, "threads = -1");
-    CHECK_STATUS(mdr_lateral_density_threads(1, place, place, 0.3, out, out + 1, -1), MDR_EINVALID, "threads = -1");
-    CHECK_STATUS(mdr_coated_cone_force_threads(1, place, 0.3, 3.0, 1.0, 0.5, out, -1), MDR_EINVALID, "threads = -1");
+    CHECK_SUCCESS(mdr_set_threads(1));
     CHECK_UNTOUCHED(STATES, out);
 }
 
@@ -231,7 +241,9 @@ static void test_callers_with_openmp(const objects *o, const double *alone)
     CHECK_INT(different, 0);
     /* a user's function is called on the caller's thread */
     CHECK_SUCCESS(mdr_structure_callback(material, &one, 0.3, 1e-3, &field));
-    CHECK_SUCCESS(mdr_structure_modulus_threads(field, 4, a, a, a, E, 4));
+    CHECK_SUCCESS(mdr_set_threads(4));
+    CHECK_SUCCESS(mdr_structure_modulus(field, 4, a, a, a, E));
+    CHECK_SUCCESS(mdr_set_threads(1));
     CHECK_CLOSE(E[3], 3.0 / (1.0 - 0.09), 1e-9);
     CHECK_SUCCESS(mdr_structure_free(&field));
 }

@@ -2,14 +2,7 @@
 /* Pressure, displacement and line load: refusals, then Hertz, Sneddon and Boussinesq's punch. */
 #include "check.h"
 
-#define SIZE(array) (sizeof(array) / sizeof *(array))
-
 static const double pi = 3.14159265358979323846;
-
-typedef int (*field_call)(const mdr_contact *, double, int, const double[], double[]);
-static const field_call fields[] = {mdr_contact_pressure, mdr_contact_line_load, mdr_contact_displacement,
-                                    mdr_contact_pressure_at_depth, mdr_contact_line_load_at_depth,
-                                    mdr_contact_displacement_at_depth};
 
 static mdr_contact *paraboloid(double R, double modulus)
 {
@@ -30,26 +23,43 @@ static void refusals(void)
     double out[2];
     mdr_contact *c = paraboloid(1.0, 1.0);
     mdr_profile *p = NULL;
+    mdr_state state;
 
     CHECK_SUCCESS(mdr_profile_cone(0.1, &p));
     fill_untouched(2, out);
-    for (size_t i = 0; i < SIZE(fields); i++) {
-        field_call field = fields[i];
-        const int inside_only = i % 3 != 2;
-        CHECK_STATUS(field(NULL, 1.0, 2, r, out), MDR_ENULL, "c is NULL");
-        CHECK_STATUS(field((mdr_contact *)(void *)p, 1.0, 2, r, out), MDR_EINVALID, "not an mdr_contact");
-        CHECK_STATUS(field(c, 1.0, -1, r, out), MDR_EINVALID, "n = -1");
-        CHECK_STATUS(field(c, 1.0, 2, NULL, out), MDR_ENULL, i % 3 == 1 ? "x is NULL" : "r is NULL");
-        CHECK_STATUS(field(c, 1.0, 2, r, NULL), MDR_ENULL, "out is NULL");
-        CHECK_STATUS(field(c, NAN, 2, r, out), MDR_EINVALID, i < 3 ? "radius = NaN" : "depth = NaN");
-        CHECK_STATUS(field(c, INFINITY, 2, r, out), MDR_EINVALID, i < 3 ? "radius = infinity" : "depth = infinity");
-        CHECK_STATUS(field(c, -1.0, 2, r, out), i < 3 ? MDR_EINVALID : MDR_EUNREACHABLE, i < 3 ? "radius = -1" : "depth = -1");
-        CHECK_STATUS(field(c, 0.0, 2, r, out), MDR_EINVALID, "no contact");
-        CHECK_STATUS(field(c, 1.0, 2, negative, out), MDR_EINVALID, " = -0.5");
-        CHECK_STATUS(field(c, 1.0, 2, not_a_number, out), MDR_EINVALID, " = NaN");
-        if (inside_only) CHECK_STATUS(field(c, 1.0, 2, outside, out), MDR_EDOMAIN, " = 1.01");
-        CHECK_SUCCESS(field(c, 1.0, 0, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
+    for (int field = MDR_FIELD_PRESSURE; field <= MDR_FIELD_LINE_LOAD; field++) {
+        mdr_state wrong = state;
+
+        CHECK_STATUS(mdr_contact_field(NULL, field, &state, 2, r, out), MDR_ENULL, "c is NULL");
+        CHECK_STATUS(mdr_contact_field((mdr_contact *)(void *)p, field, &state, 2, r, out), MDR_EINVALID, "not an mdr_contact");
+        CHECK_STATUS(mdr_contact_field(c, field, NULL, 2, r, out), MDR_ENULL, "state is NULL");
+        CHECK_STATUS(mdr_contact_field(c, field, &state, -1, r, out), MDR_EINVALID, "n = -1");
+        CHECK_STATUS(mdr_contact_field(c, field, &state, 2, NULL, out), MDR_ENULL, "r is NULL");
+        CHECK_STATUS(mdr_contact_field(c, field, &state, 2, r, NULL), MDR_ENULL, "out is NULL");
+        wrong.radius = NAN;
+        CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "there is no contact");
+        wrong.radius = 0.0;
+        CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "there is no contact");
+        wrong.radius = INFINITY;
+        CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "state");
+        wrong = state;
+        wrong.excess = NAN;
+        CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "excess");
+        CHECK_STATUS(mdr_contact_field(c, field, &state, 2, negative, out), MDR_EINVALID, " = -0.5");
+        CHECK_STATUS(mdr_contact_field(c, field, &state, 2, not_a_number, out), MDR_EINVALID, " = NaN");
+        if (field != MDR_FIELD_DISPLACEMENT) {
+            CHECK_STATUS(mdr_contact_field(c, field, &state, 2, outside, out), MDR_EDOMAIN, " = 1.01");
+        }
+        CHECK_SUCCESS(mdr_contact_field(c, field, &state, 0, NULL, NULL));
     }
+    CHECK_STATUS(mdr_contact_field(c, 0, &state, 2, r, out), MDR_EINVALID, "field = 0");
+    CHECK_STATUS(mdr_contact_field(c, 4, &state, 2, r, out), MDR_EINVALID, "field = 4");
+    CHECK_STATUS(mdr_contact_states(c, 4, MDR_ON_UNLOADING, 1, r, &state), MDR_EINVALID, "given = 4");
+    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, 3, 1, r, &state), MDR_EINVALID, "branch = 3");
+    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, r, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, NULL, &state), MDR_ENULL, "in is NULL");
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 0, NULL, NULL));
     CHECK_UNTOUCHED(2, out);
     CHECK_SUCCESS(mdr_profile_free(&p));
     CHECK_SUCCESS(mdr_contact_free(&c));
@@ -62,22 +72,22 @@ static void hertz(void)
     double by_radius[4], by_depth[4];
     mdr_contact *c = paraboloid(R, modulus);
 
-    CHECK_SUCCESS(mdr_contact_pressure(c, a, 4, r, by_radius));
-    CHECK_SUCCESS(mdr_contact_pressure_at_depth(c, d, 4, r, by_depth));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, a, 4, r, by_radius));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_DEPTH, d, 4, r, by_depth));
     for (int i = 0; i < 4; i++) {
         CHECK_CLOSE(by_radius[i], p0 * sqrt(1 - r[i] * r[i] / (a * a)), 1e-10);
         CHECK_CLOSE(by_depth[i], p0 * sqrt(1 - r[i] * r[i] / (a * a)), 1e-10);
     }
-    CHECK_SUCCESS(mdr_contact_line_load(c, a, 4, r, by_radius));
-    CHECK_SUCCESS(mdr_contact_line_load_at_depth(c, d, 4, r, by_depth));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_LINE_LOAD, MDR_GIVEN_RADIUS, a, 4, r, by_radius));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_LINE_LOAD, MDR_GIVEN_DEPTH, d, 4, r, by_depth));
     for (int i = 0; i < 4; i++) {
         CHECK_CLOSE(by_radius[i], modulus * (d - r[i] * r[i] / R), 1e-10);
         CHECK_CLOSE(by_depth[i], modulus * (d - r[i] * r[i] / R), 1e-10);
     }
-    CHECK_SUCCESS(mdr_contact_displacement(c, a, 4, r, by_radius));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, a, 4, r, by_radius));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(by_radius[i], d - r[i] * r[i] / (2 * R), 1e-12);
-    CHECK_SUCCESS(mdr_contact_displacement(c, a, 3, far, by_radius));
-    CHECK_SUCCESS(mdr_contact_displacement_at_depth(c, d, 3, far, by_depth));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, a, 3, far, by_radius));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_DEPTH, d, 3, far, by_depth));
     for (int i = 0; i < 3; i++) {
         const double s = far[i] / a;
         const double u = a * a / (pi * R) * ((2 - s * s) * asin(1 / s) + sqrt(s * s - 1));
@@ -98,7 +108,7 @@ static void sneddon(void)
     CHECK_SUCCESS(mdr_profile_cone(phi, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-    CHECK_SUCCESS(mdr_contact_pressure(c, a, 4, r, out));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, a, 4, r, out));
     CHECK_TRUE(isinf(out[0]) && out[0] > 0); /* the cone's apex */
     for (int i = 1; i < 4; i++) CHECK_CLOSE(out[i], 0.5 * modulus * tan(phi) * acosh(a / r[i]), 1e-10);
     CHECK_SUCCESS(mdr_profile_free(&p));
@@ -118,14 +128,14 @@ static void boussinesq(void)
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
     fill_untouched(4, out);
-    CHECK_STATUS(mdr_contact_pressure(c, b, 4, r, out), MDR_EUNREACHABLE, "give depth or force");
+    CHECK_STATUS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, b, 4, r, out), MDR_EUNREACHABLE, "give depth or force");
     CHECK_UNTOUCHED(4, out);
-    CHECK_SUCCESS(mdr_contact_pressure_at_depth(c, d, 4, r, out));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_DEPTH, d, 4, r, out));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(out[i], modulus * d / (pi * sqrt(b * b - r[i] * r[i])), 1e-10);
     CHECK_TRUE(isinf(out[3]) && out[3] > 0);
-    CHECK_SUCCESS(mdr_contact_line_load_at_depth(c, d, 4, r, out));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_LINE_LOAD, MDR_GIVEN_DEPTH, d, 4, r, out));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(out[i], modulus * d, 1e-12);
-    CHECK_SUCCESS(mdr_contact_displacement_at_depth(c, d, 2, far, out));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_DEPTH, d, 2, far, out));
     for (int i = 0; i < 2; i++) CHECK_CLOSE(out[i], 2 * d / pi * asin(b / far[i]), 1e-10);
     CHECK_SUCCESS(mdr_profile_free(&p));
     CHECK_SUCCESS(mdr_medium_free(&m));

@@ -14,7 +14,7 @@ static void fill(mdr_fit_problem *problem, mdr_fit_parameter parameters[NUMBERS]
     problem->indenter = MDR_FIT_INDENTER_PARABOLOID;
     problem->medium = MDR_FIT_MEDIUM_STACK;
     problem->model = MDR_MODEL_GAO;
-    problem->options.weight_nu_choice = MDR_WEIGHT_NU_SURFACE;
+    problem->options = NULL;
     problem->parameter_count = NUMBERS;
     problem->parameters = parameters;
     for (int i = 0; i < NUMBERS; i++) {

@@ -123,7 +123,7 @@ static int adhesive(void)
 }
 static int states(void) { return mdr_contact_from_depth(contact, 2, y + 1, NULL, NULL, out, NULL); }
 static int exact_states(void) { return mdr_contact_from_depth(exact_contact, 2, y + 1, NULL, NULL, out, NULL); }
-static int fields(void) { return mdr_contact_pressure(contact, 1.0, 3, x, out); }
+static int fields(void) { return field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, 3, x, out); }
 static int fit(void)
 {
     static const double depth[3] = {0.1, 0.2, 0.3}, load[3] = {0.05, 0.15, 0.3};

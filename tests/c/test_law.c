@@ -29,10 +29,12 @@ static void test_values(void)
 
     CHECK_SUCCESS(mdr_law_new(contact, 1.0, NULL, &law));
     for (int i = 0; i < N; i++) d[i] = pow(10.0, -4.0 * i / (N - 1.0));
-    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, N, d, F, slope, a, k, 2));
-    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, N, d, F1, NULL, NULL, NULL, 1));
-    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, N, d, F2, NULL, NULL, NULL, 0));
-    CHECK_SUCCESS(mdr_law_from_force(law, MDR_ON_UNLOADING, N - 2, F + 1, back, NULL, NULL, NULL, 2));
+    CHECK_SUCCESS(mdr_set_threads(2));
+    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, N, d, F, slope, a, k));
+    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, N, d, F1, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_set_threads(0));
+    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, N, d, F2, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_law_from_force(law, MDR_ON_UNLOADING, N - 2, F + 1, back, NULL, NULL, NULL));
     for (int i = 0; i < N; i += 1371) {
         double exact, radius, stiffness, one, rise;
         CHECK_SUCCESS(mdr_contact_from_depth(contact, 1, &d[i], NULL, &radius, &exact, &stiffness));
@@ -84,7 +86,7 @@ static void test_history(void)
     CHECK_TRUE(stretch == 0 && F == 0.0);
     CHECK_SUCCESS(mdr_law_force(law, MDR_ON_LOADING, -1e-9, &F, NULL));
     CHECK_TRUE(F == 0.0);
-    CHECK_STATUS(mdr_law_from_force(law, MDR_ON_UNLOADING, 1, &(double){2.0 * facts.lowest_force}, &F, NULL, NULL, NULL, 1),
+    CHECK_STATUS(mdr_law_from_force(law, MDR_ON_UNLOADING, 1, &(double){2.0 * facts.lowest_force}, &F, NULL, NULL, NULL),
                  MDR_EUNREACHABLE, "entry 1: force = ");
     CHECK_SUCCESS(mdr_law_free(&law));
     CHECK_SUCCESS(mdr_contact_free(&contact));
@@ -164,10 +166,9 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, 1.5, out, NULL), MDR_EDOMAIN, "compiled up to");
     CHECK_STATUS(mdr_law_force(NULL, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_ENULL, "law");
     CHECK_STATUS(mdr_law_force((const mdr_law *)contact, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_EINVALID, "mdr_law handle");
-    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL, 1), MDR_EINVALID, "entry 2: depth = ");
-    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, -1, in, out, NULL, NULL, NULL, 1), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL, -2), MDR_EINVALID, "threads");
-    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, NULL, out, NULL, NULL, NULL, 1), MDR_ENULL, "d is NULL");
+    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL), MDR_EINVALID, "entry 2: depth = ");
+    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, -1, in, out, NULL, NULL, NULL), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, NULL, out, NULL, NULL, NULL), MDR_ENULL, "d is NULL");
     CHECK_STATUS(mdr_law_follow(law, 0.1, &stretch, out, NULL, NULL, NULL), MDR_EINVALID, "stretch");
     CHECK_STATUS(mdr_law_follow(law, 0.1, NULL, out, NULL, NULL, NULL), MDR_ENULL, "stretch");
     CHECK_STATUS(mdr_law_load(NULL, &law), MDR_ENULL, "path");

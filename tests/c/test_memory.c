@@ -69,9 +69,9 @@ int main(void)
     CHECK_STATUS(mdr_contact_from_radius(c, COUNT, in, NULL, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_from_depth(c, COUNT, in, NULL, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_from_force(c, COUNT, in, NULL, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_contact_pressure(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_contact_line_load(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_contact_displacement(c, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(field_at(c, MDR_FIELD_LINE_LOAD, MDR_GIVEN_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_profile_height(p, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_coated_cone_force(COUNT, in, 0.2, 1.0, 2.0, 1.0, out), MDR_ENOMEMORY, "not enough memory");
     for (int i = 0; i < COUNT; i += 1000) CHECK_CLOSE(out[i], untouched, 0.0);

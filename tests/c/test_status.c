@@ -97,6 +97,43 @@ static void options_have_defaults(void)
     CHECK_INT(contact.adhesion_rule, MDR_ADHESION_AUTOMATIC);
 }
 
+/* A program that was compiled with fewer members gives a smaller size: the others keep their defaults. */
+static void options_begin_with_their_size(void)
+{
+    const size_t nonsense[] = {0, 1, 7, sizeof(mdr_contact_options) - 1, sizeof(mdr_contact_options) + 8, (size_t)-1};
+    mdr_contact_options options;
+    mdr_medium_options of_medium;
+    mdr_profile *p = NULL;
+    mdr_medium *m = NULL;
+    mdr_contact *c = NULL;
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
+    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &m));
+    mdr_contact_options_init(&options);
+    CHECK_TRUE(options.size == sizeof options);
+    options.adhesion_rule = 77;
+    CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "adhesion_rule = 77");
+    options.size = offsetof(mdr_contact_options, adhesion_rule);
+    CHECK_SUCCESS(mdr_contact_new(p, m, &options, &c));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    for (size_t i = 0; i < sizeof nonsense / sizeof *nonsense; i++) {
+        options.size = nonsense[i];
+        CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "options->size = ");
+    }
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+
+    mdr_medium_options_init(&of_medium);
+    CHECK_TRUE(of_medium.size == sizeof of_medium);
+    of_medium.weight_nu_choice = 77;
+    CHECK_STATUS(mdr_medium_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m), MDR_EINVALID, "77");
+    of_medium.size = offsetof(mdr_medium_options, weight_nu_choice);
+    CHECK_SUCCESS(mdr_medium_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    of_medium.size = 0;
+    CHECK_STATUS(mdr_medium_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m), MDR_EINVALID, "size = 0");
+}
+
 int main(void)
 {
     text_is_empty_before_the_first_failure();
@@ -105,5 +142,6 @@ int main(void)
     text_fits_or_is_cut();
     success_leaves_the_text();
     options_have_defaults();
+    options_begin_with_their_size();
     return check_report("status");
 }

@@ -30,8 +30,8 @@ static void evaluate(task *t)
     failed += mdr_contact_from_radius(t->contact, POINTS, a, d, NULL, F, NULL) != MDR_SUCCESS;
     failed += mdr_contact_from_depth(t->contact, POINTS, d, NULL, v + 4 * POINTS, NULL, NULL) != MDR_SUCCESS;
     failed += mdr_contact_from_force(t->contact, POINTS, F, NULL, v + 5 * POINTS, NULL, NULL) != MDR_SUCCESS;
-    failed += mdr_contact_pressure(t->contact, 3.0, POINTS, a, v + 6 * POINTS) != MDR_SUCCESS;
-    failed += mdr_contact_displacement(t->contact, 0.3, POINTS, a, v + 7 * POINTS) != MDR_SUCCESS;
+    failed += field_at(t->contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 3.0, POINTS, a, v + 6 * POINTS) != MDR_SUCCESS;
+    failed += field_at(t->contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.3, POINTS, a, v + 7 * POINTS) != MDR_SUCCESS;
     t->failed_calls += failed;
 }
 

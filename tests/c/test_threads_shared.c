@@ -47,8 +47,8 @@ static void evaluate_contact(task *t, const mdr_contact *contact)
     tell(t, mdr_contact_from_radius(contact, 1, &radii[1], depth, NULL, F, NULL));
     tell(t, mdr_contact_from_depth(contact, 1, depth, NULL, next(t, 1), NULL, NULL));
     tell(t, mdr_contact_from_force(contact, 1, F, next(t, 1), NULL, NULL, NULL));
-    tell(t, mdr_contact_pressure(contact, 0.31, 1, &radii[0], next(t, 1)));
-    tell(t, mdr_contact_displacement(contact, 0.31, 1, &radii[2], next(t, 1)));
+    tell(t, field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.31, 1, &radii[0], next(t, 1)));
+    tell(t, field_at(contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.31, 1, &radii[2], next(t, 1)));
 }
 
 static void evaluate_fit(task *t, const mdr_fit_problem *problem)
@@ -77,7 +77,7 @@ static void *evaluate(void *argument)
     tell(t, mdr_loop_path(s->loop, POINTS, NULL, NULL, NULL, next(t, POINTS)));
     tell(t, mdr_law_force(s->law, MDR_ON_UNLOADING, 0.1, next(t, 1), NULL));
     tell(t, mdr_law_follow(s->law, 0.1, &stretch, next(t, 1), NULL, NULL, NULL));
-    tell(t, mdr_law_from_depth(s->law, MDR_ON_UNLOADING, POINTS, radii, next(t, POINTS), NULL, NULL, NULL, 1));
+    tell(t, mdr_law_from_depth(s->law, MDR_ON_UNLOADING, POINTS, radii, next(t, POINTS), NULL, NULL, NULL));
     tell(t, mdr_structure_modulus(s->shapes, 1, zero, zero, radii, next(t, 1)));
     tell(t, mdr_structure_modulus(s->voxels, 1, zero, zero, radii, next(t, 1)));
     evaluate_fit(t, &s->fit);

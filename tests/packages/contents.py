@@ -40,7 +40,7 @@ def check_source(root, sdist):
     """All of the sources, the licence, no junk."""
     names = source_names(sdist)
     wanted = {"LICENSE", "README.md", "CHANGELOG.md", "CMakeLists.txt", "pyproject.toml", "include/mdrcontact.h"}
-    wanted |= under(root, "src/**/*.f90", "src/**/*.inc", "src/**/*.c", "python/src/**/*.f90", "python/mdrcontact/**/*.py")
+    wanted |= under(root, "src/**/*.f90", "src/**/*.inc", "src/**/*.c", "python/src/*.py", "python/mdrcontact/**/*.py")
     complain(sdist, "missing", wanted - names)
     complain(sdist, "not meant to be there", {name for name in names if JUNK.search(name) or name.endswith(".so")})
     listed = subprocess.run(["git", "-C", str(root), "ls-files"], capture_output=True, text=True, check=False)

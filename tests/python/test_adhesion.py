@@ -114,7 +114,7 @@ def test_two_stable_states():
     assert large.radius > 3 * small.radius
     # fields are those of the state asked for
     for state, branch in ((small, "loading"), (large, "unloading")):
-        expected = contact.pressure(0.3 * state.radius, state.radius)
+        expected = contact.pressure(0.3 * state.radius, radius=state.radius)
         assert contact.pressure(0.3 * state.radius, force=0.0, branch=branch) == pytest.approx(expected, rel=1e-8)
 
 
@@ -165,15 +165,15 @@ def test_fields(model):
     t, w = np.polynomial.legendre.leggauss(60)
     t, w = 0.25 * math.pi * (t + 1), 0.25 * math.pi * w
     r = a * np.sin(t)
-    force = np.sum(w * 2 * math.pi * r * contact.pressure(r, a) * a * np.cos(t))
+    force = np.sum(w * 2 * math.pi * r * contact.pressure(r, radius=a) * a * np.cos(t))
     assert force == pytest.approx(state.force, rel=1e-6)
     x, wx = 0.5 * a * (np.polynomial.legendre.leggauss(40)[0] + 1), 0.5 * a * np.polynomial.legendre.leggauss(40)[1]
-    assert 2 * np.sum(wx * contact.line_load(x, a)) == pytest.approx(state.force, rel=1e-9)
-    assert contact.pressure(a, a) == -math.inf
+    assert 2 * np.sum(wx * contact.line_load(x, radius=a)) == pytest.approx(state.force, rel=1e-9)
+    assert contact.pressure(a, radius=a) == -math.inf
     inside = np.array([0.0, 0.5, 1.0]) * a
-    np.testing.assert_allclose(contact.displacement(inside, a), state.depth - inside**2 / 10.0, rtol=1e-9, atol=1e-15)
+    np.testing.assert_allclose(contact.displacement(inside, radius=a), state.depth - inside**2 / 10.0, rtol=1e-9, atol=1e-15)
     # the neck: the surface hangs on the indenter's side and falls back with a vertical tangent
-    neck = contact.displacement(a * np.array([1.0 + 1e-6, 1.01, 1.1, 50.0]), a)
+    neck = contact.displacement(a * np.array([1.0 + 1e-6, 1.01, 1.1, 50.0]), radius=a)
     assert np.all(neck[:3] > state.depth - (a * np.array([1.0, 1.01, 1.1])) ** 2 / 10.0 - 1e-12)
     assert abs(neck[3]) < 0.1 * abs(neck[0])
 

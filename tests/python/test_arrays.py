@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from conftest import every_medium, every_profile
+from conftest import OXIDE, SILICON, every_medium, every_profile
 
 import mdrcontact as mdr
 
@@ -64,10 +64,10 @@ def test_masked_elements_are_refused(coated):
 
 
 def test_state_unpacks(coated):
-    depth, radius, force, stiffness = coated.at_depth(1e-8)
-    state = mdr.State(depth, radius, force, stiffness)
+    depth, radius, force, stiffness, excess = coated.at_depth(1e-8)
+    state = mdr.State(depth, radius, force, stiffness, excess)
     assert state == coated.at_depth(1e-8)
-    assert state._fields == ("depth", "radius", "force", "stiffness")
+    assert state._fields == ("depth", "radius", "force", "stiffness", "excess")
 
 
 @pytest.mark.parametrize("profile", every_profile(), ids=lambda p: type(p).__name__)
@@ -83,3 +83,38 @@ def test_every_medium_has_a_modulus(medium):
     a = np.array([1e-7, 1e-6])
     assert np.all(medium.modulus(a) > 0.0)
     assert medium.stiffness(a) == pytest.approx(2 * a * medium.modulus(a), rel=1e-14)
+
+
+@pytest.mark.parametrize("body", [mdr.Homogeneous(SILICON), mdr.Coated(OXIDE, 5e-7, SILICON, "exact")])
+@pytest.mark.parametrize("gamma", [0.0, 0.1])
+def test_fields_of_a_state(body, gamma):
+    contact = mdr.Contact(mdr.Paraboloid(1e-5), body, work_of_adhesion=gamma)
+    states = contact.at_depth([2e-8, 5e-8])
+    state, r = states.one(1), np.linspace(0.0, 0.9, 5) * states.radius[1]
+    for field in (contact.pressure, contact.displacement, contact.line_load):
+        np.testing.assert_array_equal(field(r, state), field(r, depth=5e-8))
+        np.testing.assert_allclose(field(r, state), field(r, radius=state.radius), rtol=1e-8)
+    # the excess is what the adhesive edge lacks of the non-adhesive depth
+    plain = mdr.Contact(mdr.Paraboloid(1e-5), body).at_radius(state.radius)
+    assert state.excess == pytest.approx(state.depth - plain.depth, rel=1e-6, abs=1e-18)
+    assert (state.excess < 0.0) == (gamma > 0.0)
+
+
+def test_what_is_no_state_is_refused(coated):
+    states = coated.at_depth([1e-8, 2e-8])
+    for wrong in (1e-6, states, (1.0, 2.0)):
+        with pytest.raises(mdr.ArgumentTypeError, match="state"):
+            coated.pressure(0.0, wrong)
+    with pytest.raises(mdr.ArgumentTypeError, match="one of state, depth, force and radius"):
+        coated.pressure(0.0, states.one(0), depth=1e-8)
+    with pytest.raises(mdr.InvalidArgumentError, match="no contact"):
+        coated.pressure(0.0, coated.at_depth(0.0))
+    with pytest.raises(mdr.InvalidArgumentError, match="excess"):
+        coated.pressure(0.0, states.one(0)._replace(excess=float("nan")))
+
+
+def test_a_flat_punch_is_all_excess():
+    contact = mdr.Contact(mdr.FlatPunch(1e-6), mdr.Homogeneous(SILICON))
+    state = contact.at_depth(1e-8)
+    assert state.excess == pytest.approx(1e-8)
+    assert contact.line_load(0.0, state) == pytest.approx(SILICON.contact_modulus * 1e-8)

@@ -70,9 +70,11 @@ def test_damage_is_refused_with_its_reason(law, tmp_path):
 def test_threads_agree(law):
     depth = np.geomspace(1e-11, 1e-7, 200_000)
     one = law.force(depth)
-    np.testing.assert_array_equal(law.force(depth, threads=2), one)
+    mdr.set_threads(2)
+    np.testing.assert_array_equal(law.force(depth), one)
+    mdr.set_threads(1)
     with ThreadPoolExecutor(4) as pool:
-        for found in pool.map(lambda _: law.force(depth, threads=0), range(8)):
+        for found in pool.map(lambda _: law.force(depth), range(8)):
             np.testing.assert_array_equal(found, one)
 
 
@@ -83,7 +85,6 @@ def test_threads_agree(law):
         (lambda law: law.force([1e-8, np.nan]), "entry 2: depth = NaN"),
         (lambda law: law.force(-np.inf), "^depth = "),
         (lambda law: law.force(1e-8, branch="loding"), "branch = 'loding' .*did you mean 'loading'"),
-        (lambda law: law.force(1e-8, threads=-1), "threads"),
         (lambda law: law.at_force(-1.0), "cannot be reached"),
         (lambda law: mdr.ContactLaw(CONTACT, -1.0), "largest_depth"),
         (lambda law: mdr.ContactLaw(CONTACT, 1e-7, smallest_depth=0.0), "smallest_depth"),
@@ -104,8 +105,6 @@ def test_branches_are_given_as_to_a_contact(law):
 def test_wrong_kinds(law):
     with pytest.raises(TypeError, match="Contact"):
         mdr.ContactLaw("contact", 1.0)
-    with pytest.raises(TypeError, match="threads"):
-        law.force(1e-8, threads=1.5)
 
 
 def test_law_of_an_exact_film_is_cheap_and_verified():

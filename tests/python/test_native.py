@@ -4,10 +4,30 @@
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 from mdrcontact import _native
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_types_and_structures_are_those_of_the_header(tmp_path):
+    """What wrap_header.py writes for the package lies in the repository."""
+    made = [tmp_path / name for name in ("_native.pyf", "_native.pyi", "_layout.py")]
+    program = ROOT / "python" / "src" / "wrap_header.py"
+    subprocess.run([sys.executable, program, ROOT / "include" / "mdrcontact.h", *made], check=True)
+    for path in made[1:]:
+        kept = ROOT / "python" / "mdrcontact" / path.name
+        assert path.read_text(encoding="utf-8") == kept.read_text(encoding="utf-8"), f"{kept} is out of date: run {program.name}"
+
+
+def test_every_function_of_the_types_exists():
+    text = (ROOT / "python" / "mdrcontact" / "_native.pyi").read_text(encoding="utf-8")
+    names = [line.split("(")[0].removeprefix("def ") for line in text.splitlines() if line.startswith("def ")]
+    assert len(names) > 80
+    assert [name for name in names if not callable(getattr(_native, name, None))] == []
 
 
 @pytest.mark.skipif(sys.platform != "linux" or not shutil.which("nm"), reason="lists the symbols of an ELF file by nm")

@@ -235,8 +235,8 @@ def check_integrals(tip, body, share):
         weight = math.pi * np.cosh(t) * share * (1.0 - share) * (t[1] - t[0])
         angle = low + (high - low) * share
         x = np.minimum(a * np.sin(angle), a)
-        line += 2.0 * (high - low) * np.sum(weight * contact.line_load(x, a) * a * np.cos(angle))
-        surface += 2.0 * math.pi * (high - low) * np.sum(weight * contact.pressure(x, a) * x * a * np.cos(angle))
+        line += 2.0 * (high - low) * np.sum(weight * contact.line_load(x, radius=a) * a * np.cos(angle))
+        surface += 2.0 * math.pi * (high - low) * np.sum(weight * contact.pressure(x, radius=a) * x * a * np.cos(angle))
     _close(line, force, 1e-6)
     _close(surface, force, 1e-5)
 
@@ -246,12 +246,12 @@ def check_surface(tip, body, share):
     contact, state = _states(tip, body, share)
     a, d = float(state.radius[-1]), float(state.depth[-1])
     r = a * np.linspace(0.01, 0.99, 9)
-    _close(contact.displacement(r, a), d - contact.indenter.height(r), 1e-9)
-    outside = contact.displacement(a * np.array([1.0 + 1e-9, 2.0, 5.0]), a)
+    _close(contact.displacement(r, radius=a), d - contact.indenter.height(r), 1e-9)
+    outside = contact.displacement(a * np.array([1.0 + 1e-9, 2.0, 5.0]), radius=a)
     assert outside[0] == pytest.approx(d - contact.indenter.height(a), abs=2e-4 * d)
     assert np.all(np.isfinite(outside))
     if not body.exact:
-        assert np.all(contact.pressure(r, a) > 0.0)
+        assert np.all(contact.pressure(r, radius=a) > 0.0)
 
 
 def check_superposition(first, second, body, share):

@@ -24,51 +24,60 @@ HERTZ = mdr.Contact(BALL, mdr.Homogeneous(SILICON))
 INCLUSION = Shapes(SILICON, [Ball((0.0, 0.0, 1e-6), 5e-7, OXIDE)])
 
 CALLS = {
-    "height": lambda t: BALL.height(MANY, threads=t),
-    "slope": lambda t: BALL.slope(MANY, threads=t),
-    "mdr": lambda t: BALL.mdr(MANY, threads=t),
-    "mdr_slope": lambda t: BALL.mdr_slope(MANY, threads=t),
-    "modulus": lambda t: GAO.medium.modulus(MANY, threads=t),
-    "exact modulus": lambda t: EXACT.medium.modulus(FEW, threads=t),
-    "stiffness": lambda t: GAO.medium.stiffness(MANY, threads=t),
-    "phi": lambda t: mdr.weight_phi(MANY, 0.3, threads=t),
-    "i0": lambda t: mdr.weight_i0(MANY, 0.3, threads=t),
-    "i1": lambda t: mdr.weight_i1(MANY, threads=t),
-    "j0": lambda t: mdr.weight_j0(MANY, 0.3, threads=t),
-    "j1": lambda t: mdr.weight_j1(MANY, threads=t),
-    "gao at_depth": lambda t: GAO.at_depth(SOME, threads=t),
-    "gao at_force": lambda t: GAO.at_force(SOME, threads=t),
-    "gao at_radius": lambda t: GAO.at_radius(SOME, threads=t),
-    "sticky at_depth": lambda t: STICKY.at_depth(SOME, "loading", threads=t),
-    "exact at_depth": lambda t: EXACT.at_depth(FEW, threads=t),
-    "exact at_force": lambda t: EXACT.at_force(FEW, threads=t),
-    "exact at_radius": lambda t: EXACT.at_radius(FEW, threads=t),
-    "hertz at_force": lambda t: HERTZ.at_force(MANY, threads=t),
-    "pressure": lambda t: GAO.pressure(SOME, radius=1e-6, threads=t),
-    "exact pressure": lambda t: EXACT.pressure(SOME, depth=1e-7, threads=t),
-    "displacement": lambda t: EXACT.displacement(3.0 * SOME, force=1e-4, threads=t),
-    "line_load": lambda t: STICKY.line_load(SOME, depth=1e-7, threads=t),
-    "paraboloid": lambda t: mdr.coated_paraboloid_force(MANY, 1.0, 3.0, 1.0, 0.5, threads=t),
-    "cone": lambda t: mdr.coated_cone_force(MANY, 0.3, 3.0, 1.0, 0.5, threads=t),
-    "adhesive": lambda t: mdr.coated_paraboloid_adhesive_depth(MANY, 1.0, 3.0, 1.0, 0.5, 0.1, threads=t),
-    "reduced": lambda t: mdr.reduced_adhesive_depth(MANY, 3.0, 0.5, threads=t),
-    "density": lambda t: density(MANY, MANY, 0.3, threads=t),
-    "structure": lambda t: INCLUSION.modulus(FEW, 0.0, 1e-6, threads=t),
+    "height": lambda: BALL.height(MANY),
+    "slope": lambda: BALL.slope(MANY),
+    "mdr": lambda: BALL.mdr(MANY),
+    "mdr_slope": lambda: BALL.mdr_slope(MANY),
+    "modulus": lambda: GAO.medium.modulus(MANY),
+    "exact modulus": lambda: EXACT.medium.modulus(FEW),
+    "stiffness": lambda: GAO.medium.stiffness(MANY),
+    "phi": lambda: mdr.weight_phi(MANY, 0.3),
+    "i0": lambda: mdr.weight_i0(MANY, 0.3),
+    "i1": lambda: mdr.weight_i1(MANY),
+    "j0": lambda: mdr.weight_j0(MANY, 0.3),
+    "j1": lambda: mdr.weight_j1(MANY),
+    "gao at_depth": lambda: GAO.at_depth(SOME),
+    "gao at_force": lambda: GAO.at_force(SOME),
+    "gao at_radius": lambda: GAO.at_radius(SOME),
+    "sticky at_depth": lambda: STICKY.at_depth(SOME, "loading"),
+    "exact at_depth": lambda: EXACT.at_depth(FEW),
+    "exact at_force": lambda: EXACT.at_force(FEW),
+    "exact at_radius": lambda: EXACT.at_radius(FEW),
+    "hertz at_force": lambda: HERTZ.at_force(MANY),
+    "pressure": lambda: GAO.pressure(SOME, radius=1e-6),
+    "exact pressure": lambda: EXACT.pressure(SOME, depth=1e-7),
+    "displacement": lambda: EXACT.displacement(3.0 * SOME, force=1e-4),
+    "line_load": lambda: STICKY.line_load(SOME, depth=1e-7),
+    "paraboloid": lambda: mdr.coated_paraboloid_force(MANY, 1.0, 3.0, 1.0, 0.5),
+    "cone": lambda: mdr.coated_cone_force(MANY, 0.3, 3.0, 1.0, 0.5),
+    "adhesive": lambda: mdr.coated_paraboloid_adhesive_depth(MANY, 1.0, 3.0, 1.0, 0.5, 0.1),
+    "reduced": lambda: mdr.reduced_adhesive_depth(MANY, 3.0, 0.5),
+    "density": lambda: density(MANY, MANY, 0.3),
+    "structure": lambda: INCLUSION.modulus(FEW, 0.0, 1e-6),
 }
+
+
+def on(threads, call):
+    """What a call gives on so many threads."""
+    mdr.set_threads(threads)
+    try:
+        return np.asarray(call())
+    finally:
+        mdr.set_threads(1)
 
 
 @pytest.mark.parametrize("name", CALLS)
 def test_same_bits_for_any_number_of_threads(name):
-    alone = np.asarray(CALLS[name](1))
+    alone = on(1, CALLS[name])
     assert np.all(np.isfinite(alone))
     for threads in (2, 3, 0):
-        np.testing.assert_array_equal(np.asarray(CALLS[name](threads)), alone)
+        np.testing.assert_array_equal(on(threads, CALLS[name]), alone)
 
 
 def test_callers_threads():
-    alone = {name: np.asarray(call(1)) for name, call in CALLS.items()}
+    alone = {name: on(1, call) for name, call in CALLS.items()}
     with ThreadPoolExecutor(3) as pool:
-        for name, found in pool.map(lambda name: (name, np.asarray(CALLS[name](2))), [*CALLS, *CALLS]):
+        for name, found in pool.map(lambda name: (name, on(2, CALLS[name])), [*CALLS, *CALLS]):
             np.testing.assert_array_equal(found, alone[name])
 
 
@@ -100,31 +109,32 @@ def test_first_error_is_named(threads):
     depth[[40, 41, 149]] = [-2.0, -1.0, np.nan]
     for contact in (GAO, EXACT):
         with pytest.raises(mdr.UnreachableError, match="entry 41: depth = -2 "):
-            contact.at_depth(depth, threads=threads)
+            on(threads, lambda contact=contact: contact.at_depth(depth))
     with pytest.raises(mdr.DomainError, match="r = 5 "):
-        GAO.pressure(np.r_[np.zeros(131), 5.0, 6.0, np.zeros(80)], radius=1e-6, threads=threads)
+        on(threads, lambda: GAO.pressure(np.r_[np.zeros(131), 5.0, 6.0, np.zeros(80)], radius=1e-6))
     with pytest.raises(mdr.InvalidArgumentError, match="entry 41 of xi"):
-        mdr.weight_i0(depth, threads=threads)
+        on(threads, lambda: mdr.weight_i0(depth))
 
 
-@pytest.mark.parametrize("name", CALLS)
-def test_what_is_no_number_of_threads_is_refused(name):
+def test_what_is_no_number_of_threads_is_refused():
     with pytest.raises(ValueError, match="threads = -1 is not allowed"):
-        CALLS[name](-1)
+        mdr.set_threads(-1)
     for wrong in (1.5, "2", True, None):
         with pytest.raises(TypeError, match="threads"):
-            CALLS[name](wrong)
+            mdr.set_threads(wrong)
 
 
 def test_shapes_and_numbers():
-    assert mdr.weight_i0([], threads=2).shape == (0,)
-    assert isinstance(GAO.at_depth(1e-8, threads=2).force, float)
-    assert GAO.at_depth(SOME.reshape(10, 15), threads=2).force.shape == (10, 15)
+    mdr.set_threads(2)
+    assert mdr.weight_i0([]).shape == (0,)
+    assert isinstance(GAO.at_depth(1e-8).force, float)
+    assert GAO.at_depth(SOME.reshape(10, 15)).force.shape == (10, 15)
+    mdr.set_threads(1)
 
 
 def test_environment_sets_what_0_means():
     """OMP_NUM_THREADS is OpenMP's own: 0 follows it."""
-    script = "import numpy as np, mdrcontact as m; print(m.weight_i0(np.linspace(0, 9, 40000), threads=0).sum().hex())"
+    script = "import numpy as np, mdrcontact as m; m.set_threads(0); print(m.weight_i0(np.linspace(0, 9, 40000)).sum().hex())"
     found = {
         subprocess.run(
             [sys.executable, "-c", script], env={**os.environ, "OMP_NUM_THREADS": n}, capture_output=True, text=True, check=True

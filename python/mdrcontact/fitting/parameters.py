@@ -8,6 +8,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
+from numpy.typing import NDArray
+
 from .. import medium as media
 from .. import profile as profiles
 from .._boundary import number
@@ -15,7 +17,7 @@ from .._choices import nearest
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Elastic
 from ..medium.coated import base
-from ..medium.models import DEFAULTS, MODELS, settings
+from ..medium.models import MODELS, settings
 from ..profile.tips import _Pyramid
 
 
@@ -129,7 +131,8 @@ class MediumNumbers(NamedTuple):
 
     numbers: Numbers
     model: int
-    options: tuple[float, ...]
+    options: NDArray[Any] | None
+    """those of the model, as the library takes them; None: the defaults"""
     layers: int
 
 
@@ -139,7 +142,7 @@ def of_medium(medium: Any) -> MediumNumbers:
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
     if isinstance(medium, (media.Coated, media.Layered)):
         return _stack(medium)
-    plain = (*settings("exact", {}).native, 1)
+    plain = (0, None, 1)
     if isinstance(medium, media.Homogeneous):
         if medium.indenter is not None:
             raise InvalidArgumentError("Homogeneous(material, indenter) is not allowed in a fit: say Instrument(indenter=...)")
@@ -158,25 +161,25 @@ def _graded(medium: Any) -> MediumNumbers:
     z, E, nu = medium.z, medium.E, medium.nu
     ratios = nu if isinstance(nu, tuple) else (nu,) * len(z)
     options = dict(medium.options)
-    native = settings(medium.model, options).native
+    chosen = settings(medium.model, options)
     names = [f"{name}[{i}]" for i in range(len(z)) for name in ("z", "E", "nu")]
     values = [value for row in zip(z, E, ratios, strict=True) for value in row]
     numbers = Numbers(3, names, values, lambda v: media.Graded(v[0::3], v[1::3], v[2::3], medium.model, **options))
-    return MediumNumbers(numbers, *native, len(z))
+    return MediumNumbers(numbers, chosen.code, chosen.record, len(z))
 
 
 def _stack(medium: Any) -> MediumNumbers:
     coated = isinstance(medium, media.Coated)
     layers = [(medium.coating, medium.thickness)] if coated else list(medium.layers)
     options = dict(medium.options)
-    native, constant = settings(medium.model, options).native, MODELS[medium.model].constant
+    chosen, constant = settings(medium.model, options), MODELS[medium.model].constant
     names, values = [], []
     for i, (material, h) in enumerate(layers):
         of = ("coating.", "") if coated else (f"layers[{i}].",) * 2
         names += [f"{of[0]}E", f"{of[0]}nu", f"{of[1]}thickness"]
         values += [material.E, material.nu, h]
     names += ["substrate.E", "substrate.nu", constant]
-    values += [*base(medium.substrate), options.get(constant, DEFAULTS.get(constant, 1.0))]
+    values += [*base(medium.substrate), float(chosen.record[constant][0]) if constant else 1.0]
 
     def build(v: Sequence[float]) -> Any:
         substrate = RIGID if medium.substrate is RIGID else Elastic(v[-3], v[-2])
@@ -186,7 +189,7 @@ def _stack(medium: Any) -> MediumNumbers:
             return media.Coated(*stack[0], substrate, medium.model, **given)
         return media.Layered(stack, substrate, medium.model, **given)
 
-    return MediumNumbers(Numbers(2, names, values, build), *native, len(layers))
+    return MediumNumbers(Numbers(2, names, values, build), chosen.code, chosen.record, len(layers))
 
 
 def of_instrument(instrument: Instrument) -> Numbers:

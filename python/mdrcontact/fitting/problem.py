@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import _native
-from .._boundary import check, number
+from .. import _layout, _native
+from .._boundary import address, call, number, record
 from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from .data import Data
@@ -28,27 +28,24 @@ class Problem(NamedTuple):
     instrument: Numbers
     names: list[str]
     free: dict[str, Free]
-    codes: NDArray[np.int32]
-    reals: NDArray[np.float64]
-    objects: NDArray[np.int64]
+    record: NDArray[Any]
+    """`mdr_fit_problem`, without its parameters"""
     table: NDArray[np.float64]
+    """(6, parameters): value, lower, upper, prior, standard deviation of the prior, is_free"""
 
-    def columns(self) -> tuple[Any, ...]:
-        """x, y and force; the library takes a force column even where it needs none."""
-        force = self.data.x if self.data.force is None else self.data.force
-        return self.data.x, self.data.y, force
-
-    def sd(self) -> tuple[Any, int]:
-        """Standard deviations, and whether there are any."""
-        return (self.data.x, 0) if self.data.sd is None else (self.data.sd, 1)
-
-    def leading(self) -> tuple[Any, ...]:
-        """The arguments that every compiled function takes first."""
-        return self.codes, self.reals, self.objects, self.table
+    def call(self, function: Any, *further: Any) -> Any:
+        """A compiled function of the problem, x, y, force and sd, and of what follows."""
+        parameters = np.zeros(self.table.shape[1], _layout.fit_parameter)
+        for member, values in zip(_layout.fit_parameter.names or (), self.table, strict=True):
+            parameters[member] = values
+        record = self.record.copy()
+        record["parameter_count"], record["parameters"] = len(parameters), address(parameters)
+        force, sd = (None if given is None else np.ascontiguousarray(given, float) for given in (self.data.force, self.data.sd))
+        return call(function, address(record), self.data.x, self.data.y, address(force), address(sd), *further)
 
     def changed(self, data: Data, priors: NDArray[np.float64] | None = None, start: NDArray[np.float64] | None = None) -> Problem:
         """The same problem with other data, priors and starting values: for simulations."""
-        table = self.table.copy(order="F")
+        table = self.table.copy()
         if priors is not None:
             table[3] = priors
         if start is not None:
@@ -63,12 +60,14 @@ class Problem(NamedTuple):
 
     def answer(self) -> Any:
         """What the library finds: the arguments of a FitResult after the problem."""
+        n, m = len(self.data.x), self.table.shape[1]
+        found: list[NDArray[Any]] = [np.zeros(m), np.zeros((m, m)), np.zeros(m, np.intc), np.zeros(m), np.zeros(n), np.zeros(n)]
+        summary = np.zeros(1, _layout.fit_summary)
         try:
-            *found, status = _native.fit_solve(*self.leading(), *self.columns(), *self.sd())
-            check(status)
+            self.call(_native.fit_solve, *map(address, found), address(summary))
         except MDRError as refusal:
             raise type(refusal)(_named(str(refusal), self)) from None
-        return found
+        return *found, summary[0]
 
 
 def make_problem(
@@ -94,7 +93,7 @@ def make_problem(
     names = parts[0].names + parts[1].numbers.names + parts[2].names
     values = parts[0].values + parts[1].numbers.values + parts[2].values
     chosen = read_free(free, names)
-    table = np.zeros((6, len(names)), order="F")
+    table = np.zeros((6, len(names)))
     table[0], table[1], table[2] = values, -math.inf, math.inf
     for i, name in enumerate(names):
         if name not in chosen:
@@ -102,20 +101,27 @@ def make_problem(
         entry = chosen[name]
         start = values[i] if entry.start is None else entry.start
         table[:, i] = start, entry.lower, entry.upper, *(entry.prior or (0.0, 0.0)), 1.0
-    problem_codes = [data.code, parts[0].code, parts[1].numbers.code, parts[1].model, parts[1].layers]
-    problem_codes += [rule, loss_code, int(bool(sd_is_absolute)), max_iterations, int(bool(check_units))]
     if not len(data):
         raise InvalidArgumentError("too few points: there are none")
-    return Problem(
-        data,
-        *parts,
-        names,
-        chosen,
-        np.array(problem_codes, dtype=np.int32),
-        np.array([number("loss_scale", loss_scale), *parts[1].options]),
-        np.array([indenter._handle.address, medium._handle.address], dtype=np.int64),
-        table,
+    problem = record(
+        _layout.fit_problem,
+        _native.fit_problem_init,
+        data_kind=data.code,
+        indenter=parts[0].code,
+        profile=indenter._handle.address,
+        medium=parts[1].numbers.code,
+        medium_object=medium._handle.address,
+        model=parts[1].model,
+        layers=parts[1].layers,
+        options=address(parts[1].options),
+        adhesion_rule=rule,
+        loss=loss_code,
+        loss_scale=number("loss_scale", loss_scale),
+        sd_is_absolute=bool(sd_is_absolute),
+        max_iterations=max_iterations,
+        check_units=bool(check_units),
     )
+    return Problem(data, *parts, names, chosen, problem, table)
 
 
 def _named(words: str, problem: Problem) -> str:

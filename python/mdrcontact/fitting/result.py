@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _native
-from .._boundary import check, number
+from .._boundary import number
 from .._choices import nearest
 from .._files import replace
 from ..errors import InvalidArgumentError, MDRError
@@ -53,7 +53,7 @@ class FitResult:
         weakest_direction: Array,
         fitted: Array,
         residuals: Array,
-        numbers: Array,
+        summary: Any,
     ) -> None:
         self.problem = problem
         self.data = problem.data
@@ -67,10 +67,12 @@ class FitResult:
         self.weakest_direction = {name: float(weakest_direction[i]) for name, i in zip(self.names, places, strict=True)}
         self.indenter, self.medium, self.instrument = problem.objects_at(values)
         self.fitted: Array = np.asarray(fitted)
-        self.converged = bool(numbers[0])
-        self.iterations, self.evaluations = int(numbers[1]), int(numbers[2])
-        self.chi_square, self.prior_chi_square, self.degrees_of_freedom = (float(v) for v in numbers[3:6])
-        self.noise, self.log_likelihood, self.runs_probability, self.weakest = (float(v) for v in numbers[6:10])
+        self.converged = bool(summary["converged"])
+        self.iterations, self.evaluations = int(summary["iterations"]), int(summary["evaluations"])
+        self.chi_square, self.prior_chi_square = float(summary["chi_square"]), float(summary["prior_chi_square"])
+        self.degrees_of_freedom, self.noise = float(summary["degrees_of_freedom"]), float(summary["noise"])
+        self.log_likelihood, self.runs_probability = float(summary["log_likelihood"]), float(summary["runs_probability"])
+        self.weakest = float(summary["weakest"])
         self.residuals: Array = np.asarray(residuals)
         self.warnings: list[str] = []
         self._values = np.asarray(values)
@@ -78,7 +80,7 @@ class FitResult:
     @property
     def noise_is_known(self) -> bool:
         """Whether the standard deviations of the data were given as absolute ones."""
-        return self.data.sd is not None and bool(self.problem.codes[7])
+        return self.data.sd is not None and bool(self.problem.record["sd_is_absolute"][0])
 
     @property
     def correlation(self) -> Array:
@@ -122,10 +124,7 @@ class FitResult:
         if method == "profile":
             problem = self.problem.changed(self.data, start=self._values)
             place = self.problem.names.index(name)
-            lower, upper, status = _native.fit_interval(
-                *problem.leading(), *problem.columns(), *problem.sd(), position=place, level=level
-            )
-            check(status)
+            lower, upper = problem.call(_native.fit_interval, place, level)
             return Interval(float(lower), float(upper))
         if method == "monte-carlo":
             values = self.simulate(draws, seed)[:, self.names.index(name)]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _native
-from .._boundary import check, number, numbers
+from .._boundary import call, number, numbers
 from ..errors import CallbackError, InvalidArgumentError, NoConvergenceError
 from .structure import Structure
 
@@ -49,7 +49,7 @@ class Field(Structure):
             raise CallbackError("the function of the structure must return finite E > 0 and -1 < nu <= 0.5")
         return E, nu
 
-    def _values(self, x: Any, y: Any, a: Any, threads: int) -> Any:
+    def _values(self, x: Any, y: Any, a: Any) -> Any:
         if not (np.all(np.isfinite(x)) and np.all(np.isfinite(y)) and np.all(np.isfinite(a)) and np.all(a > 0.0)):
             raise InvalidArgumentError("x, y and a must be finite, and a greater than 0")
         values = np.empty(len(x))
@@ -60,8 +60,7 @@ class Field(Structure):
     def _value(self, x: float, y: float, a: float) -> float:
         before = None
         for order in _ORDERS:
-            points, weights, status = _native.lateral_rule(order, self.reference_nu, 6 * order**3)
-            check(status)
+            points, weights = (rows.T for rows in call(_native.lateral_rule, order, self.reference_nu))
             E, nu = self.materials(x + a * points[0], y + a * points[1], a * points[2])
             G = 0.5 * E / (1.0 + nu)
             found = np.array([G[0] + weights[0] @ (G - G[0]), nu[0] + weights[1] @ (nu - nu[0])])

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
-from .._boundary import check, row, thread_count
+from .._boundary import call, row, thread_count
 from ..errors import ArgumentTypeError, InvalidArgumentError, OutOfMemoryError
 from ..material import Elastic
 from ..weights import weight_j0, weight_j1
@@ -116,8 +116,7 @@ def weight_beyond(a: float, distance: float, depth: float = np.inf, nu: float = 
     """Share of E_eff that comes from more than `distance` beside the contact's centre and less than `depth` under the surface; to
     about 1 %."""
     order = 24
-    points, weights, status = _native.lateral_rule(order, nu, 6 * order**3)
-    check(status)
+    points, weights = (rows.T for rows in call(_native.lateral_rule, order, nu))
     counts = (np.hypot(points[0], points[1]) > distance / a) & (points[2] < depth / a)
     return float(weights[0, counts].sum())
 
@@ -144,10 +143,9 @@ def _convolve(job: _Job, radii: Array, threads: int, progress: bool) -> Array:
             return
         # threads begin at different radii, so that they do not wait for each other
         for r in np.roll(np.arange(len(radii)), -k):
-            weights = _native.lateral_cells(voxels.reference_nu, radii[r], k * dz, (k + 1) * dz, lines[1], lines[0])
-            check(weights[2])
+            weights = call(_native.lateral_cells, voxels.reference_nu, radii[r], k * dz, (k + 1) * dz, lines[1], lines[0])
             for i in range(kernels):
-                product = scipy.fft.rfft2(_unfold(weights[i].T, job.shape, sizes, job.periodic))
+                product = scipy.fft.rfft2(_unfold(weights[i], job.shape, sizes, job.periodic))
                 product *= spectra[i]
                 with locks[r]:
                     sums[r, i] += product

@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import _native
-from .._boundary import number, numbers
+from .. import _layout, _native
+from .._boundary import address, number, numbers, record
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from .structure import Structure, elastic
@@ -163,7 +163,7 @@ class Shapes(Structure):
             elastic(f"material of {type(body).__name__}", body.material)
         # f2py takes no empty arrays: a layer of the background above the surface is nothing
         known: tuple[Shape, ...] = bodies or (Layer(-2.0, -1.0, base),)
-        table = np.zeros((7, len(known)), order="F")
+        table = np.zeros((len(known), 7))
         for i, body in enumerate(known):
             try:
                 row = numbers("the shape", np.hstack([np.asarray(p) for p in body.parameters]))
@@ -171,22 +171,13 @@ class Shapes(Structure):
                 raise InvalidArgumentError(f"{body!r} is not allowed: a coordinate is missing or too many") from problem
             if row.shape != (len(_LENGTHS[type(body)]),):
                 raise InvalidArgumentError(f"{body!r} is not allowed: a coordinate is missing or too many")
-            table[: row.size, i] = row
+            table[i, : row.size] = row
         nu = base.nu if self.reference_nu is None else number("reference_nu", self.reference_nu)
-        self._own(
-            _native.structure_shapes(
-                base.E,
-                base.nu,
-                nu,
-                tolerance,
-                [_KINDS.index(type(b)) for b in known],
-                table,
-                [b.material.E for b in known],
-                [b.material.nu for b in known],
-            ),
-            shapes=bodies,
-            tolerance=tolerance,
-        )
+        options = record(_layout.structure_options, _native.structure_options_init, reference_nu=nu, tolerance=tolerance)
+        kinds, moduli = [_KINDS.index(type(b)) for b in known], [b.material.E for b in known]
+        ratios = [b.material.nu for b in known]
+        created = _native.structure_shapes(base.E, base.nu, kinds, table, moduli, ratios, address(options))
+        self._own(created, shapes=bodies, tolerance=tolerance)
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
         """E and nu at points, which broadcast."""

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _native
-from .._boundary import FloatOrArray, Handle, check, numbers, thread_count
+from .._boundary import FloatOrArray, Handle, call, numbers
 from .._value import Value
 from ..errors import ArgumentTypeError
 from ..material import Elastic
@@ -24,24 +24,21 @@ class Structure(Value):
         """Takes over what a compiled constructor returned, and the fields as they were understood."""
         self._set(_handle=Handle(created, _native.structure_free), **values)
 
-    def modulus(self, x: ArrayLike, y: ArrayLike, a: ArrayLike, *, threads: int = 1) -> FloatOrArray:
+    def modulus(self, x: ArrayLike, y: ArrayLike, a: ArrayLike) -> FloatOrArray:
         """E_eff(a, x, y) = 2 G_eff/(1 - nu_eff) [modulus], equation (33), for contacts of radius a > 0 at (x, y) [length].
 
         The three broadcast: a line is x = array, y = 0; several radii at each of its points are a[:, None].
-        threads : see `Contact`; a structure that is a Python function (`Field`) stays on one
         """
         points = np.broadcast_arrays(numbers("x", x), numbers("y", y), numbers("a", a))
         shape = points[0].shape
         if not points[0].size:
             return np.empty(shape)
         px, py, pa = (np.ascontiguousarray(p, dtype=np.float64).ravel() for p in points)
-        values = self._values(px, py, pa, thread_count(threads))
+        values = self._values(px, py, pa)
         return values.reshape(shape) if shape else float(values[0])
 
-    def _values(self, x: Any, y: Any, a: Any, threads: int) -> Any:
-        values, status = _native.structure_modulus(threads, self._handle.address, x, y, a)
-        check(status)
-        return values
+    def _values(self, x: Any, y: Any, a: Any) -> Any:
+        return call(_native.structure_modulus, self._handle.address, x, y, a)
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
         """E and nu at points, which broadcast; z >= 0 [length]."""

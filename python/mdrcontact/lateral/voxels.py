@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _native
-from .._boundary import number, row
+from .. import _layout, _native
+from .._boundary import address, number, record, row
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from .shapes import Shapes
@@ -114,30 +114,20 @@ class Voxels(Structure):
         shares: NDArray[np.float64] = self._counts / self._counts.sum(axis=1, keepdims=True)
         return shares
 
-    def _values(self, x: Any, y: Any, a: Any, threads: int) -> Any:
+    def _values(self, x: Any, y: Any, a: Any) -> Any:
         # the library's own copy of the array is made for the first point: maps do not need it
         if not hasattr(self, "_handle"):
             padded = isinstance(self.beside, Elastic)
             beside = self.beside if isinstance(self.beside, Elastic) else self.below
-            cells = np.ascontiguousarray(self.labels, dtype=np.int32)
-            nz, ny, nx = cells.shape
-            dz, dy, dx = self.spacing
-            self._own(
-                _native.structure_voxels(
-                    [nx, ny, nz],
-                    cells.ravel(),
-                    [m.E for m in self.phases],
-                    [m.nu for m in self.phases],
-                    [dx, dy, dz],
-                    [self.below.E, self.below.nu],
-                    self.reference_nu,
-                    int(padded),
-                    self.images,
-                    [beside.E, beside.nu],
-                    list(self.origin),
-                )  # fmt: skip
-            )
-        return super()._values(x, y, a, threads)
+            cells = np.ascontiguousarray(self.labels, dtype=np.intc)
+            options = record(
+                _layout.structure_options, _native.structure_options_init, reference_nu=self.reference_nu, padded=padded,
+                images=self.images, beside_E=beside.E, beside_nu=beside.nu, origin=self.origin,
+            )  # fmt: skip
+            moduli, ratios = [m.E for m in self.phases], [m.nu for m in self.phases]
+            bodies = address(cells), moduli, ratios, self.spacing[::-1], self.below.E, self.below.nu
+            self._own(_native.structure_voxels(cells.shape[::-1], *bodies, address(options)))
+        return super()._values(x, y, a)
 
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other):

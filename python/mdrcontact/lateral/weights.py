@@ -9,22 +9,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
-from .._boundary import check, number, numbers, thread_count
+from .._boundary import call, number, numbers
 from ..errors import InvalidArgumentError
 
 
-def density(rho: ArrayLike, z: ArrayLike, nu: float = 0.5, *, threads: int = 1) -> tuple[Any, Any]:
+def density(rho: ArrayLike, z: ArrayLike, nu: float = 0.5) -> tuple[Any, Any]:
     """Weights of G (at constant nu) and of nu at distance rho from the axis and depth z, both >= 0 in units of a; they broadcast.
 
     nu : Poisson's ratio of the reference medium. Each weight has the integral 1 over the half-space; over a plane z it is
     dI0/dz and dI1/dz of theory 3. Infinite at the edge of the contact, rho = 1, z = 0.
-    threads : for arrays, see `Contact`
     """
     r, d = np.broadcast_arrays(numbers("rho", rho), numbers("z", z))
     if not r.size:
         return np.empty(r.shape), np.empty(r.shape)
-    shear, poisson, status = _native.lateral_density(thread_count(threads), r.ravel(), d.ravel(), number("nu", nu))
-    check(status)
+    shear, poisson = call(_native.lateral_density, r.ravel(), d.ravel(), number("nu", nu))
     if not r.shape:
         return float(shear[0]), float(poisson[0])
     return shear.reshape(r.shape), poisson.reshape(r.shape)
@@ -41,6 +39,5 @@ def cell_weights(
     if lines_x.ndim != 1 or lines_y.ndim != 1 or lines_x.size < 2 or lines_y.size < 2:
         raise InvalidArgumentError("x and y must be arrays of one dimension with at least 2 lines")
     depths = number("z_top", z_top), number("z_bottom", z_bottom)
-    shear, poisson, status = _native.lateral_cells(number("nu", nu), number("a", a), *depths, lines_x, lines_y)
-    check(status)
-    return shear.T, poisson.T
+    shear, poisson = call(_native.lateral_cells, number("nu", nu), number("a", a), *depths, lines_x, lines_y)
+    return shear, poisson

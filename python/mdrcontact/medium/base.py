@@ -9,7 +9,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from .. import _native
-from .._boundary import FloatOrArray, Handle, evaluate, thread_count
+from .._boundary import FloatOrArray, Handle, evaluate
 from .._value import Value
 
 
@@ -18,18 +18,16 @@ class Medium(Value):
     """An elastic half-space: for a contact radius a it gives the effective contact modulus E_eff(a), equation (10).
 
     Lengths and moduli are in the units of the whole problem. A medium never changes and may be shared between threads.
-
-    threads : for arrays, see `Contact`
     """
 
     def _own(self, created: tuple[int, int], **values: Any) -> None:
         """Takes over what a compiled constructor returned, and the fields as they were understood."""
         self._set(_handle=Handle(created, _native.medium_free), **values)
 
-    def modulus(self, a: ArrayLike, *, threads: int = 1) -> FloatOrArray:
+    def modulus(self, a: ArrayLike) -> FloatOrArray:
         """E_eff(a) [modulus] at contact radii a > 0 [length], any shape."""
-        return evaluate(_native.medium_modulus, thread_count(threads), self._handle.address, name="a", values=a)
+        return evaluate("a", a, lambda radii: _native.medium_modulus(self._handle.address, radii))
 
-    def stiffness(self, a: ArrayLike, *, threads: int = 1) -> FloatOrArray:
+    def stiffness(self, a: ArrayLike) -> FloatOrArray:
         """k(a) = dF/dd = 2 a E_eff(a) [modulus length] at contact radii a > 0 [length], any shape."""
-        return evaluate(_native.medium_stiffness, thread_count(threads), self._handle.address, name="a", values=a)
+        return evaluate("a", a, lambda radii: _native.medium_stiffness(self._handle.address, radii))

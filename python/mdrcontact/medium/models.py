@@ -7,8 +7,10 @@ import itertools
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple, TypeVar
 
-from .. import _native
-from .._boundary import number
+from numpy.typing import NDArray
+
+from .. import _layout, _native
+from .._boundary import address, number, record
 from .._choices import nearest
 from ..errors import InvalidArgumentError
 from .base import Medium
@@ -30,41 +32,37 @@ class Model(NamedTuple):
 
 
 def _models() -> Iterator[tuple[str, Model]]:
-    for position in itertools.count(1):
-        code, base, layers, graded, has_constant, name, option = _native.model_row(position)
-        if code < 0:
+    for code in itertools.count():
+        facts = record(_layout.model_facts)
+        if _native.model_info(code, address(facts)):
             return
-        words = [text.decode().strip() for text in (name, option)]
-        options = (words[1],) if words[1] else ()
-        yield words[0], Model(code, options, words[1] * has_constant, base == 2, base > 0, bool(layers), bool(graded))
-
-
-def _options() -> Iterator[tuple[str, float]]:
-    for position in itertools.count(1):
-        default, name = _native.model_option(position)
-        if not name.strip():
-            return
-        yield name.decode().strip(), default
+        base, layers, graded, has_constant, name, option = facts[0].tolist()
+        words = option.decode()
+        options = (words,) if words else ()
+        rigid = base == _layout.BASE_RIGID, base != _layout.BASE_ELASTIC
+        yield name.decode(), Model(code, options, words * has_constant, *rigid, bool(layers), bool(graded))
 
 
 MODELS: Mapping[str, Model] = dict(_models())
 """Every model by its name."""
 
-DEFAULTS: Mapping[str, float] = dict(_options())
-"""What the library takes for each option that is not given."""
-
 OPTIONS: tuple[str, ...] = tuple(sorted({name for model in MODELS.values() for name in model.options}))
 """The options of all models."""
 
 _WEIGHT_NU = {"surface": 0, "substrate": 1, "effective": 2}
-_WEIGHT_NU_GIVEN = 3
 
 
 class Settings(NamedTuple):
-    """Model code and options as the library takes them, and the options as the user gave them."""
+    """A model's code, its options as the library takes them, and as the user gave them."""
 
-    native: tuple[int, tuple[float, ...]]
+    code: int
+    record: NDArray[Any]
     given: dict[str, float | str]
+
+    @property
+    def native(self) -> tuple[int, int]:
+        """Code and address of the options, valid as long as this object lives."""
+        return self.code, address(self.record)
 
 
 def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, graded: bool = False) -> Settings:
@@ -72,7 +70,7 @@ def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, gr
     known = {name: row for name, row in MODELS.items() if row.layers >= layers and row.graded >= graded}
     if not isinstance(model, str) or model not in known:
         raise InvalidArgumentError(f"model = {model!r} is not allowed: {nearest(str(model), known)}")
-    values = dict(DEFAULTS)
+    values = record(_layout.medium_options, _native.medium_options_init)
     given: dict[str, float | str] = {}
     for name, value in options.items():
         if name not in known[model].options:
@@ -82,10 +80,11 @@ def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, gr
             given[name] = value
             values["weight_nu_choice"] = _weight_nu(value)
             continue
-        given[name] = values[name] = number(name, value)
+        given[name] = number(name, value)
+        values[name] = given[name]
         if name == "weight_nu":
-            values["weight_nu_choice"] = _WEIGHT_NU_GIVEN
-    return Settings((known[model].code, tuple(values.values())), given)
+            values["weight_nu_choice"] = _layout.WEIGHT_NU_GIVEN
+    return Settings(known[model].code, values, given)
 
 
 def _weight_nu(value: str) -> int:

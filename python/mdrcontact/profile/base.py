@@ -9,7 +9,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from .. import _native
-from .._boundary import FloatOrArray, Handle, evaluate, thread_count
+from .._boundary import FloatOrArray, Handle, evaluate
 from .._value import Value
 from ..errors import ArgumentTypeError, InvalidArgumentError
 
@@ -20,29 +20,27 @@ class Profile(Value):
 
     Lengths are in the unit of length of the whole problem. Profiles add: `Cone(...) + Paraboloid(...)`. They never change and may
     be shared between threads.
-
-    threads : for arrays, see `Contact`
     """
 
     def _own(self, created: tuple[int, int], **values: Any) -> None:
         """Takes over what a compiled constructor returned, and the fields as they were understood."""
         self._set(_handle=Handle(created, _native.profile_free), **values)
 
-    def height(self, r: ArrayLike, *, threads: int = 1) -> FloatOrArray:
+    def height(self, r: ArrayLike) -> FloatOrArray:
         """f(r) [length] at radii r >= 0 [length], any shape."""
-        return evaluate(_native.profile_height, thread_count(threads), self._handle.address, name="r", values=r)
+        return evaluate("r", r, lambda radii: _native.profile_height(self._handle.address, radii))
 
-    def slope(self, r: ArrayLike, *, threads: int = 1) -> FloatOrArray:
+    def slope(self, r: ArrayLike) -> FloatOrArray:
         """f'(r) [1] at radii r >= 0 [length], any shape."""
-        return evaluate(_native.profile_slope, thread_count(threads), self._handle.address, name="r", values=r)
+        return evaluate("r", r, lambda radii: _native.profile_slope(self._handle.address, radii))
 
-    def mdr(self, x: ArrayLike, *, threads: int = 1) -> FloatOrArray:
+    def mdr(self, x: ArrayLike) -> FloatOrArray:
         """g(x) [length], equation (3), at positions x >= 0 [length], any shape."""
-        return evaluate(_native.profile_mdr, thread_count(threads), self._handle.address, name="x", values=x)
+        return evaluate("x", x, lambda points: _native.profile_mdr(self._handle.address, points))
 
-    def mdr_slope(self, x: ArrayLike, *, threads: int = 1) -> FloatOrArray:
+    def mdr_slope(self, x: ArrayLike) -> FloatOrArray:
         """g'(x) [1] at positions x >= 0 [length], any shape."""
-        return evaluate(_native.profile_mdr_slope, thread_count(threads), self._handle.address, name="x", values=x)
+        return evaluate("x", x, lambda points: _native.profile_mdr_slope(self._handle.address, points))
 
     def __add__(self, other: object) -> SumProfile:
         if not isinstance(other, Profile):

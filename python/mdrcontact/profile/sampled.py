@@ -74,6 +74,6 @@ class CallableProfile(Profile):
         # the library calls it largest_radius
         if not 0.0 < r_max < math.inf:
             raise InvalidArgumentError(f"r_max = {r_max:g} is not allowed: it must be finite and greater than 0")
-        created = _native.profile_callback(callback.address, r_max)
+        created = _native.profile_callback(callback.address, 0, r_max)
         callback.reraise()
         self._own(created, r_max=r_max)

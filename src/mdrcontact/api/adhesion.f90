@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Pull-off and loops of adhesive contacts, for C.
 module mdrcontact_api_adhesion
-    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count
-    use mdrcontact_api_handles, only: check_handle, holds_handle, open_contact
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact_branch, only: control_t, depth_control, force_control
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -13,17 +13,10 @@ module mdrcontact_api_adhesion
     implicit none (type, external)
     private
     public :: mdr_contact_pull_off, mdr_contact_pull_offs
-    public :: mdr_loop_new, mdr_loop_size, mdr_loop_path, mdr_loop_jumps, mdr_loop_dissipated_energy, mdr_loop_free
+    public :: mdr_loop_new, mdr_loop_size, mdr_loop_path, mdr_loop_jumps, mdr_loop_dissipated_energy
 
     !> enum mdr_control
     integer(c_int), parameter :: by_force = 0_c_int, by_depth = 1_c_int, by_spring = 2_c_int
-
-    integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, loop_tag = 7239381865347100004_c_int64_t
-
-    type :: loop_handle_t
-        integer(c_int64_t) :: tag = loop_tag
-        type(loop_t) :: object
-    end type loop_handle_t
 
 contains
 
@@ -37,7 +30,7 @@ contains
         type(contact_state_t) :: state
         type(error_t), allocatable :: error
 
-        call open_contact(c, "c", contact, error)
+        call open_handle(c, "c", contact, error)
         call choose_control(chosen, control, 0.0_c_double, .false., error)
         if (.not. allocated(error)) call contact%pull_off(chosen, state, error)
         status = status_of(error)
@@ -60,7 +53,7 @@ contains
         type(error_t), allocatable :: error
         integer :: n
 
-        call open_contact(c, "c", contact, error)
+        call open_handle(c, "c", contact, error)
         if (capacity < 0) call raise(error, error_invalid, "capacity = "//count_text(int(capacity))// &
                                      " is not allowed: it must be at least 0")
         call check_given(error, "count", present(count))
@@ -85,24 +78,13 @@ contains
         integer(c_int) :: status
         type(contact_t), pointer :: contact
         type(control_t) :: chosen
-        type(loop_handle_t), pointer :: inside
+        type(loop_t) :: loop
         type(error_t), allocatable :: error
-        integer :: stat
 
-        nullify (inside)
-        call open_contact(c, "c", contact, error)
-        call check_given(error, "out", present(out))
+        call open_handle(c, "c", contact, error)
         call choose_control(chosen, control, spring_stiffness, .true., error)
-        if (.not. allocated(error)) then
-            allocate (inside, stat=stat)
-            call check_memory(error, stat)
-        end if
-        if (.not. allocated(error)) then
-            call new_loop(inside%object, contact, chosen, largest, int(points), error)
-            if (allocated(error)) deallocate (inside)
-        end if
-        if (.not. allocated(error)) out = c_loc(inside)
-        status = status_of(error)
+        if (.not. allocated(error)) call new_loop(loop, contact, chosen, largest, int(points), error)
+        status = deliver(loop, out, error)
     end function mdr_loop_new
 
     function mdr_loop_size(l, points, turning_point, jumps) result(status) bind(C)
@@ -112,7 +94,7 @@ contains
         type(loop_t), pointer :: loop
         type(error_t), allocatable :: error
 
-        call open_loop(l, loop, error)
+        call open_handle(l, "l", loop, error)
         status = status_of(error)
         if (allocated(error)) return
         if (present(points)) points = size(loop%position, kind=c_int)
@@ -129,7 +111,7 @@ contains
         type(error_t), allocatable :: error
         integer :: m
 
-        call open_loop(l, loop, error)
+        call open_handle(l, "l", loop, error)
         call check_count(error, n)
         status = status_of(error)
         if (allocated(error)) return
@@ -149,7 +131,7 @@ contains
         type(error_t), allocatable :: error
         integer :: m
 
-        call open_loop(l, loop, error)
+        call open_handle(l, "l", loop, error)
         call check_count(error, n)
         call check_array(error, "index", n, present(index))
         status = status_of(error)
@@ -165,40 +147,12 @@ contains
         type(loop_t), pointer :: loop
         type(error_t), allocatable :: error
 
-        call open_loop(l, loop, error)
+        call open_handle(l, "l", loop, error)
         call check_given(error, "energy", present(energy))
         status = status_of(error)
         if (allocated(error)) return
         energy = loop%dissipated_energy
     end function mdr_loop_dissipated_energy
-
-    function mdr_loop_free(l) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: l
-        integer(c_int) :: status
-        type(loop_handle_t), pointer :: inside
-        type(error_t), allocatable :: error
-
-        if (holds_handle(l, "mdr_loop", loop_tag, error)) then
-            call c_f_pointer(l, inside)
-            inside%tag = no_tag
-            deallocate (inside)
-            l = c_null_ptr
-        end if
-        status = status_of(error)
-    end function mdr_loop_free
-
-    subroutine open_loop(handle, loop, error)
-        type(c_ptr), intent(in) :: handle
-        type(loop_t), pointer, intent(out) :: loop
-        type(error_t), allocatable, intent(inout) :: error
-        type(loop_handle_t), pointer :: inside
-
-        nullify (loop)
-        call check_handle(error, handle, "l", "mdr_loop", loop_tag)
-        if (allocated(error)) return
-        call c_f_pointer(handle, inside)
-        loop => inside%object
-    end subroutine open_loop
 
     !> The control behind its code. A spring is allowed for loops only.
     subroutine choose_control(chosen, control, spring_stiffness, spring_allowed, error)

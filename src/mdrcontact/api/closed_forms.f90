@@ -2,142 +2,62 @@
 !> The closed forms for an incompressible coating, for C.
 module mdrcontact_api_closed_forms
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_results
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
-    use mdrcontact_batch, only: check_threads
+    use mdrcontact_api_arrays, only: check_each_positive, check_in_out, check_results
+    use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
     use mdrcontact_contact_closed_form_values, only: closed_form_values, of_adhesive_depth, of_cone_force, of_paraboloid_force, &
                                                      of_reduced_depth
     use mdrcontact_contact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale
-    use mdrcontact_error, only: check_not_negative, check_positive, error_invalid, error_t, raise, to_text
-    use mdrcontact_kinds, only: half_pi
+    use mdrcontact_error, only: check_inclination, check_not_negative, check_positive, error_t
     implicit none (type, external)
     private
     public :: mdr_coated_paraboloid_force, mdr_coated_cone_force, mdr_coated_paraboloid_adhesive_depth
-    public :: mdr_coated_paraboloid_force_threads, mdr_coated_cone_force_threads, &
-              mdr_coated_paraboloid_adhesive_depth_threads, mdr_reduced_adhesive_depth_threads
     public :: mdr_adhesive_radius_scale, mdr_adhesive_depth_scale, mdr_reduced_adhesive_depth
 
 contains
 
-    function mdr_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear, thickness, out) result(status) bind(C)
+    function mdr_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear, thickness, out) &
+        result(status) bind(C)
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
         real(c_double), value :: radius, coating_shear, substrate_shear, thickness
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-
-        status = mdr_coated_paraboloid_force_threads(n, a, radius, coating_shear, substrate_shear, thickness, out, 1_c_int)
-    end function mdr_coated_paraboloid_force
-
-    function mdr_coated_paraboloid_force_threads(n, a, radius, coating_shear, substrate_shear, thickness, out, &
-                                                 threads) result(status) bind(C)
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: a(*)
-        real(c_double), value :: radius, coating_shear, substrate_shear, thickness
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-        integer :: stat
-        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
-        call check_radii(error, n, "a", a, present(out))
         call check_positive(error, "radius", radius)
         call check_body(error, coating_shear, substrate_shear, thickness)
-        call check_threads(error, int(threads))
-        if (.not. allocated(error) .and. n > 0) then
-            allocate (values(n), stat=stat)
-            call check_memory(error, stat)
-        end if
-        if (.not. allocated(error) .and. n > 0) then
-            call closed_form_values(of_paraboloid_force, a(:n), [radius, coating_shear, substrate_shear, thickness], &
-                                    values, int(threads))
-            call check_results(error, values)
-        end if
-        if (.not. allocated(error) .and. n > 0) out(:n) = values
-        status = status_of(error)
-    end function mdr_coated_paraboloid_force_threads
+        status = write_form(of_paraboloid_force, n, "a", a, [radius, coating_shear, substrate_shear, thickness], out, error)
+    end function mdr_coated_paraboloid_force
 
-    function mdr_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness, out) result(status) bind(C)
+    function mdr_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness, out) &
+        result(status) bind(C)
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
         real(c_double), value :: inclination, coating_shear, substrate_shear, thickness
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
+        type(error_t), allocatable :: error
 
-        status = mdr_coated_cone_force_threads(n, a, inclination, coating_shear, substrate_shear, thickness, out, 1_c_int)
+        call check_inclination(error, inclination)
+        call check_body(error, coating_shear, substrate_shear, thickness)
+        status = write_form(of_cone_force, n, "a", a, [inclination, coating_shear, substrate_shear, thickness], out, error)
     end function mdr_coated_cone_force
 
-    function mdr_coated_cone_force_threads(n, a, inclination, coating_shear, substrate_shear, thickness, out, &
-                                           threads) result(status) bind(C)
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: a(*)
-        real(c_double), value :: inclination, coating_shear, substrate_shear, thickness
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-        integer :: stat
-        real(c_double), allocatable :: values(:)
-        type(error_t), allocatable :: error
-
-        call check_radii(error, n, "a", a, present(out))
-        call check_positive(error, "inclination", inclination)
-        if (inclination >= half_pi) then
-            call raise(error, error_invalid, "inclination = "//to_text(inclination)//" is not allowed: it must be less than pi/2")
-        end if
-        call check_body(error, coating_shear, substrate_shear, thickness)
-        call check_threads(error, int(threads))
-        if (.not. allocated(error) .and. n > 0) then
-            allocate (values(n), stat=stat)
-            call check_memory(error, stat)
-        end if
-        if (.not. allocated(error) .and. n > 0) then
-            call closed_form_values(of_cone_force, a(:n), [inclination, coating_shear, substrate_shear, thickness], &
-                                    values, int(threads))
-            call check_results(error, values)
-        end if
-        if (.not. allocated(error) .and. n > 0) out(:n) = values
-        status = status_of(error)
-    end function mdr_coated_cone_force_threads
-
-    function mdr_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear, thickness, work_of_adhesion, &
-                                                  out) result(status) bind(C)
+    function mdr_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear, thickness, work_of_adhesion, out) &
+        result(status) bind(C)
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
         real(c_double), value :: radius, coating_shear, substrate_shear, thickness, work_of_adhesion
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-
-        status = mdr_coated_paraboloid_adhesive_depth_threads(n, a, radius, coating_shear, substrate_shear, thickness, &
-                                                              work_of_adhesion, out, 1_c_int)
-    end function mdr_coated_paraboloid_adhesive_depth
-
-    function mdr_coated_paraboloid_adhesive_depth_threads(n, a, radius, coating_shear, substrate_shear, thickness, &
-                                                          work_of_adhesion, out, threads) result(status) bind(C)
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: a(*)
-        real(c_double), value :: radius, coating_shear, substrate_shear, thickness, work_of_adhesion
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-        integer :: stat
-        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
-        call check_radii(error, n, "a", a, present(out))
         call check_positive(error, "radius", radius)
         call check_body(error, coating_shear, substrate_shear, thickness)
         call check_not_negative(error, "work_of_adhesion", work_of_adhesion)
-        call check_threads(error, int(threads))
-        if (.not. allocated(error) .and. n > 0) then
-            allocate (values(n), stat=stat)
-            call check_memory(error, stat)
-        end if
-        if (.not. allocated(error) .and. n > 0) then
-            call closed_form_values(of_adhesive_depth, a(:n), &
-                                    [radius, coating_shear, substrate_shear, thickness, work_of_adhesion], values, int(threads))
-            call check_results(error, values)
-        end if
-        if (.not. allocated(error) .and. n > 0) out(:n) = values
-        status = status_of(error)
-    end function mdr_coated_paraboloid_adhesive_depth_threads
+        status = write_form(of_adhesive_depth, n, "a", a, &
+                            [radius, coating_shear, substrate_shear, thickness, work_of_adhesion], out, error)
+    end function mdr_coated_paraboloid_adhesive_depth
 
     function mdr_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out) result(status) bind(C)
         real(c_double), value :: radius, substrate_shear, work_of_adhesion
@@ -171,56 +91,46 @@ contains
         status = status_of(error)
     end function mdr_adhesive_depth_scale
 
-    function mdr_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out) result(status) bind(C)
+    function mdr_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out) &
+        result(status) bind(C)
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: reduced_radius(*)
         real(c_double), value :: shear_ratio, reduced_thickness
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-
-        status = mdr_reduced_adhesive_depth_threads(n, reduced_radius, shear_ratio, reduced_thickness, out, 1_c_int)
-    end function mdr_reduced_adhesive_depth
-
-    function mdr_reduced_adhesive_depth_threads(n, reduced_radius, shear_ratio, reduced_thickness, out, &
-                                                threads) result(status) bind(C)
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: reduced_radius(*)
-        real(c_double), value :: shear_ratio, reduced_thickness
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-        integer :: stat
-        real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
-        call check_radii(error, n, "reduced_radius", reduced_radius, present(out))
         call check_positive(error, "shear_ratio", shear_ratio)
         call check_positive(error, "reduced_thickness", reduced_thickness)
-        call check_threads(error, int(threads))
+        status = write_form(of_reduced_depth, n, "reduced_radius", reduced_radius, [shear_ratio, reduced_thickness], out, error)
+    end function mdr_reduced_adhesive_depth
+
+    !> One of the closed forms of radii > 0 and numbers that have been checked; nothing is written before all of it is known.
+    function write_form(form, n, name, radii, numbers, out, error) result(status)
+        integer, intent(in) :: form
+        integer(c_int), intent(in) :: n
+        character(len=*), intent(in) :: name
+        real(c_double), intent(in), optional :: radii(*)
+        real(c_double), intent(in) :: numbers(:)
+        real(c_double), intent(inout), optional :: out(*)
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int) :: status
+        real(c_double), allocatable :: values(:)
+        integer :: stat
+
+        call check_in_out(error, n, name, present(radii), present(out))
+        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, name, radii(:n))
         if (.not. allocated(error) .and. n > 0) then
             allocate (values(n), stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error) .and. n > 0) then
-            call closed_form_values(of_reduced_depth, reduced_radius(:n), [shear_ratio, reduced_thickness], values, int(threads))
+            call closed_form_values(form, radii(:n), numbers, values, wanted_threads())
             call check_results(error, values)
         end if
         if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
-    end function mdr_reduced_adhesive_depth_threads
-
-    subroutine check_radii(error, n, name, a, has_out)
-        type(error_t), allocatable, intent(inout) :: error
-        integer(c_int), intent(in) :: n
-        character(len=*), intent(in) :: name
-        real(c_double), intent(in), optional :: a(*)
-        logical, intent(in) :: has_out
-
-        call check_count(error, n)
-        call check_array(error, name, n, present(a))
-        call check_array(error, "out", n, has_out)
-        if (allocated(error) .or. n == 0) return
-        call check_each_positive(error, name, a(:n))
-    end subroutine check_radii
+    end function write_form
 
     subroutine check_body(error, coating_shear, substrate_shear, thickness)
         type(error_t), allocatable, intent(inout) :: error

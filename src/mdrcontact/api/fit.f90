@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The inversion of measured data, for C.
 module mdrcontact_api_fit
-    use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_fit_problem, only: c_fit_problem_t, read_data, read_problem
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use mdrcontact_api_fit_problem, only: read_data, read_problem
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit, only: fit_result_t, solve_fit
@@ -32,7 +32,7 @@ contains
     function mdr_fit_solve(problem, n, x, y, force, sd, values, covariance, at_bound, weakest_direction, fitted, residuals, &
                            summary) &
         result(status) bind(C)
-        type(c_fit_problem_t), intent(in), optional :: problem
+        type(c_ptr), value :: problem
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
         real(c_double), intent(inout), optional :: values(*), covariance(*), weakest_direction(*), fitted(*), residuals(*)
@@ -78,7 +78,7 @@ contains
     end function mdr_fit_solve
 
     function mdr_fit_predict(problem, n, x, y, force, fitted) result(status) bind(C)
-        type(c_fit_problem_t), intent(in), optional :: problem
+        type(c_ptr), value :: problem
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*), y(*), force(*)
         real(c_double), intent(inout), optional :: fitted(*)
@@ -105,7 +105,7 @@ contains
     end function mdr_fit_predict
 
     function mdr_fit_interval(problem, n, x, y, force, sd, position, level, lower, upper) result(status) bind(C)
-        type(c_fit_problem_t), intent(in), optional :: problem
+        type(c_ptr), value :: problem
         integer(c_int), value :: n, position
         real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
         real(c_double), value :: level

@@ -1,10 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The problem of a fit as C describes it, and its translation.
 module mdrcontact_api_fit_problem
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr, &
+                                           c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_count
-    use mdrcontact_api_handles, only: open_medium, open_profile
-    use mdrcontact_api_medium_options, only: medium_options_t
+    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_medium_options, only: read_medium_options
+    use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
@@ -15,7 +17,7 @@ module mdrcontact_api_fit_problem
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: c_fit_problem_t, read_problem, read_data
+    public :: read_problem, read_data
     public :: mdr_fit_problem_init, mdr_fit_parameter_count
 
     !> struct mdr_fit_parameter
@@ -30,6 +32,7 @@ module mdrcontact_api_fit_problem
 
     !> struct mdr_fit_problem
     type, bind(C) :: c_fit_problem_t
+        integer(c_size_t) :: size = 0_c_size_t
         integer(c_int) :: data_kind = int(data_force_depth, c_int)
         integer(c_int) :: indenter = int(indenter_given, c_int)
         type(c_ptr) :: profile = c_null_ptr
@@ -37,7 +40,7 @@ module mdrcontact_api_fit_problem
         type(c_ptr) :: medium_object = c_null_ptr
         integer(c_int) :: model = 0_c_int
         integer(c_int) :: layers = 1_c_int
-        type(medium_options_t) :: options
+        type(c_ptr) :: options = c_null_ptr
         integer(c_int) :: adhesion_rule = int(adhesion_automatic, c_int)
         integer(c_int) :: loss = int(loss_linear, c_int)
         real(c_double) :: loss_scale = 1.345_c_double
@@ -55,26 +58,29 @@ contains
     subroutine mdr_fit_problem_init(problem) bind(C)
         type(c_fit_problem_t), intent(inout), optional :: problem
 
-        if (present(problem)) problem = c_fit_problem_t()
+        if (.not. present(problem)) return
+        problem = c_fit_problem_t()
+        problem%size = c_sizeof(problem)
     end subroutine mdr_fit_problem_init
 
     function mdr_fit_parameter_count(problem, count) result(status) bind(C)
-        type(c_fit_problem_t), intent(in), optional :: problem
+        type(c_ptr), value :: problem
         integer(c_int), intent(inout), optional :: count
         integer(c_int) :: status
+        type(c_fit_problem_t), target :: given
         type(fit_problem_t) :: chosen
         type(error_t), allocatable :: error
         integer :: found
 
-        call check_given(error, "problem", present(problem))
+        call check_given(error, "problem", c_associated(problem))
         call check_given(error, "count", present(count))
-        if (.not. allocated(error)) call check_layers(problem%layers, error)
+        call read_options(error, "problem", problem, c_loc(given), c_sizeof(given))
+        call read_kinds(given, chosen, error)
         if (.not. allocated(error)) then
-            call read_kinds(problem, chosen)
             found = parameter_count(chosen%body)
             if (found < 0) then
-                call raise(error, error_invalid, "indenter = "//count_text(int(problem%indenter))//", medium = "// &
-                           count_text(int(problem%medium))//" is not allowed: they must be kinds that exist")
+                call raise(error, error_invalid, "indenter = "//count_text(int(given%indenter))//", medium = "// &
+                           count_text(int(given%medium))//" is not allowed: they must be kinds that exist")
             else
                 count = int(found, c_int)
             end if
@@ -87,22 +93,25 @@ contains
         integer(c_int), intent(in) :: layers
         type(error_t), allocatable, intent(inout) :: error
 
+        if (allocated(error)) return
         if (layers >= 1 .and. layers <= most_layers) return
         call raise(error, error_invalid, "layers = "//count_text(int(layers))//" is not allowed: it must be at least 1 and at "// &
                    "most "//count_text(int(most_layers)))
     end subroutine check_layers
 
     !> Kinds and choices, without objects and parameters.
-    subroutine read_kinds(given, problem)
+    subroutine read_kinds(given, problem, error)
         type(c_fit_problem_t), intent(in) :: given
         type(fit_problem_t), intent(out) :: problem
+        type(error_t), allocatable, intent(inout) :: error
 
+        call check_layers(given%layers, error)
+        call read_medium_options(error, given%options, problem%body%medium%options)
         problem%data_kind = int(given%data_kind)
         problem%body%indenter = int(given%indenter)
         problem%body%medium%kind = int(given%medium)
         problem%body%medium%model = int(given%model)
         problem%body%medium%layers = int(given%layers)
-        problem%body%medium%options = given%options
         problem%adhesion_rule = int(given%adhesion_rule)
         problem%loss = int(given%loss)
         problem%loss_scale = given%loss_scale
@@ -112,32 +121,33 @@ contains
     end subroutine read_kinds
 
     !> The whole problem, checked.
-    subroutine read_problem(given, problem, error)
-        type(c_fit_problem_t), intent(in), optional :: given
+    subroutine read_problem(structure, problem, error)
+        type(c_ptr), intent(in) :: structure
         type(fit_problem_t), intent(out) :: problem
         type(error_t), allocatable, intent(out) :: error
+        type(c_fit_problem_t), target :: given
         class(profile_t), pointer :: profile
         class(medium_t), pointer :: medium
         type(c_fit_parameter_t), pointer :: parameters(:)
         integer :: stat
 
-        call check_given(error, "problem", present(given))
+        call check_given(error, "problem", c_associated(structure))
+        call read_options(error, "problem", structure, c_loc(given), c_sizeof(given))
         if (allocated(error)) return
         if (given%parameter_count < 0) call raise(error, error_invalid, "parameter_count = "// &
                                                   count_text(int(given%parameter_count))//" is not allowed: it must be at least 0")
-        call check_layers(given%layers, error)
         call check_given(error, "parameters", c_associated(given%parameters))
+        call read_kinds(given, problem, error)
         if (allocated(error)) return
-        call read_kinds(given, problem)
         if (problem%body%indenter == indenter_given) then
-            call open_profile(given%profile, "profile", profile, error)
+            call open_handle(given%profile, "profile", profile, error)
             if (allocated(error)) return
             allocate (problem%body%profile, source=profile, stat=stat)
             call check_memory(error, stat)
             if (allocated(error)) return
         end if
         if (problem%body%medium%kind == medium_given) then
-            call open_medium(given%medium_object, "medium_object", medium, error)
+            call open_handle(given%medium_object, "medium_object", medium, error)
             if (allocated(error)) return
             allocate (problem%body%medium%object, source=medium, stat=stat)
             call check_memory(error, stat)

@@ -3,8 +3,7 @@
 module mdrcontact_api_lateral
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_finite, check_each_not_negative
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
-    use mdrcontact_batch, only: check_threads
+    use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
     use mdrcontact_error, only: check_count_within, check_not_negative, check_poisson, check_positive, entry_name, error_invalid, &
                                 error_t, raise, to_text
     use mdrcontact_kinds, only: wp
@@ -14,22 +13,12 @@ module mdrcontact_api_lateral
     use mdrcontact_lateral_values, only: density_values
     implicit none (type, external)
     private
-    public :: mdr_lateral_density, mdr_lateral_density_threads, mdr_lateral_cells, mdr_lateral_rule
+    public :: mdr_lateral_density, mdr_lateral_cells, mdr_lateral_rule
 
 contains
 
     function mdr_lateral_density(n, rho, z, nu, shear, poisson) result(status) bind(C)
         integer(c_int), value :: n
-        real(c_double), intent(in), optional :: rho(*), z(*)
-        real(c_double), value :: nu
-        real(c_double), intent(inout), optional :: shear(*), poisson(*)
-        integer(c_int) :: status
-
-        status = mdr_lateral_density_threads(n, rho, z, nu, shear, poisson, 1_c_int)
-    end function mdr_lateral_density
-
-    function mdr_lateral_density_threads(n, rho, z, nu, shear, poisson, threads) result(status) bind(C)
-        integer(c_int), value :: n, threads
         real(c_double), intent(in), optional :: rho(*), z(*)
         real(c_double), value :: nu
         real(c_double), intent(inout), optional :: shear(*), poisson(*)
@@ -42,14 +31,13 @@ contains
         call check_array(error, "shear", n, present(shear))
         call check_array(error, "poisson", n, present(poisson))
         call check_poisson(error, "nu", nu)
-        call check_threads(error, int(threads))
         if (.not. allocated(error) .and. n > 0) then
             call check_each_not_negative(error, "rho", rho(:n))
             call check_each_not_negative(error, "z", z(:n))
-            if (.not. allocated(error)) call density_values(rho(:n), z(:n), nu, shear(:n), poisson(:n), int(threads))
+            if (.not. allocated(error)) call density_values(rho(:n), z(:n), nu, shear(:n), poisson(:n), wanted_threads())
         end if
         status = status_of(error)
-    end function mdr_lateral_density_threads
+    end function mdr_lateral_density
 
     function mdr_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson) result(status) bind(C)
         real(c_double), value :: nu, a, z_top, z_bottom

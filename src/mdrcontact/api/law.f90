@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Compiled contact laws for C: making them, one point, and what they are.
 module mdrcontact_api_law
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_null_char, c_null_ptr, c_ptr
-    use mdrcontact_api_handles, only: open_contact
-    use mdrcontact_api_law_handle, only: deliver_law, open_law
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_loc, &
+                                           c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_error, only: error_t
@@ -12,11 +13,11 @@ module mdrcontact_api_law
     use mdrcontact_law_evaluate, only: point_at, value_at
     implicit none (type, external)
     private
-    public :: c_law_options_t, c_law_facts_t
     public :: mdr_law_options_init, mdr_law_new, mdr_law_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_text
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
+        integer(c_size_t) :: size = 0_c_size_t
         real(c_double) :: smallest_depth = 0.0_c_double
         real(c_double) :: tolerance = default_law_tolerance
         type(c_ptr) :: description = c_null_ptr
@@ -38,28 +39,29 @@ contains
     subroutine mdr_law_options_init(options) bind(C)
         type(c_law_options_t), intent(inout), optional :: options
 
-        if (present(options)) options = c_law_options_t()
+        if (.not. present(options)) return
+        options = c_law_options_t()
+        options%size = c_sizeof(options)
     end subroutine mdr_law_options_init
 
     function mdr_law_new(contact, largest_depth, options, out) result(status) bind(C)
-        type(c_ptr), value :: contact
+        type(c_ptr), value :: contact, options
         real(c_double), value :: largest_depth
-        type(c_law_options_t), intent(in), optional :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(contact_t), pointer :: inside
         type(contact_law_t) :: law
+        type(c_law_options_t), target :: given
         type(law_options_t) :: chosen
         type(error_t), allocatable :: error
 
-        call open_contact(contact, "contact", inside, error)
-        if (present(options)) then
-            chosen%smallest_depth = options%smallest_depth
-            chosen%tolerance = options%tolerance
-            call read_text(options%description, chosen%description, error)
-        end if
+        call read_options(error, "options", options, c_loc(given), c_sizeof(given))
+        call open_handle(contact, "contact", inside, error)
+        chosen%smallest_depth = given%smallest_depth
+        chosen%tolerance = given%tolerance
+        if (.not. allocated(error)) call read_text(given%description, chosen%description, error)
         if (.not. allocated(error)) call new_contact_law(law, inside, largest_depth, error, chosen)
-        status = deliver_law(law, out, error)
+        status = deliver(law, out, error)
     end function mdr_law_new
 
     !> The text at a C pointer; empty for null.
@@ -97,7 +99,7 @@ contains
         real(c_double) :: force, rise, radius, stiffness
         type(error_t), allocatable :: error
 
-        call open_law(law, inside, error)
+        call open_handle(law, "law", inside, error)
         call check_branch(error, int(branch))
         if (.not. allocated(error)) call check_below(error, "depth", d, inside%by_depth%highest)
         status = 0_c_int
@@ -123,7 +125,7 @@ contains
         type(error_t), allocatable :: error
         integer :: place
 
-        call open_law(law, inside, error)
+        call open_handle(law, "law", inside, error)
         call check_given(error, "stretch", present(stretch))
         status = 0_c_int
         if (.not. allocated(error)) then
@@ -148,7 +150,7 @@ contains
         type(contact_law_t), pointer :: inside
         type(error_t), allocatable :: error
 
-        call open_law(law, inside, error)
+        call open_handle(law, "law", inside, error)
         call check_given(error, "facts", present(facts))
         status = status_of(error)
         if (allocated(error)) return
@@ -167,7 +169,7 @@ contains
         type(error_t), allocatable :: error
         integer :: i, copied
 
-        call open_law(law, inside, error)
+        call open_handle(law, "law", inside, error)
         call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
         status = status_of(error)
         if (allocated(error) .or. length < 1) return

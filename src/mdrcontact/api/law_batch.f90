@@ -3,9 +3,8 @@
 module mdrcontact_api_law_batch
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count
-    use mdrcontact_api_law_handle, only: open_law
-    use mdrcontact_api_status, only: check_memory, status_of
-    use mdrcontact_batch, only: check_threads
+    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_status, only: check_memory, status_of, wanted_threads
     use mdrcontact_error, only: count_text, error_t, error_unreachable, raise, to_text
     use mdrcontact_law, only: check_below, check_branch, contact_law_t, lowest_force
     use mdrcontact_law_evaluate, only: all_of, values_of
@@ -16,58 +15,55 @@ module mdrcontact_api_law_batch
 
 contains
 
-    function mdr_law_from_depth(law, branch, n, d, f, slope, a, k, threads) result(status) bind(C)
+    function mdr_law_from_depth(law, branch, n, d, f, slope, a, k) result(status) bind(C)
         type(c_ptr), value :: law
         integer(c_int), value :: branch, n
         real(c_double), intent(in), optional :: d(*)
         real(c_double), intent(inout), optional :: f(*), slope(*), a(*), k(*)
-        integer(c_int), value :: threads
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
         type(error_t), allocatable :: error
 
-        call open_law(law, inside, error)
-        call check_call(error, branch, n, "d", present(d), threads)
+        call open_handle(law, "law", inside, error)
+        call check_call(error, branch, n, "d", present(d))
         if (.not. allocated(error) .and. n > 0) then
             call check_all(error, "depth", d(:n), -huge(1.0_c_double), inside%by_depth%highest)
             if (.not. allocated(error)) then
-                call evaluate(inside%by_depth, int(branch), int(n), d, f, slope, a, k, int(threads), error)
+                call evaluate(inside%by_depth, int(branch), int(n), d, f, slope, a, k, wanted_threads(), error)
             end if
         end if
         status = status_of(error)
     end function mdr_law_from_depth
 
-    function mdr_law_from_force(law, branch, n, f, d, compliance, a, k, threads) result(status) bind(C)
+    function mdr_law_from_force(law, branch, n, f, d, compliance, a, k) result(status) bind(C)
         type(c_ptr), value :: law
         integer(c_int), value :: branch, n
         real(c_double), intent(in), optional :: f(*)
         real(c_double), intent(inout), optional :: d(*), compliance(*), a(*), k(*)
-        integer(c_int), value :: threads
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
         type(error_t), allocatable :: error
 
-        call open_law(law, inside, error)
-        call check_call(error, branch, n, "F", present(f), threads)
+        call open_handle(law, "law", inside, error)
+        call check_call(error, branch, n, "F", present(f))
         if (.not. allocated(error) .and. n > 0) then
             call check_all(error, "force", f(:n), lowest_force(inside, int(branch)), inside%by_force%highest)
             if (.not. allocated(error)) then
-                call evaluate(inside%by_force, int(branch), int(n), f, d, compliance, a, k, int(threads), error)
+                call evaluate(inside%by_force, int(branch), int(n), f, d, compliance, a, k, wanted_threads(), error)
             end if
         end if
         status = status_of(error)
     end function mdr_law_from_force
 
-    pure subroutine check_call(error, branch, n, name, is_given, threads)
+    pure subroutine check_call(error, branch, n, name, is_given)
         type(error_t), allocatable, intent(inout) :: error
-        integer(c_int), intent(in) :: branch, n, threads
+        integer(c_int), intent(in) :: branch, n
         character(len=*), intent(in) :: name
         logical, intent(in) :: is_given
 
         call check_branch(error, int(branch))
         call check_count(error, n)
         call check_array(error, name, n, is_given)
-        call check_threads(error, int(threads))
     end subroutine check_call
 
     !> Every point, before anything is written.

@@ -3,7 +3,7 @@
 module mdrcontact_api_law_file
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_null_char, c_ptr
     use mdrcontact_api_law, only: read_text
-    use mdrcontact_api_law_handle, only: deliver_law, open_law
+    use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_law, only: contact_law_t
@@ -21,7 +21,7 @@ contains
         character(len=:), allocatable :: name
         type(error_t), allocatable :: error
 
-        call open_law(law, inside, error)
+        call open_handle(law, "law", inside, error)
         call check_given(error, "path", c_associated(path))
         if (.not. allocated(error)) then
             call read_text(path, name, error)
@@ -43,7 +43,7 @@ contains
             call read_text(path, name, error)
             if (.not. allocated(error)) call load_law(law, name//c_null_char, error)
         end if
-        status = deliver_law(law, out, error)
+        status = deliver(law, out, error)
     end function mdr_law_load
 
     !> Writes nothing but the length where the buffer is too short.
@@ -58,7 +58,7 @@ contains
         type(error_t), allocatable :: error
         integer :: i
 
-        call open_law(law, inside, error)
+        call open_handle(law, "law", inside, error)
         call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
         call check_given(error, "full_length", present(full_length))
         text = ""
@@ -89,7 +89,7 @@ contains
         text = "" ! gfortran 12 would call its length uninitialized
         if (.not. allocated(error)) call read_buffer(buffer, int(length), text, error)
         if (.not. allocated(error)) call law_from_text(law, text, error)
-        status = deliver_law(law, out, error)
+        status = deliver(law, out, error)
     end function mdr_law_read
 
     !> The characters of a buffer as text.

@@ -5,8 +5,8 @@ module mdrcontact_api_layered
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: deliver_medium
-    use mdrcontact_api_medium_options, only: medium_options_t, options_or_defaults
+    use mdrcontact_api_handles, only: deliver
+    use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_body, only: body_t
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
@@ -15,7 +15,7 @@ module mdrcontact_api_layered
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
-    use mdrcontact_model, only: new_medium
+    use mdrcontact_model, only: model_options_t, new_medium
     implicit none (type, external)
     private
     public :: mdr_medium_coated, mdr_medium_layered, mdr_medium_graded, mdr_medium_graded_callback, mdr_medium_power_graded
@@ -26,7 +26,7 @@ contains
         result(status) bind(C)
         real(c_double), value :: coating_e, coating_nu, thickness, substrate_e, substrate_nu
         integer(c_int), value :: model
-        type(medium_options_t), intent(in), optional :: options
+        type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(material_t) :: coating
@@ -43,7 +43,7 @@ contains
         real(c_double), intent(in), optional :: e(*), nu(*), thickness(*)
         real(c_double), value :: substrate_e, substrate_nu
         integer(c_int), value :: model
-        type(medium_options_t), intent(in), optional :: options
+        type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(material_t), allocatable :: layers(:)
@@ -65,7 +65,7 @@ contains
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: z(*), e(*), nu(*)
         integer(c_int), value :: model
-        type(medium_options_t), intent(in), optional :: options
+        type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(graded_body_t) :: body
@@ -85,7 +85,7 @@ contains
         type(c_ptr), value :: context
         real(c_double), value :: depth
         integer(c_int), value :: model
-        type(medium_options_t), intent(in), optional :: options
+        type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(c_function_t) :: young, poisson
@@ -106,24 +106,26 @@ contains
         type(error_t), allocatable :: error
 
         call new_power_graded(medium, e0, z0, exponent, nu, error)
-        status = deliver_medium(medium, out, error)
+        status = deliver(medium, out, error)
     end function mdr_medium_power_graded
 
     !> The medium of a body, unless there is an error already.
     function deliver_model(body, model, options, out, error) result(status)
         class(body_t), intent(in) :: body
         integer(c_int), intent(in) :: model
-        type(medium_options_t), intent(in), optional :: options
+        type(c_ptr), intent(in) :: options
         type(c_ptr), intent(inout), optional :: out
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
         class(medium_t), allocatable :: medium
+        type(model_options_t) :: chosen
 
-        if (.not. allocated(error)) call new_medium(medium, body, int(model), error, options_or_defaults(options))
+        call read_medium_options(error, options, chosen)
+        if (.not. allocated(error)) call new_medium(medium, body, int(model), error, chosen)
         if (allocated(error)) then
             status = status_of(error)
         else
-            status = deliver_medium(medium, out, error)
+            status = deliver(medium, out, error)
         end if
     end function deliver_model
 

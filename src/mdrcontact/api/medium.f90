@@ -2,10 +2,9 @@
 !> Homogeneous media, and the modulus and stiffness of any medium, for C.
 module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_each_within, check_positive_results
-    use mdrcontact_api_handles, only: deliver_medium, open_medium
-    use mdrcontact_api_status, only: check_memory, status_of
-    use mdrcontact_batch, only: check_threads
+    use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results
+    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_status, only: check_memory, status_of, wanted_threads
     use mdrcontact_error, only: error_t
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
@@ -13,7 +12,6 @@ module mdrcontact_api_medium
     use mdrcontact_medium_values, only: modulus_values
     implicit none (type, external)
     private
-    public :: mdr_medium_modulus_threads, mdr_medium_stiffness_threads
     public :: mdr_medium_homogeneous, mdr_medium_contact_modulus, mdr_medium_modulus, mdr_medium_stiffness
 
 contains
@@ -28,7 +26,7 @@ contains
 
         call new_material(material, e, nu, error)
         call new_homogeneous(medium, material)
-        status = deliver_medium(medium, out, error)
+        status = deliver(medium, out, error)
     end function mdr_medium_homogeneous
 
     function mdr_medium_contact_modulus(contact_modulus, out) result(status) bind(C)
@@ -39,7 +37,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_homogeneous_from_modulus(medium, contact_modulus, error)
-        status = deliver_medium(medium, out, error)
+        status = deliver(medium, out, error)
     end function mdr_medium_contact_modulus
 
     function mdr_medium_modulus(m, n, a, out) result(status) bind(C)
@@ -48,44 +46,24 @@ contains
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-
-        status = mdr_medium_modulus_threads(m, n, a, out, 1_c_int)
-    end function mdr_medium_modulus
-
-    function mdr_medium_modulus_threads(m, n, a, out, threads) result(status) bind(C)
-        type(c_ptr), value :: m
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: a(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
         real(c_double), allocatable :: modulus(:)
         type(error_t), allocatable :: error
 
-        call evaluate(m, n, a, present(out), modulus, threads, error)
+        call evaluate(m, n, a, present(out), modulus, error)
         if (.not. allocated(error) .and. n > 0) out(:n) = modulus
         status = status_of(error)
-    end function mdr_medium_modulus_threads
+    end function mdr_medium_modulus
 
     function mdr_medium_stiffness(m, n, a, out) result(status) bind(C)
         type(c_ptr), value :: m
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = mdr_medium_stiffness_threads(m, n, a, out, 1_c_int)
-    end function mdr_medium_stiffness
-
-    function mdr_medium_stiffness_threads(m, n, a, out, threads) result(status) bind(C)
-        type(c_ptr), value :: m
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: a(*)
-        real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status, i
         real(c_double), allocatable :: modulus(:)
         type(error_t), allocatable :: error
 
-        call evaluate(m, n, a, present(out), modulus, threads, error)
+        call evaluate(m, n, a, present(out), modulus, error)
         if (.not. allocated(error) .and. n > 0) then
             do i = 1, n
                 modulus(i) = 2.0_c_double*a(i)*modulus(i)
@@ -94,12 +72,12 @@ contains
         end if
         if (.not. allocated(error) .and. n > 0) out(:n) = modulus
         status = status_of(error)
-    end function mdr_medium_stiffness_threads
+    end function mdr_medium_stiffness
 
     !> E_eff(a) at checked radii.
-    subroutine evaluate(m, n, a, has_out, modulus, threads, error)
+    subroutine evaluate(m, n, a, has_out, modulus, error)
         type(c_ptr), intent(in) :: m
-        integer(c_int), intent(in) :: n, threads
+        integer(c_int), intent(in) :: n
         real(c_double), intent(in), optional :: a(*)
         logical, intent(in) :: has_out
         real(c_double), allocatable, intent(out) :: modulus(:)
@@ -107,11 +85,8 @@ contains
         class(medium_t), pointer :: medium
         integer :: stat
 
-        call open_medium(m, "m", medium, error)
-        call check_count(error, n)
-        call check_array(error, "a", n, present(a))
-        call check_array(error, "out", n, has_out)
-        call check_threads(error, int(threads))
+        call open_handle(m, "m", medium, error)
+        call check_in_out(error, n, "a", present(a), has_out)
         if (allocated(error) .or. n == 0) return
         call check_each_positive(error, "a", a(:n))
         call check_each_within(error, "a", a(:n), medium%smallest_radius(), medium%largest_radius(), "the medium")
@@ -119,7 +94,7 @@ contains
         allocate (modulus(n), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        call modulus_values(medium, a(:n), modulus, int(threads), error)
+        call modulus_values(medium, a(:n), modulus, wanted_threads(), error)
         if (.not. allocated(error)) call check_positive_results(error, modulus)
     end subroutine evaluate
 

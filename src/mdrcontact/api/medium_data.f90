@@ -4,7 +4,7 @@ module mdrcontact_api_medium_data
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty, check_each_positive
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: deliver_medium
+    use mdrcontact_api_handles, only: deliver
     use mdrcontact_error, only: check_table, error_t
     use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
     implicit none (type, external)
@@ -31,7 +31,7 @@ contains
             call check_each_positive(error, "moduli", moduli(:n))
         end if
         if (.not. allocated(error)) call new_tabulated_medium(medium, a(:n), moduli(:n), error)
-        status = deliver_medium(medium, out, error)
+        status = deliver(medium, out, error)
     end function mdr_medium_table
 
     function mdr_medium_callback(modulus, context, smallest_radius, largest_radius, out) result(status) bind(C)
@@ -46,7 +46,7 @@ contains
 
         call new_c_function(f, "modulus", modulus, context, error)
         if (.not. allocated(error)) call new_medium_from_function(medium, f, smallest_radius, largest_radius, error)
-        status = deliver_medium(medium, out, error)
+        status = deliver(medium, out, error)
     end function mdr_medium_callback
 
 end module mdrcontact_api_medium_data

@@ -1,57 +1,91 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The optional settings of a medium, `mdr_medium_options`, and the names of the models, for C.
 module mdrcontact_api_medium_options
-    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_null_char
+    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_null_char, c_ptr, c_size_t, c_sizeof
+    use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
-    use mdrcontact_model, only: find_model, medium_options_t => model_options_t, model_position, model_table
+    use mdrcontact_model, only: find_model, model_options_t, model_position, model_table
     implicit none (type, external)
     private
-    public :: medium_options_t, options_or_defaults
-    public :: mdr_medium_options_init, mdr_model_name, mdr_model_from_name
+    public :: read_medium_options
+    public :: mdr_medium_options_init, mdr_model_name, mdr_model_from_name, mdr_model_info
+
+    !> struct mdr_medium_options
+    type, bind(C) :: c_medium_options_t
+        integer(c_size_t) :: size = 0_c_size_t
+        type(model_options_t) :: options = model_options_t()
+    end type c_medium_options_t
+
+    !> Room for a name, with the null character that ends it.
+    integer, parameter :: name_room = 24
+
+    !> struct mdr_model_facts
+    type, bind(C) :: c_model_facts_t
+        integer(c_int) :: base, takes_layers, takes_graded, option_is_number
+        character(kind=c_char) :: name(name_room), option(name_room)
+    end type c_model_facts_t
 
 contains
 
     subroutine mdr_medium_options_init(options) bind(C)
-        type(medium_options_t), intent(inout), optional :: options
+        type(c_medium_options_t), intent(inout), optional :: options
 
-        if (present(options)) options = medium_options_t()
+        if (.not. present(options)) return
+        options = c_medium_options_t()
+        options%size = c_sizeof(options)
     end subroutine mdr_medium_options_init
 
     !> What the caller gave, or the defaults for a null pointer.
-    pure function options_or_defaults(options) result(chosen)
-        type(medium_options_t), intent(in), optional :: options
-        type(medium_options_t) :: chosen
+    subroutine read_medium_options(error, given, options)
+        type(error_t), allocatable, intent(inout) :: error
+        type(c_ptr), intent(in) :: given
+        type(model_options_t), intent(out) :: options
+        type(c_medium_options_t), target :: chosen
 
-        chosen = medium_options_t()
-        if (present(options)) chosen = options
-    end function options_or_defaults
+        call read_options(error, "options", given, c_loc(chosen), c_sizeof(chosen))
+        options = chosen%options
+    end subroutine read_medium_options
 
     function mdr_model_name(model, length, name) result(status) bind(C)
         integer(c_int), value :: model, length
         character(kind=c_char), intent(inout), optional :: name(*)
         integer(c_int) :: status
         type(error_t), allocatable :: error
-        integer :: i, position
+        integer :: position
 
         position = model_position(int(model))
         call check_given(error, "name", present(name))
-        if (position == 0) then
-            call raise(error, error_invalid, "model = "//count_text(int(model))//" is not allowed: "// &
-                       "it must be one of enum mdr_model")
-        end if
+        if (position == 0) call raise_model(error, model)
         if (length < len(model_table%name) + 1) then
             call raise(error, error_invalid, "length = "//count_text(int(length))//" is not allowed: it must be at least "// &
                        count_text(len(model_table%name) + 1))
         end if
-        if (.not. allocated(error)) then
-            do i = 1, len_trim(model_table(position)%name)
-                name(i) = model_table(position)%name(i:i)
-            end do
-            name(i) = c_null_char
-        end if
+        if (.not. allocated(error)) call write_name(model_table(position)%name, name(:length))
         status = status_of(error)
     end function mdr_model_name
+
+    function mdr_model_info(model, facts) result(status) bind(C)
+        integer(c_int), value :: model
+        type(c_model_facts_t), intent(inout), optional :: facts
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+        integer :: position
+
+        position = model_position(int(model))
+        call check_given(error, "facts", present(facts))
+        if (position == 0) call raise_model(error, model)
+        status = status_of(error)
+        if (allocated(error)) return
+        associate (row => model_table(position))
+            facts%base = int(row%base, c_int)
+            facts%takes_layers = merge(1_c_int, 0_c_int, row%layers)
+            facts%takes_graded = merge(1_c_int, 0_c_int, row%graded)
+            facts%option_is_number = merge(1_c_int, 0_c_int, row%has_constant)
+            call write_name(row%name, facts%name)
+            call write_name(row%option, facts%option)
+        end associate
+    end function mdr_model_info
 
     function mdr_model_from_name(name, model) result(status) bind(C)
         character(kind=c_char), intent(in), optional :: name(*)
@@ -78,5 +112,24 @@ contains
         end if
         status = status_of(error)
     end function mdr_model_from_name
+
+    !> A name as C has it.
+    pure subroutine write_name(name, characters)
+        character(len=*), intent(in) :: name
+        character(kind=c_char), intent(inout) :: characters(:)
+        integer :: i
+
+        do i = 1, len_trim(name)
+            characters(i) = name(i:i)
+        end do
+        characters(len_trim(name) + 1) = c_null_char
+    end subroutine write_name
+
+    pure subroutine raise_model(error, model)
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int), intent(in) :: model
+
+        call raise(error, error_invalid, "model = "//count_text(int(model))//" is not allowed: it must be one of enum mdr_model")
+    end subroutine raise_model
 
 end module mdrcontact_api_medium_options

@@ -2,7 +2,7 @@
 !> Indenter profiles with closed forms, for C.
 module mdrcontact_api_profile
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_handles, only: deliver_profile
+    use mdrcontact_api_handles, only: deliver
     use mdrcontact_error, only: error_t
     use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
     use mdrcontact_profile_flat_paraboloid, only: flat_paraboloid_t, new_flat_paraboloid
@@ -25,7 +25,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_paraboloid(profile, radius, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_paraboloid
 
     function mdr_profile_sphere(radius, out) result(status) bind(C)
@@ -36,7 +36,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_sphere(profile, radius, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_sphere
 
     function mdr_profile_cone(inclination, out) result(status) bind(C)
@@ -47,7 +47,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_cone(profile, inclination, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_cone
 
     function mdr_profile_power(exponent, coefficient, out) result(status) bind(C)
@@ -58,7 +58,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_power_law(profile, exponent, coefficient, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_power
 
     function mdr_profile_flat_punch(radius, out) result(status) bind(C)
@@ -69,7 +69,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_flat_punch(profile, radius, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_flat_punch
 
     function mdr_profile_flat_cone(end_radius, inclination, out) result(status) bind(C)
@@ -80,7 +80,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_flat_cone(profile, end_radius, inclination, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_flat_cone
 
     function mdr_profile_flat_paraboloid(end_radius, radius, out) result(status) bind(C)
@@ -91,7 +91,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_flat_paraboloid(profile, end_radius, radius, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_flat_paraboloid
 
     function mdr_profile_rounded_cone(blend_radius, inclination, out) result(status) bind(C)
@@ -102,7 +102,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_rounded_cone(profile, blend_radius, inclination, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_rounded_cone
 
 end module mdrcontact_api_profile

@@ -4,7 +4,7 @@ module mdrcontact_api_profile_data
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: deliver_profile, open_profile
+    use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_memory
     use mdrcontact_error, only: entry_name, error_invalid, error_t, raise
     use mdrcontact_profile, only: profile_t
@@ -31,7 +31,7 @@ contains
         if (n == 0) call raise(error, error_invalid, "coefficients is empty: at least C0 is needed")
         call check_array(error, "coefficients", n, present(coefficients))
         if (.not. allocated(error)) call new_area_function_profile(profile, coefficients(:n), min_height, max_height, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_area_function
 
     function mdr_profile_table(n, r, f, out) result(status) bind(C)
@@ -47,7 +47,7 @@ contains
         call check_array(error, "r", n, present(r))
         call check_array(error, "f", n, present(f))
         if (.not. allocated(error)) call new_tabulated_profile(profile, r(:n), f(:n), error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_table
 
     function mdr_profile_from_mdr_table(n, x, g, out) result(status) bind(C)
@@ -63,7 +63,7 @@ contains
         call check_array(error, "x", n, present(x))
         call check_array(error, "g", n, present(g))
         if (.not. allocated(error)) call new_profile_from_mdr(profile, x(:n), g(:n), error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_from_mdr_table
 
     function mdr_profile_callback(height, context, largest_radius, out) result(status) bind(C)
@@ -78,7 +78,7 @@ contains
 
         call new_c_function(f, "height", height, context, error)
         if (.not. allocated(error)) call new_profile_from_function(profile, f, largest_radius, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_callback
 
     function mdr_profile_sum(n, terms, out) result(status) bind(C)
@@ -95,7 +95,7 @@ contains
         call check_array(error, "terms", n, present(terms))
         if (.not. allocated(error)) call copy_terms(terms(:n), copies, error)
         if (.not. allocated(error)) call new_profile_sum(profile, copies, error)
-        status = deliver_profile(profile, out, error)
+        status = deliver(profile, out, error)
     end function mdr_profile_sum
 
     subroutine copy_terms(terms, copies, error)
@@ -108,7 +108,7 @@ contains
         allocate (copies(size(terms)), stat=stat)
         call check_memory(error, stat)
         do i = 1, size(terms)
-            call open_profile(terms(i), entry_name("terms", i), term, error)
+            call open_handle(terms(i), entry_name("terms", i), term, error)
             if (allocated(error)) return
             allocate (copies(i)%profile, source=term, stat=stat)
             call check_memory(error, stat)

@@ -5,7 +5,7 @@ module mdrcontact_api_status
     use mdrcontact_error, only: check_memory, error_null, error_t, raise, success
     implicit none (type, external)
     private
-    public :: status_of, check_given, check_memory
+    public :: status_of, check_given, check_memory, wanted_threads
 
     interface
         subroutine mdrcontact_store_error(text, length) bind(C)
@@ -13,6 +13,11 @@ module mdrcontact_api_status
             character(kind=c_char), intent(in) :: text(*)
             integer(c_int), value :: length
         end subroutine mdrcontact_store_error
+
+        function mdrcontact_wanted_threads() result(threads) bind(C)
+            import :: c_int
+            integer(c_int) :: threads
+        end function mdrcontact_wanted_threads
     end interface
 
 contains
@@ -27,6 +32,13 @@ contains
         status = int(error%code, c_int)
         call mdrcontact_store_error(error%message, len(error%message, c_int))
     end function status_of
+
+    !> How many threads the calls of the calling thread may use, as mdr_set_threads() was told.
+    function wanted_threads() result(threads)
+        integer :: threads
+
+        threads = int(mdrcontact_wanted_threads())
+    end function wanted_threads
 
     !> Raises unless a required pointer is there.
     pure subroutine check_given(error, name, is_given)

@@ -1,13 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Laterally heterogeneous structures, for C (theory 7).
 module mdrcontact_api_structure
-    use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_null_ptr, c_ptr, c_associated
+    use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, &
+                                           c_associated, c_size_t, c_sizeof
     use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
     use mdrcontact_api_arrays, only: check_array, check_count
-    use mdrcontact_api_handles, only: deliver_medium
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
-    use mdrcontact_api_structure_handle, only: deliver_structure, open_structure
-    use mdrcontact_batch, only: check_threads
+    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_options, only: read_options
+    use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
     use mdrcontact_error, only: count_text, error_callback, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
@@ -22,10 +22,11 @@ module mdrcontact_api_structure
     implicit none (type, external)
     private
     public :: mdr_structure_options_init, mdr_structure_shapes, mdr_structure_voxels, mdr_structure_callback, &
-              mdr_structure_modulus, mdr_structure_modulus_threads, mdr_structure_medium
+              mdr_structure_modulus, mdr_structure_medium
 
     !> struct mdr_structure_options; the order of the components is that of the header.
     type, bind(C) :: structure_options_t
+        integer(c_size_t) :: size = 0_c_size_t
         real(c_double) :: reference_nu
         real(c_double) :: tolerance = 1.0e-5_c_double
         integer(c_int) :: padded = 0_c_int
@@ -65,10 +66,10 @@ contains
         integer(c_int), value :: n
         integer(c_int), intent(in), optional :: kind(*)
         real(c_double), intent(in), optional :: parameters(7, *), shape_e(*), shape_nu(*)
-        type(structure_options_t), intent(in), optional :: options
+        type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(structure_options_t) :: chosen
+        type(structure_options_t), target :: chosen
         type(material_t) :: background, material
         type(shape_t), allocatable :: shapes(:)
         type(shapes_t) :: structure
@@ -76,7 +77,7 @@ contains
         integer :: i, stat
 
         chosen = default_options()
-        if (present(options)) chosen = options
+        call read_options(error, "options", options, c_loc(chosen), c_sizeof(chosen))
         call new_material(background, e, nu, error)
         call check_count(error, n)
         call check_array(error, "kind", n, present(kind))
@@ -98,7 +99,7 @@ contains
             if (ieee_is_nan(chosen%reference_nu)) chosen%reference_nu = nu
             call new_shapes(structure, background, shapes, error, chosen%reference_nu, chosen%tolerance)
         end if
-        status = deliver_structure(structure, out, error)
+        status = deliver(structure, out, error)
     end function mdr_structure_shapes
 
     function mdr_structure_voxels(size, labels, phases, e, nu, spacing, below_e, below_nu, options, out) result(status) bind(C)
@@ -106,10 +107,10 @@ contains
         integer(c_int), value :: phases
         real(c_double), intent(in), optional :: e(*), nu(*), spacing(3)
         real(c_double), value :: below_e, below_nu
-        type(structure_options_t), intent(in), optional :: options
+        type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(structure_options_t) :: chosen
+        type(structure_options_t), target :: chosen
         type(material_t) :: below
         type(material_t), allocatable :: materials(:), beside
         type(voxels_t) :: structure
@@ -119,7 +120,7 @@ contains
         integer :: stat
 
         chosen = default_options()
-        if (present(options)) chosen = options
+        call read_options(error, "options", options, c_loc(chosen), c_sizeof(chosen))
         call check_given(error, "size", present(size))
         call check_given(error, "labels", present(labels))
         call check_given(error, "spacing", present(spacing))
@@ -148,7 +149,7 @@ contains
             call new_voxels(structure, cells, materials, spacing, below, error, beside, chosen%origin, int(chosen%images), &
                             reference_nu)
         end if
-        status = deliver_structure(structure, out, error)
+        status = deliver(structure, out, error)
     end function mdr_structure_voxels
 
     function mdr_structure_callback(field, context, reference_nu, tolerance, out) result(status) bind(C)
@@ -165,7 +166,7 @@ contains
         wrapped%function = field
         wrapped%context = context
         if (.not. allocated(error)) call new_field_structure(structure, wrapped, reference_nu, error, tolerance)
-        status = deliver_structure(structure, out, error)
+        status = deliver(structure, out, error)
     end function mdr_structure_callback
 
     function mdr_structure_modulus(s, n, x, y, a, out) result(status) bind(C)
@@ -174,38 +175,27 @@ contains
         real(c_double), intent(in), optional :: x(*), y(*), a(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-
-        status = mdr_structure_modulus_threads(s, n, x, y, a, out, 1_c_int)
-    end function mdr_structure_modulus
-
-    function mdr_structure_modulus_threads(s, n, x, y, a, out, threads) result(status) bind(C)
-        type(c_ptr), value :: s
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: x(*), y(*), a(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
         class(structure_t), pointer :: structure
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
         integer :: stat
 
-        call open_structure(s, "s", structure, error)
+        call open_handle(s, "s", structure, error)
         call check_count(error, n)
         call check_array(error, "x", n, present(x))
         call check_array(error, "y", n, present(y))
         call check_array(error, "a", n, present(a))
         call check_array(error, "out", n, present(out))
-        call check_threads(error, int(threads))
         if (.not. allocated(error)) then
             allocate (values(n), stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error) .and. n > 0) then
-            call structure_values(structure, x(:n), y(:n), a(:n), values, int(threads), error)
+            call structure_values(structure, x(:n), y(:n), a(:n), values, wanted_threads(), error)
         end if
         if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
-    end function mdr_structure_modulus_threads
+    end function mdr_structure_modulus
 
     function mdr_structure_medium(s, x, y, smallest_radius, largest_radius, points, out) result(status) bind(C)
         type(c_ptr), value :: s
@@ -217,16 +207,17 @@ contains
         type(tabulated_medium_t) :: medium
         type(error_t), allocatable :: error
 
-        call open_structure(s, "s", structure, error)
+        call open_handle(s, "s", structure, error)
         if (.not. allocated(error)) then
             call new_lateral_medium(medium, structure, x, y, smallest_radius, largest_radius, error, int(points))
         end if
-        status = deliver_medium(medium, out, error)
+        status = deliver(medium, out, error)
     end function mdr_structure_medium
 
     function default_options() result(options)
         type(structure_options_t) :: options
 
+        options%size = c_sizeof(options)
         options%reference_nu = ieee_value(1.0_c_double, ieee_quiet_nan)
     end function default_options
 

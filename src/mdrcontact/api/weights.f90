@@ -2,16 +2,14 @@
 !> The weights of a depth, for C.
 module mdrcontact_api_weights
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative
-    use mdrcontact_api_status, only: status_of
-    use mdrcontact_batch, only: check_threads, run_map
+    use mdrcontact_api_arrays, only: check_each_not_negative, check_in_out
+    use mdrcontact_api_status, only: status_of, wanted_threads
+    use mdrcontact_batch, only: run_map
     use mdrcontact_error, only: check_poisson, error_t
     use mdrcontact_weights, only: of_i0, of_i0_slope, of_i1, of_j0, of_j1, weight_map_t
     implicit none (type, external)
     private
     public :: mdr_weight_phi, mdr_weight_i0, mdr_weight_i1, mdr_weight_j0, mdr_weight_j1
-    public :: mdr_weight_phi_threads, mdr_weight_i0_threads, mdr_weight_i1_threads, mdr_weight_j0_threads, &
-              mdr_weight_j1_threads
 
 contains
 
@@ -22,7 +20,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_weights(of_i0_slope, n, xi, nu, out, 1_c_int)
+        status = write_weights(of_i0_slope, n, xi, nu, out)
     end function mdr_weight_phi
 
     function mdr_weight_i0(n, xi, nu, out) result(status) bind(C)
@@ -32,7 +30,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_weights(of_i0, n, xi, nu, out, 1_c_int)
+        status = write_weights(of_i0, n, xi, nu, out)
     end function mdr_weight_i0
 
     function mdr_weight_i1(n, xi, nu, out) result(status) bind(C)
@@ -42,7 +40,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_weights(of_i1, n, xi, nu, out, 1_c_int)
+        status = write_weights(of_i1, n, xi, nu, out)
     end function mdr_weight_i1
 
     function mdr_weight_j0(n, xi, nu, out) result(status) bind(C)
@@ -52,7 +50,7 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_weights(of_j0, n, xi, nu, out, 1_c_int)
+        status = write_weights(of_j0, n, xi, nu, out)
     end function mdr_weight_j0
 
     function mdr_weight_j1(n, xi, nu, out) result(status) bind(C)
@@ -62,62 +60,12 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
 
-        status = write_weights(of_j1, n, xi, nu, out, 1_c_int)
+        status = write_weights(of_j1, n, xi, nu, out)
     end function mdr_weight_j1
 
-    function mdr_weight_phi_threads(n, xi, nu, out, threads) result(status) bind(C)
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: xi(*)
-        real(c_double), value :: nu
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = write_weights(of_i0_slope, n, xi, nu, out, threads)
-    end function mdr_weight_phi_threads
-
-    function mdr_weight_i0_threads(n, xi, nu, out, threads) result(status) bind(C)
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: xi(*)
-        real(c_double), value :: nu
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = write_weights(of_i0, n, xi, nu, out, threads)
-    end function mdr_weight_i0_threads
-
-    function mdr_weight_i1_threads(n, xi, nu, out, threads) result(status) bind(C)
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: xi(*)
-        real(c_double), value :: nu
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = write_weights(of_i1, n, xi, nu, out, threads)
-    end function mdr_weight_i1_threads
-
-    function mdr_weight_j0_threads(n, xi, nu, out, threads) result(status) bind(C)
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: xi(*)
-        real(c_double), value :: nu
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = write_weights(of_j0, n, xi, nu, out, threads)
-    end function mdr_weight_j0_threads
-
-    function mdr_weight_j1_threads(n, xi, nu, out, threads) result(status) bind(C)
-        integer(c_int), value :: n, threads
-        real(c_double), intent(in), optional :: xi(*)
-        real(c_double), value :: nu
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = write_weights(of_j1, n, xi, nu, out, threads)
-    end function mdr_weight_j1_threads
-
-    function write_weights(weight, n, xi, nu, out, threads) result(status)
+    function write_weights(weight, n, xi, nu, out) result(status)
         integer, intent(in) :: weight
-        integer(c_int), intent(in) :: n, threads
+        integer(c_int), intent(in) :: n
         real(c_double), intent(in), optional :: xi(*)
         real(c_double), intent(in) :: nu
         real(c_double), intent(inout), optional :: out(*)
@@ -125,16 +73,13 @@ contains
         type(weight_map_t) :: map
         type(error_t), allocatable :: error
 
-        call check_count(error, n)
-        call check_array(error, "xi", n, present(xi))
-        call check_array(error, "out", n, present(out))
+        call check_in_out(error, n, "xi", present(xi), present(out))
         call check_poisson(error, "nu", nu)
-        call check_threads(error, int(threads))
         if (.not. allocated(error) .and. n > 0) then
             call check_each_not_negative(error, "xi", xi(:n))
             map%weight = weight
             map%nu = nu
-            if (.not. allocated(error)) call run_map(map, xi(:n), out(:n), int(threads))
+            if (.not. allocated(error)) call run_map(map, xi(:n), out(:n), wanted_threads())
         end if
         status = status_of(error)
     end function write_weights

@@ -40,6 +40,7 @@ static void evaluate(world *w)
 
     take_numbers(&w->in, x);
     fill(p), fill(q);
+    judge_status("mdr_set_threads", mdr_set_threads(threads));
     status = mdr_law_force(law, branch, x[0], p, q);
     judge("mdr_law_force", status, 1, p, FINITE);
     judge("mdr_law_force", status, 1, q, NOT_NAN);
@@ -48,13 +49,13 @@ static void evaluate(world *w)
     judge("mdr_law_follow", status, 1, p, FINITE);
     judge("mdr_law_follow", status, 1, r, NOT_NEGATIVE);
     fill(p), fill(q), fill(r), fill(s);
-    status = mdr_law_from_depth(law, branch, n, x, p, q, r, s, threads);
+    status = mdr_law_from_depth(law, branch, n, x, p, q, r, s);
     judge("mdr_law_from_depth", status, n, p, FINITE);
     judge("mdr_law_from_depth", status, n, q, NOT_NAN);
     judge("mdr_law_from_depth", status, n, r, NOT_NEGATIVE);
     judge("mdr_law_from_depth", status, n, s, NOT_NEGATIVE);
     fill(p), fill(q), fill(r), fill(s);
-    status = mdr_law_from_force(law, branch, n, x, p, q, r, s, threads);
+    status = mdr_law_from_force(law, branch, n, x, p, q, r, s);
     judge("mdr_law_from_force", status, n, p, FINITE);
     judge("mdr_law_from_force", status, n, q, NOT_NAN);
     judge("mdr_law_from_force", status, n, r, NOT_NEGATIVE);

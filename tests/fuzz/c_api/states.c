@@ -9,13 +9,20 @@ enum { PRICE_OF_STATE = 1, PRICE_OF_EXACT_STATE = 6 };
 static int call(const mdr_contact *c, int which, int branch, int n, const double in[], double d[], double a[], double F[],
                 double k[])
 {
+    mdr_state states[MOST_POINTS];
+    int status;
+
     switch (which) {
     case 0: return mdr_contact_from_depth(c, n, in, d, a, F, k);
     case 1: return mdr_contact_from_force(c, n, in, d, a, F, k);
     case 2: return mdr_contact_from_radius(c, n, in, d, a, F, k);
-    case 3: return mdr_contact_from_depth_on(c, branch, n, in, d, a, F, k);
-    default: return mdr_contact_from_force_on(c, branch, n, in, d, a, F, k);
+    default: break;
     }
+    status = mdr_contact_states(c, which == 3 ? MDR_GIVEN_DEPTH : MDR_GIVEN_FORCE, branch, n, in, states);
+    for (int i = 0; i < n && status == MDR_SUCCESS && d != NULL; i++) {
+        d[i] = states[i].depth, a[i] = states[i].radius, F[i] = states[i].force, k[i] = states[i].stiffness;
+    }
+    return status;
 }
 
 /* What was asked for is what is there. */
@@ -29,8 +36,7 @@ static void compare(const char *name, int n, const double asked[], const double 
 void fuzz_states(world *w)
 {
     static const char *const names[] = {
-        "mdr_contact_from_depth", "mdr_contact_from_force", "mdr_contact_from_radius", "mdr_contact_from_depth_on",
-        "mdr_contact_from_force_on"
+        "mdr_contact_from_depth", "mdr_contact_from_force", "mdr_contact_from_radius", "mdr_contact_states", "mdr_contact_states"
     };
     double in[MOST_POINTS], d[MOST_POINTS], a[MOST_POINTS], F[MOST_POINTS], k[MOST_POINTS];
     const int which = take_byte(&w->in) % 5, branch = which < 3 ? 0 : take_code(&w->in, 2);

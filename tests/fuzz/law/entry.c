@@ -59,11 +59,11 @@ static void evaluate(const mdr_law *law)
             }
         }
         for (int i = 0; i < DEPTHS; i++) {
-            if (mdr_law_from_depth(law, branch, 1, &x[i], v[0], v[1], v[2], v[3], 1) == MDR_SUCCESS && isnan(v[0][0])) {
+            if (mdr_law_from_depth(law, branch, 1, &x[i], v[0], v[1], v[2], v[3]) == MDR_SUCCESS && isnan(v[0][0])) {
                 finding("mdr_law_from_depth gives NaN");
             }
             x[i] = facts.lowest_force + (i - 1) / (DEPTHS - 3.0) * (facts.highest_force - facts.lowest_force);
-            if (mdr_law_from_force(law, branch, 1, &x[i], v[0], v[1], v[2], v[3], 1) == MDR_SUCCESS && isnan(v[0][0])) {
+            if (mdr_law_from_force(law, branch, 1, &x[i], v[0], v[1], v[2], v[3]) == MDR_SUCCESS && isnan(v[0][0])) {
                 finding("mdr_law_from_force gives NaN");
             }
         }

@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Structures and constants of mdrcontact.h, written by wrap_header.py."""
+
+import numpy as np
+
+model_facts = np.dtype(
+    [
+        ("base", np.intc),
+        ("takes_layers", np.intc),
+        ("takes_graded", np.intc),
+        ("option_is_number", np.intc),
+        ("name", "S24"),
+        ("option", "S24"),
+    ],
+    align=True,
+)
+medium_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("alpha", np.float64),
+        ("wave_factor", np.float64),
+        ("weight_nu_choice", np.intc),
+        ("weight_nu", np.float64),
+        ("tolerance", np.float64),
+    ],
+    align=True,
+)
+contact_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("zeta_count", np.intc),
+        ("zeta_radius", np.uintp),
+        ("zeta", np.uintp),
+        ("work_of_adhesion", np.float64),
+        ("adhesion_rule", np.intc),
+    ],
+    align=True,
+)
+state = np.dtype(
+    [
+        ("depth", np.float64),
+        ("radius", np.float64),
+        ("force", np.float64),
+        ("stiffness", np.float64),
+        ("excess", np.float64),
+    ],
+    align=True,
+)
+structure_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("reference_nu", np.float64),
+        ("tolerance", np.float64),
+        ("padded", np.intc),
+        ("images", np.intc),
+        ("beside_E", np.float64),
+        ("beside_nu", np.float64),
+        ("origin", np.float64, (2,)),
+    ],
+    align=True,
+)
+law_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("smallest_depth", np.float64),
+        ("tolerance", np.float64),
+        ("description", np.uintp),
+    ],
+    align=True,
+)
+law_facts = np.dtype(
+    [
+        ("lowest_depth", np.float64),
+        ("highest_depth", np.float64),
+        ("lowest_force", np.float64),
+        ("highest_force", np.float64),
+        ("tolerance", np.float64),
+        ("error", np.float64),
+        ("solutions", np.intc),
+        ("adhesive", np.intc),
+        ("stretches", np.intc),
+        ("description_length", np.intc),
+    ],
+    align=True,
+)
+fit_parameter = np.dtype(
+    [
+        ("value", np.float64),
+        ("lower", np.float64),
+        ("upper", np.float64),
+        ("prior", np.float64),
+        ("prior_sd", np.float64),
+        ("is_free", np.intc),
+    ],
+    align=True,
+)
+fit_problem = np.dtype(
+    [
+        ("size", np.uintp),
+        ("data_kind", np.intc),
+        ("indenter", np.intc),
+        ("profile", np.uintp),
+        ("medium", np.intc),
+        ("medium_object", np.uintp),
+        ("model", np.intc),
+        ("layers", np.intc),
+        ("options", np.uintp),
+        ("adhesion_rule", np.intc),
+        ("loss", np.intc),
+        ("loss_scale", np.float64),
+        ("sd_is_absolute", np.intc),
+        ("max_iterations", np.intc),
+        ("check_units", np.intc),
+        ("parameter_count", np.intc),
+        ("parameters", np.uintp),
+    ],
+    align=True,
+)
+fit_summary = np.dtype(
+    [
+        ("converged", np.intc),
+        ("iterations", np.intc),
+        ("evaluations", np.intc),
+        ("chi_square", np.float64),
+        ("prior_chi_square", np.float64),
+        ("degrees_of_freedom", np.float64),
+        ("noise", np.float64),
+        ("log_likelihood", np.float64),
+        ("runs_probability", np.float64),
+        ("weakest", np.float64),
+    ],
+    align=True,
+)
+
+SUCCESS = 0
+ENULL = 1
+EINVALID = 2
+EDOMAIN = 3
+EUNREACHABLE = 4
+ENOCONVERGENCE = 5
+ENOMEMORY = 6
+ECALLBACK = 7
+EFILE = 8
+
+MODEL_GAO = 0
+MODEL_GAO_SERIES = 1
+MODEL_DOERNER_NIX = 2
+MODEL_WAVE = 3
+MODEL_MENCIK_EXPONENTIAL = 4
+MODEL_MENCIK_RECIPROCAL = 5
+MODEL_BEC = 6
+MODEL_PERRIOT_BARTHEL = 7
+MODEL_HAY_CRAWFORD = 8
+MODEL_DIMITRIADIS = 9
+MODEL_GARCIA = 10
+MODEL_EXACT = 11
+
+BASE_ELASTIC = 0
+BASE_ANY = 1
+BASE_RIGID = 2
+
+WEIGHT_NU_SURFACE = 0
+WEIGHT_NU_SUBSTRATE = 1
+WEIGHT_NU_EFFECTIVE = 2
+WEIGHT_NU_GIVEN = 3
+
+ADHESION_AUTOMATIC = 0
+ADHESION_PAPER = 1
+ADHESION_ENERGY = 2
+
+ON_LOADING = 1
+ON_UNLOADING = 2
+
+CONTROL_FORCE = 0
+CONTROL_DEPTH = 1
+CONTROL_SPRING = 2
+
+GIVEN_DEPTH = 1
+GIVEN_FORCE = 2
+GIVEN_RADIUS = 3
+
+FIELD_PRESSURE = 1
+FIELD_DISPLACEMENT = 2
+FIELD_LINE_LOAD = 3
+
+SHAPE_LAYER = 0
+SHAPE_HALF_SPACE = 1
+SHAPE_BALL = 2
+SHAPE_FIBRE = 3
+SHAPE_PILLAR = 4
+SHAPE_BOX = 5
+
+FIT_FORCE_DEPTH = 1
+FIT_STIFFNESS_DEPTH = 2
+FIT_MODULUS_RADIUS = 3
+FIT_STIFFNESS_RADIUS = 4
+
+FIT_INDENTER_GIVEN = 0
+FIT_INDENTER_PARABOLOID = 1
+FIT_INDENTER_SPHERE = 2
+FIT_INDENTER_CONE = 3
+FIT_INDENTER_POWER = 4
+FIT_INDENTER_FLAT_PUNCH = 5
+FIT_INDENTER_FLAT_CONE = 6
+FIT_INDENTER_FLAT_PARABOLOID = 7
+FIT_INDENTER_ROUNDED_CONE = 8
+
+FIT_MEDIUM_GIVEN = 0
+FIT_MEDIUM_HOMOGENEOUS = 1
+FIT_MEDIUM_STACK = 2
+FIT_MEDIUM_GRADED = 3
+FIT_MEDIUM_POWER_GRADED = 4
+
+FIT_WORK_OF_ADHESION = 0
+FIT_DEPTH_OFFSET = 1
+FIT_FORCE_OFFSET = 2
+FIT_FRAME_COMPLIANCE = 3
+FIT_INDENTER_MODULUS = 4
+FIT_CONTACT_DEPTH_FACTOR = 5
+FIT_STIFFNESS_FACTOR = 6
+FIT_INSTRUMENT_COUNT = 7
+
+FIT_LINEAR = 0
+FIT_HUBER = 1
+FIT_CAUCHY = 2

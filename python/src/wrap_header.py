@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The compiled module from the C header: wrap_header.py HEADER PYF PYI LAYOUT.
+
+Reads include/mdrcontact.h and writes three descriptions of it: for f2py a signature file (PYF) of all functions, from which it
+makes the module `_native`; for the type checker the module's types (PYI); and for the package its structures as NumPy dtypes and
+its enumerations as constants (LAYOUT). A file that is up to date is left alone.
+
+In Python a function has the name without mdr_, takes the inputs in the header's order, lengths of arrays excepted, and returns the
+status followed by the outputs. What f2py does not know travels as an address, a Python int: handles, functions, texts, structures
+(which are NumPy records), and arrays that may be missing. A structure of doubles only is a row of doubles.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# Arrays whose size is not n; an empty text: as an address. In C order, as in the header.
+POINTS_OF_RULE = "6*order*order*order"
+SIZES = {
+    "mdr_contact_pull_offs": {"d": "capacity", "a": "capacity", "F": "capacity"},
+    "mdr_structure_shapes": {"parameters": "n, 7"},
+    "mdr_structure_voxels": {"labels": "", "E": "phases", "nu": "phases"},
+    "mdr_lateral_cells": {"x": "nx + 1", "y": "ny + 1", "shear": "ny, nx", "poisson": "ny, nx"},
+    "mdr_lateral_rule": {"points": f"{POINTS_OF_RULE}, 3", "weights": f"{POINTS_OF_RULE}, 2"},
+    "mdr_law_from_depth": dict.fromkeys(("F", "slope", "a", "k"), ""),
+    "mdr_fit_solve": dict.fromkeys(
+        ("force", "sd", "values", "covariance", "at_bound", "weakest_direction", "fitted", "residuals"), ""
+    ),
+    "mdr_fit_predict": {"force": ""},
+    "mdr_fit_interval": {"force": "", "sd": ""},
+}
+# Numbers that go in and come out again.
+BOTH_WAYS = {"stretch"}
+# Names that mean something to f2py or Python.
+RESERVED = {"in": "values", "size": "cells", "kind": "kinds"}
+LONGEST_LINE = 132
+SPDX = "# SPDX-License-Identifier: GPL-3.0-or-later"
+NUMBERS = {"int": ("integer", "int"), "double": ("double precision", "float")}
+
+
+class Argument:
+    """One argument of a function, as f2py and Python see it."""
+
+    def __init__(self, function, words, rows):
+        match = re.fullmatch(r"(const )?(\w+) (\**)(const )?(\w+)(\[(\d*)\])?", words)
+        if not match:
+            raise SystemExit(f"{function}: cannot read the argument {words!r}")
+        constant, kind, stars, _, name, brackets, size = match.groups()
+        self.name = RESERVED.get(name, name)
+        self.kind, self.way, self.size = "address", "in", None
+        if kind in NUMBERS:
+            self.kind = kind
+        self.by_value = not (stars or brackets)
+        is_row = kind in rows
+        if self.kind == "address" and not is_row:
+            # a handle, a function, a structure, a text; ** is a handle that is made or freed
+            self.by_value = len(stars) < 2 and not brackets
+            if brackets:
+                self.size = "n"
+            elif len(stars) == 2 and name == "out":
+                self.way = "out"
+        elif brackets or stars:
+            self.way = "in" if constant else "in, out" if name in BOTH_WAYS else "out"
+            self.kind = "double" if is_row else self.kind
+            self.size = (size or SIZES.get(function, {}).get(name, "n")) if brackets else None
+            if is_row:
+                self.size = f"{self.size}, {rows[kind]}" if self.size else str(rows[kind])
+            if self.size == "":
+                self.kind, self.way, self.size, self.by_value = "address", "in", None, True
+
+    def length(self):
+        """The integer that this array's length determines, and the expression for it."""
+        match = re.fullmatch(r"(n|nx|ny|phases)( \+ 1)?(, 7)?", self.size or "")
+        return match and self.way == "in" and (match[1], f"{'shape' if match[3] else 'len'}({self.name}{', 0' if match[3] else ''})"
+                                               f"{' - 1' if match[2] else ''}")  # fmt: skip
+
+    def declaration(self):
+        """Of f2py's signature file."""
+        kind = "integer*8" if self.kind == "address" else NUMBERS[self.kind][0]
+        c = "c, " if self.by_value or self.size else ""
+        return f"{kind}, intent({c}{self.way}) :: {self.name}" + (f"({self.size})" if self.size else "")
+
+    def type(self):
+        """Of the type checker."""
+        if self.kind == "address":
+            return "ArrayLike" if self.size else "int"
+        if not self.size:
+            return NUMBERS[self.kind][1]
+        return {"int": "Integers", "double": "Reals"}[self.kind] if "out" in self.way else "ArrayLike"
+
+
+class Function:
+    """One function of the header."""
+
+    def __init__(self, result, name, words, rows):
+        self.c_name, self.name, self.returns = name, name.removeprefix("mdr_"), result == "int"
+        self.arguments = [] if words == "void" else [Argument(name, word.strip(), rows) for word in words.split(",")]
+        self.lengths = {}
+        for argument in self.arguments:
+            if argument.length():
+                self.lengths.setdefault(argument.length()[0], (argument.name, argument.length()[1]))
+
+    def signature(self):
+        """What f2py reads. All functions give the lock of the interpreter back: they know nothing of Python."""
+        kind = "integer function" if self.returns else "subroutine"
+        lines = [f"{kind} {self.name}({', '.join(argument.name for argument in self.arguments)})", f"  fortranname {self.c_name}"]
+        lines += ["  threadsafe", f"  intent(c) {self.name}"]
+        for argument in self.arguments:
+            if argument.name in self.lengths:
+                source, length = self.lengths[argument.name]
+                lines.append(f"  integer, intent(c, hide), depend({source}) :: {argument.name} = {length}")
+            else:
+                lines.append(f"  {argument.declaration()}")
+        return [*lines, f"end {kind.split()[-1]}"]
+
+    def stub(self):
+        """What the type checker reads."""
+        taken = [argument for argument in self.arguments if "in" in argument.way and argument.name not in self.lengths]
+        # f2py puts lengths of outputs where they stand
+        given = [argument.type() for argument in self.arguments if "out" in argument.way]
+        inputs = ", ".join([f"{argument.name}: {argument.type()}" for argument in taken] + ["/"] * bool(taken))
+        results = ["int"] * self.returns + given
+        result = "None" if not results else results[0] if len(results) == 1 else f"tuple[{', '.join(results)}]"
+        if len(line := f"def {self.name}({inputs}) -> {result}: ...") <= LONGEST_LINE:
+            return line
+        if len(inputs) + 4 > LONGEST_LINE:
+            inputs = ",\n    ".join(inputs.split(", ")) + ","
+        return f"def {self.name}(\n    {inputs}\n) -> {result}: ..."
+
+
+def structures(text):
+    """Name and members (type, name, length) of each structure."""
+    found = {}
+    for body, name in re.findall(r"typedef struct \w+ \{(.*?)\} (\w+);", text, flags=re.DOTALL):
+        members = re.findall(r"(?:const )?(\w+) (\*?)(\w+)(?:\[(\d+)\])?;", body)
+        found[name] = [("address" if star else kind, member, length) for kind, star, member, length in members]
+    return found
+
+
+def layout(text, found):
+    """The dtypes of the structures and the constants of the enumerations."""
+    kinds = {"size_t": "np.uintp", "address": "np.uintp", "double": "np.float64", "int": "np.intc"}
+    words = '"""Structures and constants of mdrcontact.h, written by wrap_header.py."""'
+    lines = [SPDX, words, "", "import numpy as np", ""]
+    for name, members in found.items():
+        rows = (
+            f'("{member}", "S{length}")' if kind == "char" else f'("{member}", {kinds[kind]}{f", ({length},)" if length else ""})'
+            for kind, member, length in members
+        )
+        lines += [f"{name.removeprefix('mdr_')} = np.dtype(", "    ["]
+        lines += [f"        {word}," for word in rows] + ["    ],", "    align=True,", ")"]
+    for body in re.findall(r"enum \w+ \{(.*?)\}", text, flags=re.DOTALL):
+        lines += [""] + [f"{name} = {value}" for name, value in re.findall(r"MDR_(\w+) = (\d+)", body)]
+    return lines
+
+
+def write(path, lines):
+    """Writes a file that is not up to date."""
+    text = "\n".join(lines) + "\n"
+    if not path.exists() or path.read_text(encoding="utf-8") != text:
+        path.write_text(text, encoding="utf-8")
+
+
+def main(header, pyf, pyi, layout_file):
+    """See the top of this file."""
+    text = re.sub(r"/\*.*?\*/", "", Path(header).read_text(encoding="utf-8"), flags=re.DOTALL)
+    found = structures(text)
+    rows = {name: len(members) for name, members in found.items() if all(member[0] == "double" for member in members)}
+    prototypes = re.findall(r"^(int|void) (mdr_\w+)\(([^)]*)\);", text, flags=re.MULTILINE)
+    functions = [Function(result, name, " ".join(words.split()), rows) for result, name, words in prototypes]
+    signatures = [f"    {line}" for function in functions for line in function.signature()]
+    write(Path(pyf), ["python module _native", "  interface", *signatures, "  end interface", "end python module _native"])
+    write(
+        Path(pyi),
+        [
+            SPDX,
+            "# The functions of mdrcontact.h as Python sees them, written by wrap_header.py.",
+            "import numpy as np",
+            "from numpy.typing import ArrayLike, NDArray",
+            "",
+            "Integers = NDArray[np.intc]",
+            "Reals = NDArray[np.float64]",
+            "",
+            *(function.stub() for function in functions),
+        ],
+    )
+    write(Path(layout_file), layout(text, found))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
