@@ -6,6 +6,7 @@ holds no file that is not under version control, where ROOT is.
 """
 
 import re
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -36,6 +37,15 @@ def source_names(sdist):
     return {name.split("/", 1)[1] for name in names}
 
 
+def versioned(root):
+    """The files of ROOT under version control; none where there is no git or ROOT is a copy."""
+    if not shutil.which("git"):
+        return set()
+    listed = subprocess.run(["git", "-C", str(root), "ls-files"], capture_output=True, text=True, check=False)
+    names = set(listed.stdout.splitlines()) if listed.returncode == 0 else set()
+    return names if "pyproject.toml" in names else set()
+
+
 def check_source(root, sdist):
     """All of the sources, the licence, no junk."""
     names = source_names(sdist)
@@ -43,9 +53,9 @@ def check_source(root, sdist):
     wanted |= under(root, "src/**/*.f90", "src/**/*.inc", "src/**/*.c", "python/src/*.py", "python/mdrcontact/**/*.py")
     complain(sdist, "missing", wanted - names)
     complain(sdist, "not meant to be there", {name for name in names if JUNK.search(name) or name.endswith(".so")})
-    listed = subprocess.run(["git", "-C", str(root), "ls-files"], capture_output=True, text=True, check=False)
-    if listed.returncode == 0 and "pyproject.toml" in listed.stdout.splitlines():
-        complain(sdist, "not under version control", names - set(listed.stdout.splitlines()) - {"PKG-INFO"})
+    listed = versioned(root)
+    if listed:
+        complain(sdist, "not under version control", names - listed - {"PKG-INFO"})
     print(f"   {sdist.name}: {len(names)} files, {sdist.stat().st_size / 1e6:.1f} MB")
 
 
