@@ -8,7 +8,7 @@ module mdrcontact
     use mdrcontact_body, only: body_t
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_contact_branch, only: control_t, depth_control, force_control
+    use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
                                                coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact of an indenter with a medium: states from depth, force or radius, and their fields (theory 2, 4, 5).
 module mdrcontact_contact
-    use mdrcontact_contact_branch, only: branch_t, control_t, depth_control, force_control, new_branch, stretch_t
+    use mdrcontact_contact_branch, only: branch_t, new_branch, stable_segment_t
+    use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, equilibrium_t, &
                                               new_equilibrium
@@ -37,18 +38,18 @@ module mdrcontact_contact
 
     !> An indenter on a medium. It holds copies of both and never changes; any number of threads may share it.
     type :: contact_t
-        private
+        !> what determines a state once the radius is known; to be read only
         type(equilibrium_t) :: equilibrium
         !> the adhesive branch; not allocated without adhesion
-        type(branch_t), allocatable :: branch
+        type(branch_t), allocatable, private :: branch
     contains
         procedure :: at_radius
         procedure :: at_depth
         procedure :: at_force
         procedure :: at_control
         procedure :: pull_off
-        procedure :: stable_stretches
-        procedure :: state_on_stretch
+        procedure :: stable_segments
+        procedure :: state_on_segment
         procedure :: work_between
         procedure :: is_adhesive
         procedure :: is_formula
@@ -232,16 +233,16 @@ contains
         !> all zero without adhesion
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
-        !> ends of the other stable stretches, in ascending order of the radius
+        !> ends of the other stable segments, in ascending order of the radius
         type(contact_state_t), allocatable, intent(out), optional :: others(:)
-        type(stretch_t), allocatable :: list(:)
+        type(stable_segment_t), allocatable :: list(:)
         type(contact_state_t), allocatable :: ends(:)
         real(wp) :: smallest
         integer :: i, global
 
         if (present(others)) allocate (others(0))
         if (.not. self%is_adhesive()) return
-        call self%stable_stretches(control, list, error)
+        call self%stable_segments(control, list, error)
         if (allocated(error)) return
         if (size(list) == 0) then
             call raise(error, error_unreachable, "this contact has no stable adhesive state under the control asked for")
@@ -249,7 +250,7 @@ contains
         end if
         allocate (ends(size(list)))
         do i = 1, size(list)
-            call self%state_on_stretch(control, list(i), list(i)%lowest, ends(i), error)
+            call self%state_on_segment(control, list(i), list(i)%lowest, ends(i), error)
             if (allocated(error)) return
         end do
         global = minloc(list%lowest, dim=1)
@@ -263,35 +264,35 @@ contains
         if (present(others)) others = [ends(:global - 1), ends(global + 1:)]
     end subroutine pull_off
 
-    !> The stable stretches of the adhesive branch under a control, by ascending radius.
-    subroutine stable_stretches(self, control, list, error)
+    !> The stable segments of the adhesive branch under a control, by ascending radius.
+    subroutine stable_segments(self, control, list, error)
         class(contact_t), intent(in) :: self
         type(control_t), intent(in) :: control
-        type(stretch_t), allocatable, intent(out) :: list(:)
+        type(stable_segment_t), allocatable, intent(out) :: list(:)
         type(error_t), allocatable, intent(out) :: error
 
         if (allocated(self%branch)) then
-            call self%branch%stretches(self%equilibrium, control, list, error)
+            call self%branch%stable_segments(self%equilibrium, control, list, error)
         else
             allocate (list(0))
         end if
-    end subroutine stable_stretches
+    end subroutine stable_segments
 
-    !> The state with a given value of the controlled quantity on one of the stable stretches.
-    subroutine state_on_stretch(self, control, stretch, s, state, error)
+    !> The state with a given value of the controlled quantity on one of the stable segments.
+    subroutine state_on_segment(self, control, segment, s, state, error)
         class(contact_t), intent(in) :: self
         type(control_t), intent(in) :: control
-        type(stretch_t), intent(in) :: stretch
-        !> between the lowest and the highest value of the stretch
+        type(stable_segment_t), intent(in) :: segment
+        !> between the lowest and the highest value of the segment
         real(wp), intent(in) :: s
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
 
-        call self%branch%state_on(self%equilibrium, control, stretch, s, state, error)
-    end subroutine state_on_stretch
+        call self%branch%state_on(self%equilibrium, control, segment, s, state, error)
+    end subroutine state_on_segment
 
     !> int F dd along the adhesive branch between two of its states; at a vertical wall the depth alone changes.
-    pure function work_between(self, from, to) result(work)
+    function work_between(self, from, to) result(work)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: from, to
         real(wp) :: work
@@ -402,7 +403,7 @@ contains
         integer, intent(in) :: way
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
-        type(stretch_t), allocatable :: list(:)
+        type(stable_segment_t), allocatable :: list(:)
         character(len=:), allocatable :: what
         integer :: chosen
 
@@ -412,7 +413,7 @@ contains
                        "exists on unloading only")
             return
         end if
-        call self%stable_stretches(control, list, error)
+        call self%stable_segments(control, list, error)
         if (allocated(error)) return
         if (size(list) == 0) then
             call raise(error, error_unreachable, what//": this contact has no stable adhesive state")
@@ -420,7 +421,7 @@ contains
         end if
         chosen = findloc(list%lowest <= s .and. s <= list%highest, .true., dim=1, back=way == on_unloading)
         if (chosen > 0) then
-            call self%state_on_stretch(control, list(chosen), s, state, error)
+            call self%state_on_segment(control, list(chosen), s, state, error)
         else if (s < minval(list%lowest)) then
             call raise(error, error_unreachable, what//": the adhesive branch ends at pull-off, "//name//" = "// &
                        to_text(minval(list%lowest)))

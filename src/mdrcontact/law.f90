@@ -7,16 +7,17 @@
 !> radius, stiffness and slope are 0 below first touch, and with adhesion below pull-off (on loading: below d = 0).
 module mdrcontact_law
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_contact_branch, only: depth_control, force_control, stretch_t
+    use mdrcontact_contact_branch, only: stable_segment_t
+    use mdrcontact_contact_control, only: depth_control, force_control
+    use mdrcontact_contact_curve, only: curve_t, new_curve
+    use mdrcontact_contact_range, only: coordinate_before, coordinate_beyond, coordinates_between
     use mdrcontact_contact, only: contact_t, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, check_positive, count_text, error_domain, error_invalid, error_no_convergence, &
                                 error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
-    use mdrcontact_law_curve, only: curve_t, new_curve
     use mdrcontact_law_evaluate, only: law_point_t, point_at
-    use mdrcontact_law_range, only: coordinate_before, coordinate_beyond
     use mdrcontact_law_stretches, only: compile_stretches, fold_margin
     use mdrcontact_law_table, only: law_table_t, segment_in, stretch_for, values_below, values_in
     use mdrcontact_law_verify, only: largest_error
@@ -97,8 +98,7 @@ contains
         if (smallest >= largest*(1.0_wp - 1.0e-12_wp)) then
             call compile_punch(self, contact, largest_depth, chosen%smallest_depth, error)
         else
-            breaks = log(pack(breaks, breaks > end_radius) - end_radius)
-            call compile_branch(self, contact, end_radius, smallest, largest, breaks, largest_depth, chosen%smallest_depth, error)
+            call compile_branch(self, contact, end_radius, smallest, largest_depth, chosen%smallest_depth, error)
         end if
         if (allocated(error)) return
         call close_table(self%by_depth)
@@ -126,22 +126,26 @@ contains
         call compile_straight(self%by_force, state%radius, state%stiffness, low*state%stiffness, largest_depth*state%stiffness)
     end subroutine compile_punch
 
-    subroutine compile_branch(self, contact, end_radius, smallest, largest, breaks, largest_depth, smallest_depth, error)
+    subroutine compile_branch(self, contact, end_radius, smallest, largest_depth, smallest_depth, error)
         type(contact_law_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
-        real(wp), intent(in) :: end_radius, smallest, largest, largest_depth, smallest_depth
-        !> coordinates
-        real(wp), intent(in) :: breaks(:)
+        real(wp), intent(in) :: end_radius, smallest, largest_depth, smallest_depth
         type(error_t), allocatable, intent(out) :: error
         type(curve_t) :: curve
-        type(stretch_t), allocatable :: of_depth(:), of_force(:)
-        real(wp) :: first, last
+        type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
+        real(wp), allocatable :: coordinates(:)
+        real(wp) :: first, last, found
 
-        call coordinate_beyond(contact, end_radius, largest, largest_depth, last, self%solutions, error)
+        call coordinate_beyond(contact%equilibrium, largest_depth, last, found, self%solutions, error)
         if (allocated(error)) return
+        if (found < largest_depth) then
+            call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" cannot be reached: indenter or "// &
+                       "medium end at depth "//to_text(found))
+            return
+        end if
         if (contact%is_adhesive()) then
-            call contact%stable_stretches(depth_control, of_depth, error)
-            if (.not. allocated(error)) call contact%stable_stretches(force_control, of_force, error)
+            call contact%stable_segments(depth_control, of_depth, error)
+            if (.not. allocated(error)) call contact%stable_segments(force_control, of_force, error)
             if (allocated(error)) return
             of_depth = pack(of_depth, of_depth%first < last)
             of_force = pack(of_force, of_force%first < last)
@@ -154,18 +158,26 @@ contains
             if (smallest > end_radius) first = max(first, log(smallest - end_radius) + 8.0_wp*epsilon(1.0_wp))
         else
             allocate (of_depth(1), of_force(1))
-            call coordinate_before(contact, end_radius, smallest, smallest_depth, first, self%solutions, error)
+            call coordinate_before(contact%equilibrium, smallest_depth, first, found, self%solutions, error)
             if (allocated(error)) return
+            if (found > smallest_depth) then
+                call raise(error, error_unreachable, "smallest_depth = "//to_text(smallest_depth)//" cannot be reached: the "// &
+                           "medium begins at depth "//to_text(found))
+                return
+            end if
             of_depth%first = first
             of_depth%last = last
             of_force = of_depth
         end if
-        call new_curve(curve, contact, end_radius, [first, pack(breaks, breaks > first .and. breaks < last), last], &
-                       sample_share*self%tolerance, error)
+        coordinates = coordinates_between(contact%equilibrium, first, last)
+        call new_curve(curve, contact%equilibrium, coordinates, sample_share*self%tolerance, error)
         if (allocated(error)) return
         self%solutions = self%solutions + curve%solutions
-        call compile_stretches(self%by_depth, curve, of_depth, breaks, fit_share*self%tolerance, error)
-        if (.not. allocated(error)) call compile_stretches(self%by_force, curve, of_force, breaks, fit_share*self%tolerance, error)
+        coordinates = coordinates(2:size(coordinates) - 1)
+        call compile_stretches(self%by_depth, curve, of_depth, coordinates, fit_share*self%tolerance, error)
+        if (.not. allocated(error)) then
+            call compile_stretches(self%by_force, curve, of_force, coordinates, fit_share*self%tolerance, error)
+        end if
         if (allocated(error)) return
         call largest_error(self%by_depth, self%by_force, contact, curve, of_depth, of_force, self%error, self%solutions, error)
         if (allocated(error)) return

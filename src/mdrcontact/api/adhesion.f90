@@ -5,7 +5,7 @@ module mdrcontact_api_adhesion
     use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_contact_branch, only: control_t, depth_control, force_control
+    use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise

@@ -40,6 +40,7 @@ module mdrcontact_contact_equilibrium
         logical :: is_formula = .false.
     contains
         procedure :: at
+        procedure :: parts
         procedure :: breaks
         procedure :: radius_of
         procedure :: coordinate_of
@@ -118,42 +119,42 @@ contains
         real(wp), intent(in) :: radius
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: modulus, modulus_slope
 
         if (radius <= 0.0_wp) return
-        state%radius = radius
-        call self%medium%response(self%profile, radius, state%depth, state%force, modulus, modulus_slope, error)
+        call self%parts(radius, state, error)
         if (allocated(error)) return
-        state%stiffness = 2.0_wp*radius*modulus
-        if (self%work_of_adhesion > 0.0_wp) call add_adhesion(self, radius, modulus, modulus_slope, state, error)
-        if (allocated(error)) return
+        state%depth = state%depth + state%excess
+        state%force = state%force + state%stiffness*state%excess
         if (.not. (ieee_is_finite(state%depth) .and. ieee_is_finite(state%force) .and. ieee_is_finite(state%stiffness))) then
             call raise(error, error_no_convergence, "the state at radius = "//to_text(radius)// &
                        " is beyond the range of floating-point numbers")
         end if
     end subroutine at
 
-    !> Draws the edge by dl(a), equation (28) or its energy-consistent form.
-    pure subroutine add_adhesion(self, radius, modulus, modulus_slope, state, error)
+    !> The parts of the state at a radius > 0: depth and force of the non-adhesive state, the stiffness, and the excess -dl(a),
+    !> equation (28) or its energy-consistent form.
+    subroutine parts(self, radius, state, error)
         class(equilibrium_t), intent(in) :: self
-        real(wp), intent(in) :: radius, modulus, modulus_slope
-        type(contact_state_t), intent(inout) :: state
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: edge_modulus
+        real(wp), intent(in) :: radius
+        type(contact_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: modulus, modulus_slope
 
-        edge_modulus = modulus
+        state%radius = radius
+        call self%medium%response(self%profile, radius, state%depth, state%force, modulus, modulus_slope, error)
+        if (allocated(error)) return
+        state%stiffness = 2.0_wp*radius*modulus
+        if (.not. self%work_of_adhesion > 0.0_wp) return
         if (self%rule == adhesion_energy .or. (self%rule == adhesion_automatic .and. self%medium%edge_is_exact())) then
-            edge_modulus = modulus + radius*modulus_slope
+            modulus = modulus + radius*modulus_slope
         end if
-        if (.not. edge_modulus > 0.0_wp) then
+        if (.not. modulus > 0.0_wp) then
             call raise(error, error_no_convergence, "the contact stiffness of this medium does not grow with the radius at a = "// &
                        to_text(radius)//": the energy balance has no adhesive state there; use the source's rule or another model")
             return
         end if
-        state%excess = -sqrt(2.0_wp*pi*radius*self%work_of_adhesion/edge_modulus)
-        state%depth = state%depth + state%excess
-        state%force = state%force + state%stiffness*state%excess
-    end subroutine add_adhesion
+        state%excess = -sqrt(2.0_wp*pi*radius*self%work_of_adhesion/modulus)
+    end subroutine parts
 
     !> The radius at coordinate x = ln(a - end radius), in which every shape's laws are close to straight lines.
     pure function radius_of(self, x) result(radius)

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> From a given depth or force to the non-adhesive state: the contact radius that has it, found where every law is nearly straight.
 module mdrcontact_contact_inversion
-    use mdrcontact_contact_branch, only: control_t
+    use mdrcontact_contact_control, only: control_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_error, only: error_t, error_unreachable, raise, to_text

@@ -2,7 +2,8 @@
 !> A full cycle of approach and retraction under depth control, force control, or through a spring such as an AFM cantilever:
 !> jump-in, adhesive contact, pull-off, and the energy that is lost (theory 5).
 module mdrcontact_contact_loop
-    use mdrcontact_contact_branch, only: control_t, stretch_t
+    use mdrcontact_contact_branch, only: stable_segment_t
+    use mdrcontact_contact_control, only: control_t
     use mdrcontact_contact, only: contact_t, on_loading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_count_within, check_memory, check_positive, error_t, error_unreachable, raise
@@ -77,11 +78,11 @@ contains
         real(wp), intent(in) :: largest
         integer, intent(in) :: count
         type(error_t), allocatable, intent(out) :: error
-        type(stretch_t), allocatable :: list(:)
+        type(stable_segment_t), allocatable :: list(:)
         real(wp) :: start
         integer :: current
 
-        call contact%stable_stretches(control, list, error)
+        call contact%stable_segments(control, list, error)
         if (allocated(error)) return
         current = findloc(list%lowest <= 0.0_wp .and. 0.0_wp <= list%highest, .true., dim=1)
         if (current == 0) then
@@ -106,7 +107,7 @@ contains
         type(loop_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
         type(control_t), intent(in) :: control
-        type(stretch_t), intent(in) :: list(:)
+        type(stable_segment_t), intent(in) :: list(:)
         integer, intent(inout) :: current
         real(wp), intent(in) :: largest
         integer, intent(in) :: count
@@ -135,7 +136,7 @@ contains
         type(loop_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
         type(control_t), intent(in) :: control
-        type(stretch_t), intent(in) :: list(:)
+        type(stable_segment_t), intent(in) :: list(:)
         integer, intent(inout) :: current
         real(wp), intent(in) :: largest
         integer, intent(in) :: count
@@ -156,12 +157,12 @@ contains
         end do
     end subroutine unload
 
-    !> Points along one stable stretch, and the work done on the way.
-    subroutine follow(self, contact, control, stretch, from, to, count, error)
+    !> Points along one stable segment, and the work done on the way.
+    subroutine follow(self, contact, control, segment, from, to, count, error)
         type(loop_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
         type(control_t), intent(in) :: control
-        type(stretch_t), intent(in) :: stretch
+        type(stable_segment_t), intent(in) :: segment
         real(wp), intent(in) :: from, to
         integer, intent(in) :: count
         type(error_t), allocatable, intent(out) :: error
@@ -172,7 +173,7 @@ contains
         do i = 0, count - 1
             s = from + (to - from)*(real(i, wp)/(count - 1))
             if (i == count - 1) s = to
-            call contact%state_on_stretch(control, stretch, s, state, error)
+            call contact%state_on_segment(control, segment, s, state, error)
             if (allocated(error)) return
             if (i == 0) then
                 first = state

@@ -1,15 +1,16 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> From sampled equilibria to the polynomials of a law: cuts the branch into segments, fits the panels.
 module mdrcontact_law_compile
+    use mdrcontact_contact_control, only: control_t, depth_control, force_control
+    use mdrcontact_contact_curve, only: curve_point_t, curve_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_law_curve, only: curve_point_t, curve_t
     use mdrcontact_law_segment, only: coefficient_count, column_count, most_bits, new_segment, panel_count, panel_ends, &
                                       polynomial, segment_t, u_of_y
     use mdrcontact_law_table, only: law_table_t, table_stretch_t, values_in
     implicit none (type, external)
     private
-    public :: piece_t, compile_pieces, compile_straight, curve_value, open_table, close_table
+    public :: piece_t, compile_pieces, compile_straight, control_of, open_table, close_table
 
     !> A part of the branch in which s grows with x, from one coordinate to the next.
     type :: piece_t
@@ -18,7 +19,6 @@ module mdrcontact_law_compile
         logical :: singular_first = .false., fold_last = .false.
     end type piece_t
 
-    integer, parameter :: bisections = 100
     !> Panels close to a singular end begin this part of the root of s there away from it.
     real(wp), parameter :: singular_scale = 0.5_wp
 
@@ -126,6 +126,15 @@ contains
             table%powers(3) = 1.0_wp - table%powers(1)
         end if
     end subroutine close_table
+
+    !> What the table's argument s is.
+    pure function control_of(table) result(control)
+        type(law_table_t), intent(in) :: table
+        type(control_t) :: control
+
+        control = force_control
+        if (table%by_depth) control = depth_control
+    end function control_of
 
     !> s at coordinate x.
     pure function curve_value(table, curve, x) result(s)
@@ -246,7 +255,7 @@ contains
         end do
     end function interpolating
 
-    !> F or d, a and k of the state at y, by bisection on the samples.
+    !> F or d, a and k of the state at y.
     pure function columns_at(table, curve, piece, segment, y) result(columns)
         type(law_table_t), intent(in) :: table
         type(curve_t), intent(in) :: curve
@@ -255,23 +264,9 @@ contains
         real(wp), intent(in) :: y
         real(wp) :: columns(column_count)
         type(curve_point_t) :: point
-        real(wp) :: u, near, far, middle
-        integer :: i
 
-        u = u_of_y(segment, y)
-        near = merge(piece%first, piece%last, segment%side > 0.0_wp)
-        far = merge(piece%last, piece%first, segment%side > 0.0_wp)
-        do i = 1, bisections
-            middle = 0.5_wp*(near + far)
-            if (middle == near .or. middle == far) exit
-            if (segment%side*(curve_value(table, curve, middle) - segment%origin) < u) then
-                near = middle
-            else
-                far = middle
-            end if
-        end do
-        ! At the ends of a piece the bisection closes on the end itself.
-        point = curve%at(near)
+        point = curve%find(control_of(table), segment%origin, segment%side, segment%root, u_of_y(segment, y), piece%first, &
+                           piece%last)
         columns = [merge(point%force, point%depth, table%by_depth), point%radius, point%stiffness]
     end function columns_at
 

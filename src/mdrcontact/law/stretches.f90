@@ -1,19 +1,18 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The stable stretches of a sampled branch, cut where it is not analytic, and compiled.
 module mdrcontact_law_stretches
-    use mdrcontact_contact_branch, only: stretch_t
+    use mdrcontact_contact_branch, only: stable_segment_t
+    use mdrcontact_contact_curve, only: curve_t
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_compile, only: compile_pieces, curve_value, piece_t
-    use mdrcontact_law_curve, only: curve_t
+    use mdrcontact_law_compile, only: compile_pieces, control_of, piece_t
     use mdrcontact_law_table, only: law_table_t
     implicit none (type, external)
     private
     public :: compile_stretches, fold_margin
 
-    !> The samples reach this far beyond a fold, so that it can be found on them; the search interval; the step of differences.
-    real(wp), parameter :: fold_margin = 0.06_wp, search_width = 0.04_wp, difference_step = 3.0e-3_wp
-    integer, parameter :: bisections = 80
+    !> The samples reach this far beyond a fold, so that it can be found on them; the search interval.
+    real(wp), parameter :: fold_margin = 0.06_wp, search_width = 0.04_wp
 
 contains
 
@@ -22,7 +21,7 @@ contains
         type(law_table_t), intent(inout) :: table
         type(curve_t), intent(in) :: curve
         !> by ascending coordinate
-        type(stretch_t), intent(inout) :: list(:)
+        type(stable_segment_t), intent(inout) :: list(:)
         !> coordinates where indenter or medium are not analytic
         real(wp), intent(in) :: breaks(:)
         real(wp), intent(in) :: tolerance
@@ -61,37 +60,16 @@ contains
         real(wp), intent(in) :: side
         real(wp), intent(inout) :: x
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: low, high, middle
-        integer :: i
+        real(wp) :: low, high
 
         low = x - search_width
         high = x + search_width
-        if (side*rise(table, curve, low) >= 0.0_wp .or. side*rise(table, curve, high) <= 0.0_wp) then
-            call raise(error, error_invalid, "this adhesive contact cannot be compiled: a stable stretch of its "// &
+        if (side*curve%slope(control_of(table), low) >= 0.0_wp .or. side*curve%slope(control_of(table), high) <= 0.0_wp) then
+            call raise(error, error_invalid, "this adhesive contact cannot be compiled: a stable segment of its "// &
                        "branch does not begin at an extremum of depth or force")
             return
         end if
-        do i = 1, bisections
-            middle = 0.5_wp*(low + high)
-            if (side*rise(table, curve, middle) < 0.0_wp) then
-                low = middle
-            else
-                high = middle
-            end if
-        end do
-        x = 0.5_wp*(low + high)
+        call curve%turn(control_of(table), low, high, x, error)
     end subroutine move_to_fold
-
-    !> ds/dx up to a factor, by differences of fourth order.
-    pure function rise(table, curve, x) result(difference)
-        type(law_table_t), intent(in) :: table
-        type(curve_t), intent(in) :: curve
-        real(wp), intent(in) :: x
-        real(wp) :: difference
-
-        difference = 8.0_wp*(curve_value(table, curve, x + difference_step) - curve_value(table, curve, x - difference_step)) &
-                     - (curve_value(table, curve, x + 2.0_wp*difference_step) &
-                        - curve_value(table, curve, x - 2.0_wp*difference_step))
-    end function rise
 
 end module mdrcontact_law_stretches

@@ -1,12 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> How far a compiled law is from the contact it was made from, at states that had no part in making it.
 module mdrcontact_law_verify
-    use mdrcontact_contact_branch, only: stretch_t
+    use mdrcontact_contact_branch, only: stable_segment_t
+    use mdrcontact_contact_curve, only: curve_t
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_curve, only: curve_t
     use mdrcontact_law_table, only: law_table_t, segment_in, values_in
     implicit none (type, external)
     private
@@ -23,7 +23,7 @@ contains
         type(contact_t), intent(in) :: contact
         type(curve_t), intent(in) :: curve
         !> the stretches the tables were made from, in the same order
-        type(stretch_t), intent(in) :: of_depth(:), of_force(:)
+        type(stable_segment_t), intent(in) :: of_depth(:), of_force(:)
         real(wp), intent(out) :: worst
         integer, intent(inout) :: solutions
         type(error_t), allocatable, intent(out) :: error

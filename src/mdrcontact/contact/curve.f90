@@ -1,0 +1,465 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The equilibria of a contact, sampled once over the contact radius and then evaluated and inverted for the price of a short
+!> polynomial: F(d) for the adhesive branch, the law and the fit.
+!>
+!> The radius is the natural parameter: one solution gives depth, force and stiffness, none of them by iteration. What is
+!> interpolated are the logarithms of d0, F0, k and, with adhesion, dl over x = ln(a - end radius), where every shape and medium is
+!> close to a straight line (theory 4 and 5): d = d0 - dl, F = F0 - k dl.
+module mdrcontact_contact_curve
+    use mdrcontact_contact_control, only: control_t, depth_control
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_roots, only: find_root
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    implicit none (type, external)
+    private
+    public :: curve_t, curve_point_t, new_curve
+
+    !> Chebyshev nodes in a panel, and the length in ln a up to which that many usually suffice.
+    integer, parameter :: nodes = 16
+    real(wp), parameter :: usual_length = 1.6_wp
+    !> A panel is not halved below this length: a kink is then resolved well enough.
+    real(wp), parameter :: shortest_length = 1.0e-4_wp
+    real(wp), parameter :: noisy_length = 0.25_wp, largest_noise = 1.0e-6_wp
+    integer, parameter :: most_panels = 400
+    !> Rows of the samples: ln d0, ln F0, ln k, ln dl.
+    integer, parameter :: rows = 4, of_depth = 1, of_force = 2, of_stiffness = 3, of_excess = 4
+
+    !> One equilibrium, at coordinate x.
+    type :: curve_point_t
+        real(wp) :: x = 0.0_wp, radius = 0.0_wp, depth = 0.0_wp, force = 0.0_wp, stiffness = 0.0_wp
+    end type curve_point_t
+
+    !> The sampled equilibria.
+    type :: curve_t
+        !> radius of the indenter's flat end [length]
+        real(wp) :: end_radius = 0.0_wp
+        logical :: adhesive = .false.
+        !> panel i runs over x from edges(i) to edges(i+1)
+        real(wp), allocatable :: edges(:)
+        !> how many contact states were computed
+        integer :: solutions = 0
+        !> whether panel i begins at a break of the indenter or medium and uses sqrt(x - edges(i))
+        logical, allocatable, private :: from_root(:)
+        !> (rows, nodes, panels)
+        real(wp), allocatable, private :: coefficients(:, :, :)
+        !> d and F at the edges
+        real(wp), allocatable, private :: depths(:), forces(:)
+    contains
+        procedure :: at
+        procedure :: slope
+        procedure :: find
+        procedure :: turn
+        procedure :: turns
+        procedure :: work_between
+    end type curve_t
+
+    !> ds/dx as a function of x.
+    type, extends(scalar_function_t) :: slope_t
+        type(curve_t), pointer :: curve => null()
+        type(control_t) :: control
+    contains
+        procedure :: value => slope_at
+    end type slope_t
+
+    !> Where s is looked at for extrema in each panel.
+    integer, parameter :: probes_per_panel = 24
+    integer, parameter :: most_steps = 100
+    !> A step of Newton's method that is so short leaves less than rounding.
+    real(wp), parameter :: last_step = 1.0e-8_wp
+    !> Neighbouring panels differ by their tolerance where they meet: a root may lie a little beyond the end of one.
+    real(wp), parameter :: overlap = 1.0e-6_wp
+    !> The slope in x of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t.
+    real(wp), parameter :: smallest_root = 1.0e-5_wp
+    integer, parameter :: work_nodes = 20
+
+contains
+
+    !> Samples the states between the first and the last of some coordinates.
+    subroutine new_curve(self, equilibrium, coordinates, tolerance, error)
+        type(curve_t), intent(out) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        !> ascending; at the inner ones indenter or medium are not analytic
+        real(wp), intent(in) :: coordinates(:)
+        !> relative, of the interpolated quantities
+        real(wp), intent(in) :: tolerance
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: waiting(:), before(:), kept(:, :, :)
+        real(wp) :: panel(rows, nodes), left, right, tail, attainable, edges(most_panels + 1)
+        logical :: root, roots(most_panels)
+        integer :: count, i
+
+        self%end_radius = equilibrium%profile%end_radius()
+        self%adhesive = equilibrium%work_of_adhesion > 0.0_wp
+        allocate (waiting, source=first_edges(coordinates))
+        allocate (before(size(waiting)), source=huge(1.0_wp))
+        allocate (kept(rows, nodes, most_panels))
+        count = 0
+        edges(1) = coordinates(1)
+        do while (size(waiting) > 0)
+            if (count + size(waiting) > most_panels) then
+                call raise(error, error_no_convergence, "the contact is not smooth enough near radius = "// &
+                           to_text(equilibrium%radius_of(edges(count + 1)))//" to be sampled")
+                return
+            end if
+            left = edges(count + 1)
+            right = waiting(1)
+            root = any(coordinates(2:) == left)
+            call sample_panel(self, equilibrium, left, right, root, panel, error)
+            if (allocated(error)) return
+            ! Close to a flat end a - b, and all that depends on it, has lost digits.
+            attainable = max(tolerance, 16.0_wp*epsilon(1.0_wp)*self%end_radius*exp(-left))
+            tail = maxval(abs(panel(:, nodes - 1:)))
+            ! What halving does not make smaller is noise of the medium's.
+            if (right - left < noisy_length .and. tail > 0.5_wp*before(1)) attainable = max(attainable, largest_noise)
+            if (tail > attainable .and. right - left > shortest_length) then
+                waiting = [0.5_wp*(left + right), waiting]
+                before = [tail, tail, before(2:)]
+                cycle
+            end if
+            waiting = waiting(2:)
+            before = before(2:)
+            count = count + 1
+            edges(count + 1) = right
+            roots(count) = root
+            kept(:, :, count) = panel
+        end do
+        self%edges = edges(:count + 1)
+        self%from_root = roots(:count)
+        self%coefficients = kept(:, :, :count)
+        allocate (self%depths(count + 1), self%forces(count + 1))
+        do i = 1, count + 1
+            call edge_values(self, i, self%depths(i), self%forces(i))
+        end do
+    end subroutine new_curve
+
+    !> Right edges of panels of at most the usual length between the breaks.
+    pure function first_edges(breaks) result(edges)
+        real(wp), intent(in) :: breaks(:)
+        real(wp), allocatable :: edges(:)
+        integer :: i, j, count
+
+        allocate (edges(0))
+        do i = 1, size(breaks) - 1
+            count = max(1, ceiling((breaks(i + 1) - breaks(i))/usual_length))
+            edges = [edges, (breaks(i) + (breaks(i + 1) - breaks(i))*(real(j, wp)/count), j=1, count - 1), breaks(i + 1)]
+        end do
+    end function first_edges
+
+    subroutine sample_panel(self, equilibrium, left, right, root, coefficients, error)
+        type(curve_t), intent(inout) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        real(wp), intent(in) :: left, right
+        logical, intent(in) :: root
+        real(wp), intent(out) :: coefficients(rows, nodes)
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: state
+        real(wp) :: values(rows, nodes), t
+        integer :: i, j
+        !> (i, j): T_(j-1) at node i, times its weight
+        real(wp), parameter :: cosines(nodes, nodes) = &
+                               reshape([((cos(pi*(j - 1)*(i - 0.5_wp)/nodes)*merge(1.0_wp, 2.0_wp, j == 1)/nodes, &
+                                          i=1, nodes), j=1, nodes)], [nodes, nodes])
+
+        coefficients = 0.0_wp
+        values = 0.0_wp
+        do i = 1, nodes
+            t = 0.5_wp*(1.0_wp + cosines(i, 2)*(0.5_wp*nodes))
+            if (root) t = t**2
+            call equilibrium%parts(equilibrium%radius_of(left + (right - left)*t), state, error)
+            if (allocated(error)) return
+            self%solutions = self%solutions + 1
+            values(:, i) = [state%depth, state%force, state%stiffness, merge(-state%excess, 1.0_wp, self%adhesive)]
+            if (.not. (minval(values(:, i)) >= 0.0_wp .and. maxval(values(:, i)) <= huge(1.0_wp))) then
+                call raise(error, error_no_convergence, "the depth or the force of this medium is not a positive "// &
+                           "number near a = "//to_text(state%radius))
+                return
+            end if
+        end do
+        coefficients = matmul(log(max(values, tiny(1.0_wp))), cosines)
+    end subroutine sample_panel
+
+    pure subroutine edge_values(self, i, depth, force)
+        type(curve_t), intent(in) :: self
+        integer, intent(in) :: i
+        real(wp), intent(out) :: depth, force
+        type(curve_point_t) :: point
+        real(wp) :: v(rows), dv(rows)
+        integer :: panel
+
+        panel = min(i, size(self%from_root))
+        call series(self%coefficients(:, :, panel), merge(-1.0_wp, 1.0_wp, panel == i), v, dv)
+        point = point_of(self, panel, -1.0_wp, v)
+        depth = point%depth
+        force = point%force
+    end subroutine edge_values
+
+    !> The rows and their slopes in z by Clenshaw's recurrence.
+    pure subroutine series(c, z, v, dv)
+        real(wp), intent(in) :: c(rows, nodes), z
+        real(wp), intent(out) :: v(rows), dv(rows)
+        real(wp) :: b(rows), b1(rows), b2(rows), s(rows), s1(rows), s2(rows)
+        integer :: j
+
+        b1 = 0.0_wp
+        b2 = 0.0_wp
+        s1 = 0.0_wp
+        s2 = 0.0_wp
+        do j = nodes, 2, -1
+            s = 2.0_wp*(z*s1 + b1) - s2
+            s2 = s1
+            s1 = s
+            b = 2.0_wp*z*b1 - b2 + c(:, j)
+            b2 = b1
+            b1 = b
+        end do
+        v = z*b1 - b2 + c(:, 1)
+        dv = z*s1 - s2 + b1
+    end subroutine series
+
+    pure function point_of(self, panel, z, v) result(point)
+        type(curve_t), intent(in) :: self
+        integer, intent(in) :: panel
+        real(wp), intent(in) :: z, v(rows)
+        type(curve_point_t) :: point
+        real(wp) :: t, e(rows)
+
+        t = 0.5_wp*(1.0_wp + z)
+        if (self%from_root(panel)) t = t**2
+        e = exp(v)
+        if (.not. self%adhesive) e(of_excess) = 0.0_wp
+        point%x = self%edges(panel) + (self%edges(panel + 1) - self%edges(panel))*t
+        point%radius = self%end_radius + exp(point%x)
+        point%depth = e(of_depth) - e(of_excess)
+        point%force = e(of_force) - e(of_stiffness)*e(of_excess)
+        point%stiffness = e(of_stiffness)
+    end function point_of
+
+    !> s and its slope in z.
+    pure subroutine control_of(self, control, v, dv, s, ds)
+        type(curve_t), intent(in) :: self
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: v(rows), dv(rows)
+        real(wp), intent(out) :: s, ds
+        real(wp) :: e(rows)
+
+        e = exp(v)
+        if (.not. self%adhesive) e(of_excess) = 0.0_wp
+        s = control%of(e(of_depth) - e(of_excess), e(of_force) - e(of_stiffness)*e(of_excess))
+        ds = control%of(e(of_depth)*dv(of_depth) - e(of_excess)*dv(of_excess), &
+                        e(of_force)*dv(of_force) - e(of_stiffness)*e(of_excess)*(dv(of_stiffness) + dv(of_excess)))
+    end subroutine control_of
+
+    pure function panel_of(self, x) result(panel)
+        type(curve_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        integer :: panel
+        integer :: high, middle
+
+        panel = 1
+        high = size(self%from_root) + 1
+        do while (high - panel > 1)
+            middle = (panel + high)/2
+            if (x < self%edges(middle)) then
+                high = middle
+            else
+                panel = middle
+            end if
+        end do
+    end function panel_of
+
+    !> The panel's variable, -1 at its left and 1 at its right edge.
+    pure function local(self, panel, x) result(z)
+        type(curve_t), intent(in) :: self
+        integer, intent(in) :: panel
+        real(wp), intent(in) :: x
+        real(wp) :: z
+
+        z = (x - self%edges(panel))/(self%edges(panel + 1) - self%edges(panel))
+        if (self%from_root(panel)) z = sqrt(max(z, 0.0_wp))
+        z = 2.0_wp*z - 1.0_wp
+    end function local
+
+    !> The equilibrium at coordinate x.
+    pure function at(self, x) result(point)
+        class(curve_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        type(curve_point_t) :: point
+        real(wp) :: v(rows), dv(rows)
+        integer :: panel
+
+        panel = panel_of(self, x)
+        call series(self%coefficients(:, :, panel), local(self, panel, x), v, dv)
+        point = point_of(self, panel, local(self, panel, x), v)
+    end function at
+
+    !> ds/dx at coordinate x.
+    pure function slope(self, control, x) result(rate)
+        class(curve_t), intent(in) :: self
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: x
+        real(wp) :: rate
+
+        rate = slope_in(self, panel_of(self, x), control, x)
+    end function slope
+
+    !> ds/dx by the samples of one panel.
+    pure function slope_in(self, panel, control, x) result(rate)
+        type(curve_t), intent(in) :: self
+        integer, intent(in) :: panel
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: x
+        real(wp) :: rate
+        real(wp) :: v(rows), dv(rows), s, z
+
+        z = local(self, panel, x)
+        call series(self%coefficients(:, :, panel), z, v, dv)
+        call control_of(self, control, v, dv, s, rate)
+        rate = 2.0_wp*rate/(self%edges(panel + 1) - self%edges(panel))
+        if (self%from_root(panel)) rate = rate/max(1.0_wp + z, 2.0_wp*smallest_root)
+    end function slope_in
+
+    !> The equilibrium between two coordinates at which s, which grows from the first to the last, lies u from an end value:
+    !> Newton's method on the root of the distance, in which folds and breaks are smooth, held in a bracket.
+    pure function find(self, control, origin, side, root, u, first, last) result(point)
+        class(curve_t), intent(in) :: self
+        type(control_t), intent(in) :: control
+        !> s at `first` (side = 1) or at `last` (side = -1), and whether it is an extremum or a break; without, s follows a power of
+        !> the radius from origin = 0 on, and the logarithm takes the place of the root
+        real(wp), intent(in) :: origin, side
+        logical, intent(in) :: root
+        !> side*(s - origin) >= 0
+        real(wp), intent(in) :: u
+        real(wp), intent(in) :: first, last
+        type(curve_point_t) :: point
+        real(wp) :: v(rows), dv(rows), s, ds, y, dy, z, low, high, step, wanted
+        integer :: panel, last_panel, middle, i
+
+        if (u <= 0.0_wp) then
+            point = self%at(merge(first, last, side > 0.0_wp))
+            return
+        end if
+        panel = panel_of(self, first)
+        last_panel = panel_of(self, last)
+        middle = last_panel
+        do while (last_panel > panel)
+            middle = (panel + last_panel + 1)/2
+            if (side*(control%of(self%depths(middle), self%forces(middle)) - origin) < u .eqv. side > 0.0_wp) then
+                panel = middle
+            else
+                last_panel = middle - 1
+            end if
+        end do
+        low = -1.0_wp - overlap
+        high = 1.0_wp + overlap
+        if (first > self%edges(panel)) low = local(self, panel, first)
+        if (last < self%edges(panel + 1)) high = local(self, panel, last)
+        wanted = merge(sqrt(u), log(u), root)
+        z = 0.5_wp*(low + high)
+        do i = 1, most_steps
+            call series(self%coefficients(:, :, panel), z, v, dv)
+            if (self%adhesive .or. root .or. control%force_weight > 0.0_wp) then
+                call control_of(self, control, v, dv, s, ds)
+                s = max(side*(s - origin), 0.0_wp)
+                y = merge(sqrt(s), log(max(s, tiny(s))), root) - wanted
+                dy = 0.0_wp
+                if (s > 0.0_wp) dy = side*ds/merge(2.0_wp*sqrt(s), s, root)
+            else
+                y = v(of_depth) + log(control%depth_weight) - wanted
+                dy = dv(of_depth)
+            end if
+            if (y < 0.0_wp .eqv. side > 0.0_wp) then
+                low = z
+            else
+                high = z
+            end if
+            step = 0.5_wp*(low + high) - z
+            if (abs(y) < 4.0_wp*abs(dy)) then
+                if (abs(y) <= last_step*abs(dy) .or. (z - y/dy > low .and. z - y/dy < high)) step = -y/dy
+            end if
+            z = z + step
+            if (abs(step) <= last_step) exit
+        end do
+        point = point_of(self, panel, z, v + dv*step)
+    end function find
+
+    !> The coordinate of the extremum of s between two coordinates where its slopes have opposite signs.
+    subroutine turn(self, control, lower, upper, x, error)
+        class(curve_t), intent(in), target :: self
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: lower, upper
+        real(wp), intent(out) :: x
+        type(error_t), allocatable, intent(out) :: error
+        type(slope_t) :: f
+
+        f%curve => self
+        f%control = control
+        call find_root(f, lower, upper, x, error)
+    end subroutine turn
+
+    function slope_at(self, x) result(y)
+        class(slope_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = self%curve%slope(self%control, x)
+    end function slope_at
+
+    !> Coordinates between which s has one extremum each, (2, extrema), ascending.
+    pure function turns(self, control) result(brackets)
+        class(curve_t), intent(in) :: self
+        type(control_t), intent(in) :: control
+        real(wp), allocatable :: brackets(:, :)
+        real(wp), allocatable :: ends(:)
+        real(wp) :: x, x_before, rate, rate_before
+        integer :: panel, probe
+
+        allocate (ends(0))
+        x_before = self%edges(1)
+        rate_before = self%slope(control, x_before)
+        do panel = 1, size(self%from_root)
+            do probe = 1, probes_per_panel
+                x = self%edges(panel) + (self%edges(panel + 1) - self%edges(panel))*(real(probe, wp)/probes_per_panel)
+                ! At a break the slope is that of the panel before it: of a root's it has no digits.
+                rate = slope_in(self, panel, control, x)
+                if ((rate < 0.0_wp .and. rate_before > 0.0_wp) .or. (rate > 0.0_wp .and. rate_before < 0.0_wp)) then
+                    ends = [ends, x_before, x]
+                end if
+                x_before = x
+                rate_before = rate
+            end do
+        end do
+        brackets = reshape(ends, [2, size(ends)/2])
+    end function turns
+
+    !> int F dd from one coordinate to another, both clipped to the sampled range.
+    function work_between(self, from, to) result(work)
+        class(curve_t), intent(in) :: self
+        real(wp), intent(in) :: from, to
+        real(wp) :: work
+        type(curve_point_t) :: point
+        real(wp) :: z(work_nodes), dz(work_nodes), low, high, v(rows), dv(rows), s, ds
+        integer :: panel, i
+
+        call gauss_legendre(z, dz)
+        work = 0.0_wp
+        do panel = 1, size(self%from_root)
+            low = min(max(min(from, to), self%edges(panel)), self%edges(panel + 1))
+            high = min(max(max(from, to), self%edges(panel)), self%edges(panel + 1))
+            if (.not. high > low) cycle
+            low = local(self, panel, low)
+            high = local(self, panel, high)
+            do i = 1, work_nodes
+                call series(self%coefficients(:, :, panel), low + (high - low)*z(i), v, dv)
+                call control_of(self, depth_control, v, dv, s, ds)
+                point = point_of(self, panel, low, v)
+                work = work + (high - low)*dz(i)*point%force*ds
+            end do
+        end do
+        if (to < from) work = -work
+    end function work_between
+
+end module mdrcontact_contact_curve
