@@ -249,8 +249,8 @@ contains
         fit%degrees_of_freedom = degrees_of_freedom(residuals, outcome)
         fit%log_likelihood = -0.5_wp*(sum(bent(residuals%loss, residuals%problem%loss_scale, fit%residuals)**2) &
                                       + fit%prior_chi_square) - sum(log(data_sd)) - 0.5_wp*n*log(2.0_wp*pi)
-        fit%runs_probability = runs_test(residuals%data%x, fit%residuals)
-        call describe_spread(residuals, u, outcome, fit)
+        call runs_test(residuals%data%x, fit%residuals, fit%runs_probability, error)
+        if (.not. allocated(error)) call describe_spread(residuals, u, outcome, fit)
     end subroutine describe
 
     !> Covariance and the weakest direction. Under a robust loss the covariance is Huber's H^-1 V H^-1.

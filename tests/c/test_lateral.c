@@ -153,7 +153,8 @@ static void weights(void)
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, depth, top, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "z_bottom = 0");
     CHECK_STATUS(mdr_lateral_cells(0.3, -1.0, top, depth, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "a = -1");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 0, lines, 2, lines, shear, poisson), MDR_EINVALID, "nx = 0");
-    CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, INT_MAX, lines, 2, lines, shear, poisson), MDR_EINVALID, "nx = 2147483647");
+    CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, INT_MAX, lines, 2, lines, shear, poisson), MDR_EINVALID,
+                 "nx = 2147483647");
     CHECK_SUCCESS(mdr_lateral_density(2, rho, z, 0.5, shear, poisson));
     CHECK_TRUE(shear[0] > shear[1] && shear[1] > 0.0);
     CHECK_STATUS(mdr_lateral_density(2, falling, z, 0.5, shear, poisson), MDR_EINVALID, "rho");

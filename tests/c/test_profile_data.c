@@ -2,6 +2,8 @@
 /* Profiles from area functions, tables, user functions and sums: refusals, then shapes whose answer is known. */
 #include "check.h"
 
+#include <time.h>
+
 static const double pi = 3.14159265358979323846;
 
 static void area_function_refuses(void)
@@ -217,6 +219,46 @@ static void sum_adds(void)
     CHECK_SUCCESS(mdr_profile_free(&sum));
 }
 
+/* Seconds of the processor that a table of n points takes; what it costs must grow with n, not with its square. */
+static double time_of_table(int n, int from_mdr)
+{
+    double *x = malloc(sizeof(double) * (size_t)n), *y = malloc(sizeof(double) * (size_t)n), found;
+    mdr_profile *p = NULL;
+    const double half = 0.5;
+
+    for (int i = 0; i < n; i++) {
+        x[i] = i / (n - 1.0);
+        y[i] = x[i] * x[i];
+    }
+    const clock_t start = clock();
+    if (from_mdr) {
+        CHECK_SUCCESS(mdr_profile_from_mdr_table(n, x, y, &p));
+    } else {
+        CHECK_SUCCESS(mdr_profile_table(n, x, y, &p));
+    }
+    const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    /* r^2 <-> 2 x^2 */
+    if (from_mdr) {
+        CHECK_SUCCESS(mdr_profile_height(p, 1, &half, &found));
+        CHECK_CLOSE(found, 0.125, 1e-10);
+    } else {
+        CHECK_SUCCESS(mdr_profile_mdr(p, 1, &half, &found));
+        CHECK_CLOSE(found, 0.5, 1e-10);
+    }
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    free(x);
+    free(y);
+    return seconds;
+}
+
+static void test_long_tables(void)
+{
+    for (int from_mdr = 0; from_mdr <= 1; from_mdr++) {
+        const double few = time_of_table(1001, from_mdr), many = time_of_table(8001, from_mdr);
+        CHECK_TRUE(many < 24.0 * few + 0.1);
+    }
+}
+
 int main(void)
 {
     area_function_refuses();
@@ -228,5 +270,6 @@ int main(void)
     area_function_is_the_cone();
     tables_are_the_cone();
     sum_adds();
+    test_long_tables();
     return check_report("profile_data");
 }

@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The test of runs (Wald and Wolfowitz): whether residuals along x change their sign as often as random ones.
 module mdrcontact_fit_runs
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_order, only: ascending_order
     implicit none (type, external)
     private
     public :: runs_test
@@ -9,42 +11,33 @@ module mdrcontact_fit_runs
 contains
 
     !> The two-sided probability of a number of runs as far from its mean as the one found; 1 where there are too few signs.
-    pure function runs_test(x, residuals) result(probability)
+    pure subroutine runs_test(x, residuals, probability, error)
         !> positions, in any order, and residuals, same size
         real(wp), intent(in) :: x(:), residuals(:)
-        real(wp) :: probability
-        logical :: is_positive(size(x))
+        real(wp), intent(out) :: probability
+        type(error_t), allocatable, intent(inout) :: error
+        integer, allocatable :: order(:)
         real(wp) :: above, below, mean, variance
-        integer :: runs
+        integer :: i, runs, stat
 
         probability = 1.0_wp
-        is_positive = residuals(order_of(x)) > 0.0_wp
-        above = count(is_positive)
-        below = size(is_positive) - above
+        above = count(residuals > 0.0_wp)
+        below = size(residuals) - above
         if (min(above, below) < 2.0_wp) then
             ! a single sign over many points is no accident
-            if (size(is_positive) > 8) probability = 0.5_wp**(size(is_positive) - 3)
+            if (size(residuals) > 8) probability = 0.5_wp**(size(residuals) - 3)
             return
         end if
-        runs = 1 + count(is_positive(2:) .neqv. is_positive(:size(is_positive) - 1))
+        call ascending_order(x, order, stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        runs = 1
+        do i = 2, size(order)
+            if ((residuals(order(i)) > 0.0_wp) .neqv. (residuals(order(i - 1)) > 0.0_wp)) runs = runs + 1
+        end do
         mean = 1.0_wp + 2.0_wp*above*below/(above + below)
         variance = (mean - 1.0_wp)*(mean - 2.0_wp)/(above + below - 1.0_wp)
         probability = erfc(max(abs(runs - mean) - 0.5_wp, 0.0_wp)/sqrt(2.0_wp*variance))
-    end function runs_test
-
-    !> Positions in ascending order of x; data come sorted or nearly so, for which insertion is quick.
-    pure function order_of(x) result(order)
-        real(wp), intent(in) :: x(:)
-        integer :: order(size(x))
-        integer :: i, j
-
-        do i = 1, size(x)
-            do j = i - 1, 1, -1
-                if (x(order(j)) <= x(i)) exit
-                order(j + 1) = order(j)
-            end do
-            order(j + 1) = i
-        end do
-    end function order_of
+    end subroutine runs_test
 
 end module mdrcontact_fit_runs

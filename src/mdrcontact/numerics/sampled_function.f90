@@ -6,15 +6,17 @@
 !> branches of contact mechanics are analytic.
 module mdrcontact_numerics_sampled_function
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: sampled_function_t, new_sampled_function
+    public :: sampled_function_t, new_sampled_function, cosine_transform
 
     !> Chebyshev nodes, and coefficients, in a panel.
     integer, parameter :: nodes = 20
+    !> Points that are evaluated side by side.
+    integer, parameter :: block = 4
     integer, parameter :: most_panels = 20000
     !> A panel is not halved below this length relative to its distance from 0.
     real(wp), parameter :: shortest_panel = 1.0e-10_wp
@@ -33,6 +35,8 @@ module mdrcontact_numerics_sampled_function
         real(wp), allocatable :: coefficients(:, :)
         !> those of the derivative in the panel's variable, which runs from -1 to 1 (nodes, panels)
         real(wp), allocatable :: derivatives(:, :)
+        !> how many coefficients of each panel count; the others are rounding
+        integer, allocatable :: used(:)
         !> integral from edges(1) to edges(i)
         real(wp), allocatable :: integrals(:)
     contains
@@ -42,6 +46,12 @@ module mdrcontact_numerics_sampled_function
         procedure :: lower
         procedure :: upper
         procedure :: panel_edges
+        procedure :: panels
+        procedure :: edge
+        procedure :: move_to
+        procedure :: values_in
+        procedure :: slopes_in
+        procedure :: degree_in
     end type sampled_function_t
 
 contains
@@ -52,7 +62,7 @@ contains
         class(scalar_function_t), intent(inout) :: f
         !> ascending; panels never cross one, so put them where f is not analytic
         real(wp), intent(in) :: edges(:)
-        !> (size(edges) - 1): whether f has a square-root branch at the panel's left edge
+        !> (size(edges) - 1) whether f has a square-root branch at the panel's left edge; of size 0: it has none
         logical, intent(in) :: from_root(:)
         real(wp), intent(in) :: tolerance
         type(error_t), allocatable, intent(out) :: error
@@ -64,24 +74,30 @@ contains
         real(wp), intent(in), optional :: roughness
         real(wp), allocatable :: stack(:, :)
         logical, allocatable :: root_stack(:)
-        integer :: waiting, count, limit
-        real(wp) :: coefficients(nodes), left, right, unresolved
+        integer :: waiting, count, limit, stat
+        real(wp) :: cosines(nodes, nodes), coefficients(nodes), left, right, unresolved
         logical :: resolved
 
         limit = most_panels
         if (present(most)) limit = most
         ! Panels wait on a stack, leftmost on top, so that finished ones come out in ascending order.
-        allocate (self%edges(64), self%from_root(64), self%coefficients(nodes, 64))
-        allocate (stack(2, size(edges) + 64), root_stack(size(edges) + 64))
+        call resize(self, 0, size(edges) + 64, error)
+        if (allocated(error)) return
+        allocate (stack(2, size(edges) + 64), stat=stat)
+        if (stat == 0) allocate (root_stack(size(edges) + 64), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        call cosine_transform(cosines)
         waiting = size(edges) - 1
         stack(1, :waiting) = edges(waiting:1:-1)
         stack(2, :waiting) = edges(waiting + 1:2:-1)
-        root_stack(:waiting) = from_root(waiting:1:-1)
+        root_stack(:waiting) = .false.
+        if (size(from_root) > 0) root_stack(:waiting) = from_root(waiting:1:-1)
         count = 0
         do while (waiting > 0)
             left = stack(1, waiting)
             right = stack(2, waiting)
-            call sample_panel(f, left, right, root_stack(waiting), coefficients)
+            call sample_panel(f, left, right, root_stack(waiting), cosines, coefficients)
             if (allocated(f%error)) then
                 error = f%error
                 return
@@ -111,64 +127,104 @@ contains
                 return
             end if
             count = count + 1
-            if (count > size(self%from_root)) call grow(self)
+            if (count > size(self%from_root)) call resize(self, count - 1, 2*count, error)
+            if (allocated(error)) return
             self%edges(count) = left
             self%from_root(count) = root_stack(waiting)
             self%coefficients(:, count) = coefficients
             waiting = waiting - 1
         end do
-        self%edges = [self%edges(:count), edges(size(edges))]
-        self%from_root = self%from_root(:count)
-        self%coefficients = self%coefficients(:, :count)
-        allocate (self%derivatives, mold=self%coefficients)
+        call resize(self, count, count, error)
+        if (allocated(error)) return
+        allocate (self%derivatives(nodes, count), stat=stat)
+        if (stat == 0) allocate (self%used(count), stat=stat)
+        if (stat == 0) allocate (self%integrals(count + 1), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        self%edges(count + 1) = edges(size(edges))
         do count = 1, size(self%from_root)
+            self%used(count) = leading(self%coefficients(:, count), self%edges(count), self%edges(count + 1))
             call differentiate(self%coefficients(:, count), self%derivatives(:, count))
         end do
         call integrate_panels(self)
     end subroutine new_sampled_function
 
-    subroutine sample_panel(f, left, right, from_root, coefficients)
+    !> The matrix from the values at Chebyshev's n nodes to the coefficients; column 2 holds 2/n times the nodes.
+    pure subroutine cosine_transform(cosines)
+        !> (n, n)
+        real(wp), intent(out) :: cosines(:, :)
+        integer :: i, j, n
+
+        n = size(cosines, 1)
+        do j = 1, n
+            do i = 1, n
+                cosines(i, j) = (2.0_wp/n)*cos(pi*(j - 1)*(i - 0.5_wp)/n)
+            end do
+        end do
+        cosines(:, 1) = 0.5_wp*cosines(:, 1)
+    end subroutine cosine_transform
+
+    !> How many coefficients are more than the rounding of values and of positions.
+    pure function leading(c, left, right) result(count)
+        real(wp), intent(in) :: c(nodes), left, right
+        integer :: count
+        real(wp) :: rounding
+
+        rounding = epsilon(c)*(2.0_wp*maxval(abs(c)) + max(abs(left), abs(right))/(right - left)*maxval(abs(c(2:))))
+        do count = nodes, 2, -1
+            if (abs(c(count)) > rounding) return
+        end do
+    end function leading
+
+    subroutine sample_panel(f, left, right, from_root, cosines, coefficients)
         class(scalar_function_t), intent(inout) :: f
         real(wp), intent(in) :: left, right
         logical, intent(in) :: from_root
+        real(wp), intent(in) :: cosines(nodes, nodes)
         real(wp), intent(out) :: coefficients(nodes)
         real(wp) :: values(nodes), t
         integer :: i, j
 
         coefficients = 0.0_wp
         do i = 1, nodes
-            t = 0.5_wp*(1.0_wp + cos(pi*(i - 0.5_wp)/nodes))
+            t = 0.5_wp*(1.0_wp + 0.5_wp*nodes*cosines(i, 2))
             if (from_root) t = t**2
             values(i) = f%value(left + (right - left)*t)
             if (allocated(f%error)) return
         end do
         do j = 1, nodes
-            coefficients(j) = (2.0_wp/nodes)*sum(values*cos(pi*(j - 1)*([(i, i=1, nodes)] - 0.5_wp)/nodes))
+            coefficients(j) = sum(values*cosines(:, j))
         end do
-        coefficients(1) = 0.5_wp*coefficients(1)
     end subroutine sample_panel
 
-    subroutine grow(self)
+    !> Keeps the first panels and makes room for `room` of them.
+    subroutine resize(self, kept, room, error)
         type(sampled_function_t), intent(inout) :: self
+        integer, intent(in) :: kept, room
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: edges(:), coefficients(:, :)
         logical, allocatable :: from_root(:)
-        integer :: size_before
+        integer :: stat
 
-        size_before = size(self%from_root)
-        allocate (edges(2*size_before), from_root(2*size_before), coefficients(nodes, 2*size_before))
-        edges(:size_before) = self%edges
-        from_root(:size_before) = self%from_root
-        coefficients(:, :size_before) = self%coefficients
+        allocate (edges(room + 1), stat=stat)
+        if (stat == 0) allocate (from_root(room), stat=stat)
+        if (stat == 0) allocate (coefficients(nodes, room), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        if (kept > 0) then
+            edges(:kept) = self%edges(:kept)
+            from_root(:kept) = self%from_root(:kept)
+            coefficients(:, :kept) = self%coefficients(:, :kept)
+        end if
         call move_alloc(edges, self%edges)
         call move_alloc(from_root, self%from_root)
         call move_alloc(coefficients, self%coefficients)
-    end subroutine grow
+    end subroutine resize
 
     subroutine integrate_panels(self)
         type(sampled_function_t), intent(inout) :: self
         integer :: i
 
-        allocate (self%integrals(size(self%edges)))
         self%integrals(1) = 0.0_wp
         do i = 1, size(self%from_root)
             self%integrals(i + 1) = self%integrals(i) + partial_integral(self, i, 1.0_wp)
@@ -180,26 +236,71 @@ contains
         class(sampled_function_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        integer :: i
 
-        i = panel_of(self, x)
-        y = chebyshev_sum(self%coefficients(:, i), 2.0_wp*local(self, i, x) - 1.0_wp)
+        y = value_in(self, panel_of(self, x), x)
     end function value
+
+    !> f(x) and f'(x) at points of one panel, counted from 1, that does not begin at a branch.
+    pure subroutine values_in(self, panel, x, y)
+        class(sampled_function_t), intent(in) :: self
+        integer, intent(in) :: panel
+        real(wp), intent(in) :: x(:)
+        !> same size as x
+        real(wp), intent(out) :: y(:)
+
+        call chebyshev_sums(self%coefficients(:self%used(panel), panel), self%edges(panel), self%edges(panel + 1), x, y)
+    end subroutine values_in
+
+    pure subroutine slopes_in(self, panel, x, y)
+        class(sampled_function_t), intent(in) :: self
+        integer, intent(in) :: panel
+        real(wp), intent(in) :: x(:)
+        real(wp), intent(out) :: y(:)
+
+        call chebyshev_sums(self%derivatives(:max(self%used(panel) - 1, 1), panel), self%edges(panel), self%edges(panel + 1), x, y)
+        y = y*(2.0_wp/(self%edges(panel + 1) - self%edges(panel)))
+    end subroutine slopes_in
+
+    elemental function value_in(self, panel, x) result(y)
+        type(sampled_function_t), intent(in) :: self
+        integer, intent(in) :: panel
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = chebyshev_sum(self%coefficients(:self%used(panel), panel), 2.0_wp*local(self, panel, x) - 1.0_wp)
+    end function value_in
+
+    !> The degree of a panel's polynomial.
+    pure function degree_in(self, panel) result(degree)
+        class(sampled_function_t), intent(in) :: self
+        integer, intent(in) :: panel
+        integer :: degree
+
+        degree = self%used(panel) - 1
+    end function degree_in
 
     !> f'(x).
     elemental function slope(self, x) result(y)
         class(sampled_function_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: t
-        integer :: i
 
-        i = panel_of(self, x)
-        t = local(self, i, x)
-        if (self%from_root(i)) t = max(t, smallest_root)
-        y = 2.0_wp*chebyshev_sum(self%derivatives(:, i), 2.0_wp*t - 1.0_wp)/(self%edges(i + 1) - self%edges(i))
-        if (self%from_root(i)) y = y/(2.0_wp*t)
+        y = slope_in(self, panel_of(self, x), x)
     end function slope
+
+    elemental function slope_in(self, panel, x) result(y)
+        type(sampled_function_t), intent(in) :: self
+        integer, intent(in) :: panel
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: t
+
+        t = local(self, panel, x)
+        if (self%from_root(panel)) t = max(t, smallest_root)
+        y = 2.0_wp*chebyshev_sum(self%derivatives(:max(self%used(panel) - 1, 1), panel), 2.0_wp*t - 1.0_wp) &
+            /(self%edges(panel + 1) - self%edges(panel))
+        if (self%from_root(panel)) y = y/(2.0_wp*t)
+    end function slope_in
 
     !> The integral of f from lower() to x.
     elemental function integral(self, x) result(y)
@@ -233,6 +334,36 @@ contains
 
         edges = self%edges
     end function panel_edges
+
+    !> How many panels there are.
+    pure function panels(self) result(count)
+        class(sampled_function_t), intent(in) :: self
+        integer :: count
+
+        count = size(self%from_root)
+    end function panels
+
+    !> The left edge of panel i, 1 to panels() + 1.
+    pure function edge(self, i) result(x)
+        class(sampled_function_t), intent(in) :: self
+        integer, intent(in) :: i
+        real(wp) :: x
+
+        x = self%edges(i)
+    end function edge
+
+    !> Moves to another place, without a copy.
+    pure subroutine move_to(self, to)
+        class(sampled_function_t), intent(inout) :: self
+        type(sampled_function_t), intent(inout) :: to
+
+        call move_alloc(self%edges, to%edges)
+        call move_alloc(self%from_root, to%from_root)
+        call move_alloc(self%coefficients, to%coefficients)
+        call move_alloc(self%derivatives, to%derivatives)
+        call move_alloc(self%used, to%used)
+        call move_alloc(self%integrals, to%integrals)
+    end subroutine move_to
 
     pure function panel_of(self, x) result(low)
         type(sampled_function_t), intent(in) :: self
@@ -308,6 +439,30 @@ contains
         end do
         y = z*b1 - b2 + c(1)
     end function chebyshev_sum
+
+    !> The same at several points of the panel from left to right.
+    pure subroutine chebyshev_sums(c, left, right, x, y)
+        real(wp), intent(in) :: c(:), left, right, x(:)
+        real(wp), intent(out) :: y(:)
+        real(wp) :: z(block), b1(block), b2(block), b3(block)
+        integer :: first, i, j, n
+
+        do first = 0, size(x) - 1, block
+            n = min(block, size(x) - first)
+            z = 0.0_wp
+            z(:n) = 2.0_wp*(x(first + 1:first + n) - left)*(1.0_wp/(right - left)) - 1.0_wp
+            b1 = 0.0_wp
+            b2 = 0.0_wp
+            do j = size(c), 2, -1
+                do i = 1, block
+                    b3(i) = 2.0_wp*z(i)*b1(i) - b2(i) + c(j)
+                    b2(i) = b1(i)
+                    b1(i) = b3(i)
+                end do
+            end do
+            y(first + 1:first + n) = z(:n)*b1(:n) - b2(:n) + c(1)
+        end do
+    end subroutine chebyshev_sums
 
     pure subroutine differentiate(c, derivative)
         real(wp), intent(in) :: c(nodes)

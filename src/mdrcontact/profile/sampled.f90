@@ -2,10 +2,10 @@
 !> Indenters without a closed form: a user's function, a table, an area function. f and g are sampled once, when the indenter
 !> is made, and from then on cost as little as a closed form; a user's function is not called again.
 module mdrcontact_profile_sampled
-    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
-    use mdrcontact_kinds, only: half_pi, wp
+    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
+    use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_profile_transform, only: new_transform, transform_t
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -32,29 +32,9 @@ module mdrcontact_profile_sampled
         procedure :: break_radii
     end type sampled_profile_t
 
-    !> g(x) = x int_0^{pi/2} f'(x sin t) dt, equation (3).
-    type, extends(scalar_function_t) :: forward_transform_t
-        type(sampled_function_t), pointer :: f => null()
-        real(wp), allocatable :: edges(:)
-        !> f follows this power below its first edge
-        real(wp) :: exponent = 0.0_wp
-    contains
-        procedure :: value => forward_value
-    end type forward_transform_t
-
-    !> f(r) = (2/pi) int_0^{pi/2} g(r sin t) dt, equation (4).
-    type, extends(scalar_function_t) :: backward_transform_t
-        type(sampled_function_t), pointer :: g => null()
-        real(wp), allocatable :: edges(:)
-        !> g follows this power below its first edge
-        real(wp) :: exponent = 0.0_wp
-    contains
-        procedure :: value => backward_value
-    end type backward_transform_t
-
     real(wp), parameter :: height_tolerance = 1.0e-14_wp, transform_tolerance = 2.0e-14_wp
     !> f is sampled this much further down than g; below it is a power of r, whose transform is a fast power series.
-    integer, parameter :: extra_octaves = 1, series_terms = 28
+    integer, parameter :: extra_octaves = 1
     !> Points in a panel, smooth by construction, at which a profile is seen not to decrease.
     integer, parameter :: checks_in_panel = 16
     !> Octaves towards a flat end, where x - b loses the digits of x and only absolute accuracy is left to have.
@@ -83,10 +63,11 @@ contains
         logical, intent(in) :: may_lose_digits
         type(error_t), allocatable, intent(out) :: error
         type(sampled_function_t), target :: f
-        type(forward_transform_t) :: transform
+        type(transform_t) :: transform
         real(wp), allocatable :: f_edges(:), g_edges(:)
+        logical, allocatable :: roots(:)
         real(wp) :: top
-        integer :: count, i
+        integer :: count
 
         call check_sizes([first_break(breaks, largest), largest], error)
         if (allocated(error)) return
@@ -97,24 +78,22 @@ contains
         if (allocated(error)) return
         call descending_edges(height, flat_radius, first_break(breaks, largest), top, may_lose_digits, count, error)
         if (allocated(error)) return
-        f_edges = [geometric(flat_radius, first_break(breaks, largest), count + extra_octaves), breaks, largest]
-        g_edges = [geometric(flat_radius, first_break(breaks, largest), count), breaks, largest]
+        call plan_panels(flat_radius, breaks, largest, count + extra_octaves, f_edges, roots, error)
+        if (.not. allocated(error)) call plan_panels(flat_radius, breaks, largest, count, g_edges, roots, error)
+        if (allocated(error)) return
 
-        call new_sampled_function(f, height, f_edges, [(.false., i=1, size(f_edges) - 1)], height_tolerance, error, &
-                                  noise=4.0_wp*epsilon(top)*top, most=most_panels(f_edges))
+        call new_sampled_function(f, height, f_edges, [logical ::], height_tolerance, error, noise=4.0_wp*epsilon(top)*top, &
+                                  most=most_panels(f_edges))
         if (allocated(error)) return
         call check_ascending(f, error)
+        if (.not. allocated(error)) call new_transform(transform, f, .true., end_exponent(f, flat_radius), error)
         if (allocated(error)) return
-        transform%f => f
-        transform%edges = f%panel_edges()
-        if (flat_radius <= 0.0_wp) transform%exponent = log_slope(f)
-        call new_sampled_function(self%g, transform, g_edges, [(root_starts(g_edges(i), flat_radius, breaks), &
-                                                                i=1, size(g_edges) - 1)], transform_tolerance, error, &
+        call new_sampled_function(self%g, transform, g_edges, roots, transform_tolerance, error, &
                                   noise=max(flat_noise(transform, flat_radius, first_break(breaks, largest)), &
                                             merge(100.0_wp*epsilon(top)*top, 0.0_wp, may_lose_digits)), most=most_panels(g_edges))
         if (allocated(error)) return
-        self%f = f
-        call finish(self, flat_radius, breaks)
+        call f%move_to(self%f)
+        call finish(self, flat_radius, breaks, error)
     end subroutine sample_from_height
 
     !> Takes g = `mdr` on [0, largest] and transforms it back to f.
@@ -126,43 +105,44 @@ contains
         real(wp), intent(in) :: breaks(:)
         type(error_t), allocatable, intent(out) :: error
         type(sampled_function_t), target :: g
-        type(backward_transform_t) :: transform
+        type(transform_t) :: transform
         real(wp), allocatable :: f_edges(:), g_edges(:)
-        integer :: i, octaves
+        logical, allocatable :: roots(:)
+        integer :: octaves
 
         call check_sizes([first_break(breaks, largest), largest, mdr%value(largest)], error)
         if (allocated(error)) return
         octaves = merge(flat_octaves, 33, flat_radius > 0.0_wp)
-        g_edges = [geometric(flat_radius, first_break(breaks, largest), octaves + extra_octaves), breaks, largest]
-        f_edges = [geometric(flat_radius, first_break(breaks, largest), octaves), breaks, largest]
-        call new_sampled_function(g, mdr, g_edges, [(.false., i=1, size(g_edges) - 1)], height_tolerance, error, &
-                                  most=most_panels(g_edges))
+        call plan_panels(flat_radius, breaks, largest, octaves + extra_octaves, g_edges, roots, error)
+        if (.not. allocated(error)) call plan_panels(flat_radius, breaks, largest, octaves, f_edges, roots, error)
+        if (allocated(error)) return
+        call new_sampled_function(g, mdr, g_edges, [logical ::], height_tolerance, error, most=most_panels(g_edges))
         if (allocated(error)) return
         call check_ascending(g, error)
+        if (.not. allocated(error)) call new_transform(transform, g, .false., end_exponent(g, flat_radius), error)
         if (allocated(error)) return
-        transform%g => g
-        transform%edges = g%panel_edges()
-        if (flat_radius <= 0.0_wp) transform%exponent = log_slope(g)
-        call new_sampled_function(self%f, transform, f_edges, [(root_starts(f_edges(i), flat_radius, breaks), &
-                                                                i=1, size(f_edges) - 1)], transform_tolerance, error, &
+        call new_sampled_function(self%f, transform, f_edges, roots, transform_tolerance, error, &
                                   noise=flat_noise(transform, flat_radius, first_break(breaks, largest)), most=most_panels(f_edges))
         if (allocated(error)) return
-        self%g = g
-        call finish(self, flat_radius, breaks)
+        call g%move_to(self%g)
+        call finish(self, flat_radius, breaks, error)
     end subroutine sample_from_mdr
 
-    subroutine finish(self, flat_radius, breaks)
+    subroutine finish(self, flat_radius, breaks, error)
         type(sampled_profile_t), intent(inout) :: self
         real(wp), intent(in) :: flat_radius, breaks(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: flat_ends, stat
 
         self%flat_radius = flat_radius
-        self%breaks = breaks
-        if (flat_radius > 0.0_wp) then
-            self%breaks = [flat_radius, breaks]
-        else
-            self%f_exponent = log_slope(self%f)
-            self%g_exponent = log_slope(self%g)
-        end if
+        flat_ends = merge(1, 0, flat_radius > 0.0_wp)
+        allocate (self%breaks(flat_ends + size(breaks)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        self%breaks(:flat_ends) = flat_radius
+        self%breaks(flat_ends + 1:) = breaks
+        self%f_exponent = end_exponent(self%f, flat_radius)
+        self%g_exponent = end_exponent(self%g, flat_radius)
     end subroutine finish
 
     elemental function height(self, x) result(y)
@@ -258,74 +238,6 @@ contains
         radii = self%breaks
     end function break_radii
 
-    !> Panel by panel in t, r = x sin t, where the integrand is smooth.
-    function forward_value(self, x) result(y)
-        class(forward_transform_t), intent(inout) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-        real(wp) :: from, to, nodes(20), weights(20)
-        integer :: i, n
-
-        y = 0.0_wp
-        if (self%exponent > 0.0_wp) then
-            y = self%exponent*self%f%value(self%edges(1))*below_first(self%edges(1)/x, self%exponent)
-        end if
-        from = asin(min(self%edges(1)/x, 1.0_wp))
-        do i = 2, size(self%edges)
-            to = asin(min(self%edges(i)/x, 1.0_wp))
-            n = nodes_for(to - from)
-            call gauss_legendre(nodes(:n), weights(:n))
-            y = y + x*(to - from)*sum(weights(:n)*self%f%slope(min(x*sin(from + (to - from)*nodes(:n)), self%edges(i))))
-            if (self%edges(i) >= x) exit
-            from = to
-        end do
-    end function forward_value
-
-    function backward_value(self, x) result(y)
-        class(backward_transform_t), intent(inout) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-        real(wp) :: from, to, nodes(20), weights(20)
-        integer :: i, n
-
-        from = asin(min(self%edges(1)/x, 1.0_wp))
-        y = 0.0_wp
-        if (self%exponent > 0.0_wp) then
-            y = self%g%value(self%edges(1))*self%edges(1)/x*below_first(self%edges(1)/x, self%exponent + 1.0_wp)
-        end if
-        do i = 2, size(self%edges)
-            to = asin(min(self%edges(i)/x, 1.0_wp))
-            n = nodes_for(to - from)
-            call gauss_legendre(nodes(:n), weights(:n))
-            y = y + (to - from)*sum(weights(:n)*self%g%value(min(x*sin(from + (to - from)*nodes(:n)), self%edges(i))))
-            if (self%edges(i) >= x) exit
-            from = to
-        end do
-        y = y/half_pi
-    end function backward_value
-
-    !> int_0^1 s^(n-1)/sqrt(1 - (q s)^2) ds for q <= 1/2: the transform of a power below the first edge.
-    pure function below_first(q, n) result(integral)
-        real(wp), intent(in) :: q, n
-        real(wp) :: integral, coefficient
-        integer :: k
-
-        integral = 1.0_wp/n
-        coefficient = 1.0_wp
-        do k = 1, series_terms
-            coefficient = coefficient*q**2*(2*k - 1)/(2*k)
-            integral = integral + coefficient/(n + 2*k)
-        end do
-    end function below_first
-
-    !> Gauss nodes for a panel of this angle: fewer where a fine table makes narrow panels.
-    pure function nodes_for(angle) result(n)
-        real(wp), intent(in) :: angle
-        integer :: n
-
-        n = merge(8, 20, angle < 0.05_wp)
-    end function nodes_for
-
     !> What is lost to rounding behind a flat end: relative accuracy of the transform at the first break.
     function flat_noise(transform, flat_radius, first) result(noise)
         class(scalar_function_t), intent(inout) :: transform
@@ -356,19 +268,20 @@ contains
     subroutine check_ascending(f, error)
         type(sampled_function_t), intent(in) :: f
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: edges(:)
-        real(wp) :: here, before, rounding
+        real(wp) :: heights(checks_in_panel), here, before, rounding, left, right
         integer :: i, j
 
-        allocate (edges, source=f%panel_edges())
-        rounding = 1.0e-12_wp*f%value(edges(size(edges)))
-        before = f%value(edges(1))
-        do i = 2, size(edges)
+        rounding = 1.0e-12_wp*f%value(f%upper())
+        before = f%value(f%lower())
+        do i = 1, f%panels()
+            left = f%edge(i)
+            right = f%edge(i + 1)
+            call f%values_in(i, left + (right - left)*[(real(j, wp)/checks_in_panel, j=1, checks_in_panel)], heights)
             do j = 1, checks_in_panel
-                here = f%value(edges(i - 1) + (edges(i) - edges(i - 1))*real(j, wp)/checks_in_panel)
+                here = heights(j)
                 if (here < before - rounding) then
-                    call raise(error, error_invalid, "the profile decreases between "//to_text(edges(i - 1))//" and "// &
-                               to_text(edges(i))//": it must not")
+                    call raise(error, error_invalid, "the profile decreases between "//to_text(left)//" and "// &
+                               to_text(right)//": it must not")
                     return
                 end if
                 before = here
@@ -430,16 +343,32 @@ contains
         most = 1000 + 20*size(edges)
     end function most_panels
 
-    !> start + (stop - start) 2^-count, ..., up to but without stop; a flat end adds its own radius.
-    pure function geometric(start, stop, count) result(edges)
-        real(wp), intent(in) :: start, stop
+    !> The edges of panels: start + (stop - start) 2^-count, ... towards the first break, a flat end's own radius before them, then
+    !> the breaks and the end. Behind a flat end and a break the transform has a square-root branch.
+    pure subroutine plan_panels(flat_radius, breaks, largest, count, edges, roots, error)
+        real(wp), intent(in) :: flat_radius, breaks(:), largest
         integer, intent(in) :: count
-        real(wp), allocatable :: edges(:)
-        integer :: i
+        real(wp), allocatable, intent(out) :: edges(:)
+        !> of each panel: whether it begins at such a branch
+        logical, allocatable, intent(out) :: roots(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, flat_ends, stat
 
-        edges = [(start + (stop - start)*0.5_wp**i, i=count, 1, -1)]
-        if (start > 0.0_wp) edges = [start, edges]
-    end function geometric
+        flat_ends = merge(1, 0, flat_radius > 0.0_wp)
+        allocate (edges(flat_ends + count + size(breaks) + 1), stat=stat)
+        if (stat == 0) allocate (roots(size(edges) - 1), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        edges(:flat_ends) = flat_radius
+        do i = 1, count
+            edges(flat_ends + i) = flat_radius + (first_break(breaks, largest) - flat_radius)*0.5_wp**(count + 1 - i)
+        end do
+        edges(flat_ends + count + 1:size(edges) - 1) = breaks
+        edges(size(edges)) = largest
+        roots(:flat_ends) = .true.
+        roots(flat_ends + 1:flat_ends + count) = .false.
+        roots(flat_ends + count + 1:) = .true.
+    end subroutine plan_panels
 
     pure function first_break(breaks, largest) result(radius)
         real(wp), intent(in) :: breaks(:), largest
@@ -449,12 +378,15 @@ contains
         if (size(breaks) > 0) radius = breaks(1)
     end function first_break
 
-    pure function root_starts(edge, flat_radius, breaks) result(answer)
-        real(wp), intent(in) :: edge, flat_radius, breaks(:)
-        logical :: answer
+    !> The power that f follows below its first edge; 0 behind a flat end, where it is 0.
+    pure function end_exponent(f, flat_radius) result(exponent)
+        type(sampled_function_t), intent(in) :: f
+        real(wp), intent(in) :: flat_radius
+        real(wp) :: exponent
 
-        answer = (flat_radius > 0.0_wp .and. edge == flat_radius) .or. any(breaks == edge)
-    end function root_starts
+        exponent = 0.0_wp
+        if (flat_radius <= 0.0_wp) exponent = log_slope(f)
+    end function end_exponent
 
     !> The power of x that f follows at its lower end, over its lowest octave so that rounding errors of f matter least.
     pure function log_slope(f) result(exponent)
