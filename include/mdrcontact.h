@@ -93,6 +93,19 @@ const char *mdr_status_name(int status);
  */
 int mdr_last_error(char *buffer, int length);
 
+/** The parts of a failure, for programs that put the words together themselves; mdr_last_error() says "entry 3 of xi = -1 is not
+ *  allowed: ..." of the argument "xi", the entry 3 and the text " = -1 is not allowed: ...". */
+typedef struct mdr_failure {
+    int status;        /**< One of enum mdr_status; MDR_SUCCESS before the first failure. */
+    int entry;         /**< Which entry of an array it is about, from 1; 0: none. */
+    char argument[64]; /**< The argument that the text begins with; empty if the text stands alone. */
+    char text[1024];   /**< What is wrong with it. */
+} mdr_failure;
+
+/** The calling thread's last failure.
+ *  @param failure  receives it; NULL is allowed */
+void mdr_last_failure(mdr_failure *failure);
+
 /**
  * How many threads the calling thread's functions of arrays may use from now on: 1 at first. Each thread of a program has its own
  * number.

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 import weakref
 from collections.abc import Callable
 from typing import Any
@@ -11,15 +10,29 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native
-from .errors import ArgumentTypeError, InvalidArgumentError, error_class
+from . import _layout, _native
+from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, error_class
 
 FloatOrArray = float | NDArray[np.float64]
 """What an evaluation returns: a float for a number, an array of the same shape for an array."""
 
 _ONE_POINT = np.ones(1)
-_LONGEST_TEXT = 1024
-_FIRST_ENTRY = re.compile(r"^entry 1(?: of |: )")
+
+
+class Refusal(Exception):
+    """What the library says of a failure, in parts."""
+
+    def __init__(self, status: int) -> None:
+        failure = np.zeros(1, _layout.failure)
+        _native.last_failure(address(failure))
+        self.status = status
+        argument, text = (failure[0][name].decode("utf-8", "replace") for name in ("argument", "text"))
+        self.entry, self.argument, self.text = int(failure[0]["entry"]), argument, text
+
+    def error(self, *, single: bool = False) -> MDRError:
+        """The exception of the user; single : the array in question is one number of the user's, which has no entries."""
+        where = "" if single or not self.entry else f"entry {self.entry} of " if self.argument else f"entry {self.entry}: "
+        return error_class(self.status)(f"{where}{self.argument}{self.text}")
 
 
 def check(status: int, *, single: bool = False) -> None:
@@ -28,10 +41,7 @@ def check(status: int, *, single: bool = False) -> None:
     single : whether the array in question is one number of the user's, which has no entry 1
     """
     if status:
-        buffer = np.zeros(_LONGEST_TEXT, np.uint8)
-        length = _native.last_error(address(buffer), _LONGEST_TEXT)
-        words = bytes(buffer[:length]).decode("utf-8", "replace")
-        raise error_class(status)(_FIRST_ENTRY.sub("", words) if single else words)
+        raise Refusal(status).error(single=single)
 
 
 def number(name: str, value: Any) -> float:
@@ -73,10 +83,15 @@ def row(name: str, values: ArrayLike) -> tuple[float, ...]:
     return tuple(array.tolist())
 
 
+def outcome(function: Callable[..., Any], *arguments: Any) -> tuple[Any, ...]:
+    """Status and outputs of a compiled function."""
+    answer = function(*arguments)
+    return answer if isinstance(answer, tuple) else (answer,)
+
+
 def call(function: Callable[..., Any], *arguments: Any) -> Any:
     """What a compiled function gives beside its status: nothing, its one output, or a list of them."""
-    answer = function(*arguments)
-    status, *results = answer if isinstance(answer, tuple) else (answer,)
+    status, *results = outcome(function, *arguments)
     check(status)
     return results[0] if len(results) == 1 else results
 

@@ -3,6 +3,15 @@
 
 import numpy as np
 
+failure = np.dtype(
+    [
+        ("status", np.intc),
+        ("entry", np.intc),
+        ("argument", "S64"),
+        ("text", "S1024"),
+    ],
+    align=True,
+)
 model_facts = np.dtype(
     [
         ("base", np.intc),

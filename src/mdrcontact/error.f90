@@ -10,7 +10,7 @@ module mdrcontact_error
     implicit none (type, external)
     private
     public :: error_t, raise, check_memory, check_count_within, check_finite, check_positive, check_not_negative, check_poisson, &
-              check_inclination, check_table, count_text, entry_name, to_text
+              check_inclination, check_table, count_text, explain, raise_at, to_text
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file
 
@@ -37,31 +37,77 @@ module mdrcontact_error
     type :: error_t
         !> one of the constants of this module; a status of mdrcontact.h
         integer :: code = success
-        !> names the argument, its value and what is allowed
+        !> the finished sentence: names the argument, its value and what is allowed
         character(len=:), allocatable :: message
+        !> its parts, for a layer that speaks to the user in its own way: the argument, if it is known; which entry of it, counted from
+        !> 1, 0 for none; and the rest of the words
+        character(len=:), allocatable :: argument
+        integer :: entry = 0
+        character(len=:), allocatable :: text
     end type error_t
 
 contains
 
-    !> Allocates `error` with a code and a message.
-    pure subroutine raise(error, code, message)
+    !> Allocates `error` with a code and its words: all of them, or what follows the name of the argument.
+    pure subroutine raise(error, code, text, argument, entry)
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: code
-        character(len=*), intent(in) :: message
+        character(len=*), intent(in) :: text
+        !> what is to blame
+        character(len=*), intent(in), optional :: argument
+        !> which entry of it, from 1; 0: none
+        integer, intent(in), optional :: entry
 
         if (allocated(error)) return
         allocate (error)
         error%code = code
-        error%message = message
+        error%text = text
+        error%argument = ""
+        if (present(argument)) error%argument = argument
+        if (present(entry)) error%entry = entry
+        call compose(error)
     end subroutine raise
 
+    !> Says that an error belongs to one entry of an array.
+    pure subroutine raise_at(error, entry)
+        type(error_t), intent(inout) :: error
+        integer, intent(in) :: entry
+
+        error%entry = entry
+        call compose(error)
+    end subroutine raise_at
+
+    !> Says what an error of an inner layer means for the outer one: `before` and `after` enclose its words.
+    pure subroutine explain(error, before, after)
+        type(error_t), intent(inout) :: error
+        character(len=*), intent(in) :: before, after
+
+        error%text = before//error%message//after
+        error%argument = ""
+        error%entry = 0
+        call compose(error)
+    end subroutine explain
+
+    pure subroutine compose(error)
+        type(error_t), intent(inout) :: error
+
+        if (error%entry == 0) then
+            error%message = error%argument//error%text
+        else if (error%argument == "") then
+            error%message = "entry "//count_text(error%entry)//": "//error%text
+        else
+            error%message = "entry "//count_text(error%entry)//" of "//error%argument//error%text
+        end if
+    end subroutine compose
+
     !> Raises unless `value` is finite.
-    pure subroutine check_finite(error, name, value)
+    pure subroutine check_finite(error, name, value, entry)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name
         real(wp), intent(in) :: value
+        integer, intent(in), optional :: entry
 
-        if (.not. ieee_is_finite(value)) call raise_value(error, name, value, "it must be a finite number")
+        if (.not. ieee_is_finite(value)) call raise_value(error, name, value, "it must be a finite number", entry)
     end subroutine check_finite
 
     !> Raises unless the `stat` of an allocation is zero.
@@ -84,39 +130,42 @@ contains
     end subroutine check_count_within
 
     !> Raises unless `value` is finite and greater than zero.
-    pure subroutine check_positive(error, name, value)
+    pure subroutine check_positive(error, name, value, entry)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name
         real(wp), intent(in) :: value
+        integer, intent(in), optional :: entry
 
         if (ieee_is_finite(value)) then
             if (value > 0.0_wp) return
         end if
-        call raise_value(error, name, value, "it must be finite and greater than 0")
+        call raise_value(error, name, value, "it must be finite and greater than 0", entry)
     end subroutine check_positive
 
     !> Raises unless `value` is finite and at least zero.
-    pure subroutine check_not_negative(error, name, value)
+    pure subroutine check_not_negative(error, name, value, entry)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name
         real(wp), intent(in) :: value
+        integer, intent(in), optional :: entry
 
         if (ieee_is_finite(value)) then
             if (value >= 0.0_wp) return
         end if
-        call raise_value(error, name, value, "it must be finite and at least 0")
+        call raise_value(error, name, value, "it must be finite and at least 0", entry)
     end subroutine check_not_negative
 
     !> Raises unless `value` is a Poisson's ratio of a stable isotropic body, -1 < nu <= 1/2.
-    pure subroutine check_poisson(error, name, value)
+    pure subroutine check_poisson(error, name, value, entry)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name
         real(wp), intent(in) :: value
+        integer, intent(in), optional :: entry
 
         if (ieee_is_finite(value)) then
             if (value > -1.0_wp .and. value <= 0.5_wp) return
         end if
-        call raise_value(error, name, value, "Poisson's ratio must be greater than -1 and at most 0.5")
+        call raise_value(error, name, value, "Poisson's ratio must be greater than -1 and at most 0.5", entry)
     end subroutine check_poisson
 
     !> Raises unless `inclination` is the angle between a cone's face and the surface, 0 < phi < pi/2.
@@ -147,27 +196,17 @@ contains
         if (allocated(error)) return
         do i = 1, size(x)
             if (ieee_is_finite(x(i)) .and. ieee_is_finite(y(i))) cycle
-            call check_finite(error, entry_name(x_name, i), x(i))
-            call check_finite(error, entry_name(y_name, i), y(i))
+            call check_finite(error, x_name, x(i), i)
+            call check_finite(error, y_name, y(i), i)
             if (allocated(error)) return
         end do
         do i = 2, size(x)
             if (x(i) > x(i - 1)) cycle
-            call raise(error, error_invalid, entry_name(x_name, i)//" = "//to_text(x(i))//" is not allowed: "//x_name// &
-                       " must be strictly ascending, and the entry before is "//to_text(x(i - 1)))
+            call raise(error, error_invalid, " = "//to_text(x(i))//" is not allowed: "//x_name//" must be strictly "// &
+                       "ascending, and the entry before is "//to_text(x(i - 1)), x_name, i)
             return
         end do
     end subroutine check_table
-
-    !> What an error message calls an element of an array. In words, since Fortran counts from 1, C and Python from 0.
-    pure function entry_name(name, position) result(text)
-        character(len=*), intent(in) :: name
-        !> 1 is the first one
-        integer, intent(in) :: position
-        character(len=len("entry  of ") + len_trim(padded_count(position)) + len(name)) :: text
-
-        text = "entry "//count_text(position)//" of "//name
-    end function entry_name
 
     !> A count as text.
     pure function count_text(count) result(text)
@@ -177,12 +216,13 @@ contains
         text = padded_count(count)
     end function count_text
 
-    pure subroutine raise_value(error, name, value, allowed)
+    pure subroutine raise_value(error, name, value, allowed, entry)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name, allowed
         real(wp), intent(in) :: value
+        integer, intent(in), optional :: entry
 
-        call raise(error, error_invalid, name//" = "//to_text(value)//" is not allowed: "//allowed)
+        call raise(error, error_invalid, " = "//to_text(value)//" is not allowed: "//allowed, name, entry)
     end subroutine raise_value
 
     !> A number as a person would write it: short, up to seven digits.

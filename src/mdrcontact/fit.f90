@@ -4,7 +4,7 @@
 !> Nonlinear least squares of the same forward model that computes contacts, over GSL's trust region. A value known beforehand
 !> enters as one more datum, and with it its uncertainty into that of everything else.
 module mdrcontact_fit
-    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: explain, error_invalid, error_t, raise, to_text
     use mdrcontact_fit_least_squares, only: minimize, outcome_t
     use mdrcontact_fit_problem, only: check_data, check_problem, fit_data_t, fit_problem_t, loss_linear
     use mdrcontact_fit_residuals, only: bend_slope, bent, fit_residuals_t, new_fit_residuals
@@ -97,8 +97,8 @@ contains
 
         call residuals%fitted(u, y, error)
         if (allocated(error)) then
-            error%message = "the model has no answer at the start of the search: "//error%message// &
-                            "; check the units of the data and the starting values"
+            call explain(error, "the model has no answer at the start of the search: ", &
+                         "; check the units of the data and the starting values")
             return
         end if
         ratio = norm2(residuals%data%y)/max(norm2(y), tiny(1.0_wp))

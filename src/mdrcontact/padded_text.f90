@@ -19,7 +19,7 @@ contains
         write (text, "(i0)") count
     end function padded_count
 
-    !> A number as a person would write it: short, up to seven digits.
+    !> A number as a person would write it, short, with up to seven digits: 0.25, 2e-06, -1.234568e+100.
     pure function padded_number(value) result(text)
         real(wp), intent(in) :: value
         character(len=24) :: text
@@ -30,7 +30,7 @@ contains
         else if (.not. ieee_is_finite(value)) then
             text = merge("-infinity", "infinity ", value < 0.0_wp)
         else if (value /= 0.0_wp .and. (abs(value) < 1.0e-3_wp .or. abs(value) >= 1.0e6_wp)) then
-            write (text, "(es14.6e3)") value
+            call write_scientific(value, text)
         else
             write (text, "(f16.7)") value
             last = verify(text, " 0", back=.true.)
@@ -39,5 +39,22 @@ contains
         end if
         text = adjustl(text)
     end function padded_number
+
+    pure subroutine write_scientific(value, text)
+        real(wp), intent(in) :: value
+        character(len=24), intent(out) :: text
+        character(len=14) :: full
+        integer :: last, exponent
+
+        write (full, "(es14.6e3)") value
+        last = verify(full(:9), "0", back=.true.)
+        if (full(last:last) == ".") last = last - 1
+        read (full(11:), "(i4)") exponent
+        if (abs(exponent) < 100) then
+            write (text, "(a,a,sp,i3.2)") full(:last), "e", exponent
+        else
+            write (text, "(a,a,sp,i4.3)") full(:last), "e", exponent
+        end if
+    end subroutine write_scientific
 
 end module mdrcontact_padded_text

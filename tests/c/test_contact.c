@@ -81,9 +81,9 @@ static void states_refuse(void)
         CHECK_STATUS(states((mdr_contact *)(void *)m, 2, good, d, a, F, k), MDR_EINVALID, "not an mdr_contact");
         CHECK_STATUS(states(c, -1, good, d, a, F, k), MDR_EINVALID, "n = -1");
         CHECK_STATUS(states(c, 2, NULL, d, a, F, k), MDR_ENULL, "in is NULL");
-        CHECK_STATUS(states(c, 2, not_a_number, d, a, F, k), MDR_EINVALID, "entry 1: ");
-        CHECK_STATUS(states(c, 2, infinite, d, a, F, k), MDR_EINVALID, "entry 2: ");
-        CHECK_STATUS(states(c, 2, negative, d, a, F, k), i == 2 ? MDR_EINVALID : MDR_EUNREACHABLE, "entry 2: ");
+        CHECK_STATUS(states(c, 2, not_a_number, d, a, F, k), MDR_EINVALID, "entry 1 of ");
+        CHECK_STATUS(states(c, 2, infinite, d, a, F, k), MDR_EINVALID, "entry 2 of ");
+        CHECK_STATUS(states(c, 2, negative, d, a, F, k), i == 2 ? MDR_EINVALID : MDR_EUNREACHABLE, "entry 2");
         CHECK_SUCCESS(states(c, 0, NULL, NULL, NULL, NULL, NULL));
         CHECK_SUCCESS(states(c, 2, good, NULL, NULL, NULL, NULL));
     }

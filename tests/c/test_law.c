@@ -166,7 +166,7 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, 1.5, out, NULL), MDR_EDOMAIN, "compiled up to");
     CHECK_STATUS(mdr_law_force(NULL, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_ENULL, "law");
     CHECK_STATUS(mdr_law_force((const mdr_law *)contact, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_EINVALID, "mdr_law handle");
-    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL), MDR_EINVALID, "entry 2: depth = ");
+    CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL), MDR_EINVALID, "entry 2 of depth = ");
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, -1, in, out, NULL, NULL, NULL), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, NULL, out, NULL, NULL, NULL), MDR_ENULL, "d is NULL");
     CHECK_STATUS(mdr_law_follow(law, 0.1, &stretch, out, NULL, NULL, NULL), MDR_EINVALID, "stretch");

@@ -127,7 +127,7 @@ FAULTS = [
     ('radius = "10 um"', 'radius = "10 um"\nradius_um = 10', r"radius and radius_um say the same thing twice"),
     ('radius = "10 um"', 'radius = ["10 um"]', r"radius = \['10 um'\] is not a length"),
     ('radius = "10 um"', "radius = true", r"radius = True is not a length"),
-    ('radius = "10 um"', 'radius = "-10 um"', r"\[indenter\]: radius = -1\.0+E-005 is not allowed"),
+    ('radius = "10 um"', 'radius = "-10 um"', r"\[indenter\]: radius = -1e-05 is not allowed"),
     ('radius = "10 um"', 'radius = "10 um"\ninclination = "20 deg"', r"'inclination' does not belong to the shape 'sphere'"),
     ('radius = "10 um"', 'radius = "10 um"\n[indenter.material]\nE = "1141 GPa"\nnu = 0.07', r"exact on a homogeneous medium only"),
     ('type = "coated"', 'type = "caoted"', r"did you mean 'coated'\?"),

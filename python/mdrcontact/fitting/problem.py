@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _layout, _native
-from .._boundary import address, call, number, record
+from .._boundary import Refusal, address, number, outcome, record
 from ..adhesion import RULES, code
-from ..errors import ArgumentTypeError, InvalidArgumentError, MDRError
+from ..errors import ArgumentTypeError, InvalidArgumentError
 from .data import Data
 from .parameters import Free, Instrument, MediumNumbers, Numbers, of_indenter, of_instrument, of_medium, read_free
 
@@ -41,7 +41,10 @@ class Problem(NamedTuple):
         record = self.record.copy()
         record["parameter_count"], record["parameters"] = len(parameters), address(parameters)
         force, sd = (None if given is None else np.ascontiguousarray(given, float) for given in (self.data.force, self.data.sd))
-        return call(function, address(record), self.data.x, self.data.y, address(force), address(sd), *further)
+        status, *results = outcome(function, address(record), self.data.x, self.data.y, address(force), address(sd), *further)
+        if status:
+            raise _named(Refusal(status), self).error()
+        return results
 
     def changed(self, data: Data, priors: NDArray[np.float64] | None = None, start: NDArray[np.float64] | None = None) -> Problem:
         """The same problem with other data, priors and starting values: for simulations."""
@@ -63,10 +66,7 @@ class Problem(NamedTuple):
         n, m = len(self.data.x), self.table.shape[1]
         found: list[NDArray[Any]] = [np.zeros(m), np.zeros((m, m)), np.zeros(m, np.intc), np.zeros(m), np.zeros(n), np.zeros(n)]
         summary = np.zeros(1, _layout.fit_summary)
-        try:
-            self.call(_native.fit_solve, *map(address, found), address(summary))
-        except MDRError as refusal:
-            raise type(refusal)(_named(str(refusal), self)) from None
+        self.call(_native.fit_solve, *map(address, found), address(summary))
         return *found, summary[0]
 
 
@@ -124,10 +124,12 @@ def make_problem(
     return Problem(data, *parts, names, chosen, problem, table)
 
 
-def _named(words: str, problem: Problem) -> str:
-    """The library counts parameters and points; people know their names."""
-    for i in range(len(problem.names), 0, -1):
-        words = words.replace(f"entry {i} of parameters", problem.names[i - 1])
-    words = words.replace(" of x ", f" of {problem.data.x_name} ").replace(" of y ", f" of {problem.data.y_name} ")
-    words = words.replace("the same x,", f"the same {problem.data.x_name},")
-    return words.replace("the same y,", f"the same {problem.data.y_name},")
+def _named(refusal: Refusal, problem: Problem) -> Refusal:
+    """The library counts parameters and knows x and y; people know their names."""
+    of_library, _, part = refusal.argument.partition(":")
+    if of_library == "parameters" and refusal.entry:
+        refusal.argument = problem.names[refusal.entry - 1] + (f":{part}" if part else "")
+        refusal.entry = 0
+    elif of_library in ("x", "y"):
+        refusal.argument = problem.data.x_name if of_library == "x" else problem.data.y_name
+    return refusal

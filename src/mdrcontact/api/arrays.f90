@@ -5,7 +5,7 @@ module mdrcontact_api_arrays
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use mdrcontact_api_status, only: check_given
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_domain, &
+    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, error_domain, &
                                 error_invalid, error_no_convergence, error_t, raise, to_text
     implicit none (type, external)
     private
@@ -65,7 +65,7 @@ contains
 
         do i = 1, size(values)
             if (ieee_is_finite(values(i))) cycle
-            call check_finite(error, entry_name(name, i), values(i))
+            call check_finite(error, name, values(i), i)
             return
         end do
     end subroutine check_each_finite
@@ -79,7 +79,7 @@ contains
 
         do i = 1, size(values)
             if (ieee_is_finite(values(i)) .and. values(i) > 0.0_c_double) cycle
-            call check_positive(error, entry_name(name, i), values(i))
+            call check_positive(error, name, values(i), i)
             return
         end do
     end subroutine check_each_positive
@@ -93,7 +93,7 @@ contains
 
         do i = 1, size(values)
             if (ieee_is_finite(values(i)) .and. values(i) >= 0.0_c_double) cycle
-            call check_not_negative(error, entry_name(name, i), values(i))
+            call check_not_negative(error, name, values(i), i)
             return
         end do
     end subroutine check_each_not_negative
@@ -107,12 +107,12 @@ contains
 
         do i = 1, size(values)
             if (values(i) < smallest) then
-                call raise(error, error_domain, entry_name(name, i)//" = "//to_text(values(i))//" is not allowed: "//whose// &
-                           " is defined from "//to_text(smallest)//" on")
+                call raise(error, error_domain, " = "//to_text(values(i))//" is not allowed: "//whose//" is defined from "// &
+                           to_text(smallest)//" on", name, i)
                 return
             else if (values(i) > largest) then
-                call raise(error, error_domain, entry_name(name, i)//" = "//to_text(values(i))//" is not allowed: "//whose// &
-                           " is defined up to "//to_text(largest))
+                call raise(error, error_domain, " = "//to_text(values(i))//" is not allowed: "//whose//" is defined up to "// &
+                           to_text(largest), name, i)
                 return
             end if
         end do
@@ -161,8 +161,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: position
 
-        call raise(error, error_no_convergence, "the numbers are too large or too small: "//entry_name("the result", position)// &
-                   " leaves the number range")
+        call raise(error, error_no_convergence, " leaves the number range: the numbers given are too large or "// &
+                   "too small", "the result", position)
     end subroutine raise_range
 
 end module mdrcontact_api_arrays

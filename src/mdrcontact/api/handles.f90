@@ -237,7 +237,7 @@ contains
             if (kind_of(inside%object) == kind) object => inside%object
         end if
         if (.not. associated(object)) then
-            call raise(error, error_invalid, name//" is not an "//trim(kinds(kind))//" handle, or it has been freed")
+            call raise(error, error_invalid, " is not an "//trim(kinds(kind))//" handle, or it has been freed", name)
         end if
     end subroutine look_inside
 

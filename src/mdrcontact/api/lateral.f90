@@ -4,7 +4,7 @@ module mdrcontact_api_lateral
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_finite, check_each_not_negative
     use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
-    use mdrcontact_error, only: check_count_within, check_not_negative, check_poisson, check_positive, entry_name, error_invalid, &
+    use mdrcontact_error, only: check_count_within, check_not_negative, check_poisson, check_positive, error_invalid, &
                                 error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_cells, only: cell_weights
@@ -111,8 +111,8 @@ contains
         call check_each_finite(error, name, lines(:n + 1))
         do i = 1, n
             if (allocated(error)) return
-            if (.not. lines(i + 1) > lines(i)) call raise(error, error_invalid, entry_name(name, i + 1)//" = "// &
-                                                          to_text(lines(i + 1))//" is not allowed: "//name//" must ascend")
+            if (.not. lines(i + 1) > lines(i)) call raise(error, error_invalid, " = "//to_text(lines(i + 1))// &
+                                                          " is not allowed: "//name//" must ascend", name, i + 1)
         end do
     end subroutine check_lines
 

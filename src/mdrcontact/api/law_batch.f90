@@ -5,7 +5,7 @@ module mdrcontact_api_law_batch
     use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_status, only: check_memory, status_of, wanted_threads
-    use mdrcontact_error, only: count_text, error_t, error_unreachable, raise, to_text
+    use mdrcontact_error, only: error_t, error_unreachable, raise, raise_at, to_text
     use mdrcontact_law, only: check_below, check_branch, contact_law_t, lowest_force
     use mdrcontact_law_evaluate, only: all_of, values_of
     use mdrcontact_law_table, only: law_table_t
@@ -79,12 +79,14 @@ contains
         end do
         if (outside == 0) return
         do i = 1, size(s)
-            call check_below(error, "entry "//count_text(i)//": "//name, s(i), highest)
+            call check_below(error, name, s(i), highest)
             if (.not. allocated(error) .and. s(i) < lowest) then
-                call raise(error, error_unreachable, "entry "//count_text(i)//": "//name//" = "//to_text(s(i))// &
+                call raise(error, error_unreachable, name//" = "//to_text(s(i))// &
                            " cannot be reached: no contact carries less than "//to_text(lowest))
             end if
-            if (allocated(error)) return
+            if (.not. allocated(error)) cycle
+            call raise_at(error, i)
+            return
         end do
     end subroutine check_all
 

@@ -12,18 +12,38 @@ enum { LONGEST_TEXT = 1023 };
 
 static _Thread_local char last_text[LONGEST_TEXT + 1];
 static _Thread_local int last_length;
+static _Thread_local mdr_failure last_failure;
 static _Thread_local int wanted_threads = 1;
 
 /* Both are called from Fortran only. */
-void mdrcontact_store_error(const char *text, int length);
+void mdrcontact_store_error(int status, const char *words, int length, const char *argument, int argument_length, int text_length,
+                            int entry);
 int mdrcontact_wanted_threads(void);
 
-/* What does not fit is cut off. */
-void mdrcontact_store_error(const char *text, int length)
+/* Copies what fits of n characters, and a closing zero; returns how many fitted. */
+static int copy(char *to, int room, const char *from, int n)
 {
-    last_length = length < LONGEST_TEXT ? length : LONGEST_TEXT;
-    memcpy(last_text, text, (size_t)last_length);
-    last_text[last_length] = '\0';
+    const int copied = n < room - 1 ? n : room - 1;
+    memcpy(to, from, (size_t)copied);
+    to[copied] = '\0';
+    return copied;
+}
+
+/* The sentence ends with the text. */
+void mdrcontact_store_error(int status, const char *words, int length, const char *argument, int argument_length, int text_length,
+                            int entry)
+{
+    last_length = copy(last_text, (int)sizeof last_text, words, length);
+    memset(&last_failure, 0, sizeof last_failure);
+    last_failure.status = status;
+    last_failure.entry = entry;
+    copy(last_failure.argument, (int)sizeof last_failure.argument, argument, argument_length);
+    copy(last_failure.text, (int)sizeof last_failure.text, words + length - text_length, text_length);
+}
+
+void mdr_last_failure(mdr_failure *failure)
+{
+    if (failure != NULL) *failure = last_failure;
 }
 
 int mdrcontact_wanted_threads(void)
@@ -35,9 +55,10 @@ int mdr_set_threads(int threads)
 {
     if (threads < 0) {
         char text[128];
-        int length = snprintf(text, sizeof text, "threads = %d is not allowed: it must be at least 1, or 0 for as many as OpenMP offers",
-                              threads);
-        mdrcontact_store_error(text, length);
+        const int length = snprintf(text, sizeof text, "threads = %d is not allowed: it must be at least 1, or 0 for as many as "
+                                    "OpenMP offers", threads);
+        const int name = (int)strlen("threads");
+        mdrcontact_store_error(MDR_EINVALID, text, length, "threads", name, length - name, 0);
         return MDR_EINVALID;
     }
     wanted_threads = threads;
@@ -47,9 +68,7 @@ int mdr_set_threads(int threads)
 int mdr_last_error(char *buffer, int length)
 {
     if (buffer != NULL && length > 0) {
-        int copied = last_length < length - 1 ? last_length : length - 1;
-        memcpy(buffer, last_text, (size_t)copied);
-        buffer[copied] = '\0';
+        copy(buffer, length, last_text, last_length);
     }
     return last_length;
 }

@@ -6,7 +6,7 @@ module mdrcontact_api_profile_data
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_memory
-    use mdrcontact_error, only: entry_name, error_invalid, error_t, raise
+    use mdrcontact_error, only: error_invalid, error_t, raise, raise_at
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_area_function, only: new_area_function_profile
     use mdrcontact_profile_sampled, only: sampled_profile_t
@@ -108,8 +108,11 @@ contains
         allocate (copies(size(terms)), stat=stat)
         call check_memory(error, stat)
         do i = 1, size(terms)
-            call open_handle(terms(i), entry_name("terms", i), term, error)
-            if (allocated(error)) return
+            call open_handle(terms(i), "terms", term, error)
+            if (allocated(error)) then
+                call raise_at(error, i)
+                return
+            end if
             allocate (copies(i)%profile, source=term, stat=stat)
             call check_memory(error, stat)
             if (allocated(error)) return

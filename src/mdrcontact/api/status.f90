@@ -8,10 +8,10 @@ module mdrcontact_api_status
     public :: status_of, check_given, check_memory, wanted_threads
 
     interface
-        subroutine mdrcontact_store_error(text, length) bind(C)
+        subroutine mdrcontact_store_error(status, words, length, argument, argument_length, text_length, entry) bind(C)
             import :: c_char, c_int
-            character(kind=c_char), intent(in) :: text(*)
-            integer(c_int), value :: length
+            character(kind=c_char), intent(in) :: words(*), argument(*)
+            integer(c_int), value :: status, length, argument_length, text_length, entry
         end subroutine mdrcontact_store_error
 
         function mdrcontact_wanted_threads() result(threads) bind(C)
@@ -30,7 +30,8 @@ contains
         status = success
         if (.not. allocated(error)) return
         status = int(error%code, c_int)
-        call mdrcontact_store_error(error%message, len(error%message, c_int))
+        call mdrcontact_store_error(status, error%message, len(error%message, c_int), error%argument, len(error%argument, c_int), &
+                                    len(error%text, c_int), int(error%entry, c_int))
     end function status_of
 
     !> How many threads the calls of the calling thread may use, as mdr_set_threads() was told.
@@ -46,7 +47,7 @@ contains
         character(len=*), intent(in) :: name
         logical, intent(in) :: is_given
 
-        if (.not. is_given) call raise(error, error_null, name//" is NULL: a pointer is required")
+        if (.not. is_given) call raise(error, error_null, " is NULL: a pointer is required", name)
     end subroutine check_given
 
 end module mdrcontact_api_status

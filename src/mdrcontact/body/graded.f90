@@ -10,7 +10,7 @@ module mdrcontact_body_graded
     use mdrcontact_body, only: body_t
     use mdrcontact_body_gradient, only: gradient_series, multiply_series, new_antiderivative, order, series_value
     use mdrcontact_body_modes, only: half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, transferred
-    use mdrcontact_error, only: check_poisson, check_positive, check_table, entry_name, error_callback, error_invalid, error_t, &
+    use mdrcontact_error, only: check_poisson, check_positive, check_table, error_callback, error_invalid, error_t, &
                                 raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
@@ -80,11 +80,11 @@ contains
         call check_table(error, "z", z, "E", young, 2)
         call check_table(error, "z", z, "nu", poisson, 2)
         if (allocated(error)) return
-        if (z(1) /= 0.0_wp) call raise(error, error_invalid, entry_name("z", 1)//" = "//to_text(z(1))// &
-                                       " is not allowed: depths start at the surface, z = 0")
+        if (z(1) /= 0.0_wp) call raise(error, error_invalid, " = "//to_text(z(1))//" is not allowed: depths start at the "// &
+                                       "surface, z = 0", "z", 1)
         do i = 1, size(z)
-            call check_positive(error, entry_name("E", i), young(i))
-            call check_poisson(error, entry_name("nu", i), poisson(i))
+            call check_positive(error, "E", young(i), i)
+            call check_poisson(error, "nu", poisson(i), i)
         end do
         if (allocated(error)) return
         self%z = z

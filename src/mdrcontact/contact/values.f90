@@ -4,7 +4,7 @@ module mdrcontact_contact_values
     use mdrcontact_batch, only: batch_t, check_threads, run_batch, team_size
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: count_text, entry_name, error_invalid, error_t, raise
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise, raise_at
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -99,7 +99,7 @@ contains
                 call self%contact%at_radius(self%input(i), self%states(i), error)
             end select
             if (.not. allocated(error)) cycle
-            error%message = "entry "//count_text(i)//": "//error%message
+            call raise_at(error, i)
             return
         end do
     end subroutine solve_states

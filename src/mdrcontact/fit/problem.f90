@@ -3,7 +3,7 @@
 module mdrcontact_fit_problem
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, entry_name, error_invalid, error_t, &
+    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, error_invalid, error_t, &
                                 raise, to_text
     use mdrcontact_fit_body, only: fit_body_t, indenter_count, medium_count
     use mdrcontact_kinds, only: wp
@@ -115,27 +115,28 @@ contains
                                                 " is not allowed: it must be at least 1")
         if (allocated(error)) return
         do i = 1, expected
-            call check_parameter(self%parameters(i), entry_name("parameters", i), error)
+            call check_parameter(self%parameters(i), "parameters", i, error)
         end do
     end subroutine check_problem
 
-    subroutine check_parameter(parameter, name, error)
+    subroutine check_parameter(parameter, name, i, error)
         type(fit_parameter_t), intent(in) :: parameter
         character(len=*), intent(in) :: name
+        integer, intent(in) :: i
         type(error_t), allocatable, intent(inout) :: error
 
-        if (ieee_is_nan(parameter%value)) call check_finite(error, name, parameter%value)
+        if (ieee_is_nan(parameter%value)) call check_finite(error, name, parameter%value, i)
         if (.not. parameter%is_free) return
-        call check_finite(error, name//": the value of a free parameter", parameter%value)
-        call check_not_negative(error, name//": prior_sd", parameter%prior_sd)
-        if (parameter%prior_sd > 0.0_wp) call check_finite(error, name//": prior", parameter%prior)
+        call check_finite(error, name//": the value of a free parameter", parameter%value, i)
+        call check_not_negative(error, name//": prior_sd", parameter%prior_sd, i)
+        if (parameter%prior_sd > 0.0_wp) call check_finite(error, name//": prior", parameter%prior, i)
         if (allocated(error)) return
         if (.not. parameter%lower < parameter%upper) then
-            call raise(error, error_invalid, name//": lower = "//to_text(parameter%lower)//" is not allowed: it must be less "// &
-                       "than upper = "//to_text(parameter%upper))
+            call raise(error, error_invalid, ": lower = "//to_text(parameter%lower)//" is not allowed: it must be less "// &
+                       "than upper = "//to_text(parameter%upper), name, i)
         else if (parameter%value < parameter%lower .or. parameter%value > parameter%upper) then
-            call raise(error, error_invalid, name//" = "//to_text(parameter%value)//" is not allowed: the search must begin "// &
-                       "between the bounds "//to_text(parameter%lower)//" and "//to_text(parameter%upper))
+            call raise(error, error_invalid, " = "//to_text(parameter%value)//" is not allowed: the search must begin "// &
+                       "between the bounds "//to_text(parameter%lower)//" and "//to_text(parameter%upper), name, i)
         end if
     end subroutine check_parameter
 
@@ -157,10 +158,10 @@ contains
                        " free parameters, of which "//count_text(priors)//" have priors; at least "// &
                        count_text(free + 1 - min(priors, free - 1))//" are needed")
         else if (maxval(self%x) <= minval(self%x)) then
-            call raise(error, error_invalid, "all points have the same x, "//to_text(self%x(1))//": they determine no curve")
+            call raise(error, error_invalid, " is the same at all points, "//to_text(self%x(1))//": they determine no curve", "x")
         else if (maxval(self%y) <= minval(self%y)) then
-            call raise(error, error_invalid, "all points have the same y, "//to_text(self%y(1))//": data without variance "// &
-                       "determine no curve")
+            call raise(error, error_invalid, " is the same at all points, "//to_text(self%y(1))//": data without variance "// &
+                       "determine no curve", "y")
         end if
     end subroutine check_data
 
@@ -187,13 +188,13 @@ contains
         if (allocated(error)) return
         do i = 1, size(self%x)
             if (is_good(self, problem%data_kind, i)) cycle
-            call check_finite(error, entry_name("x", i), self%x(i))
-            call check_finite(error, entry_name("y", i), self%y(i))
-            if (problem%data_kind >= data_modulus_radius) call check_positive(error, entry_name("radius", i), self%x(i))
-            if (allocated(self%sd)) call check_positive(error, entry_name("sd", i), self%sd(i))
+            call check_finite(error, "x", self%x(i), i)
+            call check_finite(error, "y", self%y(i), i)
+            if (problem%data_kind >= data_modulus_radius) call check_positive(error, "radius", self%x(i), i)
+            if (allocated(self%sd)) call check_positive(error, "sd", self%sd(i), i)
             if (problem%data_kind == data_stiffness_depth) then
-                call check_positive(error, entry_name("stiffness", i), self%y(i))
-                call check_finite(error, entry_name("force", i), self%force(i))
+                call check_positive(error, "stiffness", self%y(i), i)
+                call check_finite(error, "force", self%force(i), i)
             end if
             if (allocated(error)) return
         end do

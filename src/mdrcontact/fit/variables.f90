@@ -4,7 +4,7 @@
 !> What must be positive is sought as its logarithm, u = 1 + ln(p/p0); what may have either sign as u = 1 + (p - p0)/scale.
 !> Beyond a bound the number stays at the bound.
 module mdrcontact_fit_variables
-    use mdrcontact_error, only: entry_name, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_fit_body, only: fit_body_t, indenter_count, medium_count
     use mdrcontact_fit_medium_of, only: medium_graded, medium_homogeneous, medium_power_graded, medium_stack
     use mdrcontact_fit_problem, only: at_depth_offset, at_force_offset, at_frame_compliance, data_force_depth, &
@@ -58,15 +58,15 @@ contains
                 self%lower(i) = max(self%lower(i), smallest_poisson)
                 self%upper(i) = min(self%upper(i), largest_poisson)
                 if (self%start(i) < self%lower(i) .or. self%start(i) > self%upper(i)) then
-                    call raise(error, error_invalid, entry_name("parameters", j)//" = "//to_text(self%start(i))// &
-                               " is not allowed: Poisson's ratio must be greater than -1 and at most 0.5")
+                    call raise(error, error_invalid, " = "//to_text(self%start(i))//" is not allowed: Poisson's ratio "// &
+                               "must be greater than -1 and at most 0.5", "parameters", j)
                 end if
             case (signed)
                 self%scale(i) = typical(j - instrument, self%start(i), problem%data_kind, data)
             case default
                 if (.not. self%start(i) > 0.0_wp) then
-                    call raise(error, error_invalid, entry_name("parameters", j)//" = "//to_text(self%start(i))// &
-                               " is not allowed: the search for a positive quantity must begin above 0")
+                    call raise(error, error_invalid, " = "//to_text(self%start(i))//" is not allowed: the search for a "// &
+                               "positive quantity must begin above 0", "parameters", j)
                 end if
             end select
             if (allocated(error)) return

@@ -3,7 +3,7 @@
 !> in hexadecimal (every bit, on any machine), and a checksum.
 module mdrcontact_law_file
     use, intrinsic :: iso_fortran_env, only: int64
-    use mdrcontact_error, only: check_memory, count_text, error_file, error_t, raise
+    use mdrcontact_error, only: explain, check_memory, count_text, error_file, error_t, raise
     use mdrcontact_file, only: path_length, read_file, write_file
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_crc32, only: crc32_text
@@ -44,7 +44,7 @@ contains
         call read_file(path, text, error)
         if (allocated(error)) return
         call law_from_text(law, text, error)
-        if (allocated(error)) error%message = "the file "//path(:path_length(path))//" is refused: "//error%message
+        if (allocated(error)) call explain(error, "the file "//path(:path_length(path))//" is refused: ", "")
     end subroutine load_law
 
     !> The content of a law's file.

@@ -2,7 +2,7 @@
 !> Many states of a compiled law, on one thread or several.
 module mdrcontact_law_values
     use mdrcontact_batch, only: batch_t, check_threads, run_batch
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise, raise_at
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t, law_point_t
     implicit none (type, external)
@@ -94,7 +94,7 @@ contains
                 call self%law%at_force(self%input(i), self%points(i), error, self%branch)
             end if
             if (.not. allocated(error)) cycle
-            error%message = "entry "//count_text(i)//": "//error%message
+            call raise_at(error, i)
             return
         end do
     end subroutine work

@@ -3,7 +3,7 @@
 !> compliances in series, or by any power mean between -, Poisson's ratios with dI1. Exact to first order in the contrast.
 !> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(16).
 module mdrcontact_medium_gao
-    use mdrcontact_error, only: check_poisson, check_positive, count_text, entry_name, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_poisson, check_positive, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_effective, only: effective_medium_t
@@ -79,7 +79,7 @@ contains
             return
         end if
         do i = 1, size(layers)
-            call check_positive(error, entry_name("thickness", i), thickness(i))
+            call check_positive(error, "thickness", thickness(i), i)
         end do
         if (present(options)) self%options = options
         self%shear = [layers%shear(), substrate%shear()]

@@ -4,7 +4,7 @@
 !> It is interpolated in ln a, and constant below its smallest radius: forces are integrated from first contact.
 module mdrcontact_numerics_radius_law
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_error, only: check_positive, check_table, entry_name, error_callback, error_invalid, error_memory, &
+    use mdrcontact_error, only: check_positive, check_table, error_callback, error_invalid, error_memory, &
                                 error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
@@ -56,9 +56,9 @@ contains
 
         call check_table(error, "radius", radius, name, values, 3)
         if (allocated(error)) return
-        call check_positive(error, entry_name("radius", 1), radius(1))
+        call check_positive(error, "radius", radius(1), 1)
         do i = 1, size(values)
-            call check_positive(error, entry_name(name, i), values(i))
+            call check_positive(error, name, values(i), i)
         end do
         if (allocated(error)) return
         self%smallest = radius(1)

@@ -2,7 +2,7 @@
 !> A calibrated nanoindenter tip by its area function A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., A = pi r^2.
 !> Oliver, Pharr, J. Mater. Res. 7 (1992) 1564.
 module mdrcontact_profile_area_function
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, entry_name, error_invalid, error_t, raise, &
+    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_invalid, error_t, raise, &
                                 to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
@@ -55,7 +55,7 @@ contains
         call check_positive(error, "max_height", max_height)
         if (size(coefficients) == 0) call raise(error, error_invalid, "coefficients is empty: at least C0 is needed")
         do i = 1, size(coefficients)
-            call check_finite(error, entry_name("coefficients", i), coefficients(i))
+            call check_finite(error, "coefficients", coefficients(i), i)
         end do
         if (allocated(error)) return
         if (max_height <= min_height) then

@@ -2,7 +2,7 @@
 !> Indenters from data: a table of heights f(r), a table of g(x), a user's function f(r).
 module mdrcontact_profile_tabulated
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_error, only: check_positive, check_table, entry_name, error_callback, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_positive, check_table, error_callback, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
@@ -90,8 +90,8 @@ contains
         end if
         do i = 2, size(y)
             if (y(i) < y(i - 1)) then
-                call raise(error, error_invalid, entry_name(y_name, i)//" = "//to_text(y(i))//" is not allowed: "// &
-                           y_name//" must not decrease, and the entry before is "//to_text(y(i - 1)))
+                call raise(error, error_invalid, " = "//to_text(y(i))//" is not allowed: "//y_name// &
+                           " must not decrease, and the entry before is "//to_text(y(i - 1)), y_name, i)
                 return
             end if
         end do
