@@ -38,6 +38,8 @@ module mdrcontact_profile
         procedure :: break_radii => none
         !> where a search for the contact radius at a depth begins: the inverse of g if it has a closed form [length]; negative if not
         procedure :: radius_from_mdr => no_inverse
+        !> g as a sum of powers c x^s where it is one
+        procedure :: powers => no_powers
     end type profile_t
 
     abstract interface
@@ -98,6 +100,16 @@ contains
         end associate
         radius = -1.0_wp
     end function no_inverse
+
+    pure subroutine no_powers(self, exponents, coefficients)
+        class(profile_t), intent(in) :: self
+        !> s > 0 [1] and c [length^(1-s)] of each term; none where g is not such a sum
+        real(wp), allocatable, intent(out) :: exponents(:), coefficients(:)
+
+        associate (unused => self)
+        end associate
+        allocate (exponents(0), coefficients(0))
+    end subroutine no_powers
 
     !> sqrt(x^2 - b^2) without cancellation, 0 for x <= b: the root that every flat end and tangent point brings into g(x).
     elemental function root_beyond(x, b) result(root)

@@ -14,7 +14,6 @@ module mdrcontact_body_graded
                                 raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_rule, only: new_rule, rule_t
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -90,7 +89,9 @@ contains
         self%z = z
         self%young = young
         self%poisson = poisson
-        call build(self, scale(z(2), -table_octaves))
+        ! a homogeneous top is one sublayer
+        i = count([(all(young(:i) == young(1)) .and. all(poisson(:i) == poisson(1)), i=1, size(z))])
+        call build(self, merge(z(i), scale(z(2), -table_octaves), i > 1))
     end subroutine new_graded_body
 
     !> E(z) and nu(z) as functions on 0 < z <= depth, constant below. They are called here and never again.
@@ -192,21 +193,19 @@ contains
     subroutine build(self, first)
         type(graded_body_t), intent(inout) :: self
         real(wp), intent(in) :: first
-        type(rule_t) :: rule
-        real(wp) :: antiderivative(nodes + 1, nodes), surface_shear, surface_nu, shear(nodes), nu(nodes), g, v
+        real(wp) :: antiderivative(nodes + 1, nodes), surface_shear, surface_nu, t(nodes), shear(nodes), nu(nodes), g, v
         integer :: i, j, n
 
         call sublayer_ends(self, first, self%knots(), self%ends)
         n = size(self%ends) - 1
         allocate (self%series(4, 4, 0:order, n), self%from_surface(4, 4, 0:order, n), self%local(2, 2, n))
-        rule = new_rule(nodes)
-        antiderivative = new_antiderivative(rule)
+        call new_antiderivative(t, antiderivative)
         call self%constants(0.5_wp*first, surface_shear, surface_nu)
         self%top = new_layer_modes(surface_nu)
         self%contact_modulus = 2.0_wp*surface_shear/(1.0_wp - surface_nu)
         do i = 1, n
             do j = 1, nodes
-                call self%constants(self%ends(i) + (self%ends(i + 1) - self%ends(i))*rule%nodes(j), shear(j), nu(j))
+                call self%constants(self%ends(i) + (self%ends(i + 1) - self%ends(i))*t(j), shear(j), nu(j))
             end do
             if (i == 1) shear = surface_shear
             if (i == 1) nu = surface_nu

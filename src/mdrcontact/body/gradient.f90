@@ -7,7 +7,7 @@
 !> no staircase.
 module mdrcontact_body_gradient
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_rule, only: legendre, rule_t
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
     public :: order, gradient_series, multiply_series, series_value, new_antiderivative
@@ -17,22 +17,30 @@ module mdrcontact_body_gradient
 
 contains
 
-    !> The matrix that takes values at the rule's nodes on [0, 1] to integrals from 0 to each node (rows 1 to n) and to 1
-    !> (row n + 1).
-    function new_antiderivative(rule) result(matrix)
-        type(rule_t), intent(in) :: rule
-        real(wp) :: matrix(rule%n + 1, rule%n)
-        real(wp) :: integrals(rule%n + 1, rule%n), p(rule%n + 1, rule%n + 1)
+    !> Gauss-Legendre nodes on [0, 1], and the matrix that takes values there to integrals from 0 to each node (rows 1 to n)
+    !> and to 1 (row n + 1).
+    subroutine new_antiderivative(nodes, matrix)
+        real(wp), intent(out) :: nodes(:)
+        !> (n + 1, n)
+        real(wp), intent(out) :: matrix(:, :)
+        real(wp), dimension(size(nodes) + 1) :: ends, u, before, here, next
+        real(wp) :: weights(size(nodes))
         integer :: j
 
-        ! int_0^t P_j(2 s - 1) ds = (P_(j+1) - P_(j-1))/(2 (2 j + 1))
-        call legendre([rule%nodes, 1.0_wp], p)
-        integrals(:, 1) = [rule%nodes, 1.0_wp]
-        do j = 1, rule%n - 1
-            integrals(:, j + 1) = (p(j + 2, :) - p(j, :))/real(2*(2*j + 1), wp)
+        call gauss_legendre(nodes, weights)
+        ends = [nodes, 1.0_wp]
+        u = 2.0_wp*ends - 1.0_wp
+        before = 1.0_wp
+        here = u
+        matrix = spread(ends, 2, size(nodes))*spread(weights, 1, size(ends))
+        do j = 1, size(nodes) - 1
+            ! (2 j + 1) int_0^t P_j(2 s - 1) ds = (P_(j+1) - P_(j-1))/2, times what takes values to the coefficient of P_j
+            next = (real(2*j + 1, wp)*u*here - real(j, wp)*before)/real(j + 1, wp)
+            matrix = matrix + spread(0.5_wp*(next - before), 2, size(nodes))*spread(weights*here(:size(nodes)), 1, size(ends))
+            before = here
+            here = next
         end do
-        matrix = matmul(integrals, rule%to_legendre)
-    end function new_antiderivative
+    end subroutine new_antiderivative
 
     !> The series (4, 4, 0:order) of the transfer matrix from the bottom to the top of a layer.
     subroutine gradient_series(antiderivative, thickness, shear, poisson, series)

@@ -141,7 +141,8 @@ contains
         real(wp) :: modulus, modulus_slope
 
         state%radius = radius
-        call self%medium%response(self%profile, radius, state%depth, state%force, modulus, modulus_slope, error)
+        call self%medium%response(self%profile, radius, state%depth, state%force, modulus, modulus_slope, error, &
+                                  adhesive=self%work_of_adhesion > 0.0_wp)
         if (allocated(error)) return
         state%stiffness = 2.0_wp*radius*modulus
         if (.not. self%work_of_adhesion > 0.0_wp) return

@@ -10,13 +10,10 @@ module mdrcontact_layered_exact
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_layered_converge, only: solve_to_tolerance
-    use mdrcontact_layered_fields, only: displacement_beyond, new_smooth_load, smooth_load_t, smooth_pressure, smooth_value
-    use mdrcontact_layered_indenter, only: load_t, new_load
+    use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_rule, only: rule_t
-    use mdrcontact_layered_shared, only: shared_kernel, shared_rules, layered_shared_t
-    use mdrcontact_layered_solve, only: solution_t
+    use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
+    use mdrcontact_layered_solve, only: solution_t, solve
     use mdrcontact_material, only: material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
@@ -28,7 +25,7 @@ module mdrcontact_layered_exact
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 
     !> Contact radii up to this many depths of all layers are offered.
-    real(wp), parameter :: largest_ratio = 1.0e6_wp
+    real(wp), parameter :: largest_ratio = 1.0e4_wp
     !> The same where all layers are of one material [length].
     real(wp), parameter :: largest_homogeneous = 1.0e100_wp
 
@@ -37,7 +34,6 @@ module mdrcontact_layered_exact
         private
         class(body_t), allocatable :: pressed
         type(kernel_t) :: kernel
-        type(rule_t), allocatable :: rules(:)
         !> a half-space of the surface material, and its contact modulus E0* [modulus]
         type(homogeneous_t) :: surface
         real(wp) :: surface_modulus = 0.0_wp
@@ -92,9 +88,9 @@ contains
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (allocated(error)) return
         if (present(shared)) then
-            call share(self, shared, error)
+            call shared_kernel(shared, self%pressed, self%kernel, error)
         else
-            call share(self, own, error)
+            call shared_kernel(own, self%pressed, self%kernel, error)
         end if
     end subroutine new_exact_from_body
 
@@ -114,15 +110,6 @@ contains
         if (.not. allocated(error)) call new_exact_from_body(self, stack, error, tolerance, shared)
     end subroutine new_exact_from_layers
 
-    subroutine share(self, shared, error)
-        type(layered_exact_t), intent(inout) :: self
-        type(layered_shared_t), intent(inout) :: shared
-        type(error_t), allocatable, intent(out) :: error
-
-        call shared_kernel(shared, self%pressed, self%kernel, error)
-        if (.not. allocated(error)) call shared_rules(shared, self%rules)
-    end subroutine share
-
     !> A copy of the body that the medium was made of.
     subroutine body(self, copy)
         class(layered_exact_t), intent(in) :: self
@@ -141,7 +128,7 @@ contains
         integer :: i
 
         do i = 1, size(a)
-            call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a(i)/self%kernel%unit, solution, error)
+            call solve(self%kernel, self%tolerance, a(i), solution, error)
             if (allocated(error)) return
             values(i) = self%surface_modulus*solution%modulus
         end do
@@ -157,7 +144,7 @@ contains
         integer :: i
 
         do i = 1, size(a)
-            call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a(i)/self%kernel%unit, solution, error)
+            call solve(self%kernel, self%tolerance, a(i), solution, error, edge=.true.)
             if (allocated(error)) return
             values(i) = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a(i)
         end do
@@ -174,26 +161,27 @@ contains
 
         depth = 0.0_wp
         force = 0.0_wp
-        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        call solve(self%kernel, self%tolerance, a, solution, error, profile)
         if (allocated(error)) return
         depth = solution%depth
         force = self%surface_modulus*solution%force
     end subroutine depth_and_force
 
     !> All of them from one solution.
-    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error, adhesive)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         real(wp), intent(out) :: depth, force, modulus, modulus_slope
         type(error_t), allocatable, intent(out) :: error
+        logical, intent(in), optional :: adhesive
         type(solution_t) :: solution
 
         depth = 0.0_wp
         force = 0.0_wp
         modulus = 0.0_wp
         modulus_slope = 0.0_wp
-        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        call solve(self%kernel, self%tolerance, a, solution, error, profile, adhesive)
         if (allocated(error)) return
         depth = solution%depth
         force = self%surface_modulus*solution%force
@@ -238,7 +226,7 @@ contains
         end do
     end subroutine zeta
 
-    !> q(x; a) = E0* (d q_1 - g - v).
+    !> q(x; a) = E0* (d - g - v).
     subroutine line_load(self, profile, a, excess, r, values, error)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -246,18 +234,13 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        type(solution_t) :: solution
-        type(smooth_load_t) :: smooth
-        real(wp) :: depth, slope
+        type(line_load_t) :: load
         integer :: i
 
-        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
         if (allocated(error)) return
-        depth = solution%depth + excess
-        smooth = new_smooth_load(solution, self%rules(level_of(self, solution)), depth)
         do i = 1, size(r)
-            call smooth_value(smooth, r(i)/self%kernel%unit, values(i), slope)
-            values(i) = self%surface_modulus*(depth - profile%mdr(r(i)) + values(i))
+            values(i) = self%surface_modulus*load%at(profile, r(i))
         end do
     end subroutine line_load
 
@@ -269,21 +252,18 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        type(solution_t) :: solution
-        type(smooth_load_t) :: smooth
+        type(line_load_t) :: load
         integer :: i
 
-        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
         if (allocated(error)) return
         call self%surface%pressure(profile, a, 0.0_wp, r, values, error)
         if (allocated(error)) return
-        smooth = new_smooth_load(solution, self%rules(level_of(self, solution)), solution%depth + excess)
         do i = 1, size(r)
-            values(i) = values(i) + self%surface_modulus/self%kernel%unit &
-                        *smooth_pressure(smooth, self%rules(size(self%rules)), min(r(i)/self%kernel%unit, solution%a))
+            values(i) = values(i) + self%surface_modulus*load%smooth_pressure(r(i))
             if (excess == 0.0_wp) cycle
             if (r(i) < a) then
-                values(i) = values(i) + self%surface_modulus*solution%punch_edge*excess/(pi*sqrt((a - r(i))*(a + r(i))))
+                values(i) = values(i) + self%surface_modulus*load%edge/(pi*sqrt((a - r(i))*(a + r(i))))
             else
                 values(i) = sign(ieee_value(1.0_wp, ieee_positive_inf), excess)
             end if
@@ -298,32 +278,15 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        type(solution_t) :: solution
-        type(load_t) :: load
-        real(wp) :: depth
-        integer :: i
+        type(line_load_t) :: load
+        real(wp) :: added(size(r))
 
-        call solve_to_tolerance(self%kernel, self%rules, self%tolerance, a/self%kernel%unit, solution, error, profile)
+        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
         if (allocated(error)) return
-        depth = solution%depth + excess
-        call self%surface%displacement_outside(profile, a, depth - profile%mdr(a), r, values, error)
+        call self%surface%displacement_outside(profile, a, load%depth - profile%mdr(a), r, values, error)
         if (allocated(error) .or. self%kernel%vanishes) return
-        call new_load(self%kernel, profile, solution%grid, self%rules, level_of(self, solution), load)
-        do i = 1, size(r)
-            values(i) = values(i) + displacement_beyond(self%kernel, self%rules(size(self%rules)), solution, &
-                                                        self%rules(level_of(self, solution)), load, depth, &
-                                                        r(i)/self%kernel%unit)
-        end do
+        call load%displacement_beyond(self%kernel, r, added)
+        values = values + added
     end subroutine displacement_outside
-
-    pure function level_of(self, solution) result(level)
-        class(layered_exact_t), intent(in) :: self
-        type(solution_t), intent(in) :: solution
-        integer :: level
-
-        do level = 1, size(self%rules) - 1
-            if (self%rules(level)%n == solution%grid%order) exit
-        end do
-    end function level_of
 
 end module mdrcontact_layered_exact

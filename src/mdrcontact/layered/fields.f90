@@ -1,204 +1,229 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Line load, pressure and surface displacement from a solution of the springs' equation.
+!> The line load of a state as a Legendre series, and what follows from it in closed sums (theory 6): q = E0* (d - g - v).
 !>
-!> q = E0* (d - g + s) with s = d (q_1 - 1) - v smooth: the part d - g belongs to a half-space of the surface material and is
-!> left to it; this module adds
-!> what s does. s is kept as Legendre series on the panels, on the first one in x^2 since it is even.
+!> The part d - g belongs to a half-space of the surface material and is left to it; v(x) = (K q)(x)/E0* is smooth at the
+!> kernel's width whatever g is. P_2j(x/a) as a line load is the pressure P_2j(sigma)/(P_2j(0) pi sqrt(a^2 - r^2)),
+!> sigma = sqrt(1 - r^2/a^2).
 module mdrcontact_layered_fields
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_layered_grid, only: longest_panel
-    use mdrcontact_layered_indenter, only: add_fine_interaction, load_t
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_matrix, only: interaction_row
-    use mdrcontact_layered_rule, only: legendre, rule_t
-    use mdrcontact_layered_solve, only: solution_t
+    use mdrcontact_layered_legendre, only: contact_rule, edge_row, interaction_matrix, moments_t, new_moments, normalisation
+    use mdrcontact_layered_moments, only: profile_moments
+    use mdrcontact_layered_rule, only: new_rule, rule_t
+    use mdrcontact_layered_solve, only: factorize, first_unknowns, next_unknowns, solve_lower, solve_upper
+    use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: smooth_load_t, new_smooth_load, smooth_value, smooth_pressure, displacement_beyond
+    public :: line_load_t, new_line_load
 
-    !> s(x) on [0, a]: coefficients (degree, panel).
-    type :: smooth_load_t
-        real(wp), allocatable :: edges(:), coefficients(:, :)
-    end type smooth_load_t
+    !> Unknowns of a line load at most: a profile with a kink on a film h takes 3 a/h.
+    integer, parameter :: most_unknowns = 1500
+    !> A panel beyond the edge is this long, in units of the kernel, or as long as its distance from the edge.
+    real(wp), parameter :: longest_panel = 1.5_wp
+    integer, parameter :: panel_nodes = 32
+
+    !> q/E0* on the contact [length].
+    type :: line_load_t
+        !> contact radius [length], d, and q/E0* at its edge [length]
+        real(wp) :: a = 0.0_wp, depth = 0.0_wp, edge = 0.0_wp
+        !> coefficients of P_2j(x/a), j = 0, 1, ..., in q/E0*, and in v [length]
+        real(wp), allocatable :: q(:), v(:)
+    contains
+        procedure :: at
+        procedure :: smooth_pressure
+        procedure :: displacement_beyond
+    end type line_load_t
 
 contains
 
-    !> s = d (q_1 - 1) - v.
-    function new_smooth_load(solution, rule, depth) result(self)
-        type(solution_t), intent(in) :: solution
-        !> the rule of the solution's grid
-        type(rule_t), intent(in) :: rule
-        !> d [length]
-        real(wp), intent(in) :: depth
-        type(smooth_load_t) :: self
-        real(wp) :: s(rule%n)
-        integer :: i, first, last
+    !> The line load of the state at contact radius a with a depth beyond the non-adhesive one.
+    subroutine new_line_load(self, kernel, tolerance, profile, a, excess, error)
+        type(line_load_t), intent(out) :: self
+        type(kernel_t), intent(in) :: kernel
+        !> of values of q and p anywhere, relative to their mean square
+        real(wp), intent(in) :: tolerance
+        class(profile_t), intent(in) :: profile
+        !> [length]
+        real(wp), intent(in) :: a, excess
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: reached
+        integer :: n
+        logical :: solved
 
-        allocate (self%edges, source=solution%grid%edges)
-        allocate (self%coefficients(rule%n, size(self%edges) - 1))
-        do i = 1, size(self%edges) - 1
-            first = (i - 1)*rule%n + 1
-            last = i*rule%n
-            s = depth*(solution%punch(first:last) - 1.0_wp) - solution%v(first:last)
-            if (i == 1) s = at_squares(rule, s)
-            self%coefficients(:, i) = matmul(rule%to_legendre, s)
+        reached = huge(reached)
+        n = ceiling(1.5_wp*first_unknowns(kernel, tolerance, a/kernel%unit))
+        do while (n <= most_unknowns)
+            call expand(self, kernel, profile, a, excess, n, reached, solved)
+            if (.not. solved) exit
+            if (reached <= tolerance) return
+            n = next_unknowns(n, reached/tolerance)
         end do
-    end function new_smooth_load
+        call raise(error, error_no_convergence, "the fields of the exact layered medium did not reach the relative tolerance "// &
+                   to_text(tolerance)//" at contact radius "//to_text(a)//": they reached "//to_text(reached)// &
+                   "; where the indenter's profile is not smooth they take many unknowns on films thin against the radius")
+    end subroutine new_line_load
 
-    !> Values at positions t with t^2 at the rule's nodes, from values at positions t at the nodes: interpolation in t^2.
-    pure function at_squares(rule, values) result(other)
-        type(rule_t), intent(in) :: rule
-        real(wp), intent(in) :: values(:)
-        real(wp) :: other(size(values))
-        real(wp) :: weight(rule%n), term, above, below
-        integer :: i, j
+    !> With n unknowns.
+    subroutine expand(self, kernel, profile, a, excess, n, reached, solved)
+        type(line_load_t), intent(inout) :: self
+        type(kernel_t), intent(in) :: kernel
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        integer, intent(in) :: n
+        !> how large the last coefficients of v still are in a pressure
+        real(wp), intent(out) :: reached
+        logical, intent(out) :: solved
+        type(moments_t) :: moments
+        real(wp), allocatable :: h(:, :), x(:, :), row(:), g(:), s(:)
+        real(wp) :: mean, beyond
+        integer :: i, status
 
-        do i = 1, rule%n
-            weight(i) = 1.0_wp
-            do j = 1, rule%n
-                if (j /= i) weight(i) = weight(i)/(2.0_wp*(rule%nodes(i) - rule%nodes(j))*(rule%nodes(i) + rule%nodes(j)))
-            end do
+        call new_moments(moments, kernel, a/kernel%unit, n, 4*n)
+        allocate (h(n, n), stat=status)
+        solved = status == 0
+        if (.not. solved) return
+        allocate (x(n, 2), row(n), g(n), s(n))
+        call interaction_matrix(moments, h)
+        call edge_row(moments, h(:, 1), row)
+        call profile_moments(profile, a, g)
+        mean = g(1)*sqrt(0.5_wp)
+        g(1) = 0.0_wp
+        do i = 1, n
+            h(i, i) = h(i, i) + moments%diagonal
         end do
-        do i = 1, rule%n
-            above = 0.0_wp
-            below = 0.0_wp
-            do j = 1, rule%n
-                if (abs(rule%nodes(i) - rule%nodes(j)**2) < tiny(1.0_wp)) exit
-                term = weight(j)/(rule%nodes(i) - rule%nodes(j)**2)
-                above = above + term*values(j)
-                below = below + term
-            end do
-            if (j <= rule%n) then
-                other(i) = values(j)
-            else
-                other(i) = above/below
-            end if
-        end do
-    end function at_squares
+        call factorize(n, n, h, solved)
+        if (.not. solved) return
+        x(:, 1) = 0.0_wp
+        x(1, 1) = sqrt(2.0_wp)
+        x(:, 2) = g
+        call solve_lower(n, n, 2, h, x)
+        call solve_upper(n, n, 2, h, x)
+        self%a = a
+        self%edge = excess*sum(row*x(:, 1))
+        beyond = (profile%mdr(a) - mean + self%edge + sum(row*x(:, 2)))/sum(row*x(:, 1))
+        self%depth = mean + beyond
+        s = normalisation(n)
+        self%q = s*(beyond*x(:, 1) - x(:, 2))
+        self%v = -s*g - self%q
+        self%v(1) = self%v(1) + beyond
+        reached = 0.0_wp
+        if (kernel%vanishes) return
+        reached = maxval(abs(self%v(n - 3:)))*real(2*n, wp)/sqrt(sum((self%q/s)**2) + tiny(1.0_wp))
+    end subroutine expand
 
-    !> s(x) and s'(x)/x.
-    pure subroutine smooth_value(self, x, value, slope_over_x)
-        type(smooth_load_t), intent(in) :: self
+    !> q(x)/E0* [length].
+    pure function at(self, profile, x) result(value)
+        class(line_load_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        !> 0 <= x <= a [length]
         real(wp), intent(in) :: x
-        real(wp), intent(out) :: value, slope_over_x
-        integer :: panel
-        real(wp) :: length, slope
+        real(wp) :: value
 
-        panel = min(max(count(self%edges <= x), 1), size(self%edges) - 1)
-        length = self%edges(panel + 1) - self%edges(panel)
-        if (panel == 1) then
-            call legendre_sum(self%coefficients(:, 1), (x/length)**2, value, slope)
-            slope_over_x = 2.0_wp*slope/length**2
-        else
-            call legendre_sum(self%coefficients(:, panel), (x - self%edges(panel))/length, value, slope)
-            slope_over_x = slope/(length*x)
-        end if
-    end subroutine smooth_value
+        value = self%depth - profile%mdr(x) - even_sum(self%v, x/self%a)
+    end function at
 
-    !> sum of c_n P_n(2 t - 1) and its derivative with respect to t.
-    pure subroutine legendre_sum(coefficients, t, value, slope)
-        real(wp), intent(in) :: coefficients(:), t
-        real(wp), intent(out) :: value, slope
-        real(wp) :: p(size(coefficients), 1), u, slope_before, slope_here
-        integer :: i
+    !> sum of c_j P_2j(u).
+    pure function even_sum(c, u) result(total)
+        real(wp), intent(in) :: c(0:), u
+        real(wp) :: total
+        real(wp) :: even, odd
+        integer :: j
 
-        call legendre([t], p)
-        u = 2.0_wp*t - 1.0_wp
-        value = sum(coefficients*p(:, 1))
-        ! P'_(n+1) = P'_(n-1) + (2 n + 1) P_n
-        slope = 0.0_wp
-        slope_before = 0.0_wp
-        slope_here = 0.0_wp
-        do i = 2, size(coefficients)
-            u = slope_before + real(2*i - 3, wp)*p(i - 1, 1)
-            slope = slope + coefficients(i)*u
-            slope_before = slope_here
-            slope_here = u
+        even = 1.0_wp
+        odd = u
+        total = c(0)
+        do j = 1, ubound(c, 1)
+            even = (real(4*j - 1, wp)*u*odd - real(2*j - 1, wp)*even)/real(2*j, wp)
+            odd = (real(4*j + 1, wp)*u*even - real(2*j, wp)*odd)/real(2*j + 1, wp)
+            total = total + c(j)*even
         end do
-        slope = 2.0_wp*slope
-    end subroutine legendre_sum
+    end function even_sum
 
-    !> -(1/pi) int_r^a s'(x)/sqrt(x^2 - r^2) dx at r [unit], equation (6), without E0*; x^2 = r^2 + t^2.
-    function smooth_pressure(self, rule, r) result(pressure)
-        type(smooth_load_t), intent(in) :: self
-        !> any rule of high order
-        type(rule_t), intent(in) :: rule
+    !> The pressure over E0* that v takes from the homogeneous one, without what is singular at the edge:
+    !> -(sigma/(pi a)) sum v_j B_j(sigma), B_j = [P_2j(sigma)/P_2j(0) - 1]/sigma^2.
+    pure function smooth_pressure(self, r) result(pressure)
+        class(line_load_t), intent(in) :: self
+        !> 0 <= r <= a [length]
         real(wp), intent(in) :: r
         real(wp) :: pressure
-        real(wp) :: low, high, t, value, slope
-        integer :: panel, i
+        real(wp) :: sigma, square, total, even, odd, b, at_zero
+        integer :: j
 
-        pressure = 0.0_wp
-        do panel = 1, size(self%edges) - 1
-            if (self%edges(panel + 1) <= r) cycle
-            low = max(self%edges(panel), r)
-            low = sqrt((low - r)*(low + r))
-            high = sqrt((self%edges(panel + 1) - r)*(self%edges(panel + 1) + r))
-            do i = 1, rule%n
-                t = low + (high - low)*rule%nodes(i)
-                call smooth_value(self, min(max(sqrt(r**2 + t**2), self%edges(panel)), self%edges(panel + 1)), value, slope)
-                pressure = pressure - (high - low)*rule%weights(i)*slope
-            end do
+        square = (1.0_wp - r/self%a)*(1.0_wp + r/self%a)
+        sigma = sqrt(max(square, 0.0_wp))
+        ! even: P_2j, odd: P_(2j+1)/sigma
+        even = 1.0_wp
+        odd = 1.0_wp
+        b = 0.0_wp
+        at_zero = 1.0_wp
+        total = 0.0_wp
+        do j = 0, size(self%v) - 2
+            b = b - real(4*j + 3, wp)/real(2*j + 1, wp)*odd/at_zero
+            at_zero = -at_zero*real(2*j + 1, wp)/real(2*j + 2, wp)
+            even = (real(4*j + 3, wp)*square*odd - real(2*j + 1, wp)*even)/real(2*j + 2, wp)
+            odd = (real(4*j + 5, wp)*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
+            total = total + self%v(j + 2)*b
         end do
-        pressure = pressure/pi
+        pressure = -sigma/(pi*self%a)*total
     end function smooth_pressure
 
-    !> (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx [length], with w(x) = (1/pi) int_0^a [X(x-s) + X(x+s)] q(s)/E0* ds the springs'
-    !> displacement beyond the contact.
-    function displacement_beyond(kernel, rule, solution, grid_rule, load, depth, r) result(u)
+    !> What the layers add to the displacement of the surface beyond the contact:
+    !> (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx [length], with w(x) = (1/pi) int_-a^a X(x - s) q(s)/E0* ds.
+    subroutine displacement_beyond(self, kernel, r, values)
+        class(line_load_t), intent(in) :: self
         type(kernel_t), intent(in) :: kernel
-        !> any rule of high order
-        type(rule_t), intent(in) :: rule
-        type(solution_t), intent(in) :: solution
-        !> the rule of the solution's grid
-        type(rule_t), intent(in) :: grid_rule
-        type(load_t), intent(in) :: load
-        !> d [length] and r > a [unit]
-        real(wp), intent(in) :: depth, r
-        real(wp) :: u
-        real(wp) :: here, length, x, part
-        integer :: i
+        !> > a [length]
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(rule_t) :: rule, panel
+        real(wp), allocatable :: load(:)
+        real(wp) :: a, here, length, far, x
+        integer :: i, j
         logical :: last
 
-        u = 0.0_wp
-        here = solution%a
-        last = .false.
-        do while (.not. last)
-            length = longest_panel + (here - solution%a)
-            last = here + 2.0_wp*length >= r
-            if (last) length = r - here
-            part = 0.0_wp
-            do i = 1, rule%n
-                if (last) then
-                    x = r - length*rule%nodes(i)**2
-                    part = part + 2.0_wp*rule%weights(i)*sqrt(length/(r + x)) &
-                           *spring_displacement(kernel, solution, grid_rule, load, depth, x)
-                else
-                    x = here + length*rule%nodes(i)
-                    part = part + length*rule%weights(i)/sqrt((r - x)*(r + x)) &
-                           *spring_displacement(kernel, solution, grid_rule, load, depth, x)
-                end if
-            end do
-            u = u + part
-            here = here + length
+        a = self%a/kernel%unit
+        call contact_rule(rule, kernel, a, size(self%q), 4*size(self%q))
+        allocate (load(size(rule%weights)))
+        do i = 1, size(load)
+            load(i) = a/pi*rule%weights(i)*even_sum(self%q, 1.0_wp - rule%distance(i))
         end do
-        u = (2.0_wp/pi)*u
-    end function displacement_beyond
+        call new_rule(panel, panel_nodes)
+        do j = 1, size(r)
+            far = r(j)/kernel%unit
+            values(j) = 0.0_wp
+            here = a
+            last = .false.
+            do while (.not. last)
+                length = longest_panel + (here - a)
+                last = here + 2.0_wp*length >= far
+                if (last) length = far - here
+                do i = 1, size(panel%weights)
+                    if (last) then
+                        x = far - 0.25_wp*length*panel%distance(i)**2
+                        values(j) = values(j) + panel%weights(i)*sqrt(length/(far + x))*beyond_edge(x - a)
+                    else
+                        x = here + 0.5_wp*length*panel%distance(i)
+                        values(j) = values(j) + 0.5_wp*length*panel%weights(i)/sqrt((far - x)*(far + x))*beyond_edge(x - a)
+                    end if
+                end do
+                here = here + length
+            end do
+            values(j) = (2.0_wp/pi)*values(j)
+        end do
 
-    function spring_displacement(kernel, solution, grid_rule, load, depth, x) result(w)
-        type(kernel_t), intent(in) :: kernel
-        type(solution_t), intent(in) :: solution
-        !> the rule of the solution's grid
-        type(rule_t), intent(in) :: grid_rule
-        type(load_t), intent(in) :: load
-        real(wp), intent(in) :: depth, x
-        real(wp) :: w
-        real(wp) :: row(size(solution%grid%x)), fine
+    contains
 
-        call interaction_row(kernel, solution%grid, grid_rule, x, row)
-        fine = 0.0_wp
-        call add_fine_interaction(kernel, load, x, fine)
-        w = sum(row*(depth*solution%punch - solution%v - load%values)) - fine
-    end function spring_displacement
+        !> w at a distance from the edge [unit].
+        function beyond_edge(distance) result(w)
+            real(wp), intent(in) :: distance
+            real(wp) :: w
+            real(wp) :: x(size(load))
+
+            call kernel%evaluate(distance + a*rule%distance, 0.0_wp, x)
+            w = sum(load*x)
+        end function beyond_edge
+
+    end subroutine displacement_beyond
 
 end module mdrcontact_layered_fields

@@ -7,7 +7,7 @@
 !> Lengths in this module are in units of `unit`, X in units of 1/unit.
 module mdrcontact_layered_kernel
     use, intrinsic :: iso_fortran_env, only: int64
-    use mdrcontact_kinds, only: long, wp
+    use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
     private
     public :: kernel_t, degree, near_degree
@@ -27,18 +27,22 @@ module mdrcontact_layered_kernel
         real(wp) :: unit = 1.0_wp
         !> X is zero: a homogeneous body
         logical :: vanishes = .true.
+        !> depth of the last interface [unit]
+        real(wp) :: depth = 0.0_wp
+        !> X(0), and sigma(0) = 1 + chi(0)
+        real(wp) :: origin = 0.0_wp, sigma_zero = 1.0_wp
+        !> Below 2^plateau the table holds X - X(0), which keeps its digits where X(0) is large: a stiff film on a soft base.
+        integer :: plateau = 0
         !> coefficients(:, 0): powers of 2 y^2 - 1 on [0, 1]; (:, 1 + 2 j + i): powers of the local variable in [-1, 1] on
         !> half i of octave j
         real(wp), allocatable :: coefficients(:, :)
         !> y^2 X(y) beyond the last octave
         real(wp) :: tail = 0.0_wp
-        !> chi(0) - (2/pi) int_0^inf X dy, which would be 0: a local spring that makes up for the table's rounding
-        real(wp) :: defect = 0.0_wp
     contains
         procedure :: octaves
-        procedure, private :: evaluate_fast, evaluate_long
-        !> X at y >= 0, any number of points: evaluate(y, x), in working precision or in longer numbers
-        generic :: evaluate => evaluate_fast, evaluate_long
+        procedure :: evaluate
+        procedure :: integral_beyond
+        procedure :: defect
     end type kernel_t
 
 contains
@@ -52,54 +56,83 @@ contains
         if (allocated(self%coefficients)) count = ubound(self%coefficients, 2)/2
     end function octaves
 
-    pure subroutine evaluate_fast(self, y, x)
+    !> X(y) - shift at y >= 0.
+    pure subroutine evaluate(self, y, shift, x)
         class(kernel_t), intent(in) :: self
+        !> in units of `unit`
         real(wp), intent(in) :: y(:)
+        !> 0, or X(0) so that X(y) - X(0) keeps its digits
+        real(wp), intent(in) :: shift
         !> same size as y
         real(wp), intent(out) :: x(:)
         integer :: first, count
 
         if (self%vanishes) then
-            x = 0.0_wp
+            x = -shift
             return
         end if
         do first = 1, size(y), block_size
             count = min(block_size, size(y) - first + 1)
             call evaluate_block(count, y(first:first + count - 1), self%coefficients, self%octaves(), self%tail, &
-                                x(first:first + count - 1))
+                                self%plateau, self%origin - shift, -shift, x(first:first + count - 1))
         end do
-    end subroutine evaluate_fast
+    end subroutine evaluate
 
-    pure subroutine evaluate_long(self, y, x)
+    !> int_y^inf X, y >= 1.
+    pure function integral_beyond(self, y) result(total)
         class(kernel_t), intent(in) :: self
-        real(long), intent(in) :: y(:)
-        !> same size as y
-        real(long), intent(out) :: x(:)
-        real(long) :: u
-        integer :: i, j, octave, half, panel
+        real(wp), intent(in) :: y
+        real(wp) :: total
+        real(wp) :: u
+        integer :: panel, last
 
-        x = 0.0_long
+        total = 0.0_wp
         if (self%vanishes) return
-        do i = 1, size(y)
-            octave = exponent(y(i)) - 1
-            if (y(i) < 1.0_long) then
-                panel = 0
-                u = 2.0_long*y(i)**2 - 1.0_long
-            else if (octave >= self%octaves()) then
-                x(i) = self%tail/y(i)**2
-                cycle
-            else
-                u = 2.0_long*fraction(y(i))
-                half = merge(1, 0, u >= 1.5_long)
-                u = 4.0_long*u - real(5 + 2*half, long)
-                panel = 1 + 2*octave + half
-            end if
-            x(i) = self%coefficients(degree, panel)
-            do j = degree - 1, 0, -1
-                x(i) = x(i)*u + self%coefficients(j, panel)
-            end do
+        last = 2*self%octaves()
+        total = self%tail/max(y, scale(1.0_wp, self%octaves()))
+        panel = 1 + 2*(exponent(y) - 1) + merge(1, 0, fraction(y) >= 0.75_wp)
+        if (panel > last) return
+        u = 4.0_wp*scale(y, 1 - exponent(y)) - real(5 + 2*merge(1, 0, fraction(y) >= 0.75_wp), wp)
+        total = total + on_panel(panel, u)
+        do panel = panel + 1, last
+            total = total + on_panel(panel, -1.0_wp)
         end do
-    end subroutine evaluate_long
+
+    contains
+
+        !> The integral from u to the end of a panel.
+        pure function on_panel(panel, u) result(part)
+            integer, intent(in) :: panel
+            real(wp), intent(in) :: u
+            real(wp) :: part
+            integer :: j
+
+            part = 0.0_wp
+            do j = degree, 0, -1
+                part = part + self%coefficients(j, panel)*(1.0_wp - u**(j + 1))/real(j + 1, wp)
+            end do
+            if ((panel - 1)/2 < self%plateau) part = part + self%origin*(1.0_wp - u)
+            part = part*scale(0.25_wp, (panel - 1)/2)
+        end function on_panel
+
+    end function integral_beyond
+
+    !> chi(0) - (2/pi) int_0^inf X dy of the table as it stands, which would be 0.
+    pure function defect(self) result(difference)
+        class(kernel_t), intent(in) :: self
+        real(wp) :: difference
+        real(wp) :: total, moment
+        integer :: j
+
+        total = self%origin + self%integral_beyond(1.0_wp)
+        ! moment: int_0^1 (2 y^2 - 1)^j dy
+        moment = 1.0_wp
+        do j = 0, degree
+            if (j > 0) moment = (1.0_wp - real(2*j, wp)*moment)/real(2*j + 1, wp)
+            total = total + self%coefficients(j, 0)*moment
+        end do
+        difference = self%sigma_zero - 1.0_wp - total*(2.0_wp/pi)
+    end function defect
 
     !> y < 1 throughout: one polynomial, for as many points at a time as the registers hold.
     pure subroutine evaluate_near(n, y, coefficients, x)
@@ -123,13 +156,15 @@ contains
     end subroutine evaluate_near
 
     !> Sorts the points into those below 1 and those beyond.
-    pure subroutine evaluate_block(n, y, coefficients, octaves, tail, x)
-        integer, intent(in) :: n, octaves
-        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail
+    pure subroutine evaluate_block(n, y, coefficients, octaves, tail, plateau, on_plateau, elsewhere, x)
+        integer, intent(in) :: n, octaves, plateau
+        !> what is added below 2^plateau, and beyond
+        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail, on_plateau, elsewhere
         real(wp), intent(out) :: x(n)
         integer :: i, near, far, place(block_size)
-        real(wp) :: sorted(block_size), values(block_size)
+        real(wp) :: sorted(block_size), values(block_size), edge
 
+        edge = scale(1.0_wp, plateau)
         near = 0
         far = n + 1
         do i = 1, n
@@ -145,7 +180,7 @@ contains
         call evaluate_near(near, sorted(:near), coefficients(:, 0), values(:near))
         call evaluate_far(n - near, sorted(far:n), coefficients, octaves, tail, values(far:n))
         do i = 1, n
-            x(i) = values(place(i))
+            x(i) = values(place(i)) + merge(on_plateau, elsewhere, y(i) < edge)
         end do
     end subroutine evaluate_block
 

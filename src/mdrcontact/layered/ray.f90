@@ -24,7 +24,12 @@ module mdrcontact_layered_ray
         complex(wp), allocatable :: weighted_chi(:, :), weighted_change(:, :)
         !> (n, octave): integral of (i k)^n/n! (chi - chi(0)) over the octave, k in units of 2^octave but dk
         complex(wp), allocatable :: moments(:, :)
+        !> the same of chi itself, from the octave `lowest` on, below which chi is chi(0)
+        complex(wp), allocatable :: chi_moments(:, :)
         real(wp) :: chi_zero = 0.0_wp
+        !> weight times chi on the real axis, (node, octave) from lowest to top, and X(0), the integral of chi
+        real(wp), allocatable :: on_axis(:, :)
+        real(wp) :: origin = 0.0_wp
         !> largest relative size of the highest Legendre coefficients of chi - chi(0) in a panel
         real(wp) :: roughness = 0.0_wp
         !> largest |chi| on the real axis
@@ -53,7 +58,8 @@ contains
         ray%bottom = i + 1
         allocate (ray%weighted_chi(size(table%nodes), negligible_octave:ray%top), &
                   ray%weighted_change(size(table%nodes), negligible_octave - more:ray%top), &
-                  ray%moments(0:order, negligible_octave - more:ray%top))
+                  ray%moments(0:order, negligible_octave - more:ray%top), &
+                  ray%chi_moments(0:order, negligible_octave:ray%top))
         ! structure of the size of the whole body must have been seen
         latest = min(first_wave, floor(log(unit/surface%last_depth())/log(2.0_wp))) - 2
         largest = 0.0_wp
@@ -89,6 +95,7 @@ contains
             end do
             do i = 0, order
                 ray%moments(i, octave) = sum(table%powers(:, i)*ray%weighted_change(:, octave))
+                if (octave >= negligible_octave) ray%chi_moments(i, octave) = sum(table%powers(:, i)*ray%weighted_chi(:, octave))
             end do
             if (octave >= watched_octave) ray%roughness = max(ray%roughness, roughness_of(change, table%last, sigma_zero))
         end do
@@ -134,23 +141,22 @@ contains
         type(wave_table_t), intent(in) :: table
         logical, intent(out) :: holds
         complex(wp) :: sigma, chi, along_ray
-        real(wp) :: along_axis, magnitude, k, term
+        real(wp) :: magnitude, k
         integer :: i, octave
 
         along_ray = sum(ray%weighted_chi(:, ray%lowest:ray%top)) + ray%chi_zero*scale(1.0_wp, ray%lowest)*table%direction
-        along_axis = ray%chi_zero*scale(1.0_wp, ray%lowest)
-        magnitude = 0.0_wp
+        allocate (ray%on_axis(size(table%nodes), ray%lowest:ray%top))
         do octave = ray%lowest, ray%top
             do i = 1, size(table%nodes)
                 k = scale(table%nodes(i), octave)
                 call surface%response(cmplx(k/unit, 0.0_wp, wp), sigma, chi)
-                term = scale(table%weights(i), octave)*real(chi, wp)
-                along_axis = along_axis + term
-                magnitude = magnitude + abs(term)
+                ray%on_axis(i, octave) = scale(table%weights(i), octave)*real(chi, wp)
                 ray%largest = max(ray%largest, abs(real(chi, wp)))
             end do
         end do
-        holds = abs(along_ray - along_axis) <= 1.0e-12_wp*magnitude + 1.0e-13_wp
+        ray%origin = ray%chi_zero*scale(1.0_wp, ray%lowest) + sum(ray%on_axis)
+        magnitude = sum(abs(ray%on_axis))
+        holds = abs(along_ray - ray%origin) <= 1.0e-12_wp*magnitude + 1.0e-13_wp
     end subroutine path_holds
 
 end module mdrcontact_layered_ray

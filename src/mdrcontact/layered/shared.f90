@@ -1,18 +1,16 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What exact media that are made one after the other share: the quadrature rules, the waves of the kernel's tabulation, and
+!> What exact media that are made one after the other share: the waves of the kernel's tabulation, and
 !> the kernel itself where only the unit of length changes. It belongs to whoever makes the media; media do not refer to it.
 module mdrcontact_layered_shared
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_converge, only: make_rules
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_rule, only: rule_t
     use mdrcontact_body, only: body_t
     use mdrcontact_layered_tabulate, only: attempts, tabulate_kernel
     use mdrcontact_layered_waves, only: wave_table_t
     implicit none (type, external)
     private
-    public :: layered_shared_t, shared_rules, shared_kernel
+    public :: layered_shared_t, shared_kernel
 
     !> A trial, its neighbours in two moduli, and the trial before.
     integer, parameter :: most_kernels = 4
@@ -27,22 +25,12 @@ module mdrcontact_layered_shared
     type :: layered_shared_t
         private
         type(wave_table_t) :: tables(attempts)
-        type(rule_t), allocatable :: rules(:)
         !> the kernels made last, and the one to be overwritten next
         type(kept_kernel_t) :: kernels(most_kernels)
         integer :: oldest = 1
     end type layered_shared_t
 
 contains
-
-    !> The quadrature rules, made once.
-    subroutine shared_rules(shared, rules)
-        type(layered_shared_t), intent(inout) :: shared
-        type(rule_t), allocatable, intent(out) :: rules(:)
-
-        if (.not. allocated(shared%rules)) allocate (shared%rules, source=make_rules())
-        allocate (rules, source=shared%rules)
-    end subroutine shared_rules
 
     !> The kernel of a body: that of one made before where both are the same but for their size.
     subroutine shared_kernel(shared, surface, kernel, error)

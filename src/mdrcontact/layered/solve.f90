@@ -1,106 +1,283 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The springs' equation at one contact radius, on one grid (theory 6): q + (1/pi) int [X(x-s) + X(x+s)] q ds = E0* (d - g).
+!> The springs' equation at one contact radius (theory 6): (1 + K) q = E0* (d - g) in even Legendre polynomials.
 !>
-!> Two right-hand sides give everything: q_1 for d = 1 (the flat punch) and v for g, with q = E0* (d q_1 - g - v). In the
-!> kernel's unit of length.
+!> n unknowns are solved for, and as many coefficients more come from one iteration of the equation: what they add to a number
+!> is of second order in them and is kept. Numbers of all smaller n are partial sums of the same factorization, which give
+!> the error of each number.
 module mdrcontact_layered_solve
-    use mdrcontact_kinds, only: wp
-    use mdrcontact_lapack, only: dpotrf, dpotrs
-    use mdrcontact_layered_grid, only: grid_t, new_grid, split_panels
-    use mdrcontact_layered_indenter, only: add_fine_interaction, choose_panels, load_t, new_load
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_kinds, only: half_pi, wp
+    use mdrcontact_lapack, only: dpotrf
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_matrix, only: interaction_matrix, interaction_row
-    use mdrcontact_layered_refine, only: refine
-    use mdrcontact_layered_rule, only: rule_t
-    use mdrcontact_layered_rule_long, only: long_rule_t => rule_t
+    use mdrcontact_layered_legendre, only: edge_row, edge_slopes, interaction_matrix, moments_t, new_moments
+    use mdrcontact_layered_moments, only: profile_moments
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: solution_t, solve_on_grid
+    public :: solution_t, solve, first_unknowns, next_unknowns, factorize, solve_lower, solve_upper
+
+    !> Unknowns at most, and those that a body of several layers is begun with at most.
+    integer, parameter :: most_unknowns = 1500, first_layered = 16
+    !> From this size on LAPACK is quicker.
+    integer, parameter :: large = 100
+    !> What the estimate is multiplied by: it has been seen too small by a factor 2.
+    real(wp), parameter :: safety = 4.0_wp
 
     !> The state at one contact radius.
     type :: solution_t
-        !> contact radius [unit]
-        real(wp) :: a = 0.0_wp
-        type(grid_t) :: grid
-        !> q_1 [1] and v [length] at the grid's nodes
-        real(wp), allocatable :: punch(:), v(:)
-        !> the same at the edge of the contact
-        real(wp) :: punch_edge = 1.0_wp, v_edge = 0.0_wp
-        !> E_eff/E0* [1], first-touch depth [length] and force/E0* [length^2]
-        real(wp) :: modulus = 1.0_wp, depth = 0.0_wp, force = 0.0_wp
-        !> relative error of the modulus per unit of relative error of the kernel: (q_1, q_1)/(1, q_1)
-        real(wp) :: amplification = 1.0_wp
-        !> the matrix was positive definite
-        logical :: solved = .false.
+        !> number of unknowns
+        integer :: unknowns = 0
+        !> E_eff/E0* [1], q_1 at the edge of the contact [1], first-touch depth [length], d'(a) [1]
+        real(wp) :: modulus = 1.0_wp, punch_edge = 1.0_wp, depth = 0.0_wp, depth_slope = 0.0_wp
+        !> force/E0* [length^2]
+        real(wp) :: force = 0.0_wp
+        !> estimated relative errors of E_eff, q_1 at the edge, d and F
+        real(wp) :: errors(4) = 0.0_wp
     end type solution_t
 
 contains
 
-    !> Solves at contact radius a [unit]; without a profile for the flat punch alone.
-    subroutine solve_on_grid(kernel, rules, level, a, width, solution, profile, long_rule)
+    !> The solution at contact radius a; without a profile for the flat punch alone.
+    subroutine solve(kernel, tolerance, a, solution, error, profile, edge)
         type(kernel_t), intent(in) :: kernel
-        !> rules of rising order, and the one to use
-        type(rule_t), intent(in) :: rules(:)
-        integer, intent(in) :: level
-        !> contact radius, and the width at its edge that panels need not resolve
-        real(wp), intent(in) :: a, width
+        !> relative, of E_eff, d and F
+        real(wp), intent(in) :: tolerance
+        !> [length]
+        real(wp), intent(in) :: a
         type(solution_t), intent(out) :: solution
+        type(error_t), allocatable, intent(out) :: error
         class(profile_t), intent(in), optional :: profile
-        !> the rule in longer numbers: refine with residuals in them
-        type(long_rule_t), intent(in), optional :: long_rule
-        real(wp), allocatable :: edges(:), matrix(:, :), rhs(:, :), z(:, :), root(:), row(:)
-        type(load_t) :: load
-        integer :: i, n, sides, info
-        real(wp) :: interaction, total
+        !> q_1 at the edge, slower to converge on a graded body, meets the tolerance too; default false
+        logical, intent(in), optional :: edge
+        real(wp) :: reached
+        integer :: n
+        logical :: solved, to_edge
 
-        solution%a = a
+        reached = huge(reached)
+        to_edge = .false.
+        if (present(edge)) to_edge = edge
+        n = first_unknowns(kernel, tolerance, a/kernel%unit)
+        do
+            call solve_with(kernel, a, n, solution, solved, profile)
+            if (.not. solved) then
+                call raise(error, error_no_convergence, "the springs of this body nearly cancel at contact radius "//to_text(a)// &
+                           ": rounding errors are larger than what is left of them")
+                return
+            end if
+            reached = maxval(solution%errors, mask=[.true., to_edge, .true., .true.])
+            if (reached <= tolerance) return
+            n = next_unknowns(n, reached/tolerance)
+            if (n > most_unknowns) exit
+        end do
+        call raise(error, error_no_convergence, "the exact layered medium did not reach the relative tolerance "// &
+                   to_text(tolerance)//" at contact radius "//to_text(a)//": it reached "//to_text(reached))
+    end subroutine solve
+
+    !> n such that the estimate meets the tolerance at the first attempt, for films and smooth profiles.
+    pure function first_unknowns(kernel, tolerance, a) result(n)
+        type(kernel_t), intent(in) :: kernel
+        real(wp), intent(in) :: tolerance, a
+        integer :: n
+
+        n = 4
+        if (kernel%vanishes) return
+        if (a >= 0.2_wp) n = ceiling(min((3.7_wp + 0.05_wp*log(1.0e-10_wp/tolerance))*sqrt(a) + 3.0_wp, real(most_unknowns, wp)))
+        if (kernel%depth > 1.0_wp) n = min(n, first_layered)
+    end function first_unknowns
+
+    !> n that makes errors smaller by a factor: they fall as exp(-c n), c from what brought them down so far.
+    pure function next_unknowns(n, factor) result(next)
+        integer, intent(in) :: n
+        real(wp), intent(in) :: factor
+        integer :: next
+
+        next = n + ceiling(n*min(max(0.06_wp*log(max(factor, 1.0_wp)), 0.15_wp), 0.8_wp))
+    end function next_unknowns
+
+    !> The solution by n unknowns, with its errors.
+    subroutine solve_with(kernel, a, n, solution, solved, profile)
+        type(kernel_t), intent(in) :: kernel
+        real(wp), intent(in) :: a
+        integer, intent(in) :: n
+        type(solution_t), intent(out) :: solution
+        !> the matrix was positive definite and there was memory for it
+        logical, intent(out) :: solved
+        class(profile_t), intent(in), optional :: profile
+        type(moments_t) :: moments
+        real(wp), allocatable :: h(:, :), rhs(:, :), forward(:, :), rest(:, :)
+        real(wp) :: mean, rise
+        integer :: i, m, sides, status
+
+        m = 2*n
+        sides = merge(3, 2, present(profile))
+        solution%unknowns = n
+        call new_moments(moments, kernel, a/kernel%unit, n, 2*(m + n))
+        allocate (h(m, n), stat=status)
+        solved = status == 0
+        if (.not. solved) return
+        allocate (rhs(m, 3), forward(n, 3), rest(m - n, 3))
+        call interaction_matrix(moments, h)
+        rhs(:, 1) = 0.0_wp
+        rhs(1, 1) = sqrt(2.0_wp)
+        call edge_row(moments, h(:, 1), rhs(:, 2))
+        mean = 0.0_wp
+        rise = 0.0_wp
+        rhs(:, 3) = 0.0_wp
         if (present(profile)) then
-            call choose_panels(kernel, profile, a, width, rules(level), edges)
-        else
-            call split_panels(a, width, [a], edges)
-        end if
-        solution%grid = new_grid(edges, rules(level))
-        n = size(solution%grid%x)
-        sides = merge(2, 1, present(profile))
-        allocate (matrix(n, n), rhs(n, sides), root(n), row(n), solution%punch(n), solution%v(n))
-        root = sqrt(solution%grid%w)
-        call interaction_matrix(kernel, solution%grid, rules(level), matrix)
-        rhs(:, 1) = root
-        if (present(profile)) then
-            call new_load(kernel, profile, solution%grid, rules, level, load)
-            do i = 1, n
-                interaction = 0.0_wp
-                call add_fine_interaction(kernel, load, solution%grid%x(i), interaction)
-                rhs(i, 2) = root(i)*(load%values(i) - interaction)
-            end do
+            call profile_moments(profile, a, rhs(:, 3))
+            mean = rhs(1, 3)*sqrt(0.5_wp)
+            rhs(1, 3) = 0.0_wp
+            rise = profile%mdr(a) - mean
         end if
         do i = 1, n
-            matrix(i, i) = matrix(i, i) + (1.0_wp + kernel%defect)
+            h(i, i) = h(i, i) + moments%diagonal
         end do
-        call dpotrf("L", n, matrix, n, info)
-        solution%solved = info == 0
-        if (.not. solution%solved) return
-        allocate (z, source=rhs)
-        call dpotrs("L", n, sides, matrix, n, z, n, info)
-        if (present(long_rule)) call refine(kernel, solution%grid, long_rule, matrix, rhs, z, solution%solved)
+        call factorize(n, m, h, solved)
+        if (.not. solved) return
+        forward = rhs(:n, :)
+        call solve_lower(n, m, sides, h, forward)
+        rest = rhs(n + 1:, :)
+        rhs(:n, :) = forward
+        call solve_upper(n, m, sides, h, rhs)
+        rest(:, :sides) = rest(:, :sides) - matmul(h(n + 1:, :), rhs(:n, :sides))
+        call add_rest(n, m, a, mean, rise, h, forward, rest, solution)
+    end subroutine solve_with
 
-        solution%punch = z(:, 1)/root
-        call interaction_row(kernel, solution%grid, rules(level), a, row)
-        solution%punch_edge = 1.0_wp - sum(row*solution%punch)
-        total = sum(solution%grid%w*solution%punch)
-        solution%modulus = total/a
-        solution%amplification = sum(solution%grid%w*solution%punch**2)/total
-        if (.not. present(profile)) return
+    !> The numbers from the factorization, what the coefficients beyond n add to them, and their errors.
+    !>
+    !> The Schur complement of the n unknowns is close to its diagonal, S_i, which the pivots approach geometrically to 1.
+    pure subroutine add_rest(n, m, a, mean, rise, h, forward, rest, solution)
+        integer, intent(in) :: n, m
+        !> contact radius, mean of g over the contact and g(a) - mean [length]
+        real(wp), intent(in) :: a, mean, rise
+        !> with the factor in its first n rows
+        real(wp), intent(in) :: h(m, n)
+        !> the right-hand sides 1, edge and g, times the inverse of the factor, and what is left of them beyond n
+        real(wp), intent(in) :: forward(n, 3), rest(n + 1:m, 3)
+        type(solution_t), intent(inout) :: solution
+        real(wp) :: sums(4), inverse(n + 1:m), load(n + 1:m), unsure(n + 1:m), quarter(n + 1:m), eighth(n + 1:m)
+        real(wp) :: ratio, excess, beyond, error_of_depth
+        integer :: i
 
-        z(:, 2) = z(:, 2)/root
-        solution%v = z(:, 2) - load%values
-        interaction = sum(row*z(:, 2))
-        call add_fine_interaction(kernel, load, a, interaction)
-        solution%v_edge = -interaction
-        ! q(a) = 0, and F = 2 E0* int_0^a (d q_1 - q_g) dx
-        solution%depth = (profile%mdr(a*kernel%unit) - interaction)/solution%punch_edge
-        solution%force = 2.0_wp*kernel%unit*(solution%depth*total - sum(solution%grid%w*z(:, 2)) - sum(load%fine_gw))
-    end subroutine solve_on_grid
+        excess = h(n, n)**2 - 1.0_wp
+        ratio = 0.0_wp
+        if (abs(excess) > epsilon(excess)) ratio = min(max(excess/(h(n - 2, n - 2)**2 - 1.0_wp), 0.0_wp), 1.0_wp)
+        ratio = sqrt(ratio)
+        do i = n + 1, m
+            excess = excess*ratio
+            inverse(i) = 1.0_wp/(1.0_wp + excess)
+            unsure(i) = excess*inverse(i)
+        end do
+        quarter = taper(n, m, max(m/4, 2))
+        eighth = taper(n, m, max(m/8, 1))
+        inverse = quarter*inverse
+        sums(1) = sum(forward(:, 1)**2) + sum(inverse*rest(:, 1)**2)
+        sums(2) = sum(forward(:, 1)*forward(:, 2)) + sum(inverse*rest(:, 1)*rest(:, 2))
+        sums(3) = sum(forward(:, 2)*forward(:, 3)) + sum(inverse*rest(:, 2)*rest(:, 3))
+        sums(4) = sum(forward(:, 1)*forward(:, 3)) + sum(inverse*rest(:, 1)*rest(:, 3))
+        solution%modulus = 0.5_wp*sums(1)
+        solution%punch_edge = sums(2)
+        beyond = (rise + sums(3))/sums(2)
+        solution%depth = mean + beyond
+        solution%force = a*(beyond*sums(1) - sums(4))
+
+        load = beyond*rest(:, 1) - rest(:, 3)
+        solution%errors(1) = not_seen(rest(:, 1)**2)/sums(1)
+        solution%errors(2) = not_seen(rest(:, 1)*rest(:, 2))/abs(sums(2))
+        if (solution%depth == 0.0_wp) return
+        error_of_depth = not_seen(rest(:, 2)*load)/abs(sums(2))
+        solution%errors(3) = error_of_depth/solution%depth
+        solution%errors(4) = a*(sums(1)*error_of_depth + not_seen(rest(:, 1)*load))/solution%force
+
+    contains
+
+        !> What is unsure of the terms of a sum, and those left out. Where the last quarter of the terms does not cancel, it tells
+        !> how many times the last one these are, whether they fall as a power or as an exponential; where it does, the sum
+        !> depends little on how it ends.
+        pure function not_seen(terms) result(error)
+            real(wp), intent(in) :: terms(n + 1:m)
+            real(wp) :: error
+            real(wp) :: first, last, more, partial
+            integer :: i
+
+            error = 0.0_wp
+            partial = 0.0_wp
+            do i = n + 1, m
+                partial = partial + terms(i)*unsure(i)
+                error = max(error, abs(partial))
+            end do
+            i = m - max(m/4, 4) + 1
+            first = maxval(abs(terms(i:i + 2)))
+            last = maxval(abs(terms(m - 2:m)))
+            more = real(m, wp)
+            if (first > last .and. last > 0.0_wp) more = min(more, real(m - 2 - i, wp)/log(first/last))
+            if (last > 0.0_wp) more = more*(sum(terms(i:))/sum(abs(terms(i:))))**2
+            error = safety*(error + abs(sum((quarter - eighth)*terms)) + last*more)
+        end function not_seen
+
+    end subroutine add_rest
+
+    !> Weights of the terms n + 1 ... m of a sum that go to 0 over the last `length` of them: a profile with a kink makes terms
+    !> that alternate and fall slowly, and their sum is close to that of all without end.
+    pure function taper(n, m, length) result(weights)
+        integer, intent(in) :: n, m, length
+        real(wp) :: weights(n + 1:m)
+        integer :: i
+
+        weights = 1.0_wp
+        do i = 1, length
+            weights(m - length + i) = cos(half_pi*real(i, wp)/real(length + 1, wp))**2
+        end do
+    end function taper
+
+    !> Cholesky factor of the first n rows of a, in place, lower triangle.
+    subroutine factorize(n, m, a, done)
+        integer, intent(in) :: n, m
+        real(wp), intent(inout) :: a(m, n)
+        logical, intent(out) :: done
+        integer :: j, k, info
+
+        if (n >= large) then
+            call dpotrf("L", n, a, m, info)
+            done = info == 0
+            return
+        end if
+        done = .false.
+        do j = 1, n
+            if (.not. a(j, j) > 0.0_wp) return
+            a(j:n, j) = a(j:n, j)/sqrt(a(j, j))
+            do k = j + 1, n
+                a(k:n, k) = a(k:n, k) - a(k, j)*a(k:n, j)
+            end do
+        end do
+        done = .true.
+    end subroutine factorize
+
+    pure subroutine solve_lower(n, m, sides, a, x)
+        integer, intent(in) :: n, m, sides
+        real(wp), intent(in) :: a(m, n)
+        real(wp), intent(inout) :: x(n, sides)
+        integer :: i, j
+
+        do j = 1, n
+            do i = 1, sides
+                x(j, i) = x(j, i)/a(j, j)
+                x(j + 1:n, i) = x(j + 1:n, i) - x(j, i)*a(j + 1:n, j)
+            end do
+        end do
+    end subroutine solve_lower
+
+    pure subroutine solve_upper(n, m, sides, a, x)
+        integer, intent(in) :: n, m, sides
+        real(wp), intent(in) :: a(m, n)
+        real(wp), intent(inout) :: x(m, sides)
+        integer :: i, j
+
+        do j = n, 1, -1
+            do i = 1, sides
+                x(j, i) = (x(j, i) - sum(a(j + 1:n, j)*x(j + 1:n, i)))/a(j, j)
+            end do
+        end do
+    end subroutine solve_upper
 
 end module mdrcontact_layered_solve

@@ -2,25 +2,26 @@
 !> Tabulates the kernel X(y) from the surface compliance chi(k).
 !>
 !> X(y) = Re int chi(k) exp(iky) dk along a ray k = t exp(i theta) in the sector where chi is analytic: the integrand decays
-!> and hardly
-!> oscillates, at every y. For y > 0 the constant chi(0) contributes nothing, so that chi(k) - chi(0) may stand for chi(k): X
-!> keeps its
-!> relative precision in its tail. Wavenumbers and positions both run in octaves, so one small table of
-!> exp(iky) serves all pairs of octaves.
+!> and hardly oscillates, at every y. For y > 0 the constant chi(0) contributes nothing, so that chi(k) - chi(0) may stand for
+!> chi(k): X keeps its relative precision in its tail. Near the origin X(y) - X(0) is integrated instead, along the real axis. Wavenumbers and
+!> positions both run in octaves, so one small table of exp(iky) serves all pairs of octaves.
 module mdrcontact_layered_tabulate
+    use mdrcontact_body, only: body_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise
-    use mdrcontact_kinds, only: half_pi, long, pi, wp
+    use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemv
     use mdrcontact_layered_kernel, only: degree, kernel_t, near_degree
     use mdrcontact_layered_ray, only: extend_ray, path_holds, ray_t, rest_below, start_ray
-    use mdrcontact_body, only: body_t
-    use mdrcontact_layered_waves, only: first_wave, new_wave_table, order, wave_table_t, waves_at
+    use mdrcontact_layered_waves, only: first_wave, new_wave_table, order, wave_table_t
     implicit none (type, external)
     private
     public :: tabulate_kernel, attempts
 
     !> Octaves of y at most.
     integer, parameter :: most_octaves = 128
+    !> From this sigma(0) on rounding of X(0) would be seen in d and F; and octaves of y in which X may be X(0) and little less.
+    real(wp), parameter :: stiff = 1.0e3_wp
+    integer, parameter :: most_plateau = 40
     !> Rays tried in turn, pi/denominator, and panels in an octave of wavenumbers on each.
     integer, parameter :: ray_denominator(*) = [6, 6, 12, 24], ray_panels(*) = [1, 2, 3, 6]
     !> How many rays there are.
@@ -42,6 +43,8 @@ contains
         kernel%vanishes = .not. surface%first_depth() > 0.0_wp
         if (kernel%vanishes) return
         kernel%unit = surface%first_depth()
+        kernel%depth = surface%last_depth()/kernel%unit
+        kernel%sigma_zero = surface%long_wave_limit()
         do attempt = 1, attempts
             if (.not. tables(attempt)%is_made()) then
                 call new_wave_table(tables(attempt), pi/real(ray_denominator(attempt), wp), ray_panels(attempt))
@@ -50,8 +53,7 @@ contains
             call path_holds(ray, surface, kernel%unit, tables(attempt), holds)
             if (.not. holds) cycle
             call fill_table(kernel, ray, surface, tables(attempt))
-            kernel%defect = defect_of(kernel, surface%long_wave_limit())
-            if (ray%roughness < 3.0e-8_wp .and. abs(kernel%defect) < 1.0e-10_wp*(1.0_wp + ray%largest)) return
+            if (ray%roughness < 3.0e-8_wp .and. abs(kernel%defect()) < 1.0e-10_wp*(1.0_wp + ray%largest)) return
         end do
         call raise(error, error_no_convergence, "the surface compliance of this body could not be integrated over all wavelengths")
     end subroutine tabulate_kernel
@@ -64,15 +66,28 @@ contains
         integer, parameter :: n = degree + 1
         real(wp) :: x(2*n), coefficients(0:degree, 0:2*most_octaves)
         integer :: octave
+        logical :: on_plateau
         real(wp) :: level, spread
 
+        kernel%origin = ray%origin
         call near_values(ray, table, x(:n))
         coefficients(:, 0) = powers_from_values(x(:n), near_degree)
+        kernel%plateau = 0
+        on_plateau = kernel%sigma_zero > stiff
         do octave = 0, most_octaves - 1
             call extend_ray(ray, surface, kernel%unit, table, ray%lowest - octave)
-            call far_values(ray, table, octave, x)
+            if (on_plateau) then
+                call plateau_values(ray, table, octave, x)
+                on_plateau = maxval(abs(x)) <= 0.5_wp*ray%origin .and. octave < most_plateau
+            end if
+            if (on_plateau) then
+                kernel%plateau = octave + 1
+            else
+                call far_values(ray, table, octave, x)
+            end if
             coefficients(:, 1 + 2*octave) = powers_from_values(x(:n), degree)
             coefficients(:, 2 + 2*octave) = powers_from_values(x(n + 1:), degree)
+            if (on_plateau) cycle
             x = x*table%far_y**2
             level = sum(x)/real(size(x), wp)
             spread = maxval(abs(x - level))
@@ -85,45 +100,60 @@ contains
         kernel%coefficients = coefficients(:, :2*octave + 2)
     end subroutine fill_table
 
-    !> X at y <= 1, from chi itself.
+    !> X - X(0) at y <= 1, along the real axis: cos(ky) - 1 = -2 sin^2(ky/2).
     subroutine near_values(ray, table, x)
         type(ray_t), intent(in) :: ray
         type(wave_table_t), intent(in) :: table
         real(wp), intent(out) :: x(:)
-        complex(wp) :: moments(0:order), constant
-        real(wp) :: parts(2, size(table%nodes), first_wave:ubound(table%near, 4)), waves(size(x), 2)
+        real(wp) :: moments(3)
         integer :: i, octave
 
         moments = 0.0_wp
-        do octave = ray%lowest, first_wave - 1
-            do i = 0, order
-                moments(i) = moments(i) + scale(1.0_wp, i*octave)*sum(table%powers(:, i)*ray%weighted_chi(:, octave))
+        do octave = ray%lowest, min(first_wave, ray%top + 1) - 1
+            do i = 1, 3
+                moments(i) = moments(i) + scale(1.0_wp, 2*i*octave)*sum(table%nodes**(2*i)*ray%on_axis(:, octave))
             end do
         end do
-        ! below, chi is chi(0) and a little
-        constant = ray%chi_zero
-        do i = 0, order
-            constant = constant*table%direction*scale(1.0_wp, ray%lowest)/real(i + 1, wp)
-            moments(i) = moments(i) + constant
-            constant = constant*(0.0_wp, 1.0_wp)
+        x = -table%near_y**2*(moments(1)/2.0_wp - table%near_y**2*(moments(2)/24.0_wp - table%near_y**2*moments(3)/720.0_wp))
+        do octave = first_wave, min(ray%top, ubound(table%near, 3))
+            call dgemv("N", size(x), size(table%nodes), 1.0_wp, table%near(:, :, octave), size(x), ray%on_axis(:, octave), 1, &
+                       1.0_wp, x, 1)
         end do
-        moments(0) = moments(0) + rest_below(ray, ray%lowest)
-        x = power_series(moments, table%near_y)
-        parts = 0.0_wp
-        do octave = first_wave, min(ray%top, ubound(parts, 3))
-            parts(1, :, octave) = real(ray%weighted_chi(:, octave), wp)
-            parts(2, :, octave) = -aimag(ray%weighted_chi(:, octave))
-        end do
-        do octave = first_wave, ubound(parts, 3)
-            call add_waves(table%near(:, :, :, octave), parts(:, :, octave), x)
-        end do
-        do octave = ubound(parts, 3) + 1, ray%top
+        do octave = ubound(table%near, 3) + 1, ray%top
             do i = 1, size(table%nodes)
-                call waves_at(table%direction, scale(table%nodes(i), octave)*table%near_y, waves)
-                x = x + real(ray%weighted_chi(i, octave), wp)*waves(:, 1) - aimag(ray%weighted_chi(i, octave))*waves(:, 2)
+                x = x - 2.0_wp*ray%on_axis(i, octave)*sin(0.5_wp*scale(table%nodes(i), octave)*table%near_y)**2
             end do
         end do
     end subroutine near_values
+
+    !> X - X(0) on one octave of y >= 1: Re int chi (exp(iky) - 1) dk.
+    subroutine plateau_values(ray, table, octave, x)
+        type(ray_t), intent(in) :: ray
+        type(wave_table_t), intent(in) :: table
+        integer, intent(in) :: octave
+        real(wp), intent(out) :: x(:)
+        complex(wp) :: moments(0:order), constant
+        real(wp) :: parts(2, size(table%nodes))
+        integer :: i, m, first
+
+        moments = 0.0_wp
+        first = min(ray%lowest, first_wave - octave)
+        constant = ray%chi_zero*table%direction*scale(1.0_wp, first)
+        do i = 1, order
+            do m = first, first_wave - octave - 1
+                moments(i) = moments(i) + scale(1.0_wp, i*(m + octave))*ray%chi_moments(i, m)
+            end do
+            constant = constant*(0.0_wp, 1.0_wp)*table%direction*scale(1.0_wp, first + octave)/real(i, wp)
+            moments(i) = moments(i) + constant/real(i + 1, wp)
+        end do
+        x = power_series(moments, table%far_y)
+        do m = first_wave, ray%top + octave
+            parts(1, :) = real(ray%weighted_chi(:, m - octave), wp)
+            parts(2, :) = -aimag(ray%weighted_chi(:, m - octave))
+            if (m <= ubound(table%far, 4)) call add_waves(table%far(:, :, :, m), parts, x)
+            x = x - sum(parts(1, :))
+        end do
+    end subroutine plateau_values
 
     !> X on one octave of y >= 1, from chi - chi(0).
     subroutine far_values(ray, table, octave, x)
@@ -210,30 +240,5 @@ contains
             here = next
         end do
     end function powers_from_values
-
-    !> chi(0) - (2/pi) int_0^inf X dy of the table as it stands, in higher precision: it is of the order of rounding.
-    pure function defect_of(kernel, sigma_zero) result(defect)
-        type(kernel_t), intent(in) :: kernel
-        real(wp), intent(in) :: sigma_zero
-        real(wp) :: defect
-        real(long) :: total, part, moment
-        integer :: j, panel
-
-        total = real(kernel%tail, long)/2.0_long**kernel%octaves()
-        do panel = 2*kernel%octaves(), 1, -1
-            part = 0.0_long
-            do j = 0, degree, 2
-                part = part + real(kernel%coefficients(j, panel), long)/real(j + 1, long)
-            end do
-            total = total + part*2.0_long**((panel - 1)/2 - 1)
-        end do
-        ! moment: int_0^1 (2 y^2 - 1)^j dy
-        moment = 1.0_long
-        do j = 0, degree
-            if (j > 0) moment = (1.0_long - real(2*j, long)*moment)/real(2*j + 1, long)
-            total = total + real(kernel%coefficients(j, 0), long)*moment
-        end do
-        defect = real((real(sigma_zero, long) - 1.0_long) - total*(2.0_long/acos(-1.0_long)), wp)
-    end function defect_of
 
 end module mdrcontact_layered_tabulate

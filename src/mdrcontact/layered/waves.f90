@@ -7,14 +7,14 @@ module mdrcontact_layered_waves
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: wave_table_t, new_wave_table, waves_at, panel_nodes, order, first_wave
+    public :: wave_table_t, new_wave_table, panel_nodes, order, first_wave
 
     !> Nodes in a panel of wavenumbers.
     integer, parameter :: panel_nodes = 20
     !> Below this octave of k y (k y < 1/64) exp(iky) is its power series of this order.
     integer, parameter :: first_wave = -8, order = 7
     !> Octaves of k that the table for y <= 1 holds: a homogeneous first layer leaves nothing beyond.
-    integer, parameter :: last_near = 7
+    integer, parameter :: last_near = 4
     !> |exp(iky)| beyond which nothing is left: exp(-faded).
     real(wp), parameter :: faded = 45.0_wp
 
@@ -30,8 +30,10 @@ module mdrcontact_layered_waves
         complex(wp), allocatable :: powers(:, :)
         !> Chebyshev positions of the kernel's panels: in [0, 1], and in [1, 2) for both halves of an octave
         real(wp) :: near_y(degree + 1) = 0.0_wp, far_y(2*degree + 2) = 0.0_wp
-        !> (position, real and imaginary part, node, octave of k y from first_wave)
-        real(wp), allocatable :: near(:, :, :, :), far(:, :, :, :)
+        !> cos(ky) - 1 on the real axis: (position, node, octave of k from first_wave)
+        real(wp), allocatable :: near(:, :, :)
+        !> exp(iky) on the ray: (position, real and imaginary part, node, octave of k y from first_wave)
+        real(wp), allocatable :: far(:, :, :, :)
     contains
         procedure :: is_made
     end type wave_table_t
@@ -51,7 +53,7 @@ contains
         real(wp), intent(in) :: angle
         integer, intent(in) :: panels
         real(wp) :: x(panel_nodes), w(panel_nodes), chebyshev(degree + 1)
-        integer :: i, n, highest
+        integer :: i, n, highest, octave
 
         self%direction = cmplx(cos(angle), sin(angle), wp)
         call gauss_legendre(x, w)
@@ -72,23 +74,18 @@ contains
         self%near_y = sqrt(0.5_wp*(1.0_wp + chebyshev))
         self%far_y = [1.25_wp + 0.25_wp*chebyshev, 1.75_wp + 0.25_wp*chebyshev]
         highest = ceiling(log(faded/sin(angle))/log(2.0_wp)) - 1
-        allocate (self%near(size(self%near_y), 2, n, first_wave:last_near), self%far(size(self%far_y), 2, n, first_wave:highest))
-        call fill(self, self%near_y, self%near)
-        call fill(self, self%far_y, self%far)
-    end subroutine new_wave_table
-
-    pure subroutine fill(self, y, waves)
-        type(wave_table_t), intent(in) :: self
-        real(wp), intent(in) :: y(:)
-        real(wp), intent(out) :: waves(:, :, :, first_wave:)
-        integer :: i, octave
-
-        do octave = first_wave, ubound(waves, 4)
-            do i = 1, size(self%nodes)
-                call waves_at(self%direction, scale(self%nodes(i), octave)*y, waves(:, :, i, octave))
+        allocate (self%near(size(self%near_y), n, first_wave:last_near), self%far(size(self%far_y), 2, n, first_wave:highest))
+        do octave = first_wave, last_near
+            do i = 1, n
+                self%near(:, i, octave) = -2.0_wp*sin(0.5_wp*scale(self%nodes(i), octave)*self%near_y)**2
             end do
         end do
-    end subroutine fill
+        do octave = first_wave, highest
+            do i = 1, n
+                call waves_at(self%direction, scale(self%nodes(i), octave)*self%far_y, self%far(:, :, i, octave))
+            end do
+        end do
+    end subroutine new_wave_table
 
     !> Real and imaginary parts of exp(i t exp(i theta)).
     pure subroutine waves_at(direction, t, waves)

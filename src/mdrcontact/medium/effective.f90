@@ -125,13 +125,15 @@ contains
                         + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
     end subroutine depth_and_force
 
-    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error, adhesive)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         real(wp), intent(out) :: depth, force, modulus, modulus_slope
         type(error_t), allocatable, intent(out) :: error
+        logical, intent(in), optional :: adhesive
 
+        if (present(adhesive)) continue
         call self%depth_and_force(profile, a, depth, force, error)
         modulus = self%effective_modulus(a)
         modulus_slope = self%effective_modulus_slope(a)

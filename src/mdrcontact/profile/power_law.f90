@@ -24,6 +24,7 @@ module mdrcontact_profile_power_law
         procedure :: mdr_slope
         procedure :: mdr_moment
         procedure :: radius_from_mdr
+        procedure :: powers
     end type power_law_t
 
 contains
@@ -128,6 +129,15 @@ contains
             radius = (depth/self%mdr_coefficient)**(1.0_wp/self%exponent)
         end if
     end function radius_from_mdr
+
+    pure subroutine powers(self, exponents, coefficients)
+        class(power_law_t), intent(in) :: self
+        real(wp), allocatable, intent(out) :: exponents(:), coefficients(:)
+
+        allocate (exponents(1), coefficients(1))
+        exponents = self%exponent
+        coefficients = self%mdr_coefficient
+    end subroutine powers
 
     !> x**n without the cost of a general power for the cone and the paraboloid.
     elemental function power(x, n) result(y)

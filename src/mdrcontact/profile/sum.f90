@@ -30,6 +30,7 @@ module mdrcontact_profile_sum
         procedure :: end_radius
         procedure :: has_wall
         procedure :: break_radii
+        procedure :: powers
     end type profile_sum_t
 
 contains
@@ -167,5 +168,24 @@ contains
         end do
         radii = pack(radii, radii < self%largest_radius())
     end function break_radii
+
+    !> Those of all terms, if each is a sum of powers.
+    pure subroutine powers(self, exponents, coefficients)
+        class(profile_sum_t), intent(in) :: self
+        real(wp), allocatable, intent(out) :: exponents(:), coefficients(:)
+        real(wp), allocatable :: more_exponents(:), more_coefficients(:)
+        integer :: i
+
+        allocate (exponents(0), coefficients(0))
+        do i = 1, size(self%terms)
+            call self%terms(i)%profile%powers(more_exponents, more_coefficients)
+            exponents = [exponents, more_exponents]
+            coefficients = [coefficients, more_coefficients]
+            if (size(more_exponents) > 0) cycle
+            exponents = more_exponents
+            coefficients = more_coefficients
+            return
+        end do
+    end subroutine powers
 
 end module mdrcontact_profile_sum

@@ -57,15 +57,16 @@ contains
         call self%inside%depth_and_force(profile, a, depth, force, error)
     end subroutine depth_and_force
 
-    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error)
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error, adhesive)
         class(counting_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         real(wp), intent(out) :: depth, force, modulus, modulus_slope
         type(error_t), allocatable, intent(out) :: error
+        logical, intent(in), optional :: adhesive
 
         self%counter%solutions = self%counter%solutions + 1
-        call self%inside%response(profile, a, depth, force, modulus, modulus_slope, error)
+        call self%inside%response(profile, a, depth, force, modulus, modulus_slope, error, adhesive)
     end subroutine response
 
     subroutine line_load(self, profile, a, excess, r, values, error)

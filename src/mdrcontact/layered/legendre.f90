@@ -1,0 +1,206 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The springs' interaction in even Legendre polynomials over a contact, (K p)(x) = (1/pi) int_-a^a X(x - t) p(t) dt.
+!>
+!> With p_j(u) = s_j P_2j(u), s_j = sqrt((4j + 1)/2), u = x/a, everything follows from the kernel's moments
+!> T_k = int_-1^1 P_k(u) [X(a (1 + u)) - shift] du: the matrix H_ij = <p_i, K p_j> by a recurrence, K p_j at the edge of the
+!> contact, and its slope there. Two constants of the kernel that would drown the rest are kept apart: X(0) of a stiff film
+!> (`shift`), and the integral of X over the whole axis for a soft one (`diagonal`, what it leaves of the unit matrix).
+module mdrcontact_layered_legendre
+    use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_layered_kernel, only: kernel_t
+    use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
+    implicit none (type, external)
+    private
+    public :: moments_t, new_moments, contact_rule, interaction_matrix, edge_row, edge_slopes, normalisation
+
+    !> Of a rule of N nodes, moments up to order 0.8 N are right.
+    real(wp), parameter :: trusted = 0.8_wp
+
+    !> The kernel's moments for one contact radius.
+    type :: moments_t
+        !> contact radius [unit]
+        real(wp) :: a = 0.0_wp
+        !> T_k, k >= 0
+        real(wp), allocatable :: t(:)
+        !> what 1 + K leaves on the diagonal beside the matrix made of the moments
+        real(wp) :: diagonal = 1.0_wp
+        !> the part of X that is left out of the moments: a constant, and one that stands for a delta function
+        real(wp) :: shift = 0.0_wp, spike = 0.0_wp
+        !> X(2a) - X(0)
+        real(wp) :: drop = 0.0_wp
+        !> (2a/pi) times the size of the kernel whose rounding the moments share
+        real(wp) :: magnitude = 0.0_wp
+    end type moments_t
+
+contains
+
+    !> s_j, j = 0 ... size - 1.
+    pure function normalisation(count) result(s)
+        integer, intent(in) :: count
+        real(wp) :: s(0:count - 1)
+        integer :: j
+
+        do j = 0, count - 1
+            s(j) = sqrt(real(4*j + 1, wp)*0.5_wp)
+        end do
+    end function normalisation
+
+    !> The rule that resolves the kernel from one end of a contact of radius a [unit], and polynomials to order `last`. Where
+    !> one rule is too short, as many as are needed share the half waves of the polynomials.
+    subroutine contact_rule(rule, kernel, a, n, last)
+        type(rule_t), intent(out) :: rule
+        type(kernel_t), intent(in) :: kernel
+        real(wp), intent(in) :: a
+        integer, intent(in) :: n, last
+        type(rule_t) :: panel
+        real(wp) :: ends(2)
+        integer :: i, count, panels, first
+        logical :: layered
+
+        layered = kernel%depth > 1.0_wp
+        count = 4*n + 4
+        if (layered) count = max(ceiling(1.5_wp/trusted*real(last, wp)), min(24 + nint(16.0_wp*sqrt(sqrt(a))), 256))
+        panels = 1 + (count - 1)/largest_rule
+        call new_rule(panel, 1 + (count - 1)/panels)
+        count = size(panel%weights)
+        allocate (rule%distance(panels*count), rule%weights(panels*count))
+        do i = 1, panels
+            first = (i - 1)*count + 1
+            ends = 2.0_wp*sin(half_pi*[real(i - 1, wp), real(i, wp)]/real(panels, wp))**2
+            ! fine at the surface: the rule in the cube root of the distance, 1 + u = s^3/4 on 0 < s < 2
+            if (layered) ends = (4.0_wp*ends)**(1.0_wp/3.0_wp)
+            rule%distance(first:first + count - 1) = ends(1) + 0.5_wp*(ends(2) - ends(1))*panel%distance
+            rule%weights(first:first + count - 1) = 0.5_wp*(ends(2) - ends(1))*panel%weights
+        end do
+        if (.not. layered) return
+        rule%weights = 0.75_wp*rule%weights*rule%distance**2
+        rule%distance = 0.25_wp*rule%distance**3
+    end subroutine contact_rule
+
+    !> The moments T_0 ... T_last at contact radius a [unit] by a rule for n unknowns.
+    subroutine new_moments(self, kernel, a, n, last)
+        type(moments_t), intent(out) :: self
+        type(kernel_t), intent(in) :: kernel
+        real(wp), intent(in) :: a
+        integer, intent(in) :: n, last
+        type(rule_t) :: rule
+        real(wp), allocatable :: x(:)
+        real(wp) :: base(1)
+        integer :: count
+
+        self%a = a
+        call contact_rule(rule, kernel, a, n, last)
+        count = size(rule%weights) - 1
+        if (kernel%depth > 1.0_wp) count = floor(trusted/1.5_wp*size(rule%weights))
+        allocate (x(size(rule%weights)))
+        if (kernel%sigma_zero > 1.0_wp .and. 2.0_wp*a <= scale(1.0_wp, kernel%plateau)) self%shift = kernel%origin
+        call kernel%evaluate(a*rule%distance, self%shift, x)
+        call kernel%evaluate([2.0_wp*a], kernel%origin, base)
+        self%drop = base(1)
+        x = x*rule%weights
+        base = sum(x)
+        self%magnitude = maxval(abs(x/rule%weights))*(2.0_wp*a/pi)
+        if (kernel%sigma_zero < 1.0_wp .and. 2.0_wp*a >= 1.0_wp) then
+            self%diagonal = kernel%sigma_zero
+            self%spike = 0.5_wp*pi*(kernel%sigma_zero - 1.0_wp)/a
+            base = -kernel%integral_beyond(2.0_wp*a)/a
+        end if
+        allocate (self%t(0:last))
+        call sum_moments(size(x), rule%distance, x, base(1), min(count, last), self%t)
+    end subroutine new_moments
+
+    !> t_k = (-1)^k (base + sum of x r_k) with P_k(v - 1) = (-1)^k (1 + r_k(v)): r_k keeps its digits towards v = 0.
+    pure subroutine sum_moments(n, v, x, base, count, t)
+        !> a multiple of 4
+        integer, intent(in) :: n
+        real(wp), intent(in) :: v(n), x(n), base
+        !> highest moment that the rule resolves; those beyond are 0 (before `base` is taken in place of the sum of x)
+        integer, intent(in) :: count
+        real(wp), intent(inout) :: t(0:)
+        real(wp), dimension(n) :: difference, r
+        real(wp) :: keep, turn, part(4)
+        integer :: i, k
+
+        difference = 0.0_wp
+        r = 0.0_wp
+        t(0) = base
+        do k = 0, count - 1
+            keep = real(k, wp)/real(k + 1, wp)
+            turn = real(2*k + 1, wp)/real(k + 1, wp)
+            part = 0.0_wp
+            do i = 1, n, 4
+                difference(i:i + 3) = keep*difference(i:i + 3) - turn*(v(i:i + 3)*(x(i:i + 3) + r(i:i + 3)))
+                r(i:i + 3) = r(i:i + 3) + difference(i:i + 3)
+                part = part + r(i:i + 3)
+            end do
+            t(k + 1) = base + sum(part)
+        end do
+        if (count < ubound(t, 1)) t(count + 1:) = base - sum(x)
+        t(1::2) = -t(1::2)
+    end subroutine sum_moments
+
+    !> H_ij for i >= j, i < rows, j < columns, without `diagonal`; what lies above the diagonal is not defined.
+    pure subroutine interaction_matrix(moments, h)
+        type(moments_t), intent(in) :: moments
+        real(wp), intent(out) :: h(0:, 0:)
+        real(wp) :: s(0:ubound(h, 1)), even(0:ubound(h, 1) + ubound(h, 2) + 1), odd(0:ubound(h, 1) + ubound(h, 2))
+        real(wp), dimension(0:ubound(h, 1) + ubound(h, 2)) :: over_even, over_odd
+        integer :: c, j, last
+
+        last = ubound(odd, 1)
+        do j = 0, last
+            over_even(j) = 1.0_wp/real(4*j + 1, wp)
+            over_odd(j) = 1.0_wp/real(4*j + 3, wp)
+        end do
+        associate (t => moments%t)
+            even(0) = 2.0_wp*(t(0) - t(1))
+            do j = 1, last + 1
+                even(j) = 2.0_wp*(t(2*j - 1) - t(2*j + 1))/real(4*j + 1, wp)
+            end do
+            do j = 0, last
+                odd(j) = (2.0_wp*(t(2*j + 2) - t(2*j)) - (even(j + 1) - even(j)))*over_odd(j)
+            end do
+        end associate
+        even(0) = even(0) + 4.0_wp*moments%shift
+        s = sqrt(moments%a/pi)*normalisation(size(s))
+        do c = 0, ubound(h, 2)
+            h(c:, c) = s(c)*s(c:)*even(c:ubound(h, 1))
+            last = last - 1
+            do j = c + 1, last + 1
+                even(j) = even(j) + (real(4*c + 3, wp)*over_even(j))*(odd(j - 1) - odd(j))
+            end do
+            do j = c + 1, last
+                odd(j) = odd(j) + (real(4*c + 5, wp)*over_odd(j))*(even(j) - even(j + 1))
+            end do
+        end do
+    end subroutine interaction_matrix
+
+    !> r'_j: values at the edge of the contact are sum r'_j c_j for a solution c of (1 + H) c = (sqrt(2), 0, ...), and
+    !> sum r'_j c_j - (K c)(a) for others: row 0 of 1 + H over sqrt(2) less the edge row of K. The difference 1 - (K c)(a), which
+    !> cancels on a stiff film, is never formed, and X(0) drops out.
+    pure subroutine edge_row(moments, first_column, row)
+        type(moments_t), intent(in) :: moments
+        !> H_j0, j >= 0
+        real(wp), intent(in) :: first_column(0:)
+        real(wp), intent(out) :: row(0:)
+
+        row = sqrt(0.5_wp)*first_column - (moments%a/pi)*normalisation(size(row))*(moments%t(0:2*ubound(row, 1):2) + moments%spike)
+        row(0) = sqrt(0.5_wp)*(moments%diagonal - (moments%a/pi)*(moments%t(1) + moments%spike))
+    end subroutine edge_row
+
+    !> a times the slope of K p_j at the edge of the contact.
+    pure function edge_slopes(moments, count) result(slopes)
+        type(moments_t), intent(in) :: moments
+        integer, intent(in) :: count
+        real(wp) :: slopes(0:count - 1)
+        real(wp) :: total
+        integer :: j
+
+        total = moments%drop
+        do j = 0, count - 1
+            slopes(j) = sqrt(real(4*j + 1, wp)*0.5_wp)*total/pi
+            total = total - real(4*j + 3, wp)*(moments%t(2*j + 1) - moments%spike)
+        end do
+    end function edge_slopes
+
+end module mdrcontact_layered_legendre

@@ -1,0 +1,144 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What a contact of layered bodies takes of an indenter: the even Legendre coefficients of g on the contact,
+!> G_j = int_-1^1 g(a |u|) s_j P_2j(u) du.
+!>
+!> Powers of x have closed forms. Elsewhere g is integrated between the radii where it is not analytic, with room for the
+!> square roots that start there.
+module mdrcontact_layered_moments
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_legendre, only: normalisation
+    use mdrcontact_layered_rule, only: new_rule, rule_t
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: profile_moments
+
+    !> Towards the axis, where g may be any power, and towards a singular end, intervals shrink by this factor.
+    real(wp), parameter :: shrinking = 0.25_wp
+    !> Contribution relative to g(a) below which nothing towards the axis counts.
+    real(wp), parameter :: negligible = 1.0e-18_wp
+    integer, parameter :: most_intervals = 40
+
+contains
+
+    !> G_0 ... G_(m-1) [length].
+    subroutine profile_moments(profile, a, g)
+        class(profile_t), intent(in) :: profile
+        !> contact radius [length]
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: g(:)
+        real(wp), allocatable :: exponents(:), coefficients(:)
+        integer :: i
+
+        call profile%powers(exponents, coefficients)
+        g = 0.0_wp
+        if (size(exponents) > 0) then
+            do i = 1, size(exponents)
+                call add_power(exponents(i), coefficients(i)*a**exponents(i), g)
+            end do
+        else
+            call integrate(profile, a, g)
+        end if
+        g = g*normalisation(size(g))
+    end subroutine profile_moments
+
+    !> int_-1^1 |u|^s P_2j(u) du = 2 t_j, t_(j+1) = t_j (s - 2j)/(s + 2j + 3).
+    pure subroutine add_power(exponent, coefficient, g)
+        real(wp), intent(in) :: exponent, coefficient
+        real(wp), intent(inout) :: g(0:)
+        real(wp) :: t
+        integer :: j
+
+        t = 2.0_wp*coefficient/(exponent + 1.0_wp)
+        do j = 0, ubound(g, 1)
+            g(j) = g(j) + t
+            t = t*(exponent - 2.0_wp*j)/(exponent + 2.0_wp*j + 3.0_wp)
+        end do
+    end subroutine add_power
+
+    subroutine integrate(profile, a, g)
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(inout) :: g(:)
+        real(wp), allocatable :: breaks(:)
+        real(wp) :: low, high, ends
+        integer :: i, k
+
+        allocate (breaks, source=profile%break_radii())
+        breaks = [pack(breaks, breaks < a), a]
+        low = 0.0_wp
+        do i = 1, size(breaks)
+            high = breaks(i)
+            if (high <= profile%end_radius()) then
+                low = high
+                cycle
+            end if
+            if (i == 1) then
+                ! intervals towards the axis, from the lowest
+                ends = high
+                do k = 1, most_intervals
+                    if (.not. profile%mdr(ends)*ends > negligible*profile%mdr(a)*a) exit
+                    ends = shrinking*ends
+                end do
+                do k = k - 1, 1, -1
+                    call add_interval(profile, a, shrinking**k*high, shrinking**(k - 1)*high, .false., g)
+                end do
+            else
+                do k = 1, most_intervals
+                    ! no interval longer than three times its distance from a singular end
+                    ends = high
+                    if (high - low > 3.0_wp*(profile%singular_radius() - high)) then
+                        ends = low + 0.75_wp*(profile%singular_radius() - low)
+                    end if
+                    ends = min(ends, high)
+                    call add_interval(profile, a, low, ends, k == 1, g)
+                    low = ends
+                    if (low >= high) exit
+                end do
+            end if
+            low = high
+        end do
+    end subroutine integrate
+
+    !> Adds 2 int P_2j(x/a) g(x) dx/a over one interval, x = low + (high - low) t^2 where a root starts at its lower end.
+    subroutine add_interval(profile, a, low, high, has_root, g)
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, low, high
+        logical, intent(in) :: has_root
+        real(wp), intent(inout) :: g(0:)
+        type(rule_t) :: rule
+        real(wp), allocatable, dimension(:) :: x, w
+        integer :: n
+
+        ! P_2j runs through 2j/pi half waves as acos(x/a) goes through a right angle
+        n = 16 + ceiling(real(size(g), wp)*(acos(low/a) - acos(min(high/a, 1.0_wp)))*merge(1.3_wp, 1.0_wp, has_root))
+        call new_rule(rule, n)
+        allocate (x, source=0.5_wp*rule%distance)
+        allocate (w, source=0.5_wp*rule%weights)
+        if (has_root) then
+            w = 2.0_wp*x*w
+            x = x**2
+        end if
+        x = min(low + (high - low)*x, high)
+        w = w*(2.0_wp*(high - low)/a)*profile%mdr(x)
+        call add_sums(size(x), x/a, w, g)
+    end subroutine add_interval
+
+    !> Adds sum w P_2j(u).
+    pure subroutine add_sums(n, u, w, g)
+        integer, intent(in) :: n
+        real(wp), intent(in) :: u(n), w(n)
+        real(wp), intent(inout) :: g(0:)
+        real(wp) :: even(n), odd(n)
+        integer :: j
+
+        even = w
+        odd = u*w
+        do j = 0, ubound(g, 1)
+            g(j) = g(j) + sum(even)
+            even = (real(4*j + 3, wp)*u*odd - real(2*j + 1, wp)*even)/real(2*j + 2, wp)
+            odd = (real(4*j + 5, wp)*u*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
+        end do
+    end subroutine add_sums
+
+end module mdrcontact_layered_moments
