@@ -262,7 +262,8 @@ enum mdr_model {
     MDR_MODEL_HAY_CRAWFORD = 8,       /**< Hay, Crawford 2011: Gao's weights with the film also acting in parallel. */
     MDR_MODEL_DIMITRIADIS = 9,        /**< Dimitriadis et al. 2002: layer with nu = 1/2 on a rigid base, for a paraboloid. */
     MDR_MODEL_GARCIA = 10,            /**< Garcia, Garcia 2018: the same with their coefficients. */
-    MDR_MODEL_EXACT = 11              /**< The exact solution of the layered half-space. */
+    MDR_MODEL_EXACT = 11,             /**< The exact solution of the layered half-space. */
+    MDR_MODEL_GAO_POWER = 12          /**< Gao's weights, power mean G_eff = [G1^p + (G0^p - G1^p) I0]^(1/p) between the two. */
 };
 
 /** The name of a model, as Python and problem files write it: "gao-series", "exact", ...
@@ -316,6 +317,7 @@ typedef struct mdr_medium_options {
     int weight_nu_choice; /**< Gao: one of enum mdr_weight_nu; default MDR_WEIGHT_NU_SURFACE. */
     double weight_nu;     /**< Gao: the number for MDR_WEIGHT_NU_GIVEN, -1 < nu <= 1/2; default 1/2. */
     double tolerance;     /**< Exact: relative tolerance, 1e-12 to 1e-2; default 1e-10. */
+    double exponent;      /**< Gao's power mean: p, -1 (series) to 1 (parallel), 0 for the logarithm's; default -0.65. */
 } mdr_medium_options;
 
 /** Sets all options to their defaults. options = NULL is allowed. Never fails. */

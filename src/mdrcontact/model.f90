@@ -33,7 +33,7 @@ module mdrcontact_model
     !> Codes of the models, enum mdr_model of the C header.
     type :: model_codes_t
         integer :: gao = 0, gao_series = 1, doerner_nix = 2, wave = 3, mencik_exponential = 4, mencik_reciprocal = 5, bec = 6, &
-                   perriot_barthel = 7, hay_crawford = 8, dimitriadis = 9, garcia = 10, exact = 11
+                   perriot_barthel = 7, hay_crawford = 8, dimitriadis = 9, garcia = 10, exact = 11, gao_power = 12
     end type model_codes_t
 
     type(model_codes_t), parameter :: models = model_codes_t()
@@ -52,11 +52,13 @@ module mdrcontact_model
         real(c_double) :: weight_nu = 0.5_c_double
         !> relative tolerance of the exact solution
         real(c_double) :: tolerance = 1.0e-10_c_double
+        !> p of the power mean of Gao's weights, -1 (series) to 1 (parallel); the default has the smallest largest error (theory 9)
+        real(c_double) :: exponent = -0.65_c_double
     end type model_options_t
 
     !> Names of the options, in the order of their values below.
     character(len=16), parameter :: option_names(*) = [character(len=16) :: "alpha", "wave_factor", "weight_nu_choice", &
-                                                       "weight_nu", "tolerance"]
+                                                       "weight_nu", "tolerance", "exponent"]
 
     !> A row of the table.
     type :: model_t
@@ -66,9 +68,8 @@ module mdrcontact_model
         integer :: base = base_elastic
         !> whether it takes any number of layers, and a graded body
         logical :: layers = .false., graded = .false.
-        !> the option it takes
+        !> the option it takes, and whether it is a number that can be fitted
         character(len=16) :: option = ""
-        !> whether this option is a number that can be fitted
         logical :: has_constant = .false.
     end type model_t
 
@@ -76,6 +77,7 @@ module mdrcontact_model
     type(model_t), parameter :: model_table(*) = [ &
         model_t(models%gao, "gao", base_elastic, .true., .true., "weight_nu"), &
         model_t(models%gao_series, "gao-series", base_elastic, .true., .true., "weight_nu"), &
+        model_t(models%gao_power, "gao-power", base_elastic, .true., .true., "exponent", .true.), &
         model_t(models%doerner_nix, "doerner-nix", option="alpha", has_constant=.true.), &
         model_t(models%wave, "wave", option="wave_factor", has_constant=.true.), &
         model_t(models%mencik_exponential, "mencik-exponential", option="alpha", has_constant=.true.), &
@@ -114,7 +116,8 @@ contains
         type(model_options_t), intent(in) :: options
         real(wp) :: values(size(option_names))
 
-        values = [options%alpha, options%wave_factor, real(options%weight_nu_choice, wp), options%weight_nu, options%tolerance]
+        values = [options%alpha, options%wave_factor, real(options%weight_nu_choice, wp), options%weight_nu, options%tolerance, &
+                  options%exponent]
     end function option_values
 
     !> The options with these values.
@@ -122,7 +125,7 @@ contains
         real(wp), intent(in) :: values(:)
         type(model_options_t) :: options
 
-        options = model_options_t(values(1), values(2), nint(values(3), c_int), values(4), values(5))
+        options = model_options_t(values(1), values(2), nint(values(3), c_int), values(4), values(5), values(6))
     end function options_of
 
     !> The options with another value for the model's constant, if it has one.
@@ -227,7 +230,8 @@ contains
         type(model_options_t), intent(in) :: options
         type(gao_options_t) :: chosen
 
-        chosen%exponent = merge(-1.0_wp, 1.0_wp, model == models%gao_series)
+        if (model == models%gao_power) chosen%exponent = options%exponent
+        if (model == models%gao_series) chosen%exponent = -1.0_wp
         chosen%weight_nu_choice = int(options%weight_nu_choice)
         chosen%weight_nu = options%weight_nu
     end function gao_options
@@ -256,7 +260,7 @@ contains
         if (size(body%layers) == 0) then
             call new_homogeneous(homogeneous, body%substrate)
             allocate (medium, source=homogeneous)
-        else if (model == models%gao .or. model == models%gao_series) then
+        else if (any(model == [models%gao, models%gao_series, models%gao_power])) then
             call new_gao_layered(gao, body%layers, body%thickness, body%substrate, error, gao_options(model, options))
             allocate (medium, source=gao)
         else

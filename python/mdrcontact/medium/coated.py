@@ -32,6 +32,7 @@ class Coated(UnderModel):
     substrate : Elastic(E, nu); RIGID for the models "exact", "dimitriadis", "garcia"
     model : how E_eff(a) is found; no model is hidden behind another
         "gao" (12)-(15), "gao-series"           options: weight_nu = "surface" (default), "substrate", "effective" or a number
+        "gao-power"                             options: exponent = -0.65, of the mean between 1 ("gao") and -1 ("gao-series")
         "doerner-nix" (11)                      options: alpha = 1
         "wave" (19), (20)                       options: wave_factor = pi/2
         "mencik-exponential", "mencik-reciprocal"   options: alpha = 1
