@@ -354,7 +354,7 @@ int mdr_medium_coated(double coating_E, double coating_nu, double thickness, dou
  *  @param thickness     [n] thicknesses > 0 [length]
  *  @param substrate_E   > 0 [modulus]; INFINITY is a rigid base, MDR_MODEL_EXACT only
  *  @param substrate_nu  -1 < nu <= 1/2 [1]; not looked at for a rigid base
- *  @param model         MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT
+ *  @param model         MDR_MODEL_GAO, ..._GAO_SERIES, ..._GAO_POWER or ..._EXACT
  *  @param options       NULL for the defaults
  *  @param out           receives the handle */
 int mdr_medium_layered(int n, const double E[], const double nu[], const double thickness[],
@@ -366,7 +366,7 @@ int mdr_medium_layered(int n, const double E[], const double nu[], const double 
  *  @param z        [n] depths, strictly ascending from z[0] = 0 [length]
  *  @param E        [n] Young's moduli > 0 [modulus]
  *  @param nu       [n] Poisson's ratios, -1 < nu <= 1/2 [1]
- *  @param model    MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT
+ *  @param model    MDR_MODEL_GAO, ..._GAO_SERIES, ..._GAO_POWER or ..._EXACT
  *  @param options  NULL for the defaults
  *  @param out      receives the handle */
 int mdr_medium_graded(int n, const double z[], const double E[], const double nu[], int model,
@@ -377,7 +377,7 @@ int mdr_medium_graded(int n, const double z[], const double E[], const double nu
  *  @param nu       Poisson's ratio nu(z), -1 < nu <= 1/2 [1]
  *  @param context  passed on to both, may be NULL
  *  @param depth    > 0, below which the body is homogeneous [length]
- *  @param model    MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES or MDR_MODEL_EXACT
+ *  @param model    MDR_MODEL_GAO, ..._GAO_SERIES, ..._GAO_POWER or ..._EXACT
  *  @param options  NULL for the defaults
  *  @param out      receives the handle
  *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if a function is not smooth enough to be sampled */
@@ -1019,10 +1019,10 @@ typedef struct mdr_fit_problem {
     const mdr_profile *profile;          /**< For MDR_FIT_INDENTER_GIVEN. */
     int medium;                          /**< One of enum mdr_fit_medium; default MDR_FIT_MEDIUM_GIVEN. */
     const mdr_medium *medium_object;     /**< For MDR_FIT_MEDIUM_GIVEN. */
-    int model;                           /**< One of enum mdr_model, for stacks and graded media; default MDR_MODEL_GAO. */
+    int model;                           /**< One of enum mdr_model, for stacks and graded media; default MDR_MODEL_EXACT. */
     int layers;                          /**< Layers of a stack, or depths of a graded medium, 1 to 100000; default 1. */
-    const mdr_medium_options *options;   /**< Or NULL (default): weight_nu_choice, weight_nu and tolerance; alpha and wave_factor
-                                              are not looked at: they are among the parameters. */
+    const mdr_medium_options *options;   /**< Or NULL (default): weight_nu_choice, weight_nu, tolerance; the model's constant (alpha,
+                                              wave_factor or exponent) is among the parameters of a stack. */
     int adhesion_rule;                   /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
     int loss;                            /**< One of enum mdr_fit_loss; default MDR_FIT_LINEAR. */
     double loss_scale;                   /**< Standard deviations > 0 beyond which a residual counts less; default 1.345. */

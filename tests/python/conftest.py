@@ -56,9 +56,9 @@ def every_medium() -> list[mdr.Medium]:
         mdr.Coated(OXIDE, 5e-7, mdr.RIGID, "exact", tolerance=1e-8),
         mdr.Coated(RUBBER, 5e-6, mdr.RIGID, "dimitriadis"),
         mdr.Coated(RUBBER, 5e-6, mdr.RIGID, "garcia"),
-        mdr.Layered([(OXIDE, 2e-7), (SILICON, 3e-7)], OXIDE),
+        mdr.Layered([(OXIDE, 2e-7), (SILICON, 3e-7)], OXIDE, "gao"),
         mdr.Layered([(OXIDE, 2e-7), (SILICON, 3e-7)], mdr.RIGID, "exact"),
-        mdr.Graded([0.0, 1e-6, 2e-6], [72e9, 100e9, 163e9], 0.2),
+        mdr.Graded([0.0, 1e-6, 2e-6], [72e9, 100e9, 163e9], 0.2, "gao"),
         mdr.Graded(2e-6, rising_modulus, 0.2, "gao-series"),
         mdr.PowerLawGraded(70e9, 1e-6, 0.3, 0.2),
         mdr.TabulatedMedium([1e-7, 1e-6, 1e-5], [80e9, 120e9, 160e9]),
@@ -69,6 +69,7 @@ def every_medium() -> list[mdr.Medium]:
 ELASTIC_MODELS = (
     "gao",
     "gao-series",
+    "gao-power",
     "doerner-nix",
     "wave",
     "mencik-exponential",
@@ -93,7 +94,7 @@ def rising_modulus(z: float) -> float:
 @pytest.fixture
 def coated() -> mdr.Contact:
     """A sphere on an oxide on silicon."""
-    return mdr.Contact(mdr.Sphere(10e-6), mdr.Coated(OXIDE, 500e-9, SILICON))
+    return mdr.Contact(mdr.Sphere(10e-6), mdr.Coated(OXIDE, 500e-9, SILICON, "gao"))
 
 
 def run(command, folder):

@@ -16,7 +16,7 @@ from mdrcontact.problem import load
 
 GAMMA, R = 0.05, 2.0
 BODY = mdr.Homogeneous(mdr.Elastic(3.0, 0.0))
-FILM = mdr.Coated(mdr.Elastic(6.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3))
+FILM = mdr.Coated(mdr.Elastic(6.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3), "gao")
 PROBLEM = ROOT / "examples" / "problems" / "afm_on_pdms.toml"
 
 
@@ -182,13 +182,13 @@ def test_figure_2_by_32():
     a_c, d_c = mdr.adhesive_radius_scale(R, 0.7, GAMMA), mdr.adhesive_depth_scale(R, 0.7, GAMMA)
     at = np.array([0.05, 0.4, 1.0, 2.5])
     for ht in (4, 2, 1, 0.5, 0.25):
-        body = mdr.Coated(mdr.Elastic(3 * 1.4, 0.5), ht * a_c, mdr.Elastic(3 * 0.7, 0.5))
+        body = mdr.Coated(mdr.Elastic(3 * 1.4, 0.5), ht * a_c, mdr.Elastic(3 * 0.7, 0.5), "gao")
         depth = mdr.Contact(mdr.Paraboloid(R), body, GAMMA, "paper").at_radius(at * a_c).depth
         np.testing.assert_allclose(depth / d_c, mdr.reduced_adhesive_depth(at, 2.0, ht), rtol=0, atol=1e-12)
         closed = mdr.coated_paraboloid_adhesive_depth(at * a_c, R, 1.4, 0.7, ht * a_c, GAMMA)
         np.testing.assert_allclose(depth, closed, rtol=0, atol=1e-12 * d_c)
     h = mdr.coated_paraboloid_force(at, R, 1.4, 0.7, 0.3), mdr.coated_cone_force(at, 0.3, 1.4, 0.7, 0.3)
-    body = mdr.Coated(mdr.Elastic(3 * 1.4, 0.5), 0.3, mdr.Elastic(3 * 0.7, 0.5))
+    body = mdr.Coated(mdr.Elastic(3 * 1.4, 0.5), 0.3, mdr.Elastic(3 * 0.7, 0.5), "gao")
     for closed, shape in zip(h, (mdr.Paraboloid(R), mdr.Cone(0.3)), strict=True):
         np.testing.assert_allclose(mdr.Contact(shape, body).at_radius(at).force, closed, rtol=1e-12)
     # theory's figures at at = ht = 1, tau = 2: (32), energy balance with Gao's weights, exact

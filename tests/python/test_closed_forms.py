@@ -59,7 +59,7 @@ def test_incompressible_coating_closed_forms_24_and_27():
     g0, g1 = 1e6, 3e6
     a = np.geomspace(1e-9, 1e-3, 25)
     xi = h / a
-    medium = mdr.Coated(coating, h, substrate)
+    medium = mdr.Coated(coating, h, substrate, "gao")
     cone = mdr.Contact(mdr.Cone(0.2), medium).at_radius(a).force
     assert cone == pytest.approx(2 * math.pi * a**2 * math.tan(0.2) * (g1 + (g0 - g1) * 2 / math.pi * np.arctan(xi)), rel=CLOSED)
     # (24) loses digits at large xi as it stands: where it does not
@@ -130,13 +130,13 @@ def test_displacement_inside_is_the_indenter(coated):
 
 
 def test_graded_function_and_table_and_layers_agree():
-    step = mdr.Layered([(OXIDE, 5e-7)], SILICON)
-    coated = mdr.Coated(OXIDE, 5e-7, SILICON)
+    step = mdr.Layered([(OXIDE, 5e-7)], SILICON, "gao")
+    coated = mdr.Coated(OXIDE, 5e-7, SILICON, "gao")
     a = np.geomspace(1e-8, 1e-4, 9)
     assert step.modulus(a) == pytest.approx(coated.modulus(a), rel=CLOSED)
     z = np.linspace(0, 1e-6, 5)
-    table = mdr.Graded(z, 72e9 + 1e16 * z, 0.2)
-    function = mdr.Graded(1e-6, lambda depth: 72e9 + 1e16 * depth, 0.2)
+    table = mdr.Graded(z, 72e9 + 1e16 * z, 0.2, "gao")
+    function = mdr.Graded(1e-6, lambda depth: 72e9 + 1e16 * depth, 0.2, "gao")
     assert function.modulus(a) == pytest.approx(table.modulus(a), rel=1e-9)
 
 

@@ -54,7 +54,7 @@ def test_curve_prints_and_writes_what_the_library_says(problem, capsys):
         "depth [nm]", "radius [nm]", "a/h", "force [mN]", "stiffness [kN/m]", "effective modulus [GPa]", "mean pressure [GPa]",
     ]  # fmt: skip
     found = np.array(rows, dtype=float)
-    contact = mdr.Contact(mdr.Sphere(1e-5), mdr.Coated(mdr.Elastic(72e9, 0.17), 5e-7, mdr.Elastic(163e9, 0.22)))
+    contact = mdr.Contact(mdr.Sphere(1e-5), mdr.Coated(mdr.Elastic(72e9, 0.17), 5e-7, mdr.Elastic(163e9, 0.22), "gao"))
     state = contact.at_depth(np.array([25e-9, 50e-9, 75e-9, 100e-9]))
     a = state.radius
     expected = [

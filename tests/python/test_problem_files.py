@@ -232,8 +232,8 @@ MEDIA = [
         mdr.Coated(_SOFT, 1e-6, _HARD, "doerner-nix", alpha=0.9),
     ),
     (
-        {"type": "coated", "weight_nu": "effective", "coating": {**SOFT, "thickness": "1 um"}, "substrate": HARD},
-        mdr.Coated(_SOFT, 1e-6, _HARD, weight_nu="effective"),
+        {"type": "coated", "model": "gao", "weight_nu": "effective", "coating": {**SOFT, "thickness": "1 um"}, "substrate": HARD},
+        mdr.Coated(_SOFT, 1e-6, _HARD, "gao", weight_nu="effective"),
     ),
     (
         {"type": "coated", "model": "garcia", "coating": {**SOFT, "thickness": "1 um"}, "substrate": "rigid"},

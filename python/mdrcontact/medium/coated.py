@@ -30,7 +30,7 @@ class Coated(UnderModel):
     coating : Elastic(E, nu)
     thickness : h > 0 [length]
     substrate : Elastic(E, nu); RIGID for the models "exact", "dimitriadis", "garcia"
-    model : how E_eff(a) is found; no model is hidden behind another
+    model : how E_eff(a) is found; the default is the exact solution
         "gao" (12)-(15), "gao-series"           options: weight_nu = "surface" (default), "substrate", "effective" or a number
         "gao-power"                             options: exponent = -0.65, of the mean between 1 ("gao") and -1 ("gao-series")
         "doerner-nix" (11)                      options: alpha = 1
@@ -53,7 +53,7 @@ class Coated(UnderModel):
     options: tuple[tuple[str, float | str], ...]
 
     def __init__(
-        self, coating: Elastic, thickness: float, substrate: Elastic | _Rigid, model: str = "gao", **options: float | str
+        self, coating: Elastic, thickness: float, substrate: Elastic | _Rigid, model: str = "exact", **options: float | str
     ) -> None:
         film, thickness, chosen = elastic("coating", coating), number("thickness", thickness), settings(model, options)
         created = _native.medium_coated(film.E, film.nu, thickness, *base(substrate), *chosen.native)

@@ -28,7 +28,7 @@ class Graded(UnderModel):
         nu may be one number
     z a number, E and nu functions : E(z) and nu(z) on 0 < z <= that depth [length], constant below; nu may be a number. They are
         called while the object is made and never later; what they raise is raised to the caller
-    model : "gao" (option weight_nu), "gao-series" (option weight_nu), "exact" (option tolerance); see `Coated`
+    model : "exact" (default), "gao", "gao-series" or "gao-power"; options as for `Coated`
     """
 
     z: tuple[float, ...] | float
@@ -42,7 +42,7 @@ class Graded(UnderModel):
         z: ArrayLike,
         E: ArrayLike | DepthFunction,
         nu: ArrayLike | DepthFunction,
-        model: str = "gao",
+        model: str = "exact",
         **options: float | str,
     ) -> None:
         chosen = settings(model, options, graded=True)

@@ -21,7 +21,7 @@ class Layered(UnderModel):
 
     layers : [(material, thickness), ...] from the surface down; material an Elastic(E, nu), thickness > 0 [length]
     substrate : Elastic(E, nu); RIGID for the model "exact"
-    model : "gao" (option weight_nu), "gao-series" (option weight_nu), "exact" (option tolerance); see `Coated`
+    model : "exact" (default), "gao", "gao-series" or "gao-power"; options as for `Coated`
     """
 
     layers: tuple[tuple[Elastic, float], ...]
@@ -33,7 +33,7 @@ class Layered(UnderModel):
         self,
         layers: Iterable[tuple[Elastic, float]],
         substrate: Elastic | _Rigid,
-        model: str = "gao",
+        model: str = "exact",
         **options: float | str,
     ) -> None:
         stack, chosen = _stack(layers), settings(model, options, layers=True)

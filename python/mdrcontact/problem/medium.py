@@ -42,7 +42,7 @@ def read_material(section: Section) -> Elastic:
 
 def _model(section: Section) -> tuple[str, dict[str, Any]]:
     options = {name: section.plain(name) for name in OPTIONS if name in section}
-    return section.choice("model", MODELS, default="gao"), options
+    return section.choice("model", MODELS, default="exact"), options
 
 
 def _substrate(section: Section) -> Elastic | _Rigid:

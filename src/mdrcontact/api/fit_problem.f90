@@ -14,6 +14,7 @@ module mdrcontact_api_fit_problem
     use mdrcontact_fit_medium_of, only: medium_given
     use mdrcontact_fit_problem, only: check_problem, data_force_depth, fit_data_t, fit_problem_t, loss_linear, parameter_count
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_model, only: models
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -38,7 +39,7 @@ module mdrcontact_api_fit_problem
         type(c_ptr) :: profile = c_null_ptr
         integer(c_int) :: medium = int(medium_given, c_int)
         type(c_ptr) :: medium_object = c_null_ptr
-        integer(c_int) :: model = 0_c_int
+        integer(c_int) :: model = int(models%exact, c_int)
         integer(c_int) :: layers = 1_c_int
         type(c_ptr) :: options = c_null_ptr
         integer(c_int) :: adhesion_rule = int(adhesion_automatic, c_int)
