@@ -43,8 +43,8 @@ def _models() -> Iterator[tuple[str, Model]]:
         yield name.decode(), Model(code, options, words * has_constant, *rigid, bool(layers), bool(graded))
 
 
-MODELS: Mapping[str, Model] = dict(_models())
-"""Every model by its name."""
+MODELS: Mapping[str, Model] = dict(sorted(_models(), key=lambda entry: entry[0] == "exact"))
+"""Every model by its name, the exact one last."""
 
 OPTIONS: tuple[str, ...] = tuple(sorted({name for model in MODELS.values() for name in model.options}))
 """The options of all models."""
