@@ -33,7 +33,7 @@ tools=(g++:g++)
 on_macos || tools+=(valgrind:valgrind)
 install_system_packages "${tools[@]}"
 say "2/6 Python package in .venv"
-install_python_package test,docs fortitude-lint ruff yamllint
+install_python_package test fortitude-lint ruff yamllint
 
 say "3/6 Linters and documentation"
 existing=()
@@ -50,7 +50,7 @@ if grep -q '^\[tool\.mypy\]' pyproject.toml; then
 fi
 check yamllint .venv/bin/yamllint --strict .
 
-check documentation with_progress "$log_dir/docs.log" .venv/bin/python docs/site/build.py build/docs
+check documentation with_progress "$log_dir/docs.log" docs/build.sh
 
 say "4/6 Library, examples, Fortran and C tests (ctest)"
 build_all() {

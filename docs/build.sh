@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The documentation as HTML: the guide in this folder and the description of the Fortran modules. docs/build.sh [FOLDER]
-# FOLDER is build/docs by default. Needs what quickstart.sh needs; FORD comes into .venv. Status 0 only without warnings.
+# The documentation as HTML in build/docs: the guide in this folder by MkDocs, the Fortran modules by FORD. docs/build.sh
+# Needs what quickstart.sh needs; the tools come into .venv. Status 0 only without warnings.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 log_dir=build/logs
@@ -9,5 +9,10 @@ source tools/messages.sh
 source tools/system_packages.sh
 source tools/python_environment.sh
 
-install_python_package docs
-.venv/bin/python docs/site/build.py "${1:-build/docs}"
+install_python_package test
+NO_MKDOCS_2_WARNING=true .venv/bin/python -m mkdocs build --strict --clean
+.venv/bin/python -W ignore -m ford ford.md 2>&1 | tee "$log_dir/ford.log"
+if grep -E "Warning:|Error|Traceback" "$log_dir/ford.log"; then
+    give_up "FORD has warnings."
+fi
+note "build/docs/index.html"

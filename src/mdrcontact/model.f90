@@ -36,6 +36,7 @@ module mdrcontact_model
                    perriot_barthel = 7, hay_crawford = 8, dimitriadis = 9, garcia = 10, exact = 11, gao_power = 12
     end type model_codes_t
 
+    !> The codes by name: models%exact
     type(model_codes_t), parameter :: models = model_codes_t()
 
     !> What a model asks of the base: an elastic half-space, nothing, a rigid one.
@@ -49,6 +50,7 @@ module mdrcontact_model
         real(c_double) :: wave_factor = half_pi
         !> one of gao_nu_..., which nu enters I0, and the number for gao_nu_given
         integer(c_int) :: weight_nu_choice = 0_c_int
+        !> that number, -1 < weight_nu <= 1/2
         real(c_double) :: weight_nu = 0.5_c_double
         !> relative tolerance of the exact solution
         real(c_double) :: tolerance = 1.0e-10_c_double
@@ -101,6 +103,7 @@ contains
 
     !> The code of the model of this name; -1 if there is none.
     pure function find_model(name) result(code)
+        !> as in model_table
         character(len=*), intent(in) :: name
         integer :: code
         integer :: i

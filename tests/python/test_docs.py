@@ -10,6 +10,7 @@ from conftest import ROOT
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
 def test_page(path, installed, tmp_path, tmp_path_factory, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -13,6 +13,7 @@ DOCS = ROOT / "docs"
 SHOWN = {name for page in DOCS.glob("*.md") for name in re.findall(r"\]\(pictures/([\w.]+)\)", page.read_text(encoding="utf-8"))}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("script", "options"), [("make_pictures.py", ["--quick"]), ("make_fitting_pictures.py", [])])
 def test_pictures_are_drawn(script, options, tmp_path):
     run([sys.executable, "-W", "error", DOCS / script, tmp_path, *options], tmp_path)
@@ -32,5 +33,6 @@ def test_every_picture_has_a_script_and_a_page():
         assert (DOCS / "pictures" / name).stat().st_size < 100_000, f"{name} is large"
 
 
+@pytest.mark.slow
 def test_tables_are_what_the_library_computes():
     run([sys.executable, DOCS / "make_tables.py", "--check"], DOCS)

@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import sys
+from types import SimpleNamespace
 
 import pytest
 from conftest import ROOT
+from fortran_docstrings import undocumented
+from mkdocs.exceptions import PluginError
 
-sys.path.insert(0, str(ROOT / "docs" / "site"))
+sys.path.insert(0, str(ROOT / "docs"))
 
-from pages import PageError, ordered, page  # noqa: E402
-from undocumented import undocumented  # noqa: E402
+from hooks import on_page_markdown  # noqa: E402
 
 DOCUMENTED = """\
 !> Facade.
@@ -63,35 +65,23 @@ def test_missing_docstrings(docstring, name, tmp_path):
     assert undocumented(tmp_path, tmp_path / "nowhere") == ([name] if name else [])
 
 
-def _page(text, tmp_path):
-    path = tmp_path / "page.md"
-    path.write_text(text, encoding="utf-8")
-    return page(path, lambda file: f"files/{file.name}")
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::pytest.PytestUnraisableExceptionWarning")
+def test_everything_public_in_fortran_has_a_docstring():
+    assert undocumented(ROOT / "src", ROOT / "src" / "mdrcontact" / "api") == []
 
 
-@pytest.mark.parametrize(
-    ("text", "words"),
-    [
-        ("No title\n", "must be the title"),
-        ("# T\n\n[x](nowhere.md)\n", "line 3: the link 'nowhere.md' leads nowhere"),
-        ("# T\n\na costs 3 $ and\n", "line 3: a dollar sign"),
-        ("# T\n\n$$a\n", "a dollar sign"),
-    ],
-)
-def test_wrong_pages(text, words, tmp_path):
-    with pytest.raises(PageError, match=words):
-        _page(text, tmp_path)
+PAGE = SimpleNamespace(file=SimpleNamespace(src_uri="page.md"))
 
 
-def test_pages_for_ford(tmp_path):
-    (tmp_path / "other.md").write_text("# Other\n", encoding="utf-8")
-    made = _page("# T\n\n$a'$, [o](other.md#x), `$HOME`\n\n```sh file=run.sh\necho $HOME\n```\n", tmp_path)
-    assert made.startswith("title: T\n")
-    assert "<math" in made and "(other.html#x)" in made and "`$HOME`" in made
-    assert '<p class="file">run.sh</p>' in made and "```sh\necho $HOME\n```" in made
+@pytest.mark.parametrize("text", ["a costs 3 $ and\n", "$$a\n"])
+def test_formulas_that_do_not_close(text):
+    with pytest.raises(PluginError, match="page.md: a dollar sign"):
+        on_page_markdown(f"# T\n\n{text}", page=PAGE)
 
 
-def test_the_start_page_leads_to_every_page_but_later_ones():
-    names = [path.name for path in ordered(ROOT / "docs")]
-    assert names[0] == "index.md" and len(set(names)) == len(names)
-    assert set(names) == {path.name for path in (ROOT / "docs").glob("*.md")}
+def test_formulas_titles_and_links():
+    text = "# T\n\n$a'$, [o](../README.md), `$HOME`\n\n```sh file=run.sh\necho $HOME\n```\n"
+    made = on_page_markdown(text, page=PAGE)
+    assert "<math" in made and "](files/README.md.txt)" in made and "`$HOME`" in made
+    assert '```sh title="run.sh"\necho $HOME\n```' in made

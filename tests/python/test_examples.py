@@ -23,6 +23,7 @@ def _block(language):
     return blocks[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
 def test_scripts(script, tmp_path):
     out = run([sys.executable, "-W", "error", script], tmp_path)
@@ -48,6 +49,7 @@ def test_readme_problem_file(tmp_path):
     assert problem.contact().at_depth(problem.control.values[-1]).force == pytest.approx(FORCE * 1e-3, rel=3e-4)
 
 
+@pytest.mark.slow
 def test_readme_table_of_errors():
     percents = r" ([-+]\d+) % \|" * 4
     table = re.findall(rf"^\| `([\w-]+)` \|[^|]*\|{percents}$", README, flags=re.MULTILINE)
@@ -63,6 +65,7 @@ def test_readme_table_of_errors():
             assert 100 * max(errors, key=abs) == pytest.approx(float(words), abs=0.501), (model, ratio)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("language", "suffix"), [("fortran", "f90"), ("c", "c")])
 def test_readme_compiled_examples(installed, tmp_path, language, suffix):
     (tmp_path / f"example.{suffix}").write_text(_block(language), encoding="utf-8")

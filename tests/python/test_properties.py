@@ -270,6 +270,7 @@ def test_growth(tip, body, share):
     check_growth(tip, body, share)
 
 
+@pytest.mark.slow
 @few
 @given(tips, exact_layers, shares)
 def test_growth_exact(tip, body, share):
@@ -281,6 +282,7 @@ def test_directions(tip, body, share):
     check_directions(tip, body, share)
 
 
+@pytest.mark.slow
 @few
 @given(tips, exact_layers, shares)
 def test_directions_exact(tip, body, share):
@@ -292,6 +294,7 @@ def test_scaling(tip, body, share, unit):
     check_scaling(tip, body, share, unit)
 
 
+@pytest.mark.slow
 @few
 @given(tips, exact_layers, shares, units)
 def test_scaling_exact(tip, body, share, unit):
@@ -303,6 +306,7 @@ def test_stiffness_is_the_derivative(tip, body, share):
     check_stiffness(tip, body, share)
 
 
+@pytest.mark.slow
 @few
 @given(tips, exact_layers, shares)
 def test_stiffness_is_the_derivative_exact(tip, body, share):
@@ -314,6 +318,7 @@ def test_integrals(tip, body, share):
     check_integrals(tip, body, share)
 
 
+@pytest.mark.slow
 @few
 @given(st.one_of(simple_tips, flat_ended_tips), exact_layers, shares)
 def test_integrals_exact(tip, body, share):
@@ -325,6 +330,7 @@ def test_surface(tip, body, share):
     check_surface(tip, body, share)
 
 
+@pytest.mark.slow
 @few
 @given(tips, exact_layers, shares)
 def test_surface_exact(tip, body, share):
@@ -336,6 +342,7 @@ def test_superposition(first, second, body, share):
     check_superposition(first, second, body, share)
 
 
+@pytest.mark.slow
 @few
 @given(st.one_of(simple_tips, flat_ended_tips), simple_tips, exact_layers, shares)
 def test_superposition_exact(first, second, body, share):
@@ -421,6 +428,7 @@ def test_adhesive_states(tip, body, work, rule, share):
     check_adhesive_states(tip, body, work, rule, share)
 
 
+@pytest.mark.slow
 @few
 @given(adhesive_tips, exact_layers, works, rules, shares)
 def test_adhesive_states_exact(tip, body, work, rule, share):
@@ -432,6 +440,7 @@ def test_pull_off(tip, body, work, rule, unit):
     check_pull_off(tip, body, work, rule, unit)
 
 
+@pytest.mark.slow
 @few
 @given(adhesive_tips, exact_layers, works, rules, units)
 def test_pull_off_exact(tip, body, work, rule, unit):

@@ -160,7 +160,9 @@ contains
     !> G [modulus] and nu at depth z >= 0.
     pure subroutine constants(self, z, shear, poisson)
         class(graded_body_t), intent(in) :: self
+        !> depth, at least 0 [length]
         real(wp), intent(in) :: z
+        !> G [modulus] and nu [1] there
         real(wp), intent(out) :: shear, poisson
         real(wp) :: young, fraction
         integer :: low, high, middle

@@ -25,6 +25,7 @@ module mdrcontact_body_stack
         real(wp), allocatable :: thickness(:)
         !> what lies below them, unless the base is rigid
         type(material_t) :: substrate
+        !> whether the layers lie on a rigid base; the substrate is then not used
         logical :: rigid_base = .false.
         !> the same with neighbours of one material joined, none if the body is homogeneous: modes, thicknesses [length], shear
         !> moduli relative to the first layer's

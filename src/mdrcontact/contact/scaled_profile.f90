@@ -36,6 +36,7 @@ module mdrcontact_contact_scaled_profile
 
 contains
 
+    !> The profile with zeta(x) g(x) in place of g(x).
     subroutine new_scaled_profile(self, profile, zeta)
         type(scaled_profile_t), intent(out) :: self
         class(profile_t), intent(in) :: profile

@@ -55,6 +55,7 @@ module mdrcontact_field_hankel
 
 contains
 
+    !> Nodes and weights of the integrals over wavenumber, for one load on one body.
     subroutine new_hankel(self, load, layers, along_surface, farthest, last)
         type(hankel_t), intent(out) :: self
         class(load_t), intent(in) :: load
