@@ -136,7 +136,7 @@ contains
         real(wp), allocatable :: coordinates(:)
         real(wp) :: first, last, found
 
-        call coordinate_beyond(contact%equilibrium, largest_depth, last, found, self%solutions, error)
+        call coordinate_beyond(contact%equilibrium, largest_depth, largest_depth, last, found, self%solutions, error)
         if (allocated(error)) return
         if (found < largest_depth) then
             call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" cannot be reached: indenter or "// &

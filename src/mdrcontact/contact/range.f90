@@ -112,10 +112,10 @@ contains
     end function first_coordinate
 
     !> A coordinate at which the depth is at least `depth`, or the last one, and the depth there.
-    subroutine coordinate_beyond(equilibrium, depth, x, found, solutions, error)
+    subroutine coordinate_beyond(equilibrium, depth, scale, x, found, solutions, error)
         type(equilibrium_t), intent(in) :: equilibrium
-        !> not 0; negative only with adhesion
-        real(wp), intent(in) :: depth
+        !> with adhesion of any sign, else > 0; and the depth > 0 of the non-adhesive state from which on it is looked for
+        real(wp), intent(in) :: depth, scale
         real(wp), intent(out) :: x, found
         integer, intent(inout) :: solutions
         type(error_t), allocatable, intent(out) :: error
@@ -125,7 +125,7 @@ contains
 
         last = equilibrium%coordinate_of(equilibrium%last_radius)
         last = last - 4.0_wp*epsilon(1.0_wp)*max(1.0_wp, abs(last))
-        call nonadhesive_coordinate(equilibrium, -700.0_wp, last, abs(depth), abs(depth)*margin, x, found, solutions, error)
+        call nonadhesive_coordinate(equilibrium, -700.0_wp, last, scale, scale*margin, x, found, solutions, error)
         if (allocated(error) .or. .not. equilibrium%work_of_adhesion > 0.0_wp) return
         do step = 1, most_steps
             call equilibrium%at(equilibrium%radius_of(x), state, error)

@@ -58,7 +58,8 @@ contains
         end if
         solutions = 0
         ! an adhesive contact may lie below depth 0 altogether
-        call coordinate_beyond(equilibrium, merge(largest, smallest, largest > 0.0_wp), self%last, found, solutions, error)
+        call coordinate_beyond(equilibrium, largest, max(largest, merge(0.0_wp, abs(smallest), largest > 0.0_wp)), self%last, &
+                               found, solutions, error)
         if (allocated(error)) return
         if (found < largest) then
             if (.not. equilibrium%profile%has_wall()) then
