@@ -3,21 +3,26 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+import warnings
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _layout, _native, _zeta, adhesion
-from ._boundary import FloatOrArray, Handle, address, evaluate, evaluate_all, number, record
+from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record
 from ._value import Value
 from .adhesion import BRANCHES, RULES, Loop, PullOff
-from .errors import ArgumentTypeError
+from .errors import ArgumentTypeError, MDRError, NotOneDiscWarning
 from .medium import Medium
-from .profile import Profile
+from .profile import Paraboloid, Profile
 
 __all__ = ["Contact", "State"]
+
+_NOTICEABLE = 1e-4
+"""A negative pressure of this part of the mean pressure is more than the solver's error."""
 
 
 class State(NamedTuple):
@@ -62,6 +67,7 @@ class Contact(Value):
     work_of_adhesion: float
     adhesion_rule: str
     zeta: _zeta.Table | str | None
+    _looked_at: set[int] | None = field(init=False, repr=False, compare=False)
 
     def __init__(
         self,
@@ -84,6 +90,8 @@ class Contact(Value):
         created = _native.contact_new(indenter._handle.address, medium._handle.address, address(options))
         self._set(_handle=Handle(created, _native.contact_free), indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given)
+        may_open = gamma == 0.0 and getattr(medium, "model", None) == "exact" and not isinstance(indenter, Paraboloid)
+        self._set(_looked_at=set() if may_open else None)
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
         """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.
@@ -172,9 +180,43 @@ class Contact(Value):
         state. Arguments as of `pressure`."""
         return self._field(_layout.FIELD_LINE_LOAD, "x", x, state, depth, force, radius, branch)
 
+    def lowest_pressure(self, state: State) -> tuple[float, float]:
+        """The smallest p(r) [modulus] of one state without adhesion, and its r [length]: 0, at the edge, where none is negative.
+        Below 0 the contact is not one disc and its pressure not that of the true contact (see `NotOneDiscWarning`)."""
+        pressure, r = call(_native.contact_lowest_pressure, self._handle.address, _row_of(state))
+        return float(pressure), float(r)
+
     def _states(self, name: str, given: int, values: ArrayLike, branch: str) -> State:
         chosen = adhesion.code("branch", branch, BRANCHES)
-        return State(*evaluate_all(name, values, lambda v: _native.contact_states(self._handle.address, given, chosen, v)))
+        states = State(*evaluate_all(name, values, lambda v: _native.contact_states(self._handle.address, given, chosen, v)))
+        if self._looked_at is not None:
+            self._look_at(states)
+        return states
+
+    def _look_at(self, states: State) -> None:
+        """Warns where the contact is not one disc: looks at the largest of the states and at some smaller ones, at a radius of
+        about the same size only once."""
+        columns = np.array([np.ravel(column) for column in np.broadcast_arrays(*states)])
+        order = np.argsort(columns[1])
+        for place in order[[-1, len(order) // 2, len(order) // 4]] if len(order) else ():
+            row = columns[:, place]
+            size = round(4.0 * math.log2(row[1])) if row[1] > 0.0 else None
+            if size is None or self._looked_at is None or size in self._looked_at:
+                continue
+            self._looked_at.add(size)
+            try:
+                pressure, r = self.lowest_pressure(State(*(float(value) for value in row)))
+            except MDRError:
+                continue
+            if pressure < -_NOTICEABLE * row[2] / (math.pi * row[1] ** 2):
+                self._set(_looked_at=None)
+                warnings.warn(
+                    f"this contact is not one disc: without adhesion its pressure would be {pressure:.3g} at r = {r:.3g} (contact "
+                    f"radius {row[1]:.3g}). Its pressure is not that of the true contact; F(d) is off by at most a few per cent",
+                    NotOneDiscWarning,
+                    stacklevel=4,
+                )
+                return
 
     def _field(
         self,
@@ -197,5 +239,10 @@ class Contact(Value):
             state = self.at_radius(number("radius", radius))
         if not isinstance(state, State):
             raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State; a radius is given as radius=...")
-        row = [number(f"{member} of the state", value) for member, value in zip(state._fields, state, strict=True)]
+        row = _row_of(state)
         return evaluate(name, points, lambda r: _native.contact_field(self._handle.address, field, row, r))
+
+
+def _row_of(state: State) -> list[float]:
+    """One state as the library takes it."""
+    return [number(f"{member} of the state", value) for member, value in zip(state._fields, state, strict=True)]

@@ -13,6 +13,7 @@ __all__ = [
     "OutOfMemoryError",
     "CallbackError",
     "FileError",
+    "NotOneDiscWarning",
 ]
 
 
@@ -50,6 +51,11 @@ class CallbackError(MDRError, ValueError):
 
 class FileError(MDRError, OSError):
     """A file could not be read or written, or is damaged."""
+
+
+class NotOneDiscWarning(UserWarning):
+    """The pressure of a contact without adhesion is negative somewhere: on this stiff coating the contact is not one disc. Its
+    pressure is not that of the true contact; F(d) is off by at most a few per cent."""
 
 
 _BY_STATUS: dict[int, type[MDRError]] = {

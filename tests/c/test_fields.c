@@ -55,6 +55,10 @@ static void refusals(void)
     }
     CHECK_STATUS(mdr_contact_field(c, 0, &state, 2, r, out), MDR_EINVALID, "field = 0");
     CHECK_STATUS(mdr_contact_field(c, 4, &state, 2, r, out), MDR_EINVALID, "field = 4");
+    CHECK_STATUS(mdr_contact_lowest_pressure(NULL, &state, out, out + 1), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_lowest_pressure(c, NULL, out, out + 1), MDR_ENULL, "state is NULL");
+    CHECK_UNTOUCHED(2, out);
+    CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, NULL, NULL));
     CHECK_STATUS(mdr_contact_states(c, 4, MDR_ON_UNLOADING, 1, r, &state), MDR_EINVALID, "given = 4");
     CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, 3, 1, r, &state), MDR_EINVALID, "branch = 3");
     CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, r, NULL), MDR_ENULL, "out is NULL");

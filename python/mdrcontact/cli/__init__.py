@@ -5,10 +5,12 @@ from __future__ import annotations
 
 import argparse
 import sys
+import warnings
 from collections.abc import Sequence
+from typing import Any
 
 from .. import __version__
-from ..errors import MDRError
+from ..errors import MDRError, NotOneDiscWarning
 from ..problem import ProblemError
 from . import adhesion, compare, curve, example, fit
 from . import map as map_
@@ -38,6 +40,10 @@ exit status:
 """
 
 
+def _warn(message: Warning | str, *_: Any) -> None:
+    print(f"mdrcontact: warning: {message}", file=sys.stderr)
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command; returns its exit status. Faults are told in one line on standard error."""
     parser = argparse.ArgumentParser(
@@ -49,7 +55,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         command.add(subparsers)
     chosen = parser.parse_args(arguments)
     try:
-        chosen.run(chosen)
+        with warnings.catch_warnings():
+            warnings.simplefilter("always", NotOneDiscWarning)
+            warnings.showwarning = _warn  # type: ignore[assignment]
+            chosen.run(chosen)
     except ProblemError as problem:
         return _fail(problem, 2)
     except (MDRError, OutputError) as problem:

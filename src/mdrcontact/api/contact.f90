@@ -18,7 +18,7 @@ module mdrcontact_api_contact
     private
     public :: mdr_contact_options_init, mdr_contact_new
     public :: mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius
-    public :: mdr_contact_states, mdr_contact_field
+    public :: mdr_contact_states, mdr_contact_field, mdr_contact_lowest_pressure
 
     !> struct mdr_contact_options
     type, bind(C) :: c_contact_options_t
@@ -197,5 +197,23 @@ contains
         end if
         status = status_of(error)
     end function mdr_contact_field
+
+    function mdr_contact_lowest_pressure(c, state, pressure, r) result(status) bind(C)
+        type(c_ptr), value :: c
+        type(contact_state_t), intent(in), optional :: state
+        real(c_double), intent(inout), optional :: pressure, r
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        real(c_double) :: lowest, place
+        type(error_t), allocatable :: error
+
+        call open_handle(c, "c", contact, error)
+        call check_given(error, "state", present(state))
+        if (.not. allocated(error)) call contact%lowest_pressure(state, lowest, place, error)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(pressure)) pressure = lowest
+        if (present(r)) r = place
+    end function mdr_contact_lowest_pressure
 
 end module mdrcontact_api_contact

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contacts on stiff coatings that are not one disc: the warning, and where it stays away."""
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mdrcontact as mdr
+
+STIFF = mdr.Coated(mdr.Elastic(100.0, 0.25), 1.0, mdr.Elastic(1.0, 0.3), "exact")
+
+
+def test_states_and_fields_warn_once_for_a_contact() -> None:
+    contact = mdr.Contact(mdr.PowerLaw(4.0, 1.0), STIFF)
+    with pytest.warns(mdr.NotOneDiscWarning, match="at r = 0 .contact radius 2"):
+        state = contact.at_radius(2.0)
+    pressure, r = contact.lowest_pressure(state)
+    assert r == 0.0 and pressure == contact.pressure(0.0, state)
+    assert pressure == pytest.approx(-1.9 * state.force / (4.0 * np.pi), rel=0.05)
+    with pytest.warns(mdr.NotOneDiscWarning):
+        mdr.Contact(mdr.Cone(0.1), STIFF).at_depth(np.linspace(0.0, 1.0, 50))
+    with pytest.warns(mdr.NotOneDiscWarning):
+        mdr.Contact(mdr.FlatPunch(1.5), STIFF).pressure([0.0, 1.0], depth=0.1)
+
+
+def test_no_false_alarms() -> None:
+    soft = STIFF.replace(coating=mdr.Elastic(0.01, 0.25))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for indenter in mdr.Paraboloid(1.0), mdr.Sphere(100.0), mdr.PowerLaw(2.0, 1.0):
+            state = mdr.Contact(indenter, STIFF).at_radius([0.1, 1.0, 3.0, 10.0])
+            assert mdr.Contact(indenter, STIFF).lowest_pressure(state.one(2))[0] == 0.0
+        for indenter in mdr.Cone(0.1), mdr.PowerLaw(4.0, 1.0):
+            mdr.Contact(indenter, soft).at_radius([0.1, 1.0, 3.0, 10.0])
+            mdr.Contact(indenter, STIFF.with_model("gao")).at_radius([0.1, 1.0, 3.0, 10.0])
+            mdr.Contact(indenter, STIFF, work_of_adhesion=0.1).at_radius([1.0, 3.0])
+
+
+def test_the_command_line_warns(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    problem = tmp_path / "problem.toml"
+    problem.write_text(
+        """[indenter]
+shape = "flat-punch"
+radius = "1.5 um"
+[medium]
+type = "coated"
+model = "exact"
+[medium.coating]
+E = "100 GPa"
+nu = 0.25
+thickness = "1 um"
+[medium.substrate]
+E = "1 GPa"
+nu = 0.3
+[compute]
+max_depth = "10 nm"
+points = 3
+"""
+    )
+    from mdrcontact.cli import main
+
+    assert main(["curve", str(problem)]) == 0
+    assert "warning: this contact is not one disc" in capsys.readouterr().err
