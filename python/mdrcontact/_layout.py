@@ -31,6 +31,7 @@ medium_options = np.dtype(
         ("weight_nu_choice", np.intc),
         ("weight_nu", np.float64),
         ("tolerance", np.float64),
+        ("exponent", np.float64),
     ],
     align=True,
 )
@@ -163,6 +164,7 @@ MODEL_HAY_CRAWFORD = 8
 MODEL_DIMITRIADIS = 9
 MODEL_GARCIA = 10
 MODEL_EXACT = 11
+MODEL_GAO_POWER = 12
 
 BASE_ELASTIC = 0
 BASE_ANY = 1
