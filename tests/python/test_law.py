@@ -82,7 +82,7 @@ def test_threads_agree(law):
     ("call", "words"),
     [
         (lambda law: law.force(2e-7), "compiled up to"),
-        (lambda law: law.force([1e-8, np.nan]), "entry 2: depth = NaN"),
+        (lambda law: law.force([1e-8, np.nan]), "entry 2 of depth = NaN"),
         (lambda law: law.force(-np.inf), "^depth = "),
         (lambda law: law.force(1e-8, branch="loding"), "branch = 'loding' .*did you mean 'loading'"),
         (lambda law: law.at_force(-1.0), "cannot be reached"),
