@@ -260,7 +260,8 @@ enum mdr_model {
     MDR_MODEL_BEC = 6,                /**< Bec et al. 2006: film and substrate as springs in series. */
     MDR_MODEL_PERRIOT_BARTHEL = 7,    /**< Perriot, Barthel 2004: a fit to their exact solution. */
     MDR_MODEL_HAY_CRAWFORD = 8,       /**< Hay, Crawford 2011: Gao's weights with the film also acting in parallel. */
-    MDR_MODEL_DIMITRIADIS = 9,        /**< Dimitriadis et al. 2002: layer with nu = 1/2 on a rigid base, for a paraboloid. */
+    MDR_MODEL_DIMITRIADIS = 9,        /**< Dimitriadis et al. 2002: layer with nu = 1/2 on a rigid base, for a paraboloid or a
+                                           sphere and a < h; all else is refused. */
     MDR_MODEL_GARCIA = 10,            /**< Garcia, Garcia 2018: the same with their coefficients. */
     MDR_MODEL_EXACT = 11,             /**< The exact solution of the layered half-space. */
     MDR_MODEL_GAO_POWER = 12          /**< Gao's weights, power mean G_eff = [G1^p + (G0^p - G1^p) I0]^(1/p) between the two. */
@@ -288,12 +289,14 @@ enum mdr_model_base {
 
 /** What a model takes. */
 typedef struct mdr_model_facts {
+    double largest_ratio; /**< It is valid up to this a/h; INFINITY where there is no limit. */
     int base;             /**< One of enum mdr_model_base. */
     int takes_layers;     /**< 1: any number of layers; 0: one coating. */
     int takes_graded;     /**< 1: graded half-spaces too. */
-    int option_is_number; /**< 1: its option is a number that a fit can find. */
+    int spherical_only;   /**< 1: it is valid under a paraboloid or a sphere only. */
     char name[24];        /**< Its name. */
-    char option[24];      /**< The member of mdr_medium_options that concerns it; empty if there is none. */
+    char constant[24];    /**< The member of mdr_medium_options that is a number which a fit can find; empty if there is none. */
+    char option[24];      /**< Another member that concerns it; empty if there is none. */
 } mdr_model_facts;
 
 /** What a model takes.

@@ -14,11 +14,13 @@ failure = np.dtype(
 )
 model_facts = np.dtype(
     [
+        ("largest_ratio", np.float64),
         ("base", np.intc),
         ("takes_layers", np.intc),
         ("takes_graded", np.intc),
-        ("option_is_number", np.intc),
+        ("spherical_only", np.intc),
         ("name", "S24"),
+        ("constant", "S24"),
         ("option", "S24"),
     ],
     align=True,

@@ -156,7 +156,7 @@ contains
                        "indenter's vertical wall, radius "//to_text(wall_radius)//", the depth is free; give depth or force")
         else if (radius > self%equilibrium%last_radius) then
             call raise(error, error_domain, "radius = "//to_text(radius)//" is not allowed: indenter and medium are "// &
-                       "defined up to "//to_text(self%equilibrium%last_radius))
+                       "defined up to "//to_text(self%equilibrium%last_radius)//trim(self%equilibrium%why_it_ends()))
         else if (radius < smallest) then
             call raise(error, error_domain, "radius = "//to_text(radius)//" is not allowed: the medium is defined from "// &
                        to_text(smallest)//" on")
@@ -427,7 +427,7 @@ contains
                        to_text(minval(list%lowest)))
         else
             call raise(error, error_unreachable, what//": the branch ends with the indenter or the medium at "//name//" = "// &
-                       to_text(maxval(list%highest)))
+                       to_text(maxval(list%highest))//trim(self%equilibrium%why_it_ends()))
         end if
     end subroutine adhesive_state
 

@@ -140,7 +140,7 @@ contains
         if (allocated(error)) return
         if (found < largest_depth) then
             call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" cannot be reached: indenter or "// &
-                       "medium end at depth "//to_text(found))
+                       "medium end at depth "//to_text(found)//trim(contact%equilibrium%why_it_ends()))
             return
         end if
         if (contact%is_adhesive()) then

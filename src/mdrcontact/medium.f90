@@ -12,7 +12,10 @@ module mdrcontact_medium
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: medium_t
+    public :: medium_t, reason_length
+
+    !> Room for the words of why_it_ends.
+    integer, parameter :: reason_length = 120
 
     !> An elastic half-space. Concrete media are made by their `new_...` procedures and never change afterwards.
     !> All radii are positive and finite, and at most the profile's largest_radius(): callers check this.
@@ -36,17 +39,21 @@ module mdrcontact_medium
         procedure :: nonadhesive_slope => unknown_slope
         !> depth, force, modulus and its slope at one radius; a medium that finds them together overrides it
         procedure :: response
-        !> whether the medium determines its depth and meets an adhesive edge exactly, with the energy balance; otherwise zeta (9) and
-        !> the rule are choices (theory 4 and 5)
+        !> whether the medium determines its depth and meets an adhesive edge exactly, with the energy balance; otherwise zeta (9)
+        !> and the rule are choices (theory 4 and 5)
         procedure :: edge_is_exact => no
         !> whether a state is a formula, so that it costs less than to wake a thread for it
         procedure :: is_cheap => no
         !> whether E_eff(a) is a formula; elsewhere each value is the solution of a system
         procedure :: has_modulus_formula => no
+        !> raises where the medium does not hold under this indenter
+        procedure :: check_profile => any_profile
         !> radii where E_eff is not analytic, ascending [length]
         procedure :: breaks => no_breaks
         !> the largest contact radius at which the medium is defined [length]; huge() where there is no end
         procedure :: largest_radius => unlimited
+        !> what follows a message that a contact would be larger: why, and what to do; blank where the end was given by the caller
+        procedure :: why_it_ends => nothing_to_say
         !> the smallest one; 0 where there is no end
         procedure :: smallest_radius => zero
     end type medium_t
@@ -136,6 +143,24 @@ contains
         end associate
         slope = -1.0_wp
     end function unknown_slope
+
+    pure subroutine any_profile(self, profile, error)
+        class(medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => self, also_unused => profile, unused_too => error)
+        end associate
+    end subroutine any_profile
+
+    pure function nothing_to_say(self) result(words)
+        class(medium_t), intent(in) :: self
+        character(len=reason_length) :: words
+
+        associate (unused => self)
+        end associate
+        words = ""
+    end function nothing_to_say
 
     pure function no(self) result(answer)
         class(medium_t), intent(in) :: self

@@ -36,10 +36,12 @@ module mdrcontact_profile
         procedure :: end_radius => zero
         !> radii at which f is not analytic, ascending, in (0, largest_radius()); quadrature is split there
         procedure :: break_radii => none
-        !> where a search for the contact radius at a depth begins: the inverse of g if it has a closed form [length]; negative if not
+        !> where a search for the contact radius at a depth begins: the inverse of g if it has a closed form [length]; else negative
         procedure :: radius_from_mdr => no_inverse
         !> g as a sum of powers c x^s where it is one
         procedure :: powers => no_powers
+        !> whether it is a paraboloid, or a sphere, which is one near its axis
+        procedure :: is_spherical
     end type profile_t
 
     abstract interface
@@ -110,6 +112,15 @@ contains
         end associate
         allocate (exponents(0), coefficients(0))
     end subroutine no_powers
+
+    pure function is_spherical(self) result(answer)
+        class(profile_t), intent(in) :: self
+        logical :: answer
+        real(wp), allocatable :: exponents(:), coefficients(:)
+
+        call self%powers(exponents, coefficients)
+        answer = size(exponents) > 0 .and. all(exponents == 2.0_wp)
+    end function is_spherical
 
     !> sqrt(x^2 - b^2) without cancellation, 0 for x <= b: the root that every flat end and tangent point brings into g(x).
     elemental function root_beyond(x, b) result(root)

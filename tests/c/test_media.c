@@ -266,6 +266,7 @@ static void bottom_effect(void)
     const double E = 2.0, h = 0.5, R = 3.0, chi = 0.8;
     const double series[2][5] = {{1, 1.133, 1.283, 0.769, 0.0975}, {1, 1.133, 1.497, 1.469, 0.755}};
     const double depth[1] = {(chi * h) * (chi * h) / R};
+    const double too_far[1] = {1.02 * h}, too_deep[1] = {1.04 * h * h / R}, too_much[1] = {100.0};
     const double hertz = 4.0 / 3.0 * E / 0.75 * sqrt(R) * pow(depth[0], 1.5);
 
     for (int i = 0; i < 2; i++) {
@@ -280,8 +281,20 @@ static void bottom_effect(void)
         CHECK_STATUS(mdr_medium_coated(E, 0.4, h, INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "coating nu = 0.4");
         CHECK_STATUS(mdr_medium_coated(E, 0.5, 0.0, INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "thickness = 0");
         CHECK_SUCCESS(mdr_medium_coated(E, 0.5, h, INFINITY, 0.0, model, NULL, &m));
+        CHECK_SUCCESS(mdr_profile_cone(0.3, &p));
+        CHECK_STATUS(mdr_contact_new(p, m, NULL, &c), MDR_EINVALID, "series for a paraboloid or a sphere; take the model exact");
+        CHECK_SUCCESS(mdr_profile_free(&p));
+        CHECK_SUCCESS(mdr_profile_sphere(R, &p));
+        CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+        CHECK_SUCCESS(mdr_contact_free(&c));
+        CHECK_SUCCESS(mdr_profile_free(&p));
         CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
         CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+        CHECK_STATUS(mdr_medium_modulus(m, 1, too_far, F), MDR_EDOMAIN, "defined up to 0.5; the models dimitriadis and garcia");
+        CHECK_STATUS(mdr_contact_from_radius(c, 1, too_far, NULL, NULL, F, NULL), MDR_EDOMAIN,
+                     "defined up to 0.5; the models dimitriadis and garcia hold for a < h: take the model exact");
+        CHECK_STATUS(mdr_contact_from_depth(c, 1, too_deep, NULL, NULL, F, NULL), MDR_EUNREACHABLE, "garcia hold for a < h");
+        CHECK_STATUS(mdr_contact_from_force(c, 1, too_much, F, NULL, NULL, NULL), MDR_EUNREACHABLE, "garcia hold for a < h");
         CHECK_SUCCESS(mdr_contact_from_depth(c, 1, depth, NULL, NULL, F, NULL));
         for (int k = 4; k >= 0; k--) expected = expected * chi + series[i][k];
         CHECK_CLOSE(F[0], hertz * expected, 1e-10);
@@ -294,14 +307,28 @@ static void bottom_effect(void)
 /* The names of the table of models, both ways. */
 static void model_names(void)
 {
+    mdr_model_facts facts;
     char name[20] = "untouched";
     int model = -1;
 
-    for (int i = MDR_MODEL_GAO; i <= MDR_MODEL_EXACT; i++) {
+    for (int i = MDR_MODEL_GAO_POWER; i >= MDR_MODEL_GAO; i--) {
         CHECK_SUCCESS(mdr_model_name(i, 20, name));
         CHECK_SUCCESS(mdr_model_from_name(name, &model));
         CHECK_TRUE(model == i);
+        CHECK_SUCCESS(mdr_model_info(i, &facts));
+        CHECK_TRUE(strcmp(facts.name, name) == 0);
+        CHECK_TRUE(facts.spherical_only == (i == MDR_MODEL_DIMITRIADIS || i == MDR_MODEL_GARCIA));
+        CHECK_TRUE(facts.largest_ratio == (facts.spherical_only ? 1.0 : INFINITY));
+        CHECK_TRUE(facts.base == (facts.spherical_only ? MDR_BASE_RIGID : i == MDR_MODEL_EXACT ? MDR_BASE_ANY : MDR_BASE_ELASTIC));
     }
+    CHECK_SUCCESS(mdr_model_info(MDR_MODEL_GAO_POWER, &facts));
+    CHECK_TRUE(strcmp(facts.constant, "exponent") == 0 && strcmp(facts.option, "weight_nu") == 0);
+    CHECK_TRUE(facts.takes_layers == 1 && facts.takes_graded == 1);
+    CHECK_SUCCESS(mdr_model_info(MDR_MODEL_EXACT, &facts));
+    CHECK_TRUE(strcmp(facts.constant, "") == 0 && strcmp(facts.option, "tolerance") == 0);
+    CHECK_STATUS(mdr_model_info(-1, &facts), MDR_EINVALID, "model = -1");
+    CHECK_STATUS(mdr_model_info(0, NULL), MDR_ENULL, "facts is NULL");
+    CHECK_SUCCESS(mdr_model_name(MDR_MODEL_EXACT, 20, name));
     CHECK_TRUE(strcmp(name, "exact") == 0);
     CHECK_SUCCESS(mdr_model_from_name("mencik-exponential", &model));
     CHECK_TRUE(model == MDR_MODEL_MENCIK_EXPONENTIAL);

@@ -50,6 +50,7 @@ def every_medium() -> list[mdr.Medium]:
         *(mdr.Coated(OXIDE, 5e-7, SILICON, model) for model in ELASTIC_MODELS),
         mdr.Coated(OXIDE, 5e-7, SILICON, "gao", weight_nu=0.3),
         mdr.Coated(OXIDE, 5e-7, SILICON, "gao-series", weight_nu="effective"),
+        mdr.Coated(OXIDE, 5e-7, SILICON, "gao-power", exponent=-0.3, weight_nu="effective"),
         mdr.Coated(OXIDE, 5e-7, SILICON, "doerner-nix", alpha=0.9),
         mdr.Coated(OXIDE, 5e-7, SILICON, "wave", wave_factor=2.0),
         mdr.Coated(OXIDE, 5e-7, SILICON, "exact"),
@@ -69,7 +70,6 @@ def every_medium() -> list[mdr.Medium]:
 ELASTIC_MODELS = (
     "gao",
     "gao-series",
-    "gao-power",
     "doerner-nix",
     "wave",
     "mencik-exponential",
@@ -77,6 +77,7 @@ ELASTIC_MODELS = (
     "bec",
     "perriot-barthel",
     "hay-crawford",
+    "gao-power",
 )
 """The models of a coating on an elastic substrate."""
 

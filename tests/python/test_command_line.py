@@ -4,6 +4,7 @@
 import csv
 import io
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -214,7 +215,12 @@ def test_layered_and_graded_media_are_compared(problem, capsys):
 def test_the_nearly_rigid_base_is_marked(tmp_path, capsys):
     assert main(["compare", str(ROOT / "examples" / "problems" / "pdms_on_glass.toml")]) == 0
     out = capsys.readouterr().out
-    assert "garcia (rigid base)" in out and "dimitriadis (rigid base)" in out
+    assert "garcia (rigid base)" in out and "dimitriadis (rigid base)" in out and "left out" not in out
+    text = (ROOT / "examples" / "problems" / "pdms_on_glass.toml").read_text(encoding="utf-8").replace('"4 um"', '"10 um"')
+    (tmp_path / "deep.toml").write_text(text, encoding="utf-8")
+    assert main(["compare", str(tmp_path / "deep.toml")]) == 0
+    out = capsys.readouterr().out
+    assert re.search(r"left out: garcia \(rigid base\): .* hold for a < h: take the model exact", out)
 
 
 @pytest.mark.parametrize("rows", ["1", "3", "1000"])

@@ -52,6 +52,7 @@ INVALID = [
     (lambda: mdr.Coated(OXIDE, 1.0, mdr.RIGID, "gao"), r"."),
     (lambda: mdr.Coated(RUBBER, 1.0, OXIDE, "garcia"), r"rigid base"),
     (lambda: mdr.Coated(OXIDE, 1.0, mdr.RIGID, "garcia"), r"nu = 0.17"),
+    (lambda: mdr.Contact(mdr.Cone(0.1), mdr.Coated(RUBBER, 1.0, mdr.RIGID, "garcia")), r"for a paraboloid or a sphere; take the"),
     (lambda: mdr.Layered([], SILICON), r"layers is not allowed: it is empty"),
     (lambda: mdr.Layered([(OXIDE, -1.0)], SILICON), r"thickness.* = -1 "),
     (lambda: mdr.Layered([(OXIDE, 1.0)], SILICON, "bec"), r"model = 'bec' is not allowed"),
@@ -130,6 +131,26 @@ def test_states_that_do_not_exist(coated):
         with pytest.raises(mdr.UnreachableError, match=words) as caught:
             make()
         assert isinstance(caught.value, ValueError)
+
+
+def test_models_outside_their_range():
+    """The series of dimitriadis and garcia: under a paraboloid or a sphere, a < h."""
+    for model in "dimitriadis", "garcia":
+        layer = mdr.Coated(RUBBER, 1.0, mdr.RIGID, model)
+        with pytest.raises(mdr.DomainError, match=r"^a = 1.1 .* hold for a < h: take the model exact"):
+            layer.modulus(1.1)
+        for tip in mdr.Paraboloid(9.0), mdr.Sphere(9.0):
+            contact = mdr.Contact(tip, layer)
+            assert contact.at_depth(0.1).radius < 1.0
+            with pytest.raises(mdr.UnreachableError, match=r"^depth = 0.12 .* hold for a < h: take the model exact"):
+                contact.at_depth(0.12)
+        adhesive = mdr.Contact(tip, layer, work_of_adhesion=1e-3 * RUBBER.E)
+        with pytest.raises(mdr.UnreachableError, match=r"^depth = 0.12 .* hold for a < h: take the model exact"):
+            adhesive.at_depth(0.12)
+        for tip in mdr.Cone(0.1), mdr.FlatPunch(0.5), mdr.PowerLaw(4.0, 1.0), mdr.Paraboloid(9.0) + mdr.Cone(0.1):
+            with pytest.raises(mdr.InvalidArgumentError, match="for a paraboloid or a sphere; take the model exact"):
+                mdr.Contact(tip, layer)
+        mdr.Contact(mdr.PowerLaw(2.0, 0.1) + mdr.Paraboloid(9.0), layer)
 
 
 def test_points_outside_the_domain(coated):

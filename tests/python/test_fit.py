@@ -40,7 +40,7 @@ EVERY = [
     (BALL, mdr.Layered([(OXIDE, 2e-7), (SILICON, 3e-7)], OXIDE, "exact"), ["layers[0].E", "layers[1].E"]),
     (BALL, mdr.PowerLawGraded(70e9, 1e-6, 0.3, 0.2), ["E0", "exponent"]),
     (BALL, mdr.Graded([0.0, 1e-6], [72e9, 160e9], 0.2, "gao"), ["E[0]", "E[1]"]),
-    (BALL, mdr.Coated(mdr.Elastic(2e6, 0.5), 1e-6, mdr.RIGID, "garcia"), ["coating.E", "thickness"]),
+    (BALL, mdr.Coated(mdr.Elastic(2e6, 0.5), 4e-6, mdr.RIGID, "garcia"), ["coating.E", "thickness"]),
     (BALL, FILM, ["coating.E", "frame_compliance"]),
 ]
 

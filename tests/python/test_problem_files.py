@@ -236,8 +236,8 @@ MEDIA = [
         mdr.Coated(_SOFT, 1e-6, _HARD, "gao", weight_nu="effective"),
     ),
     (
-        {"type": "coated", "model": "garcia", "coating": {**SOFT, "thickness": "1 um"}, "substrate": "rigid"},
-        mdr.Coated(_SOFT, 1e-6, mdr.RIGID, "garcia"),
+        {"type": "coated", "model": "garcia", "coating": {**SOFT, "thickness": "4 um"}, "substrate": "rigid"},
+        mdr.Coated(_SOFT, 4e-6, mdr.RIGID, "garcia"),
     ),
     (
         {"type": "layered", "layer": [{**SOFT, "thickness": "1 um"}, {**HARD, "thickness": "2 um"}], "substrate": SOFT},

@@ -32,15 +32,15 @@ class Coated(UnderModel):
     substrate : Elastic(E, nu); RIGID for the models "exact", "dimitriadis", "garcia"
     model : how E_eff(a) is found; the default is the exact solution
         "gao" (12)-(15), "gao-series"           options: weight_nu = "surface" (default), "substrate", "effective" or a number
-        "gao-power"                             options: exponent = -0.65, of the mean between 1 ("gao") and -1 ("gao-series")
+        "gao-power"                             options: exponent = -0.65, of the mean: 1 is "gao", -1 "gao-series"; weight_nu
         "doerner-nix" (11)                      options: alpha = 1
         "wave" (19), (20)                       options: wave_factor = pi/2
         "mencik-exponential", "mencik-reciprocal"   options: alpha = 1
         "bec"                                   Bec et al. 2006
         "perriot-barthel"                       Perriot, Barthel 2004
         "hay-crawford"                          Hay, Crawford 2011
-        "dimitriadis", "garcia"                 incompressible layer on a rigid base under a paraboloid: Dimitriadis et al. 2002,
-                                                Garcia, Garcia 2018
+        "dimitriadis", "garcia"                 incompressible layer on a rigid base, a < h, paraboloid or sphere, else refused:
+                                                Dimitriadis et al. 2002, Garcia, Garcia 2018
         "exact"                                 options: tolerance = 1e-10, relative, 1e-12 to 1e-2
 
     The indenter is rigid. (With an elastic one, both compliances would add up only approximately: see `Homogeneous`.)

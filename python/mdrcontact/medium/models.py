@@ -36,11 +36,11 @@ def _models() -> Iterator[tuple[str, Model]]:
         facts = record(_layout.model_facts)
         if _native.model_info(code, address(facts)):
             return
-        base, layers, graded, has_constant, name, option = facts[0].tolist()
-        words = option.decode()
-        options = (words,) if words else ()
+        _, base, layers, graded, _, name, *options = facts[0].tolist()
+        constant, option = (words.decode() for words in options)
+        options = tuple(words for words in (constant, option) if words)
         rigid = base == _layout.BASE_RIGID, base != _layout.BASE_ELASTIC
-        yield name.decode(), Model(code, options, words * has_constant, *rigid, bool(layers), bool(graded))
+        yield name.decode(), Model(code, options, constant, *rigid, bool(layers), bool(graded))
 
 
 MODELS: Mapping[str, Model] = dict(sorted(_models(), key=lambda entry: entry[0] == "exact"))

@@ -99,12 +99,17 @@ contains
     end subroutine check_each_not_negative
 
     !> Raises unless smallest <= values <= largest, where `whose` is defined.
-    pure subroutine check_each_within(error, name, values, smallest, largest, whose)
+    pure subroutine check_each_within(error, name, values, smallest, largest, whose, reason)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name, whose
         real(c_double), intent(in) :: values(:), smallest, largest
+        !> what follows where a value is too large
+        character(len=*), intent(in), optional :: reason
+        character(len=:), allocatable :: end_words
         integer :: i
 
+        end_words = ""
+        if (present(reason)) end_words = reason
         do i = 1, size(values)
             if (values(i) < smallest) then
                 call raise(error, error_domain, " = "//to_text(values(i))//" is not allowed: "//whose//" is defined from "// &
@@ -112,7 +117,7 @@ contains
                 return
             else if (values(i) > largest) then
                 call raise(error, error_domain, " = "//to_text(values(i))//" is not allowed: "//whose//" is defined up to "// &
-                           to_text(largest), name, i)
+                           to_text(largest)//end_words, name, i)
                 return
             end if
         end do

@@ -89,7 +89,8 @@ contains
         call check_in_out(error, n, "a", present(a), has_out)
         if (allocated(error) .or. n == 0) return
         call check_each_positive(error, "a", a(:n))
-        call check_each_within(error, "a", a(:n), medium%smallest_radius(), medium%largest_radius(), "the medium")
+        call check_each_within(error, "a", a(:n), medium%smallest_radius(), medium%largest_radius(), "the medium", &
+                               trim(medium%why_it_ends()))
         if (allocated(error)) return
         allocate (modulus(n), stat=stat)
         call check_memory(error, stat)

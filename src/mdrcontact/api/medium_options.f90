@@ -1,10 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The optional settings of a medium, `mdr_medium_options`, and the names of the models, for C.
 module mdrcontact_api_medium_options
-    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_null_char, c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_loc, c_null_char, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_kinds, only: wp
     use mdrcontact_model, only: find_model, model_options_t, model_position, model_table
     implicit none (type, external)
     private
@@ -22,8 +24,9 @@ module mdrcontact_api_medium_options
 
     !> struct mdr_model_facts
     type, bind(C) :: c_model_facts_t
-        integer(c_int) :: base, takes_layers, takes_graded, option_is_number
-        character(kind=c_char) :: name(name_room), option(name_room)
+        real(c_double) :: largest_ratio
+        integer(c_int) :: base, takes_layers, takes_graded, spherical_only
+        character(kind=c_char) :: name(name_room), constant(name_room), option(name_room)
     end type c_model_facts_t
 
 contains
@@ -81,8 +84,11 @@ contains
             facts%base = int(row%base, c_int)
             facts%takes_layers = merge(1_c_int, 0_c_int, row%layers)
             facts%takes_graded = merge(1_c_int, 0_c_int, row%graded)
-            facts%option_is_number = merge(1_c_int, 0_c_int, row%has_constant)
+            facts%spherical_only = merge(1_c_int, 0_c_int, row%spherical_only)
+            facts%largest_ratio = row%largest_ratio
+            if (row%largest_ratio >= huge(1.0_wp)) facts%largest_ratio = ieee_value(1.0_c_double, ieee_positive_inf)
             call write_name(row%name, facts%name)
+            call write_name(row%constant, facts%constant)
             call write_name(row%option, facts%option)
         end associate
     end function mdr_model_info

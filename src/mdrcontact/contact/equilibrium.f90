@@ -9,7 +9,7 @@ module mdrcontact_contact_equilibrium
     use mdrcontact_contact_scaled_profile, only: new_scaled_profile, scaled_profile_t
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium, only: medium_t, reason_length
     use mdrcontact_numerics_quadrature, only: merged_breaks
     use mdrcontact_numerics_radius_law, only: radius_law_t
     use mdrcontact_profile, only: profile_t
@@ -44,6 +44,7 @@ module mdrcontact_contact_equilibrium
         procedure :: breaks
         procedure :: radius_of
         procedure :: coordinate_of
+        procedure :: why_it_ends
     end type equilibrium_t
 
 contains
@@ -60,6 +61,8 @@ contains
         type(radius_law_t), allocatable, intent(in), optional :: zeta
         type(scaled_profile_t) :: scaled
 
+        call medium%check_profile(profile, error)
+        if (allocated(error)) return
         if (profile%end_radius() > medium%largest_radius()) then
             call raise(error, error_domain, "the indenter's flat end, radius "//to_text(profile%end_radius())// &
                        ", is larger than the largest contact radius of the medium, "//to_text(medium%largest_radius()))
@@ -173,6 +176,15 @@ contains
 
         x = log(max(radius - self%profile%end_radius(), tiny(1.0_wp)))
     end function coordinate_of
+
+    !> What follows a message that the last radius would be passed.
+    pure function why_it_ends(self) result(words)
+        class(equilibrium_t), intent(in) :: self
+        character(len=reason_length) :: words
+
+        words = ""
+        if (self%last_radius >= self%medium%largest_radius()) words = self%medium%why_it_ends()
+    end function why_it_ends
 
     !> How far the contact radius goes: to a vertical wall, or a hair below the profile's end, which may be a vertical tangent that
     !> media with a unit of length of their own must not reach by rounding; far below the end of the number range.

@@ -125,7 +125,7 @@ contains
             step = findloc(list(current + 1:)%lowest <= from .and. from <= list(current + 1:)%highest, .true., dim=1)
             if (step == 0) then
                 call raise(error, error_unreachable, "the position where the motion turns back cannot be reached: the indenter "// &
-                           "or the medium ends before")
+                           "or the medium ends before"//trim(contact%equilibrium%why_it_ends()))
                 return
             end if
             current = current + step

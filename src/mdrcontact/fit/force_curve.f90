@@ -64,7 +64,7 @@ contains
         if (found < largest) then
             if (.not. equilibrium%profile%has_wall()) then
                 call raise(error, error_unreachable, "depth = "//to_text(largest)//" cannot be reached: the indenter or the "// &
-                           "medium ends at depth "//to_text(found))
+                           "medium ends at depth "//to_text(found)//trim(equilibrium%why_it_ends()))
                 return
             end if
             allocate (self%wall)

@@ -3,21 +3,27 @@
 !>
 !> The published series are for the force, F/F_Hertz = S(chi) = 1 + c1 chi + c2 chi^2 + c3 chi^3 + c4 chi^4
 !> with chi = sqrt(R d)/h. With a = sqrt(R d), as for a homogeneous body, they are the effective modulus
-!> E_eff = E* [S + (chi/3) S'], chi = a/h, which gives back the published force for a paraboloid.
+!> E_eff = E* [S + (chi/3) S'], chi = a/h, which gives back the published force for a paraboloid, and nearly so for a sphere with
+!> a << R. They hold for chi < 1, and under no other indenter.
 !> Dimitriadis, Horkay, Maresca, Kachar, Chadwick, Biophys. J. 82 (2002) 2798; Garcia, Garcia, Biophys. J. 114 (2018) 2923.
 module mdrcontact_medium_bottom_effect
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
+    use mdrcontact_medium, only: reason_length
     use mdrcontact_medium_effective, only: effective_medium_t
+    use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: bottom_effect_t, new_bottom_effect, dimitriadis_series, garcia_series
+    public :: bottom_effect_t, new_bottom_effect, dimitriadis_series, garcia_series, bottom_effect_ratio
 
     !> c0 ... c4 of Dimitriadis et al. 2002
     real(wp), parameter :: dimitriadis_series(0:4) = [1.0_wp, 1.133_wp, 1.283_wp, 0.769_wp, 0.0975_wp]
     !> c0 ... c4 of Garcia and Garcia 2018
     real(wp), parameter :: garcia_series(0:4) = [1.0_wp, 1.133_wp, 1.497_wp, 1.469_wp, 0.755_wp]
+
+    !> largest a/h
+    real(wp), parameter :: bottom_effect_ratio = 1.0_wp
 
     !> An incompressible layer on a rigid base.
     type, extends(effective_medium_t) :: bottom_effect_t
@@ -29,6 +35,9 @@ module mdrcontact_medium_bottom_effect
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
+        procedure :: check_profile
+        procedure :: largest_radius
+        procedure :: why_it_ends
     end type bottom_effect_t
 
 contains
@@ -55,6 +64,34 @@ contains
         self%thickness = thickness
         self%coefficients = series*[(1.0_wp + k/3.0_wp, k=0, 4)]
     end subroutine new_bottom_effect
+
+    pure subroutine check_profile(self, profile, error)
+        class(bottom_effect_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => self)
+        end associate
+        if (profile%is_spherical()) return
+        call raise(error, error_invalid, "this indenter is not allowed: the models dimitriadis and garcia are series for a "// &
+                   "paraboloid or a sphere; take the model exact for any other")
+    end subroutine check_profile
+
+    pure function largest_radius(self) result(radius)
+        class(bottom_effect_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = bottom_effect_ratio*self%thickness
+    end function largest_radius
+
+    pure function why_it_ends(self) result(words)
+        class(bottom_effect_t), intent(in) :: self
+        character(len=reason_length) :: words
+
+        associate (unused => self)
+        end associate
+        words = "; the models dimitriadis and garcia hold for a < h: take the model exact for larger contacts"
+    end function why_it_ends
 
     elemental function effective_modulus(self, a) result(value)
         class(bottom_effect_t), intent(in) :: self

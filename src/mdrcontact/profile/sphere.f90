@@ -21,6 +21,7 @@ module mdrcontact_profile_sphere
         procedure :: mdr_moment
         procedure :: largest_radius
         procedure :: singular_radius => largest_radius
+        procedure :: is_spherical
     end type sphere_t
 
 contains
@@ -98,5 +99,14 @@ contains
 
         radius = self%radius
     end function largest_radius
+
+    pure function is_spherical(self) result(answer)
+        class(sphere_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .true.
+    end function is_spherical
 
 end module mdrcontact_profile_sphere
