@@ -10,6 +10,7 @@ source tools/system_packages.sh
 source tools/python_environment.sh
 
 build=build/tests
+shared_build=$build # for pip: the library is compiled once
 results=build/results
 jobs=$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 2)
 export CMAKE_GENERATOR=Ninja # for the projects that the tests configure, too: a bare machine has no make
@@ -73,7 +74,7 @@ fi
 .venv/bin/python -m pytest --junitxml="$results/pytest.xml" -o junit_family=xunit2
 
 say "6/6 Packages"
-on_macos || check packages tools/check_packages.sh
+on_macos || check packages tools/check_packages.sh "$wheel_dir"/*.whl
 
 say "Summary, after $SECONDS s"
 .venv/bin/python tools/summarize_tests.py "$results" ctest pytest

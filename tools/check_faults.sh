@@ -12,14 +12,18 @@ build=build/faults
 jobs=$(nproc 2> /dev/null || echo 2)
 export CMAKE_GENERATOR=Ninja OPENBLAS_NUM_THREADS=1
 
-# build_and_test NAME C_FLAGS FORTRAN_FLAGS CTEST_ARGUMENTS...
+# build_and_test NAME C_FLAGS FORTRAN_FLAGS TARGETS CTEST_ARGUMENTS...
 build_and_test() {
-    local name=$1 c_flags=$2 fortran_flags=$3
-    shift 3
+    local name=$1 c_flags=$2 fortran_flags=$3 targets
+    read -ra targets <<< "$4"
+    shift 4
     mkdir -p "$build"
     cmake -S . -B "$build/$name" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS="$c_flags" -DCMAKE_CXX_FLAGS="$c_flags" \
-        -DCMAKE_Fortran_FLAGS="$fortran_flags" > "$build/$name.log"
-    cmake --build "$build/$name" --parallel "$jobs" >> "$build/$name.log" || { tail -n 40 "$build/$name.log"; return 1; }
+        -DCMAKE_Fortran_FLAGS="$fortran_flags" -DMDRCONTACT_BUILD_EXAMPLES=OFF > "$build/$name.log"
+    cmake --build "$build/$name" --parallel "$jobs" --target "${targets[@]}" >> "$build/$name.log" || {
+        tail -n 40 "$build/$name.log"
+        return 1
+    }
     ctest --test-dir "$build/$name" --parallel "$jobs" --output-on-failure --no-tests=error "$@"
 }
 
@@ -27,29 +31,29 @@ build_and_test() {
 # a malloc and c_binary counts the static data of the library alone.
 without="valgrind|helgrind|export|c_memory|c_binary"
 
-# check_address CTEST_ARGUMENTS...
+# check_address TARGETS CTEST_ARGUMENTS...
 check_address() {
     local flags="-g -O2 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
     ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
-        build_and_test address "$flags" "$flags" -E "$without" "$@"
+        build_and_test address "$flags" "$flags" "$@" -E "$without"
 }
 
 # Only Fortran programs set traps. Left out: test_layered_and_graded takes the root of a negative number on purpose, and
 # test_adhesion asks for works of adhesion at the ends of the number range, where the overflow is what the library reports.
 check_traps() {
     build_and_test traps "-g -O1" "-g -O2 -fcheck=all,no-recursion -ffpe-trap=invalid,zero,overflow -finit-real=snan" \
-        -L "unit" -E "^(test_layered_and_graded|test_adhesion)$"
+        all -L "unit" -E "^(test_layered_and_graded|test_adhesion)$"
 }
 
 check_thread() {
-    build_and_test thread "-g -O2" "-g -O2" -R "helgrind"
+    build_and_test thread "-g -O2" "-g -O2" tests/c/all -R "helgrind"
 }
 
 case ${1:-all} in
-    address) check_address ;;
-    quick) check_address -R "^(c_|fuzz_replay)" ;;
+    address) check_address all ;;
+    quick) check_address "tests/c/all tests/fuzz/all" -R "^(c_|fuzz_replay)" ;;
     traps) check_traps ;;
     thread) check_thread ;;
-    all) check_address && check_traps && check_thread ;;
+    all) check_address all && check_traps && check_thread ;;
     *) sed -n '3,7s/^# //p' "${BASH_SOURCE[0]}" && exit 2 ;;
 esac

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The packages as their users get them: ./tools/check_packages.sh
+# The packages as their users get them: ./tools/check_packages.sh [WHEEL]
 # Source package, unpacked in an empty place; a wheel from it, made self-contained by auditwheel; installed with what it declares in
 # an empty environment; the smoke test there, on a machine that seems to have no compiler, GSL, LAPACK or gfortran.
+# A WHEEL that was made from this folder saves compiling another: the source package holds the same files.
 # Linux only. Needs what quickstart.sh installs. The packages are left in build/packages.
 set -euo pipefail
+[[ -z ${1:-} ]] || wheel=$(realpath "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 log_dir=build/logs
 source tools/messages.sh
@@ -35,12 +37,15 @@ note "source package"
 with_progress "$log_dir/packages-sdist.log" "$tools/python" -m build --sdist --outdir "$packages" . || give_up "No source package."
 sdist=$(echo "$packages"/mdrcontact-*.tar.gz)
 
-note "wheel from the source package"
-tar -xzf "$sdist" -C "$place"
-(cd "$place"/mdrcontact-* &&
-    with_progress "$root/$log_dir/packages-wheel.log" "$tools/python" -m pip wheel --disable-pip-version-check --no-deps \
-        --wheel-dir "$place" .) || give_up "The source package does not build."
-PATH=$tools:$PATH with_progress "$log_dir/packages-repair.log" "$tools/auditwheel" repair --wheel-dir "$packages" "$place"/*.whl ||
+if [[ -z ${wheel:-} ]]; then
+    note "wheel from the source package"
+    tar -xzf "$sdist" -C "$place"
+    (cd "$place"/mdrcontact-* &&
+        with_progress "$root/$log_dir/packages-wheel.log" "$tools/python" -m pip wheel --disable-pip-version-check --no-deps \
+            --wheel-dir "$place" .) || give_up "The source package does not build."
+    wheel=$(echo "$place"/*.whl)
+fi
+PATH=$tools:$PATH with_progress "$log_dir/packages-repair.log" "$tools/auditwheel" repair --wheel-dir "$packages" "$wheel" ||
     give_up "auditwheel could not put the libraries into the wheel."
 wheel=$(echo "$packages"/mdrcontact-*.whl)
 "$tools/python" tools/add_licences.py "$wheel"

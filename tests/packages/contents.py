@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is in the packages: contents.py ROOT SDIST WHEEL.
 
-Both hold the licence and all of the library's sources or modules, and nothing that a build or a run left behind; the source package
+Both hold the licence and all of the library's sources or modules, and nothing that a build or a run left behind. What a wheel is
+built from is the same in the source package and in ROOT, so that a wheel of one is a wheel of the other; and the source package
 holds no file that is not under version control, where ROOT is.
 """
 
@@ -14,6 +15,7 @@ import zipfile
 from pathlib import Path
 
 JUNK = re.compile(r"(^|/)(build[^/]*|\.venv|output|__pycache__|\.git|[^/]*\.egg-info)/|\.(o|a|mod|smod|pyc|orig|rej|log)$|~$")
+BUILT_FROM = ("cmake", "include", "src", "python", "examples/problems")
 
 
 def complain(package, what, names):
@@ -28,13 +30,18 @@ def under(root, *patterns):
 
 
 def source_names(sdist):
-    """Names in a source package, without its one top folder."""
+    """Names in a source package, without its one top folder, with their content."""
     with tarfile.open(sdist) as archive:
-        names = {name for name in archive.getnames() if not archive.getmember(name).isdir()}
+        names = {member.name: archive.extractfile(member).read() for member in archive.getmembers() if member.isfile()}
     tops = {name.split("/")[0] for name in names}
     if len(tops) != 1:
         sys.exit(f"{sdist.name}: one top folder is meant, found {sorted(tops)}")
-    return {name.split("/", 1)[1] for name in names}
+    return {name.split("/", 1)[1]: content for name, content in names.items()}
+
+
+def junk(name):
+    """Whether no source package holds such a file."""
+    return JUNK.search(name) or name.endswith(".so")
 
 
 def versioned(root):
@@ -47,15 +54,16 @@ def versioned(root):
 
 
 def check_source(root, sdist):
-    """All of the sources, the licence, no junk."""
+    """All that a build needs, with the content that it has in ROOT; the licence; no junk."""
     names = source_names(sdist)
-    wanted = {"LICENSE", "README.md", "CHANGELOG.md", "CMakeLists.txt", "pyproject.toml", "include/mdrcontact.h"}
-    wanted |= under(root, "src/**/*.f90", "src/**/*.inc", "src/**/*.c", "python/src/*.py", "python/mdrcontact/**/*.py")
-    complain(sdist, "missing", wanted - names)
-    complain(sdist, "not meant to be there", {name for name in names if JUNK.search(name) or name.endswith(".so")})
+    wanted = {"LICENSE", "README.md", "CHANGELOG.md", "CMakeLists.txt", "pyproject.toml"}
+    wanted |= {name for name in under(root, *(f"{folder}/**/*.*" for folder in BUILT_FROM)) if not junk(name)}
+    complain(sdist, "missing", wanted - set(names))
+    complain(sdist, "not meant to be there", {name for name in names if junk(name)})
+    complain(sdist, "not as in the folder", {name for name in wanted if names[name] != (root / name).read_bytes()})
     listed = versioned(root)
     if listed:
-        complain(sdist, "not under version control", names - listed - {"PKG-INFO"})
+        complain(sdist, "not under version control", set(names) - listed - {"PKG-INFO"})
     print(f"   {sdist.name}: {len(names)} files, {sdist.stat().st_size / 1e6:.1f} MB")
 
 
