@@ -197,7 +197,7 @@ def main():
         found = f"{seconds:.2f} | {error:.1e}" if seconds else f"no result within {LIMIT} s, or not installed | -"
         text += [f"| {code} | {points} x {points} | {found} |"]
     if not aspher_runs():
-        text += ["", "aspher is not compared: its package from PyPI did not install on this machine."]
+        text += ["", "aspher is not compared: its package did not install on this machine."]
     text += ["", "## A curve F(d) of an exact film, 200 points up to a = h", ""]
     text += ["| from | seconds | in units of one 128 x 128 solve of tamaas for a homogeneous body |", "|---|---|---|"]
     for name, seconds in curve_rows:

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # All benchmarks in one run: ./benchmarks/run.sh. Writes docs/benchmarks.md and docs/benchmarks.png.
-# Builds the library and a Python environment with the boundary-element codes from PyPI; what does not install is named in the table.
+# Builds the library and a Python environment with the boundary-element codes; what does not install is named in the table.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/benchmarks

@@ -15,4 +15,5 @@ NO_MKDOCS_2_WARNING=true .venv/bin/python -m mkdocs build --strict --clean
 if grep -E "Warning:|Error|Traceback" "$log_dir/ford.log"; then
     give_up "FORD has warnings."
 fi
-note "build/docs/index.html"
+.venv/bin/python docs/make_local.py build/docs/fortran
+note "build/docs/index.html; with its search:  .venv/bin/python -m http.server --directory build/docs"

@@ -3,7 +3,7 @@
 # The coverage-guided fuzzers, one after the other: tools/fuzz.sh [SECONDS each, 60] [c_api | law | readers ...]
 #   c_api    the whole C API                      } libFuzzer (libfuzzer-14-dev), library with AddressSanitizer,
 #   law      the reader of saved laws             } UndefinedBehaviorSanitizer and the run-time checks of gfortran
-#   readers  problem files, fit files and tables    atheris (PyPI), in an environment of its own
+#   readers  problem files, fit files and tables    atheris, in an environment of its own
 # What they find lies in build/fuzz/findings; the corpora grow in build/fuzz, not in tests/fuzz/corpus: see docs/faults.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
