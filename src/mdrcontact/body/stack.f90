@@ -2,6 +2,7 @@
 !> A stack of bonded isotropic layers on an elastic half-space or a rigid base, as a surface compliance (theory 6).
 module mdrcontact_body_stack
     use mdrcontact_body, only: body_t
+    use mdrcontact_body_film, only: film_t, new_film
     use mdrcontact_body_modes, only: compliance_above, half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, &
                                      series_product
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
@@ -30,6 +31,8 @@ module mdrcontact_body_stack
         !> the same with neighbours of one material joined, none if the body is homogeneous: modes, thicknesses [length], shear
         !> moduli relative to the first layer's
         type(layer_modes_t), allocatable, private :: modes(:)
+        !> of a single layer
+        type(film_t) :: film
         real(wp), allocatable, private :: h(:), shear(:)
         !> compliance of the base relative to 1/(2 G) of the first layer; 0 if rigid
         complex(wp), private :: base(2, 2) = 0.0_wp
@@ -124,6 +127,8 @@ contains
             self%sigma_zero = surface%contact()/substrate%contact()
         end if
         self%series = with_base(series, real(self%base, wp))
+        if (count == 1) self%film = new_film(surface%poisson, substrate%poisson, &
+                                             merge(0.0_wp, surface%shear()/substrate%shear(), rigid))
     end subroutine new_stack
 
     !> What the surface compliance takes of a series of transfer matrices above a base.
@@ -158,6 +163,10 @@ contains
         sigma = 1.0_wp
         chi = 0.0_wp
         if (size(self%h) == 0) return
+        if (size(self%h) == 1) then
+            call self%film%response(k*self%h(1), sigma, chi)
+            return
+        end if
         scale = real(self%modes(1)%half_space(2, 2), wp)
         if (abs(k)*self%total_thickness < longest) then
             sigma = long_wave_compliance(self%series, k)/scale

@@ -28,7 +28,7 @@ module mdrcontact_layered_legendre
         real(wp) :: shift = 0.0_wp, spike = 0.0_wp
         !> X(2a) - X(0)
         real(wp) :: drop = 0.0_wp
-        !> (2a/pi) times the size of the kernel whose rounding the moments share
+        !> how large the rounding errors of K are, in units of epsilon
         real(wp) :: magnitude = 0.0_wp
     end type moments_t
 
@@ -98,12 +98,14 @@ contains
         call kernel%evaluate([2.0_wp*a], kernel%origin, base)
         self%drop = base(1)
         x = x*rule%weights
+        self%magnitude = 2.0_wp*a/pi*sum(abs(x))
         base = sum(x)
-        self%magnitude = maxval(abs(x/rule%weights))*(2.0_wp*a/pi)
         if (kernel%sigma_zero < 1.0_wp .and. 2.0_wp*a >= 1.0_wp) then
             self%diagonal = kernel%sigma_zero
             self%spike = 0.5_wp*pi*(kernel%sigma_zero - 1.0_wp)/a
             base = -kernel%integral_beyond(2.0_wp*a)/a
+            ! the sum of X is exact here: what is left are its first moments
+            self%magnitude = 2.0_wp*a/pi*sum(abs(x)*rule%distance)
         end if
         allocate (self%t(0:last))
         call sum_moments(size(x), rule%distance, x, base(1), min(count, last), self%t)

@@ -22,6 +22,8 @@ module mdrcontact_layered_solve
     integer, parameter :: large = 100
     !> What the estimate is multiplied by: it has been seen too small by a factor 2.
     real(wp), parameter :: safety = 4.0_wp
+    !> Rounding of the kernel and its moments, with some to spare.
+    real(wp), parameter :: rounding = 14.0_wp*epsilon(1.0_wp)
 
     !> The state at one contact radius.
     type :: solution_t
@@ -33,6 +35,8 @@ module mdrcontact_layered_solve
         real(wp) :: force = 0.0_wp
         !> estimated relative errors of E_eff, q_1 at the edge, d and F
         real(wp) :: errors(4) = 0.0_wp
+        !> the part of them that rounding makes
+        real(wp) :: rounding = 0.0_wp
     end type solution_t
 
 contains
@@ -66,6 +70,8 @@ contains
             end if
             reached = maxval(solution%errors, mask=[.true., to_edge, .true., .true.])
             if (reached <= tolerance) return
+            ! more unknowns do not help against rounding
+            if (solution%rounding > tolerance) exit
             n = next_unknowns(n, reached/tolerance)
             if (n > most_unknowns) exit
         end do
@@ -141,6 +147,9 @@ contains
         call solve_upper(n, m, sides, h, rhs)
         rest(:, :sides) = rest(:, :sides) - matmul(h(n + 1:, :), rhs(:n, :sides))
         call add_rest(n, m, a, mean, rise, h, forward, rest, solution)
+        ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
+        solution%rounding = rounding*(2.0_wp + moments%magnitude*max(1.0_wp, solution%modulus))
+        solution%errors = solution%errors + solution%rounding
     end subroutine solve_with
 
     !> The numbers from the factorization, what the coefficients beyond n add to them, and their errors.

@@ -70,14 +70,18 @@ contains
         real(wp) :: level, spread
 
         kernel%origin = ray%origin
-        call near_values(ray, table, x(:n))
+        call near_values(ray, table, table%near_y, x(:n))
         coefficients(:, 0) = powers_from_values(x(:n), near_degree)
         kernel%plateau = 0
         on_plateau = kernel%sigma_zero > stiff
         do octave = 0, most_octaves - 1
             call extend_ray(ray, surface, kernel%unit, table, ray%lowest - octave)
             if (on_plateau) then
-                call plateau_values(ray, table, octave, x)
+                if (octave < 2) then
+                    call near_values(ray, table, scale(table%far_y, octave), x)
+                else
+                    call plateau_values(ray, table, octave, x)
+                end if
                 on_plateau = maxval(abs(x)) <= 0.5_wp*ray%origin .and. octave < most_plateau
             end if
             if (on_plateau) then
@@ -100,28 +104,33 @@ contains
         kernel%coefficients = coefficients(:, :2*octave + 2)
     end subroutine fill_table
 
-    !> X - X(0) at y <= 1, along the real axis: cos(ky) - 1 = -2 sin^2(ky/2).
-    subroutine near_values(ray, table, x)
+    !> X - X(0) near the origin, along the real axis: cos(ky) - 1 = -2 sin^2(ky/2).
+    subroutine near_values(ray, table, y, x)
         type(ray_t), intent(in) :: ray
         type(wave_table_t), intent(in) :: table
+        !> positions up to 4, in which chi fades before the nodes do not resolve the cosine
+        real(wp), intent(in) :: y(:)
         real(wp), intent(out) :: x(:)
         real(wp) :: moments(3)
-        integer :: i, octave
+        integer :: i, octave, kept
 
-        moments = 0.0_wp
+        ! below the lowest octave chi is chi(0)
+        moments = [(ray%chi_zero*scale(1.0_wp, (2*i + 1)*ray%lowest)/real(2*i + 1, wp), i=1, 3)]
         do octave = ray%lowest, min(first_wave, ray%top + 1) - 1
             do i = 1, 3
                 moments(i) = moments(i) + scale(1.0_wp, 2*i*octave)*sum(table%nodes**(2*i)*ray%on_axis(:, octave))
             end do
         end do
-        x = -table%near_y**2*(moments(1)/2.0_wp - table%near_y**2*(moments(2)/24.0_wp - table%near_y**2*moments(3)/720.0_wp))
-        do octave = first_wave, min(ray%top, ubound(table%near, 3))
+        x = -y**2*(moments(1)/2.0_wp - y**2*(moments(2)/24.0_wp - y**2*moments(3)/720.0_wp))
+        kept = first_wave - 1
+        if (size(y) == size(table%near_y)) kept = min(ray%top, ubound(table%near, 3))
+        do octave = first_wave, kept
             call dgemv("N", size(x), size(table%nodes), 1.0_wp, table%near(:, :, octave), size(x), ray%on_axis(:, octave), 1, &
                        1.0_wp, x, 1)
         end do
-        do octave = ubound(table%near, 3) + 1, ray%top
+        do octave = kept + 1, ray%top
             do i = 1, size(table%nodes)
-                x = x - 2.0_wp*ray%on_axis(i, octave)*sin(0.5_wp*scale(table%nodes(i), octave)*table%near_y)**2
+                x = x - 2.0_wp*ray%on_axis(i, octave)*sin(0.5_wp*scale(table%nodes(i), octave)*y)**2
             end do
         end do
     end subroutine near_values
