@@ -310,7 +310,7 @@ contains
         case (models%hay_crawford)
             call new_hay_crawford(hay_crawford, coating, h, substrate, error)
             allocate (medium, source=hay_crawford)
-        case (models%dimitriadis, models%garcia)
+        case default ! dimitriadis, garcia
             call new_bottom_effect(bottom_effect, coating, h, &
                                    merge(garcia_series, dimitriadis_series, model == models%garcia), error)
             allocate (medium, source=bottom_effect)

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Option structures of the caller. They begin with their size, which their ..._init function sets: a program that was compiled when a
-!> structure had fewer members gives fewer, and the rest keep their defaults.
+!> Option structures of the caller. They begin with their size, which their ..._init function sets: a program that was compiled when
+!> a structure had fewer members gives fewer, and the rest keep their defaults.
 module mdrcontact_api_options
     use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int8_t, c_ptr, c_size_t
     use mdrcontact_error, only: error_invalid, error_t, raise

@@ -150,8 +150,8 @@ contains
                                     error)
     end subroutine coordinate_before
 
-    !> A coordinate at which the depth of the non-adhesive state lies between low and high, or the end nearest to it: secants of ln d
-    !> over x from the contact of a homogeneous body.
+    !> A coordinate at which the depth of the non-adhesive state lies between low and high, or the end nearest to it: secants of
+    !> ln d over x from the contact of a homogeneous body.
     subroutine nonadhesive_coordinate(equilibrium, first, last, low, high, x, found, solutions, error)
         type(equilibrium_t), intent(in) :: equilibrium
         real(wp), intent(in) :: first, last, low, high

@@ -192,7 +192,7 @@ contains
         values = entries(::vector%stride)
     end subroutine read_vector
 
-    !> Without a binding label, like all callbacks: under its own name the linker would take a client's function of that name instead.
+    !> Without a binding label, like all callbacks: under its own name the linker would take a client's function of that name.
     function residual_callback(x, params, f) result(status) bind(C, name="")
         type(gsl_vector), intent(in) :: x
         type(c_ptr), value :: params

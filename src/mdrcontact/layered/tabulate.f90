@@ -3,8 +3,8 @@
 !>
 !> X(y) = Re int chi(k) exp(iky) dk along a ray k = t exp(i theta) in the sector where chi is analytic: the integrand decays
 !> and hardly oscillates, at every y. For y > 0 the constant chi(0) contributes nothing, so that chi(k) - chi(0) may stand for
-!> chi(k): X keeps its relative precision in its tail. Near the origin X(y) - X(0) is integrated instead, along the real axis. Wavenumbers and
-!> positions both run in octaves, so one small table of exp(iky) serves all pairs of octaves.
+!> chi(k): X keeps its relative precision in its tail. Near the origin X(y) - X(0) is integrated instead, along the real axis.
+!> Wavenumbers and positions both run in octaves, so one small table of exp(iky) serves all pairs of octaves.
 module mdrcontact_layered_tabulate
     use mdrcontact_body, only: body_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise

@@ -20,8 +20,8 @@ module mdrcontact_medium_gao
 
     !> The choices that Gao's weights leave.
     type :: gao_options_t
-        !> p of the power mean [sum w G^p]^(1/p), -1 <= p <= 1: 1 the moduli in parallel (the source's), -1 the compliances in series,
-        !> which is far closer to the exact solution at large contrast; 0 their logarithms
+        !> p of the power mean [sum w G^p]^(1/p), -1 <= p <= 1: 1 the moduli in parallel (the source's), -1 the compliances in
+        !> series, which is far closer to the exact solution at large contrast; 0 their logarithms
         real(wp) :: exponent = 1.0_wp
         !> one of gao_nu_...
         integer :: weight_nu_choice = gao_nu_surface
@@ -151,8 +151,8 @@ contains
         if (self%options%weight_nu_choice == gao_nu_effective) call average(self, a, nu, unused, total)
     end subroutine averages
 
-    !> nu_eff, and the weighted sum for G_eff with nu_weight in I0. The weight of each layer comes from the weights above (i) and below
-    !> (j = 1 - i) its interfaces, as the difference of whichever is smaller, so that a thin or remote layer's share keeps its
+    !> nu_eff, and the weighted sum for G_eff with nu_weight in I0. The weight of each layer comes from the weights above (i) and
+    !> below (j = 1 - i) its interfaces, as the difference of whichever is smaller, so that a thin or remote layer's share keeps its
     !> relative accuracy. Called at every node of every force: no arrays.
     pure subroutine average(self, a, nu_weight, nu, total)
         class(gao_t), intent(in) :: self
