@@ -143,7 +143,7 @@ def adhesion(quick: bool) -> Any:
     contact = mdr.Contact(mdr.Paraboloid(2e-6), film, work_of_adhesion=0.05)
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
     for axis, control, largest, words in (
-        (axes[0], "displacement", 80e-9, "indentation depth prescribed"),
+        (axes[0], "depth", 80e-9, "indentation depth prescribed"),
         (axes[1], "spring", 400e-9, "far end of a spring of 1 N/m prescribed"),
     ):
         spring = {"spring_stiffness": 1.0} if control == "spring" else {}
@@ -152,7 +152,7 @@ def adhesion(quick: bool) -> Any:
         axis.plot(1e9 * loop.position[: turn + 1], 1e6 * loop.force[: turn + 1], color=BLUE, label="approach")
         axis.plot(1e9 * loop.position[turn:], 1e6 * loop.force[turn:], color=RED, label="retraction")
         axis.axhline(0.0, color=GREY, linewidth=0.7)
-        axis.set(xlabel=("depth" if control == "displacement" else "position of the spring's end") + " [nm]", title=words)
+        axis.set(xlabel=("depth" if control == "depth" else "position of the spring's end") + " [nm]", title=words)
         axis.spines[["top", "right"]].set_visible(False)
     axes[0].set_ylabel("force [µN]")
     axes[0].legend(frameon=False)

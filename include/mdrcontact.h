@@ -588,7 +588,7 @@ int mdr_contact_free(mdr_contact **c);
  *          smallest radius for which the medium is defined, MDR_ENOCONVERGENCE */
 int mdr_contact_pull_off(const mdr_contact *c, int control, double *d, double *a, double *F);
 
-/** Where each stable stretch of an adhesive contact ends: first that of mdr_contact_pull_off(), then the others by radius.
+/** Where each stable segment of an adhesive contact ends: first that of mdr_contact_pull_off(), then the others by radius.
  *  A coated body can have several. Outputs d, a, F that are NULL are skipped.
  *  @param c         contact
  *  @param control   MDR_CONTROL_FORCE or MDR_CONTROL_DEPTH
@@ -867,16 +867,16 @@ int mdr_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_
 int mdr_law_force(const mdr_law *law, int branch, double d, double *F, double *slope);
 
 /** The state at one depth of a contact with a history: an open contact closes at d >= 0, a closed one stays on its stable
- *  stretch until that ends, by pull-off or by a jump to another one. Outputs that are NULL are skipped.
+ *  segment until that ends, by pull-off or by a jump to another one. Outputs that are NULL are skipped.
  *  @param law      law
  *  @param d        indentation depth up to the largest one [length]
- *  @param stretch  where the contact is: 0 for open before the first call, then what the last call left there
+ *  @param segment  where the contact is: 0 for open before the first call, then what the last call left there
  *  @param F        or NULL: normal force [modulus length^2]
- *  @param slope    or NULL: dF/dd along the stretch [modulus length]
+ *  @param slope    or NULL: dF/dd along the segment [modulus length]
  *  @param a        or NULL: contact radius [length]
  *  @param k        or NULL: stiffness dF/dd at constant a [modulus length]
  *  @return also MDR_EDOMAIN beyond the largest depth */
-int mdr_law_follow(const mdr_law *law, double d, int *stretch, double *F, double *slope, double *a, double *k);
+int mdr_law_follow(const mdr_law *law, double d, int *segment, double *F, double *slope, double *a, double *k);
 
 /** States from indentation depths. Outputs that are NULL are skipped.
  *  @param law      law
@@ -914,7 +914,7 @@ typedef struct mdr_law_facts {
     double error;           /**< The largest relative error found when the law was verified against the contact. */
     int solutions;          /**< Contact states computed to make and verify the law. */
     int adhesive;           /**< 1 with adhesion, else 0. */
-    int stretches;          /**< Number of stable stretches under depth control. */
+    int segments;          /**< Number of stable segments under depth control. */
     int description_length; /**< Of the description, without its closing zero. */
 } mdr_law_facts;
 

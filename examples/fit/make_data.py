@@ -34,9 +34,9 @@ def main() -> None:
     soft = mdr.Coated(RUBBER, 2e-6, mdr.Elastic(70e9, 0.23), "exact")
     radius = np.geomspace(0.3e-6, 1.2e-6, 2000)
     bare = mdr.Contact(mdr.Paraboloid(5e-6), soft).at_radius(radius)
-    # energy balance: the edge hangs by sqrt(4 pi a gamma/k'(a))
-    hang = np.sqrt(4.0 * np.pi * radius * 0.05 / np.gradient(np.asarray(bare.stiffness), radius))
-    d, f = np.asarray(bare.depth) - hang, np.asarray(bare.force) - np.asarray(bare.stiffness) * hang
+    # energy balance: the edge opening is sqrt(4 pi a gamma/k'(a))
+    opening = np.sqrt(4.0 * np.pi * radius * 0.05 / np.gradient(np.asarray(bare.stiffness), radius))
+    d, f = np.asarray(bare.depth) - opening, np.asarray(bare.force) - np.asarray(bare.stiffness) * opening
     start = int(np.argmin(d))
     depth = np.linspace(d[start] + 3e-9, d[-1], 150)
     force = np.interp(depth, d[start:], f[start:]) + 0.3e-9 * random.standard_normal(depth.size)

@@ -15,7 +15,7 @@ program adhesive_impact
     type(law_point_t) :: point
     type(error_t), allocatable :: error
     real(wp) :: d, v, force, energy_before, deepest
-    integer :: stretch, steps
+    integer :: segment, steps
 
     call bead_on_pdms(law)
     print "(a, i0, a, es7.0)", "law from ", law%solutions, " contact states, relative error ", law%error
@@ -24,20 +24,20 @@ program adhesive_impact
     energy_before = 0.5_wp*mass*v**2
     force = 0.0_wp
     deepest = 0.0_wp
-    stretch = 0
+    segment = 0
     steps = 0
     ! Velocity Verlet, without gravity: d grows into the coating.
     do while (d > -0.5e-6_wp)
         v = v - 0.5_wp*step*force/mass
         d = d + step*v
-        call law%follow(d, stretch, point, error)
+        call law%follow(d, segment, point, error)
         call stop_on(error)
         force = point%force
         v = v - 0.5_wp*step*force/mass
         deepest = max(deepest, d)
         steps = steps + 1
         if (modulo(steps, 1000) == 0) print "(a, f7.2, a, f8.4, a, f9.4, a, i0)", "t = ", 1.0e6_wp*steps*step, " us   d = ", &
-            1.0e6_wp*d, " um   F = ", 1.0e6_wp*force, " uN   stretch ", stretch
+            1.0e6_wp*d, " um   F = ", 1.0e6_wp*force, " uN   segment ", segment
         if (steps > 1000000) exit
     end do
     print "(a, f7.4, a, f7.4, a)", "deepest ", 1.0e6_wp*deepest, " um; pull-off at d = ", 1.0e6_wp*law%by_depth%lowest, " um"

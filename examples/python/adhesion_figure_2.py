@@ -37,7 +37,7 @@ def main() -> None:
         ("exact", "exact", "energy"),
     )
     figure, axes = plt.subplots(1, 3, figsize=(11.0, 4.4), sharey=True, layout="constrained")
-    print("h/a_c    pull-off displacement d/d_c: (32), energy, exact")
+    print("h/a_c    pull-off depth d/d_c: (32), energy, exact")
     for thickness, colour in zip(THICKNESSES, COLOURS, strict=True):
         label, ends = rf"$h/a_c = {thickness:g}$", []
         for axis, (_, model, rule) in zip(axes, panels, strict=True):
@@ -45,7 +45,7 @@ def main() -> None:
             depth = np.asarray(body.at_radius(reduced * a_c).depth) / d_c
             if model == "gao" and rule == "paper":
                 assert np.allclose(depth, mdr.reduced_adhesive_depth(reduced, TAU, thickness), rtol=1e-12, atol=1e-12)
-            end = body.pull_off("displacement")
+            end = body.pull_off("depth")
             axis.plot(reduced, depth, color=colour, label=label)
             axis.plot(end.radius / a_c, end.depth / d_c, "o", color=colour, markersize=4)
             ends.append(end.depth / d_c)
@@ -60,7 +60,7 @@ def main() -> None:
             axis.spines[side].set_visible(False)
     axes[0].set_ylabel("indentation depth $d/d_c$")
     axes[0].legend(frameon=False, fontsize=8, loc="upper left")
-    figure.suptitle(r"Adhesive paraboloid on an incompressible coating, $G_0/G_1 = 2$; dots: pull-off at given displacement")
+    figure.suptitle(r"Adhesive paraboloid on an incompressible coating, $G_0/G_1 = 2$; dots: pull-off at given depth")
     figure.savefig("adhesion_figure_2.png", dpi=150)
     print("written: adhesion_figure_2.png")
 

@@ -90,7 +90,7 @@ law_facts = np.dtype(
         ("error", np.float64),
         ("solutions", np.intc),
         ("adhesive", np.intc),
-        ("stretches", np.intc),
+        ("segments", np.intc),
         ("description_length", np.intc),
     ],
     align=True,

@@ -19,11 +19,11 @@ RULES = {"automatic": 0, "paper": 1, "energy": 2}
 """Names and codes of the adhesion rules."""
 BRANCHES = {"loading": 1, "unloading": 2}
 """Names and codes of the branches of an adhesive contact."""
-CONTROLS = {"force": 0, "displacement": 1, "spring": 2}
+CONTROLS = {"force": 0, "depth": 1, "spring": 2}
 """What a machine may prescribe."""
 
 _FIRST_ROOM = 16
-"""Stable stretches of a branch for which there is room at first; there are hardly ever more than three."""
+"""Stable segments of a branch for which there is room at first; there are hardly ever more than three."""
 
 
 class PullOff(NamedTuple):
@@ -38,14 +38,14 @@ class PullOff(NamedTuple):
     stiffness: float
     """k = 2 a E_eff(a), contact stiffness at constant radius [modulus length]"""
     others: tuple[PullOff, ...] = ()
-    """where the other stable stretches of the branch end, by ascending radius: a coated body can have several"""
+    """where the other stable segments of the branch end, by ascending radius: a coated body can have several"""
 
 
 class Loop(NamedTuple):
     """A cycle: approach from afar, jump into contact, press, retract until the bodies are apart again. Arrays of one length."""
 
     position: NDArray[np.float64]
-    """what the machine prescribes: the force, the displacement d, or the far end of the spring, d + F/stiffness"""
+    """what the machine prescribes: the force, the depth d, or the far end of the spring, d + F/stiffness"""
     depth: NDArray[np.float64]
     """d, negative where the bodies are apart [length]"""
     radius: NDArray[np.float64]
@@ -59,7 +59,7 @@ class Loop(NamedTuple):
     dissipated_energy: float
     """energy lost in the cycle, the area of the loop [modulus length^3]"""
     control: str
-    """"force", "displacement" or "spring"."""
+    """"force", "depth" or "spring"."""
 
     def plot(self, axes: Any = None, **look: Any) -> Any:
         """Draws force against position (against depth under force control) with matplotlib; jumps are dotted.
@@ -96,7 +96,7 @@ def code(name: str, value: Any, codes: dict[str, int], *allowed: str) -> int:
 
 def pull_offs(contact: Any, control: str) -> PullOff:
     """The pull-off of a contact and its other ends of stability."""
-    chosen, room = code("control", control, CONTROLS, "force", "displacement"), _FIRST_ROOM
+    chosen, room = code("control", control, CONTROLS, "force", "depth"), _FIRST_ROOM
     while True:
         d, a, F, count = call(_native.contact_pull_offs, contact._handle.address, chosen, room)
         if count <= room:

@@ -72,7 +72,7 @@ def coated_paraboloid_adhesive_depth(
 
 def adhesive_radius_scale(radius: float, substrate_shear: float, work_of_adhesion: float) -> float:
     """a_c = (pi gamma R^2/(32 G1))^(1/3) [length], equation (31): the contact radius at which a paraboloid on the uncoated
-    substrate breaks off under prescribed displacement.
+    substrate breaks off under prescribed depth.
 
     radius : R > 0 [length]
     substrate_shear : G1 > 0 [modulus]

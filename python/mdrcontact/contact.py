@@ -116,9 +116,9 @@ class Contact(Value):
         return self._states("radius", _layout.GIVEN_RADIUS, radius, "unloading")
 
     def pull_off(self, control: str = "force") -> PullOff:
-        """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "displacement" (the depth d).
+        """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "depth".
 
-        It is the global minimum over the whole branch; `.others` are the ends of the other stable stretches. All 0 without
+        It is the global minimum over the whole branch; `.others` are the ends of the other stable segments. All 0 without
         adhesion. A contact that is still stable at the smallest radius of a tabulated medium raises DomainError.
         """
         return adhesion.pull_offs(self, control)
@@ -126,7 +126,7 @@ class Contact(Value):
     def loop(self, control: str, largest: float, points: int = 200, *, spring_stiffness: float | None = None) -> Loop:
         """A cycle of approach and retraction, with its jumps and the energy lost.
 
-        control : what the machine prescribes: "force", "displacement" (the depth d), or the far end of a "spring" such as an
+        control : what the machine prescribes: "force", "depth", or the far end of a "spring" such as an
             AFM cantilever
         largest : where the motion turns back, > 0 [length, or modulus length^2 under force control]
         points : points on each way, at least 2; jumps and their ends come on top

@@ -30,7 +30,7 @@ SIZES = {
     "mdr_fit_interval": {"force": "", "sd": ""},
 }
 # Numbers that go in and come out again.
-BOTH_WAYS = {"stretch"}
+BOTH_WAYS = {"segment"}
 # Names that mean something to f2py or Python.
 RESERVED = {"in": "values", "size": "cells", "kind": "kinds"}
 LONGEST_LINE = 132

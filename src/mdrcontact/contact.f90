@@ -17,7 +17,7 @@ module mdrcontact_contact
     implicit none (type, external)
     private
     public :: contact_t, new_contact, contact_options_t
-    public :: on_loading, on_unloading
+    public :: on_loading, on_unloading, check_branch
 
     !> Which stable state is meant where an adhesive contact has several: the one met when the bodies approach, or
     !> the one kept when they are drawn apart.
@@ -109,7 +109,7 @@ contains
         answer = allocated(self%branch)
     end function is_adhesive
 
-    !> Whether a state is a formula and costs less than to wake a thread for it.
+    !> Whether a state is a formula and costs less than to start a thread for it.
     pure function is_formula(self) result(answer)
         class(contact_t), intent(in) :: self
         logical :: answer
@@ -149,17 +149,17 @@ contains
         wall_radius = self%equilibrium%profile%largest_radius()
         smallest = self%equilibrium%medium%smallest_radius()
         if (radius < end_radius) then
-            call raise(error, error_unreachable, "radius = "//to_text(radius)//" cannot be reached: the indenter's flat end "// &
-                       "makes contact at radius "//to_text(end_radius)//" at once")
+            call raise(error, error_unreachable, " = "//to_text(radius)//" cannot be reached: the indenter's flat end "// &
+                       "makes contact at radius "//to_text(end_radius)//" at once", "radius")
         else if (self%equilibrium%profile%has_wall() .and. radius >= wall_radius) then
-            call raise(error, error_unreachable, "radius = "//to_text(radius)//" does not determine a state: at the "// &
-                       "indenter's vertical wall, radius "//to_text(wall_radius)//", the depth is free; give depth or force")
+            call raise(error, error_unreachable, " = "//to_text(radius)//" does not determine a state: at the indenter's "// &
+                       "vertical wall, radius "//to_text(wall_radius)//", the depth is free; give depth or force", "radius")
         else if (radius > self%equilibrium%last_radius) then
-            call raise(error, error_domain, "radius = "//to_text(radius)//" is not allowed: indenter and medium are "// &
-                       "defined up to "//to_text(self%equilibrium%last_radius)//trim(self%equilibrium%why_it_ends()))
+            call raise(error, error_domain, " = "//to_text(radius)//" is not allowed: indenter and medium are defined up to "// &
+                       to_text(self%equilibrium%last_radius)//trim(self%equilibrium%why_it_ends()), "radius")
         else if (radius < smallest) then
-            call raise(error, error_domain, "radius = "//to_text(radius)//" is not allowed: the medium is defined from "// &
-                       to_text(smallest)//" on")
+            call raise(error, error_domain, " = "//to_text(radius)//" is not allowed: the medium is defined from "// &
+                       to_text(smallest)//" on", "radius")
         end if
         if (allocated(error)) return
         call self%equilibrium%at(radius, state, error)
@@ -193,6 +193,16 @@ contains
         if (.not. allocated(error)) state%force = force
     end subroutine at_force
 
+    !> Raises unless `branch` is on_loading or on_unloading.
+    pure subroutine check_branch(error, branch)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: branch
+
+        if (branch == on_loading .or. branch == on_unloading) return
+        call raise(error, error_invalid, "branch = "//count_text(branch)//" is not allowed: it must be 1 (loading) or "// &
+                   "2 (unloading)")
+    end subroutine check_branch
+
     !> The stable state at a given value s of what a machine controls: depth, force, or the far end of a spring.
     subroutine at_control(self, control, name, s, state, error, branch)
         class(contact_t), intent(in), target :: self
@@ -209,17 +219,14 @@ contains
 
         way = on_unloading
         if (present(branch)) way = branch
-        if (way /= on_loading .and. way /= on_unloading) then
-            call raise(error, error_invalid, "branch = "//count_text(way)//" is not allowed: it must be 1 (loading) or "// &
-                       "2 (unloading)")
-        end if
+        call check_branch(error, way)
         call check_finite(error, name, s)
         if (allocated(error)) return
         if (self%is_adhesive()) then
             call adhesive_state(self, control, name, s, way, state, error)
         else if (s < 0.0_wp) then
-            call raise(error, error_unreachable, name//" = "//to_text(s)//" cannot be reached: without adhesion the bodies are "// &
-                       "apart below "//name//" 0 and do not pull on each other")
+            call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: without adhesion the bodies are apart "// &
+                       "below "//name//" 0 and do not pull on each other", name)
         else
             call invert(self%equilibrium, control, name, s, state, error)
         end if
@@ -407,16 +414,16 @@ contains
         character(len=:), allocatable :: what
         integer :: chosen
 
-        what = name//" = "//to_text(s)//" cannot be reached"
+        what = " = "//to_text(s)//" cannot be reached"
         if (way == on_loading .and. s < 0.0_wp) then
             call raise(error, error_unreachable, what//" on loading: the bodies touch at "//name//" 0; below it a contact "// &
-                       "exists on unloading only")
+                       "exists on unloading only", name)
             return
         end if
         call self%stable_segments(control, list, error)
         if (allocated(error)) return
         if (size(list) == 0) then
-            call raise(error, error_unreachable, what//": this contact has no stable adhesive state")
+            call raise(error, error_unreachable, what//": this contact has no stable adhesive state", name)
             return
         end if
         chosen = findloc(list%lowest <= s .and. s <= list%highest, .true., dim=1, back=way == on_unloading)
@@ -424,10 +431,10 @@ contains
             call self%state_on_segment(control, list(chosen), s, state, error)
         else if (s < minval(list%lowest)) then
             call raise(error, error_unreachable, what//": the adhesive branch ends at pull-off, "//name//" = "// &
-                       to_text(minval(list%lowest)))
+                       to_text(minval(list%lowest)), name)
         else
             call raise(error, error_unreachable, what//": the branch ends with the indenter or the medium at "//name//" = "// &
-                       to_text(maxval(list%highest))//trim(self%equilibrium%why_it_ends()))
+                       to_text(maxval(list%highest))//trim(self%equilibrium%why_it_ends()), name)
         end if
     end subroutine adhesive_state
 
@@ -452,8 +459,8 @@ contains
             call check_not_negative(error, name, positions(i))
             if (allocated(error)) return
             if (positions(i) > largest) then
-                call raise(error, error_domain, name//" = "//to_text(positions(i))//" is not allowed: it must be at most the "// &
-                           "contact radius, "//to_text(largest))
+                call raise(error, error_domain, " = "//to_text(positions(i))//" is not allowed: it must be at most the contact "// &
+                           "radius, "//to_text(largest), name)
                 return
             end if
         end do

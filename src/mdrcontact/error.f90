@@ -39,8 +39,8 @@ module mdrcontact_error
         integer :: code = success
         !> the finished sentence: names the argument, its value and what is allowed
         character(len=:), allocatable :: message
-        !> its parts, for a layer that speaks to the user in its own way: the argument, if it is known; which entry of it, counted from
-        !> 1, 0 for none; and the rest of the words
+        !> its parts, for a layer that speaks to the user in its own way: the argument, if it is known; which entry of it, counted
+        !> from 1, 0 for none; and the rest of the words
         character(len=:), allocatable :: argument
         integer :: entry = 0
         character(len=:), allocatable :: text

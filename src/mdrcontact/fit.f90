@@ -150,7 +150,7 @@ contains
         end associate
     end subroutine rescale
 
-    !> One search. A number that ended at a bound but would move inside is let go again.
+    !> One search. A parameter that ended at a bound but would move inside is freed again.
     subroutine search(residuals, u, outcome, fit, error)
         type(fit_residuals_t), intent(inout) :: residuals
         real(wp), intent(inout) :: u(:)

@@ -11,20 +11,20 @@ module mdrcontact_law
     use mdrcontact_contact_control, only: depth_control, force_control
     use mdrcontact_contact_curve, only: curve_t, new_curve
     use mdrcontact_contact_range, only: coordinate_before, coordinate_beyond, coordinates_between
-    use mdrcontact_contact, only: contact_t, on_loading, on_unloading
+    use mdrcontact_contact, only: check_branch, contact_t, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, check_positive, count_text, error_domain, error_invalid, error_no_convergence, &
                                 error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
     use mdrcontact_law_evaluate, only: law_point_t, point_at
-    use mdrcontact_law_stretches, only: compile_stretches, fold_margin
-    use mdrcontact_law_table, only: law_table_t, segment_in, stretch_for, values_below, values_in
+    use mdrcontact_law_segments, only: compile_segments, fold_margin
+    use mdrcontact_law_table, only: law_table_t, interval_in, segment_for, values_below, values_in
     use mdrcontact_law_verify, only: largest_error
     implicit none (type, external)
     private
     public :: contact_law_t, new_contact_law, law_options_t, law_point_t
-    public :: check_branch, check_below, lowest_force
+    public :: check_below, lowest_force
     public :: default_law_tolerance
 
     !> Relative tolerance of a law for which none is asked for.
@@ -105,7 +105,7 @@ contains
         call close_table(self%by_force)
     end subroutine new_contact_law
 
-    !> A flat punch: one state tells all.
+    !> A flat punch: one state determines the law.
     subroutine compile_punch(self, contact, largest_depth, smallest_depth, error)
         type(contact_law_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
@@ -174,9 +174,9 @@ contains
         if (allocated(error)) return
         self%solutions = self%solutions + curve%solutions
         coordinates = coordinates(2:size(coordinates) - 1)
-        call compile_stretches(self%by_depth, curve, of_depth, coordinates, fit_share*self%tolerance, error)
+        call compile_segments(self%by_depth, curve, of_depth, coordinates, fit_share*self%tolerance, error)
         if (.not. allocated(error)) then
-            call compile_stretches(self%by_force, curve, of_force, coordinates, fit_share*self%tolerance, error)
+            call compile_segments(self%by_force, curve, of_force, coordinates, fit_share*self%tolerance, error)
         end if
         if (allocated(error)) return
         call largest_error(self%by_depth, self%by_force, contact, curve, of_depth, of_force, self%error, self%solutions, error)
@@ -224,8 +224,8 @@ contains
         call check_branch(error, way)
         call check_below(error, "force", force, self%by_force%highest)
         if (.not. allocated(error) .and. force < lowest_force(self, way)) then
-            call raise(error, error_unreachable, "force = "//to_text(force)//" cannot be reached: no contact carries less than "// &
-                       to_text(lowest_force(self, way)))
+            call raise(error, error_unreachable, " = "//to_text(force)//" cannot be reached: no contact carries less than "// &
+                       to_text(lowest_force(self, way)), "force")
         end if
         if (allocated(error)) return
         point%force = force
@@ -243,63 +243,52 @@ contains
         if (self%by_force%adhesive .and. branch == on_unloading) force = self%by_force%lowest
     end function lowest_force
 
-    !> The state at depth d of a contact with a history: it stays on its stretch until that ends, and then falls open or onto the
+    !> The state at depth d of a contact with a history: it stays on its segment until that ends, and then falls open or onto the
     !> nearest one. Open bodies come into contact at d >= 0.
-    pure subroutine follow(self, depth, stretch, point, error)
+    pure subroutine follow(self, depth, segment, point, error)
         class(contact_law_t), intent(in) :: self
         !> at most the largest depth; any value below [length]
         real(wp), intent(in) :: depth
         !> where the contact is: 0 for open at the beginning, then what the last call returned
-        integer, intent(inout) :: stretch
+        integer, intent(inout) :: segment
         type(law_point_t), intent(out) :: point
         type(error_t), allocatable, intent(out) :: error
 
-        if (stretch < 0 .or. stretch > size(self%by_depth%stretches)) then
-            call raise(error, error_invalid, "stretch = "//count_text(stretch)//" is not allowed: it must be 0 (open) "// &
+        if (segment < 0 .or. segment > size(self%by_depth%segments)) then
+            call raise(error, error_invalid, "segment = "//count_text(segment)//" is not allowed: it must be 0 (open) "// &
                        "or what the last call returned")
         end if
         call check_below(error, "depth", depth, self%by_depth%highest)
         if (allocated(error)) return
-        call move_stretch(self%by_depth, depth, stretch)
+        call move_segment(self%by_depth, depth, segment)
         point%depth = depth
-        if (stretch > 0 .and. depth >= self%by_depth%lowest) then
-            call values_in(self%by_depth, segment_in(self%by_depth, stretch, depth), depth, point%force, point%slope, &
+        if (segment > 0 .and. depth >= self%by_depth%lowest) then
+            call values_in(self%by_depth, interval_in(self%by_depth, segment, depth), depth, point%force, point%slope, &
                            point%radius, point%stiffness)
-        else if (stretch > 0) then
+        else if (segment > 0) then
             call values_below(self%by_depth, depth, point%force, point%slope, point%radius, point%stiffness)
         end if
     end subroutine follow
 
-    pure subroutine move_stretch(table, depth, stretch)
+    pure subroutine move_segment(table, depth, segment)
         type(law_table_t), intent(in) :: table
         real(wp), intent(in) :: depth
-        integer, intent(inout) :: stretch
+        integer, intent(inout) :: segment
 
         if (.not. table%adhesive) then
-            stretch = merge(1, 0, depth > 0.0_wp)
-        else if (stretch == 0) then
-            stretch = stretch_for(table, on_loading, depth)
-        else if (depth > table%stretches(stretch)%highest) then
-            do stretch = stretch + 1, size(table%stretches) - 1
-                if (depth >= table%stretches(stretch)%lowest .and. depth <= table%stretches(stretch)%highest) exit
+            segment = merge(1, 0, depth > 0.0_wp)
+        else if (segment == 0) then
+            segment = segment_for(table, on_loading, depth)
+        else if (depth > table%segments(segment)%highest) then
+            do segment = segment + 1, size(table%segments) - 1
+                if (depth >= table%segments(segment)%lowest .and. depth <= table%segments(segment)%highest) exit
             end do
-        else if (depth < table%stretches(stretch)%lowest) then
-            do stretch = stretch - 1, 1, -1
-                if (depth >= table%stretches(stretch)%lowest .and. depth <= table%stretches(stretch)%highest) exit
+        else if (depth < table%segments(segment)%lowest) then
+            do segment = segment - 1, 1, -1
+                if (depth >= table%segments(segment)%lowest .and. depth <= table%segments(segment)%highest) exit
             end do
         end if
-    end subroutine move_stretch
-
-    !> Raises unless `branch` is on_loading or on_unloading.
-    pure subroutine check_branch(error, branch)
-        type(error_t), allocatable, intent(inout) :: error
-        integer, intent(in) :: branch
-
-        if (branch /= on_loading .and. branch /= on_unloading) then
-            call raise(error, error_invalid, "branch = "//count_text(branch)//" is not allowed: it must be 1 (loading) or "// &
-                       "2 (unloading)")
-        end if
-    end subroutine check_branch
+    end subroutine move_segment
 
     !> Raises unless s is finite and at most the end of the compiled range.
     pure subroutine check_below(error, name, s, highest)
@@ -311,8 +300,8 @@ contains
         if (.not. ieee_is_finite(s)) then
             call check_finite(error, name, s)
         else if (s > highest) then
-            call raise(error, error_domain, name//" = "//to_text(s)//" is not allowed: the law was compiled up to "// &
-                       to_text(highest))
+            call raise(error, error_domain, " = "//to_text(s)//" is not allowed: the law was compiled up to "// &
+                       to_text(highest), name)
         end if
     end subroutine check_below
 

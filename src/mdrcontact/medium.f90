@@ -39,10 +39,10 @@ module mdrcontact_medium
         procedure :: nonadhesive_slope => unknown_slope
         !> depth, force, modulus and its slope at one radius; a medium that finds them together overrides it
         procedure :: response
-        !> whether the medium determines its depth and meets an adhesive edge exactly, with the energy balance; otherwise zeta (9)
-        !> and the rule are choices (theory 4 and 5)
-        procedure :: edge_is_exact => no
-        !> whether a state is a formula, so that it costs less than to wake a thread for it
+        !> whether its states are the exact ones of a body: depths need no zeta (9), and an adhesive edge meets the energy balance.
+        !> Of a medium with an effective modulus both are choices (theory 4 and 5)
+        procedure :: is_exact => no
+        !> whether a state is a formula, so that it costs less than to start a thread for it
         procedure :: is_cheap => no
         !> whether E_eff(a) is a formula; elsewhere each value is the solution of a system
         procedure :: has_modulus_formula => no

@@ -65,7 +65,7 @@ static void test_history(void)
     mdr_contact *contact = contact_with(0.02);
     mdr_law *law = NULL;
     mdr_law_facts facts;
-    int stretch = 0;
+    int segment = 0;
     double F = 1.0, pull_off_depth, below;
 
     CHECK_SUCCESS(mdr_law_new(contact, 1.0, NULL, &law));
@@ -76,18 +76,18 @@ static void test_history(void)
     CHECK_SUCCESS(mdr_contact_pull_off(contact, MDR_CONTROL_DEPTH, &pull_off_depth, NULL, NULL));
     CHECK_CLOSE(facts.lowest_depth, pull_off_depth, 1e-9);
     below = 1.001 * pull_off_depth;
-    CHECK_SUCCESS(mdr_law_follow(law, -1e-9, &stretch, &F, NULL, NULL, NULL));
-    CHECK_TRUE(stretch == 0 && F == 0.0);
-    CHECK_SUCCESS(mdr_law_follow(law, 0.1, &stretch, &F, NULL, NULL, NULL));
-    CHECK_TRUE(stretch >= 1 && F > 0.0);
-    CHECK_SUCCESS(mdr_law_follow(law, 0.9 * pull_off_depth, &stretch, &F, NULL, NULL, NULL));
-    CHECK_TRUE(stretch >= 1 && F < 0.0);
-    CHECK_SUCCESS(mdr_law_follow(law, below, &stretch, &F, NULL, NULL, NULL));
-    CHECK_TRUE(stretch == 0 && F == 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, -1e-9, &segment, &F, NULL, NULL, NULL));
+    CHECK_TRUE(segment == 0 && F == 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, 0.1, &segment, &F, NULL, NULL, NULL));
+    CHECK_TRUE(segment >= 1 && F > 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, 0.9 * pull_off_depth, &segment, &F, NULL, NULL, NULL));
+    CHECK_TRUE(segment >= 1 && F < 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, below, &segment, &F, NULL, NULL, NULL));
+    CHECK_TRUE(segment == 0 && F == 0.0);
     CHECK_SUCCESS(mdr_law_force(law, MDR_ON_LOADING, -1e-9, &F, NULL));
     CHECK_TRUE(F == 0.0);
     CHECK_STATUS(mdr_law_from_force(law, MDR_ON_UNLOADING, 1, &(double){2.0 * facts.lowest_force}, &F, NULL, NULL, NULL),
-                 MDR_EUNREACHABLE, "entry 1: force = ");
+                 MDR_EUNREACHABLE, "entry 1 of force = ");
     CHECK_SUCCESS(mdr_law_free(&law));
     CHECK_SUCCESS(mdr_contact_free(&contact));
 }
@@ -153,7 +153,7 @@ static void test_refusals(void)
     mdr_contact *contact = contact_with(0.0);
     mdr_law *law = NULL;
     double in[3] = {0.1, NAN, 0.2}, out[3];
-    int stretch = 7;
+    int segment = 7;
 
     fill_untouched(3, out);
     CHECK_STATUS(mdr_law_new(NULL, 1.0, NULL, &law), MDR_ENULL, "contact");
@@ -169,8 +169,8 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL), MDR_EINVALID, "entry 2 of depth = ");
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, -1, in, out, NULL, NULL, NULL), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, NULL, out, NULL, NULL, NULL), MDR_ENULL, "d is NULL");
-    CHECK_STATUS(mdr_law_follow(law, 0.1, &stretch, out, NULL, NULL, NULL), MDR_EINVALID, "stretch");
-    CHECK_STATUS(mdr_law_follow(law, 0.1, NULL, out, NULL, NULL, NULL), MDR_ENULL, "stretch");
+    CHECK_STATUS(mdr_law_follow(law, 0.1, &segment, out, NULL, NULL, NULL), MDR_EINVALID, "segment");
+    CHECK_STATUS(mdr_law_follow(law, 0.1, NULL, out, NULL, NULL, NULL), MDR_ENULL, "segment");
     CHECK_STATUS(mdr_law_load(NULL, &law), MDR_ENULL, "path");
     CHECK_UNTOUCHED(3, out);
     CHECK_SUCCESS(mdr_law_free(&law));

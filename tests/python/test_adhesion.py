@@ -25,7 +25,7 @@ def jkr(**options):
 
 
 def stiff_film(gamma):
-    """A cone on a stiff thin coating: two stable stretches under force control."""
+    """A cone on a stiff thin coating: two stable segments under force control."""
     film = mdr.Coated(mdr.Elastic(100.0, 0.3), 0.1, mdr.Elastic(1.0, 0.3), "exact")
     return mdr.Contact(mdr.Cone(0.3), film, gamma)
 
@@ -34,7 +34,7 @@ def stiff_film(gamma):
 def test_jkr_pull_off(rule):
     contact = jkr(adhesion_rule=rule)
     assert contact.pull_off().force == pytest.approx(-1.5 * math.pi * GAMMA * R, rel=1e-10)
-    assert contact.pull_off("displacement").force == pytest.approx(-5 / 6 * math.pi * GAMMA * R, rel=1e-10)
+    assert contact.pull_off("depth").force == pytest.approx(-5 / 6 * math.pi * GAMMA * R, rel=1e-10)
     assert contact.pull_off("force").others == ()
 
 
@@ -42,7 +42,7 @@ def test_other_closed_forms():
     E, t = 3.0, math.tan(0.3)
     cone = mdr.Contact(mdr.Cone(0.3), BODY, GAMMA).pull_off()
     assert cone.force == pytest.approx(-54 * GAMMA**2 / (math.pi * E * t**3), rel=1e-10)
-    punch = mdr.Contact(mdr.FlatPunch(0.6), BODY, GAMMA).pull_off("displacement")
+    punch = mdr.Contact(mdr.FlatPunch(0.6), BODY, GAMMA).pull_off("depth")
     assert punch.force == pytest.approx(-math.sqrt(8 * math.pi * GAMMA * E * 0.6**3), rel=1e-12)
     for m in (-0.5, 0.0, 0.6):
         graded = mdr.Contact(mdr.Paraboloid(R), mdr.PowerLawGraded(2.0, 0.7, m, 0.3), GAMMA).pull_off()
@@ -118,9 +118,7 @@ def test_two_stable_states():
         assert contact.pressure(0.3 * state.radius, force=0.0, branch=branch) == pytest.approx(expected, rel=1e-8)
 
 
-@pytest.mark.parametrize(
-    ("control", "largest", "spring"), [("displacement", 0.3, None), ("spring", 0.6, 0.2), ("force", 0.4, None)]
-)
+@pytest.mark.parametrize(("control", "largest", "spring"), [("depth", 0.3, None), ("spring", 0.6, 0.2), ("force", 0.4, None)])
 def test_loops(control, largest, spring):
     contact = mdr.Contact(mdr.Paraboloid(5.0), FILM, GAMMA, "energy")
     loop = contact.loop(control, largest, 400, spring_stiffness=spring)
@@ -138,7 +136,7 @@ def test_loops(control, largest, spring):
     np.testing.assert_allclose(loop.force[inside], states.force, rtol=1e-9, atol=1e-12)
 
 
-@pytest.mark.parametrize("control", ["force", "displacement"])
+@pytest.mark.parametrize("control", ["force", "depth"])
 def test_pull_off_lies_where_the_medium_is_defined(control):
     expected = mdr.Contact(mdr.Cone(0.3), mdr.Homogeneous(mdr.Elastic(1.0, 0.0)), work_of_adhesion=GAMMA).pull_off(control)
     for start, reaches in ((0.5, True), (2.0, False)):
@@ -152,7 +150,7 @@ def test_pull_off_lies_where_the_medium_is_defined(control):
 
 
 def test_jkr_loss():
-    loss = jkr().loop("displacement", 0.5, 10).dissipated_energy
+    loss = jkr().loop("depth", 0.5, 10).dissipated_energy
     assert loss / (GAMMA**5 * R**4 / 9.0) ** (1 / 3) == pytest.approx(7.0922, abs=5e-5)
 
 
@@ -239,7 +237,7 @@ def test_command(tmp_path, capsys):
     out = capsys.readouterr().out
     film = mdr.Coated(mdr.Elastic(2e6, 0.5), 1e-6, mdr.Elastic(70e9, 0.23), "exact")
     contact = mdr.Contact(mdr.Paraboloid(2e-6), film, 0.05)
-    for control in ("force", "displacement"):
+    for control in ("force", "depth"):
         line = next(line for line in out.splitlines() if line.startswith(f"pull-off, {control} prescribed"))
         assert float(line.split()[-1]) == pytest.approx(contact.pull_off(control).force * 1e9, rel=1e-4)
     assert "energy lost in the cycle: 726.9 fJ" in out

@@ -123,8 +123,8 @@ def test_things_of_the_wrong_kind(number):
 def test_states_that_do_not_exist(coated):
     for make, words in (
         (lambda: coated.at_depth(-1e-9), r"^depth = -1e-09 cannot be reached"),
-        (lambda: coated.at_force([1e-3, -1.0]), r"^entry 2: force = -1 cannot be reached"),
-        (lambda: coated.at_force([-1.0]), r"^entry 1: force = -1 cannot be reached"),
+        (lambda: coated.at_force([1e-3, -1.0]), r"^entry 2 of force = -1 cannot be reached"),
+        (lambda: coated.at_force([-1.0]), r"^entry 1 of force = -1 cannot be reached"),
         (lambda: coated.at_depth(1e-3), r"depth = .*cannot be reached"),
         (lambda: mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(OXIDE)).at_radius(1.0), r"radius = 1 does not determine a state"),
     ):

@@ -93,8 +93,8 @@ def test_adhesion():
     """An adhesive curve on a homogeneous body against JKR in closed form; both parameters are found from another start."""
     star, gamma, R = OXIDE.contact_modulus / 1000.0, 0.05, 5e-6
     a = np.linspace(0.35e-6, 1.2e-6, 3000)
-    hang = np.sqrt(2.0 * np.pi * a * gamma / star)
-    d, F = a**2 / R - hang, 4.0 * star * a**3 / (3.0 * R) - 2.0 * a * star * hang
+    opening = np.sqrt(2.0 * np.pi * a * gamma / star)
+    d, F = a**2 / R - opening, 4.0 * star * a**3 / (3.0 * R) - 2.0 * a * star * opening
     first = int(np.argmin(d)) + 20
     depth = np.linspace(d[first], d[-1], 80)
     force = np.interp(depth, d[first:], F[first:])

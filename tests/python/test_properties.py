@@ -408,7 +408,7 @@ def check_pull_off(tip, body, work, rule, unit):
     """Nothing hangs on below the pull-off force or depth; both scale."""
     scale, stiffen = unit
     small, large = _adhesive(tip, body, work, rule), _adhesive(tip, body, work, rule, scale, stiffen)
-    by_force, by_depth = small.pull_off(), small.pull_off("displacement")
+    by_force, by_depth = small.pull_off(), small.pull_off("depth")
     assert by_force.force < 0.0 and by_force.force <= by_depth.force and by_depth.depth <= by_force.depth
     assert small.at_force(by_force.force * (1.0 - 1e-6)).force == pytest.approx(by_force.force, rel=2e-6)
     assert small.at_depth(by_depth.depth + 1e-6 * abs(by_depth.depth)).radius >= by_depth.radius * (1.0 - 1e-6)
@@ -416,7 +416,7 @@ def check_pull_off(tip, body, work, rule, unit):
         small.at_force(by_force.force * 1.0001)
     with pytest.raises(mdr.UnreachableError):
         small.at_depth(by_depth.depth - 1e-4 * abs(by_depth.depth))
-    for control, expected in (("force", by_force), ("displacement", by_depth)):
+    for control, expected in (("force", by_force), ("depth", by_depth)):
         found = large.pull_off(control)
         np.testing.assert_allclose(found.depth, expected.depth * scale, rtol=1e-7, atol=1e-9 * expected.radius * scale)
         _close(found.force, expected.force * scale**2 * stiffen, 1e-7)
@@ -451,7 +451,7 @@ def test_pull_off_exact(tip, body, work, rule, unit):
 def test_pull_off_of_johnson_kendall_roberts(radius, material, work):
     contact = mdr.Contact(mdr.Paraboloid(radius), mdr.Homogeneous(_elastic(material, 1.0)), work_of_adhesion=work)
     _close(contact.pull_off("force").force, -1.5 * math.pi * work * radius, 1e-9)
-    _close(contact.pull_off("displacement").force, -5.0 / 6.0 * math.pi * work * radius, 1e-9)
+    _close(contact.pull_off("depth").force, -5.0 / 6.0 * math.pi * work * radius, 1e-9)
 
 
 # ---- media, weights, laws, fits ----

@@ -108,7 +108,7 @@ def test_first_error_is_named(threads):
     depth = SOME.copy()
     depth[[40, 41, 149]] = [-2.0, -1.0, np.nan]
     for contact in (GAO, EXACT):
-        with pytest.raises(mdr.UnreachableError, match="entry 41: depth = -2 "):
+        with pytest.raises(mdr.UnreachableError, match="entry 41 of depth = -2 "):
             on(threads, lambda contact=contact: contact.at_depth(depth))
     with pytest.raises(mdr.DomainError, match="r = 5 "):
         on(threads, lambda: GAO.pressure(np.r_[np.zeros(131), 5.0, 6.0, np.zeros(80)], radius=1e-6))

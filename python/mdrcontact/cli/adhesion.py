@@ -17,7 +17,7 @@ from . import files
 from .table import Column, aligned, as_csv, column, number
 
 _DESCRIPTION = """\
-Computes an adhesive contact: jump-in, pull-off under prescribed force and under prescribed displacement, all other ends of
+Computes an adhesive contact: jump-in, pull-off under prescribed force and under prescribed depth, all other ends of
 stability of the branch, and a cycle of approach and retraction with the energy it loses.
 
     mdrcontact example afm_on_pdms > problem.toml
@@ -28,9 +28,9 @@ The problem file has one table more than for the other commands:
 
     [adhesion]
     work_of_adhesion = "50 mJ/m^2"
-    control = "spring"                  # or "displacement" (the depth; default), "force": what the machine prescribes
+    control = "spring"                  # or "depth" (default), "force": what the machine prescribes
     spring_stiffness = "0.2 N/m"        # with control = "spring": an AFM cantilever
-    adhesion_rule = "automatic"         # or "paper", "energy": how far the springs at the edge hang, see docs/adhesion.md
+    adhesion_rule = "automatic"         # or "paper", "energy": the edge opening, see docs/adhesion.md
 
 The motion turns back at the last depth, force or radius of [compute].
 """
@@ -60,7 +60,7 @@ def run(arguments: argparse.Namespace) -> None:
     if problem.adhesion is None:
         raise ProblemError(f'{arguments.problem}: the table [adhesion] is missing: write it with work_of_adhesion = "50 mJ/m^2"')
     contact = problem.contact()
-    pull_offs = [(f"pull-off, {control} prescribed", contact.pull_off(control)) for control in ("force", "displacement")]
+    pull_offs = [(f"pull-off, {control} prescribed", contact.pull_off(control)) for control in ("force", "depth")]
     loop = cycle(contact, problem, problem.adhesion)
     print(f"{problem.title}\n")
     gamma = problem.adhesion.work_of_adhesion
@@ -107,7 +107,7 @@ def _states(pull_offs: list[tuple[str, PullOff]]) -> str:
     rows = []
     for name, state in pull_offs:
         rows.append((name, state))
-        rows += [(f"{name}: another stable stretch ends", other) for other in state.others]
+        rows += [(f"{name}: another stable segment ends", other) for other in state.others]
     table = [
         column("depth", np.array([state.depth for _, state in rows]), LENGTH),
         column("radius", np.array([state.radius for _, state in rows]), LENGTH),

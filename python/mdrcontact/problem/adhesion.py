@@ -28,9 +28,9 @@ class Adhesion(NamedTuple):
 
 
 def read_adhesion(section: Section) -> Adhesion:
-    """What [adhesion] says; without a control a given spring means "spring", none means "displacement"."""
+    """What [adhesion] says; without a control a given spring means "spring", none means "depth"."""
     has_spring = "spring_stiffness" in section
-    control = section.choice("control", CONTROLS, default="spring" if has_spring else "displacement")
+    control = section.choice("control", CONTROLS, default="spring" if has_spring else "depth")
     if has_spring and control != "spring":
         raise ProblemError(f'[{section.path}]: spring_stiffness belongs to control = "spring", not to {control!r}')
     spring = section.quantity("spring_stiffness") if control == "spring" else None

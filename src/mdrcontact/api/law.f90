@@ -6,9 +6,9 @@ module mdrcontact_api_law
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, check_memory, status_of
-    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact, only: check_branch, contact_t
     use mdrcontact_error, only: error_t
-    use mdrcontact_law, only: check_below, check_branch, contact_law_t, default_law_tolerance, law_options_t, law_point_t, &
+    use mdrcontact_law, only: check_below, contact_law_t, default_law_tolerance, law_options_t, law_point_t, &
                               new_contact_law
     use mdrcontact_law_evaluate, only: point_at, value_at
     implicit none (type, external)
@@ -30,7 +30,7 @@ module mdrcontact_api_law
         real(c_double) :: tolerance = 0.0_c_double, error = 0.0_c_double
         integer(c_int) :: solutions = 0_c_int
         integer(c_int) :: adhesive = 0_c_int
-        integer(c_int) :: stretches = 0_c_int
+        integer(c_int) :: segments = 0_c_int
         integer(c_int) :: description_length = 0_c_int
     end type c_law_facts_t
 
@@ -114,10 +114,10 @@ contains
         end if
     end function mdr_law_force
 
-    function mdr_law_follow(law, d, stretch, f, slope, a, k) result(status) bind(C)
+    function mdr_law_follow(law, d, segment, f, slope, a, k) result(status) bind(C)
         type(c_ptr), value :: law
         real(c_double), value :: d
-        integer(c_int), intent(inout), optional :: stretch
+        integer(c_int), intent(inout), optional :: segment
         real(c_double), intent(inout), optional :: f, slope, a, k
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
@@ -126,17 +126,17 @@ contains
         integer :: place
 
         call open_handle(law, "law", inside, error)
-        call check_given(error, "stretch", present(stretch))
+        call check_given(error, "segment", present(segment))
         status = 0_c_int
         if (.not. allocated(error)) then
-            place = stretch
+            place = segment
             call inside%follow(d, place, point, error)
         end if
         if (allocated(error)) then
             status = status_of(error)
             return
         end if
-        stretch = int(place, c_int)
+        segment = int(place, c_int)
         if (present(f)) f = point%force
         if (present(slope)) slope = point%slope
         if (present(a)) a = point%radius
@@ -156,7 +156,7 @@ contains
         if (allocated(error)) return
         facts = c_law_facts_t(inside%by_depth%lowest, inside%by_depth%highest, inside%by_force%lowest, inside%by_force%highest, &
                               inside%tolerance, inside%error, int(inside%solutions, c_int), &
-                              merge(1_c_int, 0_c_int, inside%by_depth%adhesive), size(inside%by_depth%stretches, kind=c_int), &
+                              merge(1_c_int, 0_c_int, inside%by_depth%adhesive), size(inside%by_depth%segments, kind=c_int), &
                               len(inside%description, kind=c_int))
     end function mdr_law_info
 

@@ -6,7 +6,8 @@ module mdrcontact_api_law_batch
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_status, only: check_memory, status_of, wanted_threads
     use mdrcontact_error, only: error_t, error_unreachable, raise, raise_at, to_text
-    use mdrcontact_law, only: check_below, check_branch, contact_law_t, lowest_force
+    use mdrcontact_contact, only: check_branch
+    use mdrcontact_law, only: check_below, contact_law_t, lowest_force
     use mdrcontact_law_evaluate, only: all_of, values_of
     use mdrcontact_law_table, only: law_table_t
     implicit none (type, external)
@@ -81,8 +82,8 @@ contains
         do i = 1, size(s)
             call check_below(error, name, s(i), highest)
             if (.not. allocated(error) .and. s(i) < lowest) then
-                call raise(error, error_unreachable, name//" = "//to_text(s(i))// &
-                           " cannot be reached: no contact carries less than "//to_text(lowest))
+                call raise(error, error_unreachable, " = "//to_text(s(i))// &
+                           " cannot be reached: no contact carries less than "//to_text(lowest), name)
             end if
             if (.not. allocated(error)) cycle
             call raise_at(error, i)

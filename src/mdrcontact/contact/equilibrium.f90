@@ -36,7 +36,7 @@ module mdrcontact_contact_equilibrium
         integer :: rule = adhesion_automatic
         !> the largest contact radius at which all parts are defined [length]
         real(wp) :: last_radius = 0.0_wp
-        !> whether a state is a formula and costs less than to wake a thread for it
+        !> whether a state is a formula and costs less than to start a thread for it
         logical :: is_formula = .false.
     contains
         procedure :: at
@@ -93,7 +93,7 @@ contains
         real(wp), allocatable :: radii(:), depths(:)
         integer :: i
 
-        if (medium%edge_is_exact()) then
+        if (medium%is_exact()) then
             call raise(error, error_invalid, "zeta is not allowed: this medium determines its depth exactly")
             return
         end if
@@ -149,7 +149,7 @@ contains
         if (allocated(error)) return
         state%stiffness = 2.0_wp*radius*modulus
         if (.not. self%work_of_adhesion > 0.0_wp) return
-        if (self%rule == adhesion_energy .or. (self%rule == adhesion_automatic .and. self%medium%edge_is_exact())) then
+        if (self%rule == adhesion_energy .or. (self%rule == adhesion_automatic .and. self%medium%is_exact())) then
             modulus = modulus + radius*modulus_slope
         end if
         if (.not. modulus > 0.0_wp) then
@@ -186,8 +186,8 @@ contains
         if (self%last_radius >= self%medium%largest_radius()) words = self%medium%why_it_ends()
     end function why_it_ends
 
-    !> How far the contact radius goes: to a vertical wall, or a hair below the profile's end, which may be a vertical tangent that
-    !> media with a unit of length of their own must not reach by rounding; far below the end of the number range.
+    !> How far the contact radius goes: to a vertical wall, or one rounding below the profile's end, which may be a vertical
+    !> tangent that media with a unit of length of their own must not reach by rounding; far below the end of the number range.
     pure function largest_contact_radius(profile, medium) result(radius)
         class(profile_t), intent(in) :: profile
         class(medium_t), intent(in) :: medium

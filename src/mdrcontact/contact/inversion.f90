@@ -73,9 +73,9 @@ contains
         end if
         call equilibrium%at(closest, state, error)
         if (allocated(error) .or. found) return
-        call raise(error, error_unreachable, name//" = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
-                   ", where the indenter or the medium ends, the "//name//" is "//to_text(control%of(state%depth, state%force))// &
-                   trim(equilibrium%why_it_ends()))
+        call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
+                   ", where the indenter or the medium ends, the "//name//" is "// &
+                   to_text(control%of(state%depth, state%force))//trim(equilibrium%why_it_ends()), name)
     end subroutine invert
 
     !> At a vertical wall the radius stays and the indenter goes on as a flat punch.

@@ -2,7 +2,7 @@
 !> Many states of a contact, and its fields at many positions, on one thread or several.
 module mdrcontact_contact_values
     use mdrcontact_batch, only: batch_t, check_threads, run_batch, team_size
-    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact, only: check_branch, contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise, raise_at
     use mdrcontact_kinds, only: wp
@@ -68,6 +68,7 @@ contains
         if (present(threads)) team = threads
         call check_threads(error, team)
         call check_choice(error, "given", given)
+        if (present(branch) .and. given /= given_radius) call check_branch(error, branch)
         call check_sizes(error, size(input), size(states))
         if (allocated(error)) return
         batch%contact => contact

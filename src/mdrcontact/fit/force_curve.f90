@@ -63,8 +63,8 @@ contains
         if (allocated(error)) return
         if (found < largest) then
             if (.not. equilibrium%profile%has_wall()) then
-                call raise(error, error_unreachable, "depth = "//to_text(largest)//" cannot be reached: the indenter or the "// &
-                           "medium ends at depth "//to_text(found)//trim(equilibrium%why_it_ends()))
+                call raise(error, error_unreachable, " = "//to_text(largest)//" cannot be reached: the indenter or the medium "// &
+                           "ends at depth "//to_text(found)//trim(equilibrium%why_it_ends()), "depth")
                 return
             end if
             allocate (self%wall)

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Profile-likelihood intervals: how far one number can be moved, all others following, before the data protest.
+!> Profile-likelihood intervals: how far one parameter can be moved, all others refitted, before the sum
+!> of squares rises by its quantile.
 module mdrcontact_fit_interval
     use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_double
@@ -16,7 +17,7 @@ module mdrcontact_fit_interval
     !> How well the rise of the sum of squares must meet the threshold, in its square root.
     real(wp), parameter :: tolerance = 1.0e-3_wp
     integer, parameter :: most_steps = 40
-    !> So many standard errors away the data still do not protest: there is no end on this side.
+    !> So many standard errors away the sum of squares has not risen enough: there is no end on this side.
     real(wp), parameter :: farthest = 1.0e3_wp
 
     interface

@@ -16,8 +16,9 @@ module mdrcontact_fit_medium_of
     public :: medium_choice_t, make_medium
     public :: medium_given, medium_homogeneous, medium_stack, medium_graded, medium_power_graded
 
-    !> Kinds of medium and their numbers: none; E, nu; E, nu, h of each layer from the surface down, then E, nu of the substrate
-    !> (infinite E: rigid base) and the model's constant (its option that is a number); z, E, nu at each depth; E0, z0, exponent, nu.
+    !> Kinds of medium and their parameters: none; E, nu; E, nu, h of each layer from the surface down, then E, nu of the
+    !> substrate (infinite E: rigid base) and the model's constant (its option that is a number); z, E, nu at each depth;
+    !> E0, z0, exponent, nu.
     integer, parameter :: medium_given = 0, medium_homogeneous = 1, medium_stack = 2, medium_graded = 3, medium_power_graded = 4
 
     !> Which medium the numbers belong to.

@@ -106,7 +106,7 @@ contains
         call check_positive(error, "stiffness_factor", instrument(at_stiffness_factor))
     end subroutine check_instrument
 
-    !> F + force offset at depths freed of the offset and of what the frame gives way: d = x - offset - C (y - force offset).
+    !> F + force offset at depths freed of the offset and of the deflection of the frame: d = x - offset - C (y - force offset).
     subroutine predict_force(problem, instrument, profile, medium, data, y, error)
         type(fit_problem_t), intent(in) :: problem
         real(wp), intent(in) :: instrument(:)

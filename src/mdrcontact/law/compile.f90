@@ -1,13 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> From sampled equilibria to the polynomials of a law: cuts the branch into segments, fits the panels.
+!> From sampled equilibria to the polynomials of a law: cuts the branch into intervals, fits the panels.
 module mdrcontact_law_compile
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_curve, only: curve_point_t, curve_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_law_segment, only: coefficient_count, column_count, most_bits, new_segment, panel_count, panel_ends, &
-                                      polynomial, segment_t, u_of_y
-    use mdrcontact_law_table, only: law_table_t, table_stretch_t, values_in
+    use mdrcontact_law_interval, only: coefficient_count, column_count, most_bits, new_interval, panel_count, panel_ends, &
+                                      polynomial, interval_t, u_of_y
+    use mdrcontact_law_table, only: law_table_t, table_segment_t, values_in
     implicit none (type, external)
     private
     public :: piece_t, compile_pieces, compile_straight, control_of, open_table, close_table
@@ -35,10 +35,10 @@ contains
         table%end_radius = end_radius
         table%lowest = huge(1.0_wp)
         table%highest = -huge(1.0_wp)
-        allocate (table%stretches(0), table%segments(0), table%coefficients(coefficient_count, column_count, 0))
+        allocate (table%segments(0), table%intervals(0), table%coefficients(coefficient_count, column_count, 0))
     end subroutine open_table
 
-    !> Adds one stretch, given as its pieces by ascending radius.
+    !> Adds one segment, given as its pieces by ascending radius.
     subroutine compile_pieces(table, curve, pieces, tolerance, error)
         type(law_table_t), intent(inout) :: table
         type(curve_t), intent(in) :: curve
@@ -48,60 +48,60 @@ contains
         real(wp) :: low, high, middle
         integer :: i, first
 
-        first = size(table%segments) + 1
+        first = size(table%intervals) + 1
         do i = 1, size(pieces)
             low = curve_value(table, curve, pieces(i)%first)
             high = curve_value(table, curve, pieces(i)%last)
             if (pieces(i)%fold_last) then
                 middle = 0.5_wp*(low + high)
-                call compile_segment(table, curve, pieces(i), low, 1.0_wp, .true., [0.0_wp, middle - low], tolerance, error)
+                call compile_interval(table, curve, pieces(i), low, 1.0_wp, .true., [0.0_wp, middle - low], tolerance, error)
                 if (allocated(error)) return
-                call compile_segment(table, curve, pieces(i), high, -1.0_wp, .true., [0.0_wp, high - middle], tolerance, error)
+                call compile_interval(table, curve, pieces(i), high, -1.0_wp, .true., [0.0_wp, high - middle], tolerance, error)
             else if (pieces(i)%singular_first) then
-                call compile_segment(table, curve, pieces(i), low, 1.0_wp, .true., [0.0_wp, high - low], tolerance, error)
+                call compile_interval(table, curve, pieces(i), low, 1.0_wp, .true., [0.0_wp, high - low], tolerance, error)
             else
-                call compile_segment(table, curve, pieces(i), 0.0_wp, 1.0_wp, .false., [low, high], tolerance, error)
+                call compile_interval(table, curve, pieces(i), 0.0_wp, 1.0_wp, .false., [low, high], tolerance, error)
             end if
             if (allocated(error)) return
         end do
-        call add_stretch(table, first)
+        call add_segment(table, first)
     end subroutine compile_pieces
 
-    !> Adds a stretch on which the radius and hence the stiffness stay: a flat punch, F = k d.
+    !> Adds a segment on which the radius and hence the stiffness stay: a flat punch, F = k d.
     subroutine compile_straight(table, radius, stiffness, low, high)
         type(law_table_t), intent(inout) :: table
         real(wp), intent(in) :: radius, stiffness, low, high
-        type(segment_t) :: segment
+        type(interval_t) :: interval
         real(wp) :: ends(2), s(2), other(2)
         real(wp), allocatable :: coefficients(:, :, :)
         integer :: panel, first
 
-        first = size(table%segments) + 1
-        segment = new_segment(low, 1.0_wp, .false., 0.0_wp, high - low, 1.0_wp, 0)
-        segment%first_panel = size(table%coefficients, 3)
-        allocate (coefficients(coefficient_count, column_count, panel_count(segment)), source=0.0_wp)
+        first = size(table%intervals) + 1
+        interval = new_interval(low, 1.0_wp, .false., 0.0_wp, high - low, 1.0_wp, 0)
+        interval%first_panel = size(table%coefficients, 3)
+        allocate (coefficients(coefficient_count, column_count, panel_count(interval)), source=0.0_wp)
         do panel = 1, size(coefficients, 3)
-            ends = panel_ends(segment, panel)
-            s = low + [u_of_y(segment, ends(1)), u_of_y(segment, ends(2))]
+            ends = panel_ends(interval, panel)
+            s = low + [u_of_y(interval, ends(1)), u_of_y(interval, ends(2))]
             other = s*merge(stiffness, 1.0_wp/stiffness, table%by_depth)
             coefficients(1, :, panel) = [0.5_wp*(other(1) + other(2)), radius, stiffness]
             coefficients(2, 1, panel) = 0.5_wp*(other(2) - other(1))
         end do
-        call append(table, segment, coefficients)
-        call add_stretch(table, first)
+        call append(table, interval, coefficients)
+        call add_segment(table, first)
     end subroutine compile_straight
 
-    subroutine add_stretch(table, first)
+    subroutine add_segment(table, first)
         type(law_table_t), intent(inout) :: table
         integer, intent(in) :: first
         integer :: last
 
-        last = size(table%segments)
-        table%stretches = [table%stretches, &
-                           table_stretch_t(table%segments(first)%lowest, table%segments(last)%highest, first, last)]
-        table%lowest = min(table%lowest, table%segments(first)%lowest)
-        table%highest = max(table%highest, table%segments(last)%highest)
-    end subroutine add_stretch
+        last = size(table%intervals)
+        table%segments = [table%segments, &
+                           table_segment_t(table%intervals(first)%lowest, table%intervals(last)%highest, first, last)]
+        table%lowest = min(table%lowest, table%intervals(first)%lowest)
+        table%highest = max(table%highest, table%intervals(last)%highest)
+    end subroutine add_segment
 
     !> The powers of s that continue a table without adhesion below its range with the same value and slope.
     subroutine close_table(table)
@@ -148,58 +148,58 @@ contains
         s = merge(point%depth, point%force, table%by_depth)
     end function curve_value
 
-    !> Adds a segment in as few panels as the tolerance allows.
-    subroutine compile_segment(table, curve, piece, origin, side, root, u, tolerance, error)
+    !> Adds an interval in as few panels as the tolerance allows.
+    subroutine compile_interval(table, curve, piece, origin, side, root, u, tolerance, error)
         type(law_table_t), intent(inout) :: table
         type(curve_t), intent(in) :: curve
         type(piece_t), intent(in) :: piece
         real(wp), intent(in) :: origin, side, u(2), tolerance
         logical, intent(in) :: root
         type(error_t), allocatable, intent(out) :: error
-        type(segment_t) :: segment
+        type(interval_t) :: interval
         real(wp), allocatable :: coefficients(:, :, :)
-        real(wp) :: stretch
+        real(wp) :: margin
         integer :: bits, panel
         logical :: fits
 
-        stretch = 0.0_wp
-        if (root) stretch = singular_scale*sqrt(max(abs(origin), 1.0e-12_wp*u(2))/u(2))
+        margin = 0.0_wp
+        if (root) margin = singular_scale*sqrt(max(abs(origin), 1.0e-12_wp*u(2))/u(2))
         do bits = 2, most_bits
-            segment = new_segment(origin, side, root, u(1), u(2), stretch, bits)
-            segment%first_panel = size(table%coefficients, 3)
+            interval = new_interval(origin, side, root, u(1), u(2), margin, bits)
+            interval%first_panel = size(table%coefficients, 3)
             if (allocated(coefficients)) deallocate (coefficients)
-            allocate (coefficients(coefficient_count, column_count, panel_count(segment)))
+            allocate (coefficients(coefficient_count, column_count, panel_count(interval)))
             do panel = 1, size(coefficients, 3)
-                call fit_panel(table, curve, piece, segment, panel, tolerance, coefficients(:, :, panel), fits)
+                call fit_panel(table, curve, piece, interval, panel, tolerance, coefficients(:, :, panel), fits)
                 if (.not. fits) exit
             end do
             if (fits) exit
         end do
         if (fits) then
-            call append(table, segment, coefficients)
+            call append(table, interval, coefficients)
         else
             call raise(error, error_no_convergence, "no piecewise polynomial of "//to_text(2.0_wp**most_bits)// &
-                       " panels in an octave meets the tolerance asked for between "//to_text(segment%lowest)//" and "// &
-                       to_text(segment%highest))
+                       " panels in an octave meets the tolerance asked for between "//to_text(interval%lowest)//" and "// &
+                       to_text(interval%highest))
         end if
-    end subroutine compile_segment
+    end subroutine compile_interval
 
-    subroutine append(table, segment, coefficients)
+    subroutine append(table, interval, coefficients)
         type(law_table_t), intent(inout) :: table
-        type(segment_t), intent(in) :: segment
+        type(interval_t), intent(in) :: interval
         real(wp), intent(in) :: coefficients(:, :, :)
 
-        table%segments = [table%segments, segment]
+        table%intervals = [table%intervals, interval]
         table%coefficients = reshape([table%coefficients, coefficients], &
                                      [coefficient_count, column_count, size(table%coefficients, 3) + size(coefficients, 3)])
     end subroutine append
 
     !> Interpolates the columns at Chebyshev's extrema, ends included: the law is continuous from panel to panel.
-    subroutine fit_panel(table, curve, piece, segment, panel, tolerance, coefficients, fits)
+    subroutine fit_panel(table, curve, piece, interval, panel, tolerance, coefficients, fits)
         type(law_table_t), intent(in) :: table
         type(curve_t), intent(in) :: curve
         type(piece_t), intent(in) :: piece
-        type(segment_t), intent(in) :: segment
+        type(interval_t), intent(in) :: interval
         integer, intent(in) :: panel
         real(wp), intent(in) :: tolerance
         real(wp), intent(out) :: coefficients(coefficient_count, column_count)
@@ -208,10 +208,10 @@ contains
                     scale(column_count), u(2)
         integer :: i, j
 
-        ends = panel_ends(segment, panel)
+        ends = panel_ends(interval, panel)
         do i = 1, coefficient_count
             t(i) = -cos(pi*(i - 1)/(coefficient_count - 1))
-            values(i, :) = columns_at(table, curve, piece, segment, &
+            values(i, :) = columns_at(table, curve, piece, interval, &
                                       0.5_wp*(ends(1)*(1.0_wp - t(i)) + ends(2)*(1.0_wp + t(i))))
         end do
         do j = 1, column_count
@@ -221,13 +221,13 @@ contains
         scale = maxval(abs(values), dim=1)
         ! With adhesion values pass through 0 and slopes through infinity: no value can be better than its argument s.
         if (table%adhesive) then
-            u = [u_of_y(segment, ends(1)), u_of_y(segment, ends(2))]
+            u = [u_of_y(interval, ends(1)), u_of_y(interval, ends(2))]
             scale = scale + (maxval(values, dim=1) - minval(values, dim=1)) &
-                    *maxval(abs(segment%origin + segment%side*u))/(u(2) - u(1))
+                    *maxval(abs(interval%origin + interval%side*u))/(u(2) - u(1))
         end if
         do i = 1, coefficient_count - 1, 3
             found = 0.5_wp*(t(i) + t(i + 1))
-            between = columns_at(table, curve, piece, segment, 0.5_wp*(ends(1)*(1.0_wp - found) + ends(2)*(1.0_wp + found)))
+            between = columns_at(table, curve, piece, interval, 0.5_wp*(ends(1)*(1.0_wp - found) + ends(2)*(1.0_wp + found)))
             do j = 1, column_count
                 fits = fits .and. abs(polynomial(coefficients(:, j), found) - between(j)) <= tolerance*scale(j)
             end do
@@ -256,16 +256,16 @@ contains
     end function interpolating
 
     !> F or d, a and k of the state at y.
-    pure function columns_at(table, curve, piece, segment, y) result(columns)
+    pure function columns_at(table, curve, piece, interval, y) result(columns)
         type(law_table_t), intent(in) :: table
         type(curve_t), intent(in) :: curve
         type(piece_t), intent(in) :: piece
-        type(segment_t), intent(in) :: segment
+        type(interval_t), intent(in) :: interval
         real(wp), intent(in) :: y
         real(wp) :: columns(column_count)
         type(curve_point_t) :: point
 
-        point = curve%find(control_of(table), segment%origin, segment%side, segment%root, u_of_y(segment, y), piece%first, &
+        point = curve%find(control_of(table), interval%origin, interval%side, interval%root, u_of_y(interval, y), piece%first, &
                            piece%last)
         columns = [merge(point%force, point%depth, table%by_depth), point%radius, point%stiffness]
     end function columns_at

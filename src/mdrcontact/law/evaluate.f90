@@ -4,8 +4,8 @@ module mdrcontact_law_evaluate
     use mdrcontact_batch, only: team_size
     use mdrcontact_contact, only: on_loading
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_segment, only: polynomial, segment_place, place_t
-    use mdrcontact_law_table, only: below_range, law_table_t, no_contact, segment_for, value_in, values_below, values_in
+    use mdrcontact_law_interval, only: polynomial, interval_place, place_t
+    use mdrcontact_law_table, only: below_range, law_table_t, no_contact, interval_for, value_in, values_below, values_in
     implicit none (type, external)
     private
     public :: law_point_t, value_at, point_at, values_of, all_of
@@ -36,12 +36,12 @@ contains
         real(wp), intent(in) :: s
         real(wp) :: value
         real(wp) :: slope, radius, stiffness
-        integer :: segment
+        integer :: interval
 
-        segment = segment_for(table, branch, s)
-        if (segment > 0) then
-            value = value_in(table, segment, s)
-        else if (segment == below_range) then
+        interval = interval_for(table, branch, s)
+        if (interval > 0) then
+            value = value_in(table, interval, s)
+        else if (interval == below_range) then
             call values_below(table, s, value, slope, radius, stiffness)
         else
             value = 0.0_wp
@@ -54,12 +54,12 @@ contains
         integer, intent(in) :: branch
         real(wp), intent(in) :: s
         real(wp), intent(out) :: other, slope, radius, stiffness
-        integer :: segment
+        integer :: interval
 
-        segment = segment_for(table, branch, s)
-        if (segment > 0) then
-            call values_in(table, segment, s, other, slope, radius, stiffness)
-        else if (segment == below_range) then
+        interval = interval_for(table, branch, s)
+        if (interval > 0) then
+            call values_in(table, interval, s, other, slope, radius, stiffness)
+        else if (interval == below_range) then
             call values_below(table, s, other, slope, radius, stiffness)
         else
             other = 0.0_wp
@@ -107,7 +107,7 @@ contains
         !$omp end parallel do
     end subroutine all_of
 
-    !> A block of points, most of which lie on one segment in the usual case.
+    !> A block of points, most of which lie on one interval in the usual case.
     pure subroutine block_of_values(table, branch, n, s, values)
         type(law_table_t), intent(in) :: table
         integer, intent(in) :: branch, n
@@ -119,10 +119,10 @@ contains
 
         least = table%lowest
         if (branch == on_loading) least = max(least, 0.0_wp)
-        if (size(table%segments) == 1) then
-            associate (segment => table%segments(1), c => table%coefficients)
+        if (size(table%intervals) == 1) then
+            associate (interval => table%intervals(1), c => table%coefficients)
                 do i = 1, n
-                    place = segment_place(segment, s(i))
+                    place = interval_place(interval, s(i))
                     values(i) = polynomial(c(:, 1, place%panel), place%t)
                 end do
                 do i = 1, n

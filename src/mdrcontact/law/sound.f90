@@ -3,15 +3,15 @@
 module mdrcontact_law_sound
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
-    use mdrcontact_law_segment, only: coefficient_count, column_count, panel_count, polynomial, segment_t
-    use mdrcontact_law_table, only: law_table_t, table_stretch_t
+    use mdrcontact_law_interval, only: coefficient_count, column_count, panel_count, polynomial, interval_t
+    use mdrcontact_law_table, only: law_table_t, table_segment_t
     implicit none (type, external)
     private
     public :: is_sound
 
     !> Columns whose values are never negative: a and k.
     integer, parameter :: radius_column = 2, stiffness_column = 3
-    !> What a value may lack where two panels or two segments meet, in shares of it.
+    !> What a value may lack where two panels or two intervals meet, in shares of it.
     real(wp), parameter :: rounding = 1.0e-6_wp
 
 contains
@@ -42,48 +42,48 @@ contains
                 if (sound) sound = is_positive(table%coefficients(:, column, i))
             end do
         end do
-        do i = 1, size(table%stretches)
-            if (sound) sound = is_sound_stretch(table, table%stretches(i))
+        do i = 1, size(table%segments)
+            if (sound) sound = is_sound_segment(table, table%segments(i))
         end do
     end function is_sound_table
 
-    !> Whether the segments of a stretch follow each other and the contact radius grows along them.
-    pure function is_sound_stretch(table, stretch) result(sound)
+    !> Whether the intervals of a segment follow each other and the contact radius grows along them.
+    pure function is_sound_segment(table, segment) result(sound)
         type(law_table_t), intent(in) :: table
-        type(table_stretch_t), intent(in) :: stretch
+        type(table_segment_t), intent(in) :: segment
         logical :: sound
         real(wp) :: radius, low, high, s, span
         integer :: i, panel, count
 
-        s = stretch%lowest
-        span = stretch%highest - stretch%lowest
-        sound = stretch%lowest >= table%lowest .and. stretch%highest <= table%highest .and. span > 0.0_wp
+        s = segment%lowest
+        span = segment%highest - segment%lowest
+        sound = segment%lowest >= table%lowest .and. segment%highest <= table%highest .and. span > 0.0_wp
         radius = table%end_radius*(1.0_wp - rounding)
-        do i = stretch%first, stretch%last
-            associate (segment => table%segments(i))
-                sound = sound .and. abs(segment%lowest - s) <= rounding*span .and. segment%highest > segment%lowest
-                s = segment%highest
-                count = panel_count(segment)
+        do i = segment%first, segment%last
+            associate (interval => table%intervals(i))
+                sound = sound .and. abs(interval%lowest - s) <= rounding*span .and. interval%highest > interval%lowest
+                s = interval%highest
+                count = panel_count(interval)
                 do panel = 1, count
-                    call radius_ends(table, segment, merge(panel, count + 1 - panel, segment%side > 0.0_wp), low, high)
+                    call radius_ends(table, interval, merge(panel, count + 1 - panel, interval%side > 0.0_wp), low, high)
                     sound = sound .and. low >= radius*(1.0_wp - rounding) .and. high >= low*(1.0_wp - rounding)
                     radius = high
                 end do
             end associate
         end do
-        sound = sound .and. abs(stretch%highest - s) <= rounding*span
-    end function is_sound_stretch
+        sound = sound .and. abs(segment%highest - s) <= rounding*span
+    end function is_sound_segment
 
     !> a at both ends of a panel, by ascending s.
-    pure subroutine radius_ends(table, segment, panel, low, high)
+    pure subroutine radius_ends(table, interval, panel, low, high)
         type(law_table_t), intent(in) :: table
-        type(segment_t), intent(in) :: segment
+        type(interval_t), intent(in) :: interval
         integer, intent(in) :: panel
         real(wp), intent(out) :: low, high
 
-        associate (c => table%coefficients(:, radius_column, segment%first_panel + panel))
-            low = polynomial(c, -sign(1.0_wp, segment%side))
-            high = polynomial(c, sign(1.0_wp, segment%side))
+        associate (c => table%coefficients(:, radius_column, interval%first_panel + panel))
+            low = polynomial(c, -sign(1.0_wp, interval%side))
+            high = polynomial(c, sign(1.0_wp, interval%side))
         end associate
     end subroutine radius_ends
 

@@ -7,7 +7,7 @@ module mdrcontact_law_verify
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_table, only: law_table_t, segment_in, values_in
+    use mdrcontact_law_table, only: law_table_t, interval_in, values_in
     implicit none (type, external)
     private
     public :: largest_error
@@ -22,39 +22,39 @@ contains
         type(law_table_t), intent(in) :: by_depth, by_force
         type(contact_t), intent(in) :: contact
         type(curve_t), intent(in) :: curve
-        !> the stretches the tables were made from, in the same order
+        !> the segments the tables were made from, in the same order
         type(stable_segment_t), intent(in) :: of_depth(:), of_force(:)
         real(wp), intent(out) :: worst
         integer, intent(inout) :: solutions
         type(error_t), allocatable, intent(out) :: error
         type(contact_state_t) :: state
         real(wp) :: x
-        integer :: panel, probe, depth_stretch, force_stretch
+        integer :: panel, probe, depth_segment, force_segment
 
         worst = 0.0_wp
         do panel = 1, size(curve%edges) - 1
             do probe = 1, size(probes)
                 x = curve%edges(panel) + probes(probe)*(curve%edges(panel + 1) - curve%edges(panel))
-                depth_stretch = findloc(of_depth%first <= x .and. x <= of_depth%last, .true., dim=1)
-                force_stretch = findloc(of_force%first <= x .and. x <= of_force%last, .true., dim=1)
-                if (depth_stretch == 0 .and. force_stretch == 0) cycle
+                depth_segment = findloc(of_depth%first <= x .and. x <= of_depth%last, .true., dim=1)
+                force_segment = findloc(of_force%first <= x .and. x <= of_force%last, .true., dim=1)
+                if (depth_segment == 0 .and. force_segment == 0) cycle
                 call contact%at_radius(curve%end_radius + exp(x), state, error)
                 if (allocated(error)) return
                 solutions = solutions + 1
-                if (depth_stretch > 0) worst = max(worst, maxval(relative_errors(by_depth, depth_stretch, state)))
-                if (force_stretch > 0) worst = max(worst, maxval(relative_errors(by_force, force_stretch, state)))
+                if (depth_segment > 0) worst = max(worst, maxval(relative_errors(by_depth, depth_segment, state)))
+                if (force_segment > 0) worst = max(worst, maxval(relative_errors(by_force, force_segment, state)))
             end do
         end do
     end subroutine largest_error
 
-    !> The errors of F or d, a and k at a state on a stretch, relative to the value y of the contact and, with adhesion, to
+    !> The errors of F or d, a and k at a state on a segment, relative to the value y of the contact and, with adhesion, to
     !> |y| + |s dy/ds|: y is then zero somewhere, and no number can be better than its argument s.
-    pure function relative_errors(table, stretch, state) result(errors)
+    pure function relative_errors(table, segment, state) result(errors)
         type(law_table_t), intent(in) :: table
-        integer, intent(in) :: stretch
+        integer, intent(in) :: segment
         type(contact_state_t), intent(in) :: state
         real(wp) :: errors(3)
-        real(wp) :: s, exact(3), found(3), slope, swing(3), beyond(3), unused
+        real(wp) :: s, exact(3), found(3), slope, shift(3), beyond(3), unused
         real(wp), parameter :: step = 1.0e-6_wp
 
         s = state%depth
@@ -63,14 +63,14 @@ contains
             s = state%force
             exact(1) = state%depth
         end if
-        call values_in(table, segment_in(table, stretch, s), s, found(1), slope, found(2), found(3))
-        swing = 0.0_wp
+        call values_in(table, interval_in(table, segment, s), s, found(1), slope, found(2), found(3))
+        shift = 0.0_wp
         if (table%adhesive) then
-            call values_in(table, segment_in(table, stretch, s), s + step*abs(s), beyond(1), unused, beyond(2), beyond(3))
-            swing = abs(beyond - found)/step
-            swing(1) = abs(s*slope)
+            call values_in(table, interval_in(table, segment, s), s + step*abs(s), beyond(1), unused, beyond(2), beyond(3))
+            shift = abs(beyond - found)/step
+            shift(1) = abs(s*slope)
         end if
-        errors = abs(found - exact)/(abs(exact) + swing)
+        errors = abs(found - exact)/(abs(exact) + shift)
     end function relative_errors
 
 end module mdrcontact_law_verify

@@ -5,8 +5,8 @@ module mdrcontact_law_words
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_segment, only: coefficient_count, column_count, most_bits, panel_count, segment_t
-    use mdrcontact_law_table, only: law_table_t, table_stretch_t
+    use mdrcontact_law_interval, only: coefficient_count, column_count, most_bits, panel_count, interval_t
+    use mdrcontact_law_table, only: law_table_t, table_segment_t
     implicit none (type, external)
     private
     public :: put_table, read_table, reader_t, word_count
@@ -22,8 +22,8 @@ module mdrcontact_law_words
     end type reader_t
 
     integer, parameter :: most_entries = 10000000
-    !> Words of a stretch and of a segment.
-    integer, parameter :: stretch_words = 4, segment_words = 11
+    !> Words of a segment and of an interval.
+    integer, parameter :: segment_words = 4, interval_words = 11
     real(wp), parameter :: largest_y = 1.0e12_wp
 
 contains
@@ -33,7 +33,7 @@ contains
         type(law_table_t), intent(in) :: table
         integer :: count
 
-        count = 8 + 2*column_count + stretch_words*size(table%stretches) + segment_words*size(table%segments) + &
+        count = 8 + 2*column_count + segment_words*size(table%segments) + interval_words*size(table%intervals) + &
                 size(table%coefficients)
     end function word_count
 
@@ -48,22 +48,22 @@ contains
         words(3:5 + 2*column_count) = transfer([table%end_radius, table%lowest, table%highest, table%end_values, table%powers], &
                                                [0_int64])
         next = 6 + 2*column_count
-        words(next:next + 2) = int([size(table%stretches), size(table%segments), size(table%coefficients, 3)], int64)
+        words(next:next + 2) = int([size(table%segments), size(table%intervals), size(table%coefficients, 3)], int64)
         next = next + 3
-        do i = 1, size(table%stretches)
-            associate (s => table%stretches(i))
+        do i = 1, size(table%segments)
+            associate (s => table%segments(i))
                 words(next:next + 1) = transfer([s%lowest, s%highest], [0_int64])
                 words(next + 2:next + 3) = int([s%first, s%last], int64)
             end associate
-            next = next + stretch_words
+            next = next + segment_words
         end do
-        do i = 1, size(table%segments)
-            associate (s => table%segments(i))
+        do i = 1, size(table%intervals)
+            associate (s => table%intervals(i))
                 words(next:next + 7) = transfer([s%lowest, s%highest, s%origin, s%side, s%scale, s%offset, s%last_y, &
                                                  s%smallest_root], [0_int64])
                 words(next + 8:next + 10) = int([merge(1, 0, s%root), s%bits, s%first_panel], int64)
             end associate
-            next = next + segment_words
+            next = next + interval_words
         end do
         do k = 1, size(table%coefficients, 3)
             do j = 1, column_count
@@ -108,7 +108,7 @@ contains
         type(reader_t), intent(inout) :: reader
         type(law_table_t), intent(out) :: table
         type(error_t), allocatable, intent(inout) :: error
-        integer :: i, j, k, stretches, segments, panels, stat
+        integer :: i, j, k, segments, intervals, panels, stat
 
         table%by_depth = reader%whole(0, 1) == 1
         table%adhesive = reader%whole(0, 1) == 1
@@ -121,25 +121,25 @@ contains
         do i = 1, column_count
             table%powers(i) = reader%number()
         end do
-        stretches = reader%whole(1, most_entries)
         segments = reader%whole(1, most_entries)
+        intervals = reader%whole(1, most_entries)
         panels = reader%whole(1, most_entries)
-        if (size(reader%words) - reader%next + 1 < stretch_words*stretches + segment_words*segments + &
+        if (size(reader%words) - reader%next + 1 < segment_words*segments + interval_words*intervals + &
             coefficient_count*column_count*panels) reader%sound = .false.
         if (.not. reader%sound) return
-        allocate (table%stretches(stretches), stat=stat)
-        if (stat == 0) allocate (table%segments(segments), stat=stat)
+        allocate (table%segments(segments), stat=stat)
+        if (stat == 0) allocate (table%intervals(intervals), stat=stat)
         if (stat == 0) allocate (table%coefficients(coefficient_count, column_count, panels), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        do i = 1, stretches
-            table%stretches(i)%lowest = reader%number()
-            table%stretches(i)%highest = reader%number()
-            table%stretches(i)%first = reader%whole(1, segments)
-            table%stretches(i)%last = reader%whole(table%stretches(i)%first, segments)
-        end do
         do i = 1, segments
-            call read_segment(reader, panels, table%segments(i))
+            table%segments(i)%lowest = reader%number()
+            table%segments(i)%highest = reader%number()
+            table%segments(i)%first = reader%whole(1, intervals)
+            table%segments(i)%last = reader%whole(table%segments(i)%first, intervals)
+        end do
+        do i = 1, intervals
+            call read_interval(reader, panels, table%intervals(i))
         end do
         do k = 1, panels
             do j = 1, column_count
@@ -150,25 +150,25 @@ contains
         end do
     end subroutine read_table
 
-    subroutine read_segment(reader, panels, segment)
+    subroutine read_interval(reader, panels, interval)
         type(reader_t), intent(inout) :: reader
         integer, intent(in) :: panels
-        type(segment_t), intent(out) :: segment
+        type(interval_t), intent(out) :: interval
 
-        segment%lowest = reader%number()
-        segment%highest = reader%number()
-        segment%origin = reader%number()
-        segment%side = reader%number()
-        segment%scale = reader%number()
-        segment%offset = reader%number()
-        segment%last_y = reader%number()
-        segment%smallest_root = reader%number()
-        segment%root = reader%whole(0, 1) == 1
-        segment%bits = reader%whole(0, most_bits)
-        segment%first_panel = reader%whole(0, panels - 1)
+        interval%lowest = reader%number()
+        interval%highest = reader%number()
+        interval%origin = reader%number()
+        interval%side = reader%number()
+        interval%scale = reader%number()
+        interval%offset = reader%number()
+        interval%last_y = reader%number()
+        interval%smallest_root = reader%number()
+        interval%root = reader%whole(0, 1) == 1
+        interval%bits = reader%whole(0, most_bits)
+        interval%first_panel = reader%whole(0, panels - 1)
         ! No damage may lead outside the coefficients.
-        reader%sound = reader%sound .and. segment%last_y >= 1.0_wp .and. segment%last_y < largest_y
-        if (reader%sound) reader%sound = panel_count(segment) <= panels - segment%first_panel
-    end subroutine read_segment
+        reader%sound = reader%sound .and. interval%last_y >= 1.0_wp .and. interval%last_y < largest_y
+        if (reader%sound) reader%sound = panel_count(interval) <= panels - interval%first_panel
+    end subroutine read_interval
 
 end module mdrcontact_law_words

@@ -48,7 +48,7 @@ module mdrcontact_layered_exact
         procedure :: pressure
         procedure :: displacement_outside
         procedure :: response
-        procedure :: edge_is_exact
+        procedure :: is_exact
         procedure :: largest_radius
         procedure :: zeta
         procedure :: body
@@ -150,7 +150,7 @@ contains
         end do
     end subroutine modulus_slope
 
-    !> First touch: the depth at which the edge spring is just unloaded, and the springs' total force.
+    !> The non-adhesive state: the depth at which the edge spring is just unloaded, and the springs' total force.
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -189,15 +189,15 @@ contains
         modulus_slope = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a
     end subroutine response
 
-    !> Yes: k'(a) = 2 E0* q_1(a; a)^2, so that the energy balance hangs the edge spring by q(a) = -sqrt(2 pi a gamma E0*).
-    pure function edge_is_exact(self) result(answer)
+    !> Yes: k'(a) = 2 E0* q_1(a; a)^2, so that by the energy balance the edge spring carries q(a) = -sqrt(2 pi a gamma E0*).
+    pure function is_exact(self) result(answer)
         class(layered_exact_t), intent(in) :: self
         logical :: answer
 
         associate (unused => self)
         end associate
         answer = .true.
-    end function edge_is_exact
+    end function is_exact
 
     pure function largest_radius(self) result(radius)
         class(layered_exact_t), intent(in) :: self

@@ -29,7 +29,7 @@ module mdrcontact_layered_solve
     type :: solution_t
         !> number of unknowns
         integer :: unknowns = 0
-        !> E_eff/E0* [1], q_1 at the edge of the contact [1], first-touch depth [length], d'(a) [1]
+        !> E_eff/E0* [1], q_1 at the edge of the contact [1], depth of the non-adhesive state [length], d'(a) [1]
         real(wp) :: modulus = 1.0_wp, punch_edge = 1.0_wp, depth = 0.0_wp, depth_slope = 0.0_wp
         !> force/E0* [length^2]
         real(wp) :: force = 0.0_wp

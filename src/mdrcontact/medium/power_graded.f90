@@ -31,8 +31,8 @@ module mdrcontact_medium_power_graded
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
-        procedure :: edge_is_exact
-        procedure :: has_modulus_formula => edge_is_exact
+        procedure :: is_exact
+        procedure :: has_modulus_formula => is_exact
     end type power_graded_t
 
     !> g(x) of one indenter in this medium.
@@ -211,14 +211,14 @@ contains
         end do
     end subroutine displacement_outside
 
-    pure function edge_is_exact(self) result(answer)
+    pure function is_exact(self) result(answer)
         class(power_graded_t), intent(in) :: self
         logical :: answer
 
         associate (unused => self)
         end associate
         answer = .true.
-    end function edge_is_exact
+    end function is_exact
 
     !> g(x) = x^{1-m} int_0^x f'(r) (x^2 - r^2)^{(m-1)/2} dr.
     function mdr(profile, m, x) result(g)

@@ -36,7 +36,7 @@ static void evaluate(world *w)
     const int n = take_count(&w->in), branch = take_code(&w->in, 2), threads = take_chance(&w->in) ? take_choice(&w->in, 3) : 1;
     const mdr_law *law = some_law(w);
     double x[MOST_POINTS], p[MOST_POINTS], q[MOST_POINTS], r[MOST_POINTS], s[MOST_POINTS];
-    int status, stretch = take_choice(&w->in, 4);
+    int status, segment = take_choice(&w->in, 4);
 
     take_numbers(&w->in, x);
     fill(p), fill(q);
@@ -45,7 +45,7 @@ static void evaluate(world *w)
     judge("mdr_law_force", status, 1, p, FINITE);
     judge("mdr_law_force", status, 1, q, NOT_NAN);
     fill(p), fill(q), fill(r), fill(s);
-    status = mdr_law_follow(law, x[1], &stretch, p, q, r, s);
+    status = mdr_law_follow(law, x[1], &segment, p, q, r, s);
     judge("mdr_law_follow", status, 1, p, FINITE);
     judge("mdr_law_follow", status, 1, r, NOT_NEGATIVE);
     fill(p), fill(q), fill(r), fill(s);

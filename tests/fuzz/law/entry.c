@@ -46,7 +46,7 @@ static void evaluate(const mdr_law *law)
     mdr_law_facts facts;
     double x[DEPTHS], v[4][DEPTHS];
     char words[16];
-    int stretch = 0, length = 0;
+    int segment = 0, length = 0;
 
     if (mdr_law_info(law, &facts) != MDR_SUCCESS) finding("has no facts");
     mdr_law_description(law, words, (int)sizeof words);
@@ -54,7 +54,7 @@ static void evaluate(const mdr_law *law)
         for (int i = 0; i < DEPTHS; i++) {
             const double t = (i - 1) / (DEPTHS - 3.0);
             x[i] = facts.lowest_depth + t * (facts.highest_depth - facts.lowest_depth);
-            if (mdr_law_follow(law, x[i], &stretch, v[0], v[1], v[2], v[3]) == MDR_SUCCESS) {
+            if (mdr_law_follow(law, x[i], &segment, v[0], v[1], v[2], v[3]) == MDR_SUCCESS) {
                 if (isnan(v[0][0]) || isnan(v[2][0])) finding("mdr_law_follow gives NaN");
             }
         }

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The stable stretches of a sampled branch, cut where it is not analytic, and compiled.
-module mdrcontact_law_stretches
+!> The stable segments of a sampled branch, cut where it is not analytic, and compiled.
+module mdrcontact_law_segments
     use mdrcontact_contact_branch, only: stable_segment_t
     use mdrcontact_contact_curve, only: curve_t
     use mdrcontact_error, only: error_invalid, error_t, raise
@@ -9,15 +9,15 @@ module mdrcontact_law_stretches
     use mdrcontact_law_table, only: law_table_t
     implicit none (type, external)
     private
-    public :: compile_stretches, fold_margin
+    public :: compile_segments, fold_margin
 
     !> The samples reach this far beyond a fold, so that it can be found on them; the search interval.
     real(wp), parameter :: fold_margin = 0.06_wp, search_width = 0.04_wp
 
 contains
 
-    !> Compiles the stretches under one control; their ends are moved to the extrema of the samples.
-    subroutine compile_stretches(table, curve, list, breaks, tolerance, error)
+    !> Compiles the segments under one control; their ends are moved to the extrema of the samples.
+    subroutine compile_segments(table, curve, list, breaks, tolerance, error)
         type(law_table_t), intent(inout) :: table
         type(curve_t), intent(in) :: curve
         !> by ascending coordinate
@@ -51,7 +51,7 @@ contains
             call compile_pieces(table, curve, pieces, tolerance, error)
             if (allocated(error)) return
         end do
-    end subroutine compile_stretches
+    end subroutine compile_segments
 
     !> The extremum of s on the samples near x: a minimum for side = 1, a maximum for side = -1.
     subroutine move_to_fold(table, curve, side, x, error)
@@ -72,4 +72,4 @@ contains
         call curve%turn(control_of(table), low, high, x, error)
     end subroutine move_to_fold
 
-end module mdrcontact_law_stretches
+end module mdrcontact_law_segments

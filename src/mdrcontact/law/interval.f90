@@ -1,17 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Piecewise polynomials whose panel is read off the bits of the abscissa: no search, no logarithm.
 !>
-!> A segment covers s between two ends. From s it takes u = side (s - origin), or the root of it where the branch has a
+!> An interval covers s between two ends. From s it takes u = side (s - origin), or the root of it where the branch has a
 !> fold or a break at its origin, and y = scale u + offset, which runs from 1 to a little below a power of two times a
 !> short fraction. Every octave of y is cut into 2^bits equal panels: exponent and leading mantissa bits of y are the
 !> panel's number, the remaining ones the place in it. Panels so shrink in proportion to the distance from the origin,
 !> where the laws of contact have their only singularity, and one low degree serves for all of them.
-module mdrcontact_law_segment
+module mdrcontact_law_interval
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: segment_t, place_t, new_segment, segment_place, segment_rate, panel_count, u_of_y, panel_ends
+    public :: interval_t, place_t, new_interval, interval_place, interval_rate, panel_count, u_of_y, panel_ends
     public :: polynomial, polynomial_slope
     public :: coefficient_count, column_count, most_bits
 
@@ -27,8 +27,8 @@ module mdrcontact_law_segment
     !> y stays this far (relatively) below the end of the last panel
     real(wp), parameter :: below_one = 1.0_wp - 8.0_wp*epsilon(1.0_wp)
 
-    !> A stretch of s between two points where the branch is not analytic.
-    type :: segment_t
+    !> A part of s between two points where the branch is not analytic.
+    type :: interval_t
         !> s at both ends
         real(wp) :: lowest = 0.0_wp, highest = 0.0_wp
         real(wp) :: origin = 0.0_wp
@@ -41,7 +41,7 @@ module mdrcontact_law_segment
         integer :: bits = 2
         !> number of the first panel, counted from 0, less that of y = 1
         integer :: first_panel = 0
-    end type segment_t
+    end type interval_t
 
     !> Where a point lies: its panel, counted from 1, and its place in it.
     type :: place_t
@@ -51,13 +51,13 @@ module mdrcontact_law_segment
 
 contains
 
-    !> A segment from u_low to u_high (before the root, if any) in panels of 2^-bits of an octave. With `stretch` the
-    !> geometric series of panels ends at stretch*(u_high - u_low) before u_low instead of at u = 0.
-    pure function new_segment(origin, side, root, u_low, u_high, stretch, bits) result(self)
-        real(wp), intent(in) :: origin, side, u_low, u_high, stretch
+    !> An interval from u_low to u_high (before the root, if any) in panels of 2^-bits of an octave. With `margin` the
+    !> geometric series of panels ends at margin*(u_high - u_low) before u_low instead of at u = 0.
+    pure function new_interval(origin, side, root, u_low, u_high, margin, bits) result(self)
+        real(wp), intent(in) :: origin, side, u_low, u_high, margin
         logical, intent(in) :: root
         integer, intent(in) :: bits
-        type(segment_t) :: self
+        type(interval_t) :: self
         real(wp) :: low, high, ratio, power
 
         low = u_low
@@ -72,8 +72,8 @@ contains
         self%bits = bits
         self%lowest = origin + side*merge(u_low, u_high, side > 0.0_wp)
         self%highest = origin + side*merge(u_high, u_low, side > 0.0_wp)
-        if (stretch > 0.0_wp) then
-            ratio = 1.0_wp + 1.0_wp/stretch
+        if (margin > 0.0_wp) then
+            ratio = 1.0_wp + 1.0_wp/margin
         else
             ratio = high/low
         end if
@@ -82,19 +82,19 @@ contains
         self%scale = (self%last_y - 1.0_wp)/(high - low)
         self%offset = 1.0_wp - self%scale*low
         self%smallest_root = 1.0e-9_wp*high
-    end function new_segment
+    end function new_interval
 
-    !> How many panels a segment has.
+    !> How many panels an interval has.
     pure function panel_count(self) result(count)
-        type(segment_t), intent(in) :: self
+        type(interval_t), intent(in) :: self
         integer :: count
 
         count = int(shiftr(transfer(self%last_y, 1_int64) - bits_of_one, mantissa_bits - self%bits)) + 1
     end function panel_count
 
     !> The panel of s and the place in it, -1 <= t <= 1. s outside is moved to the nearer end.
-    pure function segment_place(self, s) result(place)
-        type(segment_t), intent(in) :: self
+    pure function interval_place(self, s) result(place)
+        type(interval_t), intent(in) :: self
         real(wp), intent(in) :: s
         type(place_t) :: place
         real(wp) :: u
@@ -106,11 +106,11 @@ contains
         place%panel = self%first_panel + int(shiftr(bits - bits_of_one, mantissa_bits - self%bits)) + 1
         bits = ior(iand(shiftl(bits, self%bits), mantissa_mask), bits_of_one)
         place%t = 2.0_wp*transfer(bits, 1.0_wp) - 3.0_wp
-    end function segment_place
+    end function interval_place
 
     !> dt/ds at s.
-    pure function segment_rate(self, s) result(rate)
-        type(segment_t), intent(in) :: self
+    pure function interval_rate(self, s) result(rate)
+        type(interval_t), intent(in) :: self
         real(wp), intent(in) :: s
         real(wp) :: rate
         real(wp) :: u
@@ -125,11 +125,11 @@ contains
         bits = transfer(min(max(self%scale*u + self%offset, 1.0_wp), self%last_y), bits)
         bits = twice_bias - iand(bits, not(mantissa_mask)) + shiftl(int(self%bits + 1, int64), mantissa_bits)
         rate = rate*transfer(bits, 1.0_wp)
-    end function segment_rate
+    end function interval_rate
 
     !> y at both ends of panel i = 1, ..., panel_count(self).
     pure function panel_ends(self, i) result(ends)
-        type(segment_t), intent(in) :: self
+        type(interval_t), intent(in) :: self
         integer, intent(in) :: i
         real(wp) :: ends(2)
 
@@ -139,7 +139,7 @@ contains
 
     !> The distance from the origin at y.
     pure function u_of_y(self, y) result(u)
-        type(segment_t), intent(in) :: self
+        type(interval_t), intent(in) :: self
         real(wp), intent(in) :: y
         real(wp) :: u
 
@@ -167,4 +167,4 @@ contains
         y = (c(2) + q*(3.0_wp*c(4) + q*(5.0_wp*c(6) + q*(7.0_wp*c(8))))) + t*(2.0_wp*c(3) + q*(4.0_wp*c(5) + q*(6.0_wp*c(7))))
     end function polynomial_slope
 
-end module mdrcontact_law_segment
+end module mdrcontact_law_interval
