@@ -109,7 +109,7 @@ contains
         call self%depth_and_force(profile, a, value, force, error)
     end subroutine nonadhesive_depth
 
-    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error, adhesive)
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error, adhesive, depth_slope)
         class(medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> contact radius [length]
@@ -119,9 +119,12 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> modulus_slope is as exact as the rest: an adhesive edge depends on it; default false
         logical, intent(in), optional :: adhesive
+        !> d0'(a) [1] where the medium knows it; negative if it does not
+        real(wp), intent(out), optional :: depth_slope
         real(wp) :: value(1), slope(1)
 
         if (present(adhesive)) continue
+        if (present(depth_slope)) depth_slope = self%nonadhesive_slope(profile, a)
         modulus = 0.0_wp
         modulus_slope = 0.0_wp
         call self%depth_and_force(profile, a, depth, force, error)

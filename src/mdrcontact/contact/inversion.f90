@@ -6,7 +6,7 @@ module mdrcontact_contact_inversion
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_roots, only: guess_from_below, solve_increasing
+    use mdrcontact_numerics_roots, only: solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
@@ -33,6 +33,8 @@ module mdrcontact_contact_inversion
     real(wp), parameter :: first_guess = -35.0_wp
     !> Up to this relative change of a - end radius states are taken as linear: its square is below rounding.
     real(wp), parameter :: linear = 5.0e-9_wp
+    !> Slope of ln s to begin with, where none is known.
+    real(wp), parameter :: expected_slope = 2.0_wp
 
 contains
 
@@ -123,7 +125,7 @@ contains
         real(wp), intent(out) :: radius
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: first, last, guess, slope, root
+        real(wp) :: first, last, guess, root
 
         associate (equilibrium => mismatch%equilibrium, control => mismatch%control)
             first = smallest_log
@@ -137,19 +139,45 @@ contains
             end if
             if (radius > equilibrium%profile%end_radius()) then
                 guess = equilibrium%coordinate_of(radius)
-                slope = 2.0_wp
             else
-                call guess_from_below(mismatch, min(max(first, first_guess), last - 1.0_wp), 0.0_wp, guess, slope)
-                if (allocated(mismatch%error)) then
+                call guess_of_homogeneous(mismatch, first, last, guess, error)
+                if (allocated(error)) then
                     found = .false.
-                    error = mismatch%error
                     return
                 end if
             end if
-            call solve_increasing(mismatch, guess, slope, first, last, root, found, error)
+            call solve_increasing(mismatch, guess, expected_slope, first, last, root, found, error)
             radius = equilibrium%radius_of(root)
         end associate
     end subroutine find_radius
+
+    !> Where a homogeneous body of the surface's modulus would have s: the indenter's law, which costs no solution.
+    subroutine guess_of_homogeneous(mismatch, first, last, guess, error)
+        type(mismatch_t), intent(in) :: mismatch
+        real(wp), intent(in) :: first, last
+        real(wp), intent(out) :: guess
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: low, high, radius, modulus(1)
+
+        associate (equilibrium => mismatch%equilibrium)
+            low = min(max(first, first_guess), last - 1.0_wp)
+            high = last
+            call equilibrium%medium%modulus([equilibrium%radius_of(low)], modulus, error)
+            if (allocated(error)) return
+            low = first
+            do while (high - low > 0.01_wp)
+                guess = 0.5_wp*(low + high)
+                radius = equilibrium%radius_of(guess)
+                if (mismatch%control%of(equilibrium%profile%mdr(radius), 2.0_wp*modulus(1)*equilibrium%profile%mdr_moment(radius)) &
+                    < mismatch%target_value) then
+                    low = guess
+                else
+                    high = guess
+                end if
+            end do
+            guess = 0.5_wp*(low + high)
+        end associate
+    end subroutine guess_of_homogeneous
 
     pure function flat_end(self) result(radius)
         class(mismatch_t), intent(in) :: self
@@ -173,7 +201,7 @@ contains
         self%has_state = self%control%force_weight > 0.0_wp .or. depth_slope < 0.0_wp
         if (self%has_state) then
             call self%equilibrium%medium%response(self%equilibrium%profile, radius, depth, force, modulus, modulus_slope, &
-                                                  self%error)
+                                                  self%error, depth_slope=depth_slope)
         else
             call self%equilibrium%medium%nonadhesive_depth(self%equilibrium%profile, radius, depth, self%error)
         end if

@@ -190,7 +190,7 @@ contains
         row(0) = sqrt(0.5_wp)*(moments%diagonal - (moments%a/pi)*(moments%t(1) + moments%spike))
     end subroutine edge_row
 
-    !> a times the slope of K p_j at the edge of the contact.
+    !> The slope of K p_j at the edge of the contact [1/unit].
     pure function edge_slopes(moments, count) result(slopes)
         type(moments_t), intent(in) :: moments
         integer, intent(in) :: count

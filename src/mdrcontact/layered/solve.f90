@@ -111,7 +111,7 @@ contains
         class(profile_t), intent(in), optional :: profile
         type(moments_t) :: moments
         real(wp), allocatable :: h(:, :), rhs(:, :), forward(:, :), rest(:, :)
-        real(wp) :: mean, rise
+        real(wp) :: mean, rise, beyond
         integer :: i, m, sides, status
 
         m = 2*n
@@ -148,6 +148,11 @@ contains
         rest(:, :sides) = rest(:, :sides) - matmul(h(n + 1:, :), rhs(:n, :sides))
         call add_rest(n, m, a, mean, rise, h, forward, rest, solution)
         ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
+        if (present(profile)) then
+            beyond = solution%depth - mean
+            solution%depth_slope = sum(edge_slopes(moments, n)*(beyond*rhs(:n, 1) - rhs(:n, 3)))/kernel%unit
+            solution%depth_slope = (profile%mdr_slope(a) + solution%depth_slope)/solution%punch_edge
+        end if
         solution%rounding = rounding*(2.0_wp + moments%magnitude*max(1.0_wp, solution%modulus))
         solution%errors = solution%errors + solution%rounding
     end subroutine solve_with

@@ -125,15 +125,17 @@ contains
                         + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
     end subroutine depth_and_force
 
-    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error, adhesive)
+    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error, adhesive, depth_slope)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         real(wp), intent(out) :: depth, force, modulus, modulus_slope
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
+        real(wp), intent(out), optional :: depth_slope
 
         if (present(adhesive)) continue
+        if (present(depth_slope)) depth_slope = self%nonadhesive_slope(profile, a)
         call self%depth_and_force(profile, a, depth, force, error)
         modulus = self%effective_modulus(a)
         modulus_slope = self%effective_modulus_slope(a)
