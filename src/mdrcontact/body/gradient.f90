@@ -2,9 +2,8 @@
 !> A layer whose elastic constants vary smoothly with depth, as a power series in k of its transfer matrix.
 !>
 !> The state y = (u, w, tau/(2 G k), sigma/(2 G k)), G that of the surface, obeys dy/dz = k A(z) y, so that the matrix from
-!> the bottom of the layer
-!> to its top is a power series in k whose terms are repeated integrals of A over z. They are taken with spectral accuracy:
-!> no staircase.
+!> the bottom of the layer to its top is a power series in k whose terms are repeated integrals of A over z. They are taken
+!> with spectral accuracy: no staircase.
 module mdrcontact_body_gradient
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre

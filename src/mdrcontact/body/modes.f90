@@ -1,10 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> One homogeneous elastic layer at wavenumber k: how it carries the 2x2 compliance of what lies below it to its top (theory 6).
 !>
-!> State at a depth: displacement (u, w) and traction (tau, sigma)/(2 G k) of the Hankel components, z down. Modes
-!> decaying downward are (1, 1) e^{-kz} and (kz, kz + 3 - 4 nu) e^{-kz}, growing ones their mirror images. Decaying modes
-!> are referred to the top of the layer and growing ones to its bottom, so that no positive exponent appears; a layer thin
-!> against the
+!> State at a depth: displacement (u, w) and traction (tau, sigma)/(2 G k) of the Hankel components, z down. Modes decaying
+!> downward are (1, 1) e^{-kz} and (kz, kz + 3 - 4 nu) e^{-kz}, growing ones their mirror images. Decaying modes are referred
+!> to the top of the layer and growing ones to its bottom, so that no positive exponent appears; a layer thin against the
 !> wavelength is carried by its transfer matrix instead, whose entries are small where they should be and not by
 !> cancellation: the compliance of a soft layer keeps its relative precision. Nothing is divided by 1 - 2 nu.
 module mdrcontact_body_modes

@@ -2,8 +2,8 @@
 !> How much each point of a half-space counts in the effective modulus at contact radius a (theory 7), lengths in units of a.
 !>
 !> First-order perturbation of the frictionless flat punch: the relative change of the stiffness is the strain energy that a
-!> change of
-!> the moduli adds, divided by the whole. The field for any Poisson's ratio follows from one harmonic function psi (2G = 1):
+!> change of the moduli adds, divided by the whole. The field for any Poisson's ratio follows from one harmonic function psi
+!> (2G = 1):
 !>     u_r = (1 - 2 nu) phi_r - z psi_r,   u_z = 2 (1 - nu) psi - z psi_z,   phi_z = -psi.
 !> With c = z + i and R = sqrt(rho^2 + c^2) = s + i t, all derivatives are elementary:
 !>     psi = (2/pi) Im ln(R + c),   psi_z = (2/pi) Im 1/R,   phi_r/rho = (2/pi) Im 1/(R + c).

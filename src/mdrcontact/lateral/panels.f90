@@ -2,8 +2,8 @@
 !> Quadrature panels over depth and radius for the weights of theory 7. Lengths in units of the contact radius.
 !>
 !> Between breaks (interfaces, touching circles) the integrands are analytic but for square roots at the breaks and the
-!> singular ring at
-!> rho = 1, z = 0. Panels no longer than their distance from the ring, each with nodes that crowd at both its ends, suit both.
+!> singular ring at rho = 1, z = 0. Panels no longer than their distance from the ring, each with nodes that crowd at both
+!> its ends, suit both.
 module mdrcontact_lateral_panels
     use mdrcontact_kinds, only: wp
     implicit none (type, external)

@@ -1,9 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Plane figures: what a horizontal plane cuts out of a body, and where circles around the contact's axis meet its outline.
 !>
-!> Coordinates are relative to the axis. An outline is given by the angles at which a circle crosses it and by the radii of the
-!> circles
-!> that touch it: between two such radii the cut arcs are analytic functions of the radius.
+!> Coordinates are relative to the axis. An outline is given by the angles at which a circle crosses it and by the radii of
+!> the circles that touch it: between two such radii the cut arcs are analytic functions of the radius.
 module mdrcontact_lateral_section
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lateral_trigonometric, only: trigonometric_roots

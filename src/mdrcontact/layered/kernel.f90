@@ -2,9 +2,8 @@
 !> The kernel X(y) = int_0^inf chi(k) cos(ky) dk of the one-dimensional springs (theory 6), tabulated once per medium.
 !>
 !> X belongs to the body alone, not to contact radius or indenter. It is tabulated on [0, unit] as a polynomial in y^2 and on
-!> half octaves
-!> [unit 2^j, unit 2^(j+1)] up to where it has become its own tail, -c/y^2: any ratio of lengths takes the same few panels.
-!> Lengths in this module are in units of `unit`, X in units of 1/unit.
+!> half octaves [unit 2^j, unit 2^(j+1)] up to where it has become its own tail, -c/y^2: any ratio of lengths takes the same
+!> few panels. Lengths in this module are in units of `unit`, X in units of 1/unit.
 module mdrcontact_layered_kernel
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_kinds, only: pi, wp
