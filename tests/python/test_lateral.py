@@ -163,6 +163,7 @@ def test_lateral_medium_in_a_contact():
     assert pickle.loads(pickle.dumps(medium)) == medium
 
 
+@pytest.mark.slow
 def test_indentation_map_agrees_with_contacts():
     voxels = composite()
     x, y = voxels.centres()
@@ -180,6 +181,7 @@ def wave(x, y, z):
     return 1.0 + 0.4 * np.cos(x) * np.exp(-2.0 * z) + 0.2 * np.sin(2.0 * x) * np.exp(-z), 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("given", [{"depth": 0.05}, {"force": 0.3}])
 def test_lateral_force_is_conservative(given):
     """-dU/dx at constant depth, from the stored energy of the two neighbours, must have the same mean: zero."""

@@ -25,6 +25,7 @@ def test_states_and_fields_warn_once_for_a_contact() -> None:
         mdr.Contact(mdr.FlatPunch(1.5), STIFF).pressure([0.0, 1.0], depth=0.1)
 
 
+@pytest.mark.slow
 def test_no_false_alarms() -> None:
     soft = STIFF.replace(coating=mdr.Elastic(0.01, 0.25))
     with warnings.catch_warnings():
