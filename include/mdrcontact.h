@@ -721,13 +721,15 @@ typedef struct mdr_structure_options {
     size_t size;         /**< Of this structure; set by mdr_structure_options_init(). */
     double reference_nu; /**< Poisson's ratio of the weights, -1 < nu <= 1/2 [1]; default NAN: that of the background, or the mean
                               over all voxels. */
-    double tolerance;    /**< Shapes: relative error of G_eff and nu_eff, 1e-10 to 0.1; default 1e-5. */
+    double tolerance;    /**< Shapes, functions: relative error of G_eff and nu_eff, 1e-10 to 0.1; default 1e-5. */
     int padded;          /**< Voxels: 0: the array repeats itself in x and y (default); else one material lies beside it. */
     int images;          /**< Voxels that repeat: periods that count cell by cell, 1 to 100; beyond them each slice counts with its
                               mean; default 1. */
     double beside_E;     /**< Padded voxels: Young's modulus of what lies beside, > 0 [modulus]. */
     double beside_nu;    /**< Padded voxels: its Poisson's ratio, -1 < nu <= 1/2 [1]. */
     double origin[2];    /**< Voxels: x and y of the array's lower corner; default 0 [length]. */
+    double exponent;     /**< p of the power mean G_eff = [sum w G^p]^(1/p): -1 (series) to 1 (parallel, the default), 0 for the
+                              logarithm's. At one Poisson's ratio the exact E_eff lies between those of -1 and 1. */
 } mdr_structure_options;
 
 /** Sets all options to their defaults. options = NULL is allowed. Never fails. */
@@ -767,9 +769,10 @@ int mdr_structure_voxels(const int size[3], const int labels[], int phases, cons
  *  @param field         E and nu at a point; it and its context must live as long as the structure
  *  @param context       passed on to field, may be NULL
  *  @param reference_nu  Poisson's ratio of the weights, -1 < nu <= 1/2 [1]
- *  @param tolerance     relative error of G_eff and nu_eff, 1e-10 to 0.1
+ *  @param options       tolerance and exponent; NULL for the defaults
  *  @param out           receives the handle */
-int mdr_structure_callback(mdr_field field, void *context, double reference_nu, double tolerance, mdr_structure **out);
+int mdr_structure_callback(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
+                           mdr_structure **out);
 
 /** E_eff(a, x, y) = 2 G_eff/(1 - nu_eff), to first order in the contrast of the moduli, equation (33).
  *  @param s    structure

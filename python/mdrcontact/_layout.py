@@ -68,6 +68,7 @@ structure_options = np.dtype(
         ("beside_E", np.float64),
         ("beside_nu", np.float64),
         ("origin", np.float64, (2,)),
+        ("exponent", np.float64),
     ],
     align=True,
 )

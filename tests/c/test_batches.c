@@ -240,7 +240,7 @@ static void test_callers_with_openmp(const objects *o, const double *alone)
     CHECK_INT(failed, 0);
     CHECK_INT(different, 0);
     /* a user's function is called on the caller's thread */
-    CHECK_SUCCESS(mdr_structure_callback(material, &one, 0.3, 1e-3, &field));
+    CHECK_SUCCESS(mdr_structure_callback(material, &one, 0.3, NULL, &field));
     CHECK_SUCCESS(mdr_set_threads(4));
     CHECK_SUCCESS(mdr_structure_modulus(field, 4, a, a, a, E));
     CHECK_SUCCESS(mdr_set_threads(1));

@@ -56,7 +56,12 @@ static void refusals(void)
     options.images = 1000000000;
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID,
                  "images = 1000000000 is not allowed: it must be from 1 to 100");
-    CHECK_STATUS(mdr_structure_callback(NULL, NULL, 0.5, 1e-5, &s), MDR_ENULL, "field is NULL");
+    mdr_structure_options_init(&options);
+    options.exponent = 1.5;
+    CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID, "exponent = 1.5");
+    CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, &options, &s), MDR_EINVALID, "exponent = 1.5");
+    CHECK_STATUS(mdr_structure_callback(failing, NULL, 0.5, &options, &s), MDR_EINVALID, "exponent = 1.5");
+    CHECK_STATUS(mdr_structure_callback(NULL, NULL, 0.5, NULL, &s), MDR_ENULL, "field is NULL");
     CHECK_TRUE(s == NULL);
 
     CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, NULL, &s));
@@ -75,24 +80,29 @@ static void refusals(void)
     CHECK_SUCCESS(mdr_structure_free(&s));
     CHECK_SUCCESS(mdr_structure_free(NULL));
 
-    CHECK_SUCCESS(mdr_structure_callback(failing, NULL, 0.5, 1e-5, &s));
+    CHECK_SUCCESS(mdr_structure_callback(failing, NULL, 0.5, NULL, &s));
     CHECK_STATUS(mdr_structure_modulus(s, 1, zeros, zeros, nan_free, out), MDR_ECALLBACK, "failure 7");
     CHECK_SUCCESS(mdr_structure_free(&s));
 }
 
 /* A layer of shapes and one of voxels against the layered medium with Gao weights, at a point, and as the medium of an indenter. */
-static void layers(void)
+static void layers(int model, double exponent)
 {
     const int kind[1] = {MDR_SHAPE_LAYER}, size[3] = {2, 2, 3}, labels[12] = {0};
     const double layer[7] = {0.0, 0.6}, E[1] = {5.0}, nu[1] = {0.3}, spacing[3] = {0.7, 0.4, 0.2};
     double expected[3], found[3];
     mdr_medium *reference = NULL, *lateral = NULL;
     mdr_structure *shapes = NULL, *voxels = NULL;
+    mdr_medium_options mean;
+    mdr_structure_options options;
 
-    CHECK_SUCCESS(mdr_medium_coated(5.0, 0.3, 0.6, 1.0, 0.3, MDR_MODEL_GAO, NULL, &reference));
+    mdr_medium_options_init(&mean);
+    mdr_structure_options_init(&options);
+    mean.exponent = options.exponent = exponent;
+    CHECK_SUCCESS(mdr_medium_coated(5.0, 0.3, 0.6, 1.0, 0.3, model, &mean, &reference));
     CHECK_SUCCESS(mdr_medium_modulus(reference, 3, nan_free, expected));
-    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, layer, E, nu, NULL, &shapes));
-    CHECK_SUCCESS(mdr_structure_voxels(size, labels, 1, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
+    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, layer, E, nu, &options, &shapes));
+    CHECK_SUCCESS(mdr_structure_voxels(size, labels, 1, E, nu, spacing, 1.0, 0.3, &options, &voxels));
     CHECK_SUCCESS(mdr_structure_modulus(shapes, 3, nan_free, zeros, nan_free, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-6);
     CHECK_SUCCESS(mdr_structure_modulus(voxels, 3, nan_free, zeros, nan_free, found));
@@ -128,12 +138,20 @@ static void callback_structure(void)
 {
     double contrast = 0.5, a = 0.3, crest = 0.0, trough = 3.14159265358979323846, y = 4.0, high, low;
     mdr_structure *s = NULL;
+    mdr_structure_options options;
 
-    CHECK_SUCCESS(mdr_structure_callback(wavy, &contrast, 0.5, 1e-4, &s));
+    mdr_structure_options_init(&options);
+    options.tolerance = 1e-4;
+    CHECK_SUCCESS(mdr_structure_callback(wavy, &contrast, 0.5, &options, &s));
     CHECK_SUCCESS(mdr_structure_modulus(s, 1, &crest, &y, &a, &high));
     CHECK_SUCCESS(mdr_structure_modulus(s, 1, &trough, &y, &a, &low));
     CHECK_CLOSE(high + low, 8.0, 2e-4);
     CHECK_TRUE(high > 4.4 && high < 6.0);
+    CHECK_SUCCESS(mdr_structure_free(&s));
+    options.exponent = -1.0;
+    CHECK_SUCCESS(mdr_structure_callback(wavy, &contrast, 0.5, &options, &s));
+    CHECK_SUCCESS(mdr_structure_modulus(s, 1, &crest, &y, &a, &low));
+    CHECK_TRUE(low > 4.4 && low < high);
     CHECK_SUCCESS(mdr_structure_free(&s));
 }
 
@@ -167,7 +185,10 @@ static void weights(void)
 int main(void)
 {
     refusals();
-    layers();
+    layers(MDR_MODEL_GAO, 1.0);
+    layers(MDR_MODEL_GAO_SERIES, -1.0);
+    layers(MDR_MODEL_GAO_POWER, -0.65);
+    layers(MDR_MODEL_GAO_POWER, 0.0);
     line();
     callback_structure();
     weights();

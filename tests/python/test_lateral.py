@@ -2,6 +2,7 @@
 """Laterally heterogeneous structures from Python: descriptions against each other, maps against points, energy against force."""
 
 import pickle
+import re
 import sys
 
 import numpy as np
@@ -49,14 +50,21 @@ def test_cells_of_a_slab_make_the_weight_of_the_slab():
     assert poisson.sum() == pytest.approx(whole[1].item(), rel=1e-6)
 
 
+MEANS = [("gao", 1.0, {}), ("gao-series", -1.0, {}), ("gao-power", -0.65, {}), ("gao-power", 0.0, {"exponent": 0.0})]
+"""Models of a layered body, and the exponent of the mean that they are."""
+
+
 @pytest.mark.parametrize("nu", [0.5, 0.2])
-def test_layers_are_gaos_layers(nu):
+@pytest.mark.parametrize(("model", "exponent", "options"), MEANS)
+def test_layers_are_gaos_layers(nu, model, exponent, options):
     coating, substrate = mdr.Elastic(5.0, nu), mdr.Elastic(1.0, 0.3)
     a = np.array([0.01, 0.3, 1.0, 20.0])
-    expected = mdr.Coated(coating, 0.6, substrate, "gao").modulus(a)
-    shapes = lateral.Shapes(substrate, [lateral.Layer(0.0, 0.6, coating)], reference_nu=nu)
+    expected = mdr.Coated(coating, 0.6, substrate, model, **options).modulus(a)
+    shapes = lateral.Shapes(substrate, [lateral.Layer(0.0, 0.6, coating)], reference_nu=nu, exponent=exponent)
     np.testing.assert_allclose(shapes.modulus(0.3, -1.0, a), expected, rtol=1e-6)
-    voxels = lateral.Voxels(np.zeros((3, 4, 5), int), [coating], (0.2, 0.7, 0.3), below=substrate, reference_nu=nu)
+    voxels = lateral.Voxels(
+        np.zeros((3, 4, 5), int), [coating], (0.2, 0.7, 0.3), below=substrate, reference_nu=nu, exponent=exponent
+    )
     np.testing.assert_allclose(voxels.modulus(0.3, -1.0, a), expected, rtol=ROUNDING)
     np.testing.assert_allclose(lateral.effective_map(voxels, a), np.broadcast_to(expected[:, None, None], (4, 4, 5)), rtol=ROUNDING)
 
@@ -76,10 +84,40 @@ def test_interface_mean_for_every_radius():
     np.testing.assert_allclose(body.modulus(2.0, -1.0, np.geomspace(1e-4, 1e4, 9)), 4.0 / 0.75 * 1e6, rtol=1e-6)
 
 
+@pytest.mark.parametrize("contrast", [0.1, 0.2, 5.0, 10.0])
+@pytest.mark.parametrize("nu", [0.5, 0.3])
+def test_bounds_hold_the_exact_solution(contrast, nu):
+    """At one Poisson's ratio; and means of rising exponent rise from one bound to the other."""
+    coating, substrate, a = mdr.Elastic(contrast, nu), mdr.Elastic(1.0, nu), np.array([0.03, 0.3, 1.0, 3.0, 30.0])
+    exact = mdr.Coated(coating, 1.0, substrate).modulus(a)
+    body = lateral.Shapes(substrate, [lateral.Layer(0.0, 1.0, coating)])
+    bounds = body.bounds(0.0, 0.0, a)
+    assert np.all(bounds.lower < exact) and np.all(exact < bounds.upper)
+    between = [body.replace(exponent=p).modulus(0.0, 0.0, a) for p in (-1.0, -0.65, -1e-9, 0.0, 0.5, 1.0)]
+    assert np.all(np.diff(between, axis=0) > -1e-8)
+    np.testing.assert_array_equal(between[0], bounds.lower)
+    np.testing.assert_array_equal(between[-1], bounds.upper)
+    assert np.all(body.bounds(0.0, 0.0, a).upper == body.replace(exponent=-1.0).bounds(0.0, 0.0, a).upper)
+
+
+def test_bounds_of_every_structure_agree():
+    """One ball as shapes, voxels and a function."""
+    ball = lateral.Ball((0.0, 0.0, 1.2), 0.7, mdr.Elastic(5.0, 0.3))
+    shapes = lateral.Shapes(mdr.Elastic(1.0, 0.3), [ball])
+    voxels = lateral.Voxels.from_shapes(shapes, 0.1, (20, 20, 20), origin=(-1.0, -1.0), beside=shapes.background)
+    smooth = lateral.Field(lambda x, y, z: (3.0 - 2.0 * np.tanh(10.0 * (x**2 + y**2 + (z - 1.2) ** 2 - 0.49)), 0.3), 0.3,
+                           tolerance=0.02)  # fmt: skip
+    expected = shapes.bounds(0.1, 0.0, 0.8)
+    assert expected.upper > 1.02 * expected.lower
+    assert voxels.bounds(0.1, 0.0, 0.8) == pytest.approx(expected, rel=0.01)
+    assert smooth.bounds(0.1, 0.0, 0.8) == pytest.approx(expected, rel=0.03)
+
+
+@pytest.mark.parametrize("exponent", [1.0, -1.0, -0.65])
 @pytest.mark.parametrize("beside", ["periodic", MATRIX])
-def test_map_agrees_with_points(beside):
+def test_map_agrees_with_points(beside, exponent):
     for n in (8, 9):
-        voxels = composite(n, beside=beside, origin=(-1e-6, 2e-6))
+        voxels = composite(n, beside=beside, origin=(-1e-6, 2e-6), exponent=exponent)
         maps = lateral.effective_map(voxels, RADII, threads=2)
         x, y = voxels.centres()
         for j, i in ((0, 0), (3, 5), (n - 1, n + 2)):
@@ -227,6 +265,9 @@ def test_bad_input_is_refused():
         (lambda: lateral.Shapes(MATRIX, [lateral.Ball((0, 0, 0), -1.0, GLASS)]), "radius"),
         (lambda: lateral.Shapes(MATRIX, [BALL]).modulus(0.0, 0.0, -1.0), "a = -1"),
         (lambda: lateral.Field(wave, 0.5, tolerance=0.0), "tolerance"),
+        (lambda: lateral.Field(wave, 0.5, exponent=1.5), "exponent = 1.5"),
+        (lambda: lateral.Shapes(MATRIX, exponent=-2.0), "exponent = -2.0"),
+        (lambda: lateral.Voxels(labels, [MATRIX], 1e-6, exponent=np.nan), "exponent = nan"),
         (lambda: lateral.Field(lambda x, y, z: (-1.0, 0.3), 0.3).modulus(0.0, 0.0, 1.0), "E > 0"),
         (lambda: lateral.effective_map(composite(), [0.0]), "contact radii"),
         (lambda: lateral.effective_map(composite(), 1e-6, threads=-1), "threads"),
@@ -264,8 +305,16 @@ def test_command_map(tmp_path, capsys):
     problem, maps, plot = tmp_path / "map.toml", tmp_path / "maps.npy", tmp_path / "map.png"
     problem.write_text(MAP, encoding="utf-8")
     assert main(["map", str(problem), "--npy", str(maps), "--plot", str(plot)]) == 0
-    assert "MiB" in capsys.readouterr().out
+    out = capsys.readouterr().out
+    assert "MiB" in out
     voxels = lateral.Voxels(labels, [MATRIX, GLASS], 1e-6, below=MATRIX)
+    bounds = [lateral.effective_map(voxels.replace(exponent=p), [1e-6, 3e-6]) for p in (-1.0, 1.0)]
+    statistics = [np.array([values.min((1, 2)), values.mean((1, 2)), values.max((1, 2))]).T for values in bounds]
+    for line, words, rows in zip(out.splitlines()[4:6], ("in series (lower", "in parallel (upper"), statistics, strict=True):
+        assert line.startswith("1 ") and words in line
+        assert [float(word) * 1e9 for word in line.split()[-3:]] == pytest.approx(rows[0], rel=1e-4)
+    apart = re.search(r"lies between the bounds: here the upper is up to (\S+) times the lower", out)
+    assert apart and float(apart[1]) == pytest.approx((statistics[1] / statistics[0]).max(), rel=1e-3)
     np.testing.assert_allclose(np.load(maps), lateral.effective_map(voxels, [1e-6, 3e-6]), rtol=1e-9)
     assert plot.read_bytes()[:8] == b"\x89PNG\r\n\x1a\n" and plot.stat().st_size > 20_000
     assert main(["map", str(problem), "--npy", str(maps)]) == 1

@@ -35,6 +35,7 @@ The map file:
     labels = "labels.npy"               # NumPy array (nz, ny, nx) of phase numbers, surface first; relative to this file
     spacing = ["1 um", "1 um", "1 um"]  # edge lengths of a cell: z, y, x
     beside = "periodic"                 # or "padded": the first phase lies beside the array
+    exponent = 1                        # of the mean of the moduli: 1 in parallel (default), -1 in series
 
     [[structure.phase]]                 # phase 0; it also lies below the array
     E = "3 GPa"
@@ -49,11 +50,14 @@ The map file:
 
     mdrcontact map map.toml --plot map.png --npy maps.npy
 
+A mean of the moduli is right to first order in their contrast. Beyond, the table brackets E_eff: the moduli in series below, in
+parallel above; for phases as unlike as these the two are a factor apart, and the maps rank places, but measure nothing.
+
 The array that --npy writes holds the maps [Pa], (radii, ny, nx). Memory is stated before the work begins.
 """
 
 _TABLES = {"title": None, "structure": None, "map": None}
-_STRUCTURE = {"labels": None, "spacing": LENGTH, "beside": None, "phase": None}
+_STRUCTURE = {"labels": None, "spacing": LENGTH, "beside": None, "exponent": None, "phase": None}
 _PHASE = {"E": MODULUS, "nu": None}
 
 
@@ -94,16 +98,8 @@ def run(arguments: argparse.Namespace) -> None:
     nz, ny, nx = problem.voxels.labels.shape
     print(f"{problem.title}\n")
     print(f"{nx} x {ny} x {nz} voxels, {len(problem.radii)} radii: at most {needed / 2**20:.0f} MiB of memory", flush=True)
-    maps = lateral.effective_map(
-        problem.voxels, problem.radii, threads=arguments.threads, progress=sys.stderr.isatty(),
-        memory_limit=None if arguments.memory is None else arguments.memory * 2**30,
-    )  # fmt: skip
-    length, modulus = practical(LENGTH, problem.radii), practical(MODULUS, maps.ravel())
-    rows = [[f"radius [{length.name}]", *(f"{word} [{modulus.name}]" for word in ("least", "mean", "most"))]]
-    for a, values in zip(problem.radii, maps, strict=True):
-        statistics = (values.min(), values.mean(), values.max())
-        rows.append([number(float(length.of(a))), *(number(float(modulus.of(v))) for v in statistics)])
-    print(aligned(rows))
+    maps, found = _maps(problem, arguments)
+    print(_table(problem, found))
     results = {}
     if arguments.npy:
         buffer = io.BytesIO()
@@ -117,6 +113,35 @@ def run(arguments: argparse.Namespace) -> None:
     if results:
         print()
         files.write(results, arguments.overwrite)
+
+
+def _maps(problem: MapProblem, arguments: argparse.Namespace) -> tuple[Any, dict[float, Any]]:
+    """The maps, and least, mean and most of them for each exponent, (radii, 3): series, the structure's own, parallel."""
+    own, found = problem.voxels.exponent, {}
+    # its own maps last: those of the bounds are not kept
+    for exponent in sorted({-1.0, 1.0, own}, key=lambda p: p == own):
+        maps = lateral.effective_map(
+            problem.voxels.replace(exponent=exponent), problem.radii, threads=arguments.threads, progress=sys.stderr.isatty(),
+            memory_limit=None if arguments.memory is None else arguments.memory * 2**30,
+        )  # fmt: skip
+        found[exponent] = np.stack([maps.min((1, 2)), maps.mean((1, 2)), maps.max((1, 2))], axis=1)
+    return maps, found
+
+
+def _table(problem: MapProblem, found: dict[float, Any]) -> str:
+    """The statistics of the maps, and how far the bounds are apart."""
+    names = {-1.0: "in series (lower bound)", 1.0: "in parallel (upper bound)"}
+    length, modulus = practical(LENGTH, problem.radii), practical(MODULUS, np.concatenate(list(found.values())).ravel())
+    rows = [[f"radius [{length.name}]", "moduli", *(f"{word} [{modulus.name}]" for word in ("least", "mean", "most"))]]
+    for i, a in enumerate(problem.radii):
+        for exponent in sorted(found):
+            numbers = (number(float(modulus.of(v))) for v in found[exponent][i])
+            rows.append([number(float(length.of(a))), names.get(exponent, f"exponent {exponent:g}"), *numbers])
+    apart = float((found[1.0] / found[-1.0]).max())
+    words = (
+        f"At one Poisson's ratio the exact modulus lies between the bounds: here the upper is up to {apart:.4g} times the lower."
+    )
+    return f"{aligned(rows, left=2)}\n\n{words}"
 
 
 def read(path: Path) -> MapProblem:
@@ -148,6 +173,7 @@ def _problem(table: dict[str, Any], path: Path) -> MapProblem:
         voxels = lateral.Voxels(
             _labels(structure, path), phases, structure.quantities("spacing"), below=phases[0],
             beside="periodic" if beside == "periodic" else phases[0],
+            exponent=structure.number("exponent", 1.0),
         )  # fmt: skip
     radii = np.array(Section(table["map"], "map", {"radii": LENGTH}).quantities("radii"))
     if not radii.size or not np.all(radii > 0.0):

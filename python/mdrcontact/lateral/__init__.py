@@ -8,7 +8,8 @@
     composite.modulus(0.0, 0.0, [1e-6, 1e-5])           # E_eff(a, x, y) at two contact radii
     medium = lateral.LateralMedium(composite, 0.0, 0.0, 1e-8, 1e-4)
 
-To first order in the contrast of the moduli, as the Gao weights are for layers. Maps of voxel arrays by FFT need SciPy.
+To first order in the contrast of the moduli, as the Gao weights are for layers; structure.bounds() brackets E_eff
+beyond. Maps of voxel arrays by FFT need SciPy.
 """
 
 from .field import Field
@@ -16,12 +17,13 @@ from .mapping import effective_map, map_memory, tiled_map, weight_beyond
 from .medium import LateralMedium
 from .shapes import Ball, Box, Fibre, HalfSpace, Layer, Pillar, Shapes
 from .sliding import Sliding, indentation_map, slide
-from .structure import Structure
+from .structure import Bounds, Structure
 from .voxels import Voxels
 from .weights import cell_weights, density
 
 __all__ = [
     "Structure",
+    "Bounds",
     "Shapes",
     "Ball",
     "Box",

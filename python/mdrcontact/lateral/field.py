@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from .. import _native
 from .._boundary import call, number, numbers
 from ..errors import CallbackError, InvalidArgumentError, NoConvergenceError
-from .structure import Structure
+from .structure import PowerMean, Structure, exponent_of_mean
 
 _ORDERS = (8, 16, 32, 64)
 
@@ -25,6 +25,7 @@ class Field(Structure):
     function : takes three arrays x, y, z of the same shape [length] and returns the pair (E, nu), each a number or such an array
     reference_nu : Poisson's ratio of the weights, -1 < nu <= 1/2
     tolerance : relative error of G_eff and nu_eff, 1e-10 to 0.1
+    exponent : p of the mean G_eff = [sum of w G^p]^(1/p): 1 in parallel, -1 in series, 0 the mean of the logarithms
 
     Smooth functions converge fast. For those with jumps Shapes or Voxels are the better description.
     """
@@ -32,6 +33,7 @@ class Field(Structure):
     function: Callable[..., Any]
     reference_nu: float
     tolerance: float = field(default=1e-5, kw_only=True)
+    exponent: float = field(default=1.0, kw_only=True)
 
     def __post_init__(self) -> None:
         nu, wanted = number("reference_nu", self.reference_nu), number("tolerance", self.tolerance)
@@ -39,7 +41,7 @@ class Field(Structure):
             raise InvalidArgumentError(f"tolerance = {wanted!r} is not allowed: it must be from 1e-10 to 0.1")
         if not -1.0 < nu <= 0.5:
             raise InvalidArgumentError(f"reference_nu = {nu!r} is not allowed: it must be greater than -1 and at most 0.5")
-        self._set(reference_nu=nu, tolerance=wanted)
+        self._set(reference_nu=nu, tolerance=wanted, exponent=exponent_of_mean(self.exponent))
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
         """E and nu at points, which broadcast."""
@@ -63,7 +65,9 @@ class Field(Structure):
             points, weights = (rows.T for rows in call(_native.lateral_rule, order, self.reference_nu))
             E, nu = self.materials(x + a * points[0], y + a * points[1], a * points[2])
             G = 0.5 * E / (1.0 + nu)
-            found = np.array([G[0] + weights[0] @ (G - G[0]), nu[0] + weights[1] @ (nu - nu[0])])
+            mean = PowerMean(self.exponent, G)
+            phi = mean.transformed(G)
+            found = np.array([mean.mean(phi[0] + weights[0] @ (phi - phi[0])), nu[0] + weights[1] @ (nu - nu[0])])
             if before is not None:
                 error = np.max(np.abs(found - before) / [found[0], 1.0 - found[1]])
                 if error <= self.tolerance:

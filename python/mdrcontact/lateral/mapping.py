@@ -19,7 +19,7 @@ from ..errors import ArgumentTypeError, InvalidArgumentError, OutOfMemoryError
 from ..material import Elastic
 from ..weights import weight_j0, weight_j1
 from . import _scipy
-from .structure import shear
+from .structure import PowerMean, shear
 from .voxels import Voxels
 
 Array = NDArray[np.float64]
@@ -32,7 +32,7 @@ class _Job(NamedTuple):
     """labels (ny, nx) of slice k"""
     shape: tuple[int, int]
     base: Array
-    """(nz, 2): G and nu that each slice is compared with"""
+    """(nz, 2): phi(G) and nu that each slice is compared with"""
     periodic: bool
     voxels: Voxels
 
@@ -130,7 +130,9 @@ def _convolve(job: _Job, radii: Array, threads: int, progress: bool) -> Array:
     slices, (dz, dy, dx) = voxels.labels.shape[0], voxels.spacing
     sizes = _sizes(job.shape, job.periodic)
     kernels = 1 + _needs_poisson(voxels)
-    values = np.array([[shear(m) for m in voxels.phases], [m.nu for m in voxels.phases]])
+    mean = _mean(voxels)
+    values = np.array([_row(m, mean) for m in voxels.phases]).T
+    under = _row(voxels.below, mean)
     sums = np.zeros((len(radii), kernels, sizes[0], sizes[1] // 2 + 1), dtype=complex)
     locks = [threading.Lock() for _ in radii]
     reach = [voxels.images * n if job.periodic else n - 1 for n in job.shape]
@@ -158,14 +160,14 @@ def _convolve(job: _Job, radii: Array, threads: int, progress: bool) -> Array:
     for r, a in enumerate(radii):
         means = []
         for i, (below, J) in enumerate(
-            ((shear(voxels.below), weight_j0(edges / a, nu=voxels.reference_nu)), (voxels.below.nu, weight_j1(edges / a)))
+            ((under[0], weight_j0(edges / a, nu=voxels.reference_nu)), (under[1], weight_j1(edges / a)))
         ):
             level = below + float(-np.diff(np.asarray(J)) @ (job.base[:, i] - below))
             if i < kernels:
                 means.append(level + scipy.fft.irfft2(sums[r, i], s=sizes)[: job.shape[0], : job.shape[1]])
             else:
                 means.append(np.full(job.shape, level))
-        result[r] = 2.0 * means[0] / (1.0 - means[1])
+        result[r] = 2.0 * mean.mean(means[0]) / (1.0 - means[1])
     return result
 
 
@@ -199,13 +201,24 @@ def _sizes(shape: tuple[int, int], periodic: bool) -> tuple[int, int]:
 
 def _bases(voxels: Voxels) -> Array:
     """What each slice is compared with: its mean, or what lies beside it; exactly the common value where all are equal."""
-    beside = voxels.beside
+    beside, mean = voxels.beside, _mean(voxels)
     if isinstance(beside, Elastic):
-        return np.tile([shear(beside), beside.nu], (voxels.labels.shape[0], 1))
-    values = np.array([[shear(m), m.nu] for m in voxels.phases])
-    below = np.array([shear(voxels.below), voxels.below.nu])
+        return np.tile(_row(beside, mean), (voxels.labels.shape[0], 1))
+    values = np.array([_row(m, mean) for m in voxels.phases])
+    below = np.array(_row(voxels.below, mean))
     bases: Array = below + voxels.slice_shares() @ (values - below)
     return bases
+
+
+def _mean(voxels: Voxels) -> PowerMean:
+    """The mean of G over the voxels and what surrounds them."""
+    around = [m for m in (voxels.below, voxels.beside) if isinstance(m, Elastic)]
+    return PowerMean(voxels.exponent, np.array([shear(m) for m in (*voxels.phases, *around)]))
+
+
+def _row(material: Elastic, mean: PowerMean) -> list[float]:
+    """What is summed: phi(G) and nu."""
+    return [float(mean.transformed(shear(material))), material.nu]
 
 
 def _needs_poisson(voxels: Voxels) -> bool:

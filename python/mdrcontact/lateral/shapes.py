@@ -15,7 +15,7 @@ from .. import _layout, _native
 from .._boundary import address, number, numbers, record
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
-from .structure import Structure, elastic
+from .structure import Structure, elastic, exponent_of_mean
 
 Vector = tuple[float, float, float]
 
@@ -147,16 +147,19 @@ class Shapes(Structure):
     shapes : Layer, HalfSpace, Ball, Fibre, Pillar, Box
     reference_nu : Poisson's ratio of the weights; None: the background's
     tolerance : relative error of G_eff and nu_eff by quadrature, 1e-10 to 0.1
+    exponent : p of the mean G_eff = [sum of w G^p]^(1/p): 1 in parallel, -1 in series, 0 the mean of the logarithms
     """
 
     background: Elastic
     shapes: Sequence[Shape] = ()
     reference_nu: float | None = field(default=None, kw_only=True)
     tolerance: float = field(default=1e-5, kw_only=True)
+    exponent: float = field(default=1.0, kw_only=True)
 
     def __post_init__(self) -> None:
         bodies = tuple(self.shapes)
         base, tolerance = elastic("background", self.background), number("tolerance", self.tolerance)
+        exponent = exponent_of_mean(self.exponent)
         for body in bodies:
             if not isinstance(body, Shape):
                 raise ArgumentTypeError(f"{body!r} is not allowed: a shape is a Layer, HalfSpace, Ball, Fibre, Pillar or Box")
@@ -173,11 +176,12 @@ class Shapes(Structure):
                 raise InvalidArgumentError(f"{body!r} is not allowed: a coordinate is missing or too many")
             table[i, : row.size] = row
         nu = base.nu if self.reference_nu is None else number("reference_nu", self.reference_nu)
-        options = record(_layout.structure_options, _native.structure_options_init, reference_nu=nu, tolerance=tolerance)
+        chosen = {"reference_nu": nu, "tolerance": tolerance, "exponent": exponent}
+        options = record(_layout.structure_options, _native.structure_options_init, **chosen)
         kinds, moduli = [_KINDS.index(type(b)) for b in known], [b.material.E for b in known]
         ratios = [b.material.nu for b in known]
         created = _native.structure_shapes(base.E, base.nu, kinds, table, moduli, ratios, address(options))
-        self._own(created, shapes=bodies, tolerance=tolerance)
+        self._own(created, shapes=bodies, tolerance=tolerance, exponent=exponent)
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
         """E and nu at points, which broadcast."""

@@ -15,7 +15,7 @@ from .._boundary import address, number, record, row
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from .shapes import Shapes
-from .structure import Structure, elastic
+from .structure import Structure, elastic, exponent_of_mean
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +31,7 @@ class Voxels(Structure):
     origin : (x, y) of the array's lower corner: cell (k, j, i) has its centre at x = origin[0] + (i + 1/2) dx [length]
     images : for "periodic", how many periods count cell by cell; beyond them each slice counts with its mean
     reference_nu : Poisson's ratio of the weights; None: the mean over all voxels
+    exponent : p of the mean G_eff = [sum of w G^p]^(1/p): 1 in parallel, -1 in series, 0 the mean of the logarithms
     """
 
     labels: NDArray[Any]
@@ -41,6 +42,7 @@ class Voxels(Structure):
     origin: tuple[float, float]
     images: int
     reference_nu: float
+    exponent: float
     _counts: NDArray[np.float64] = field(init=False, repr=False)
 
     def __init__(
@@ -54,6 +56,7 @@ class Voxels(Structure):
         origin: Sequence[float] = (0.0, 0.0),
         images: int = 1,
         reference_nu: float | None = None,
+        exponent: float = 1.0,
     ) -> None:
         cells = labels if hasattr(labels, "ndim") and hasattr(labels, "dtype") else np.asarray(labels)
         if cells.ndim != 3 or cells.dtype.kind not in "iu" or not cells.size:
@@ -79,7 +82,7 @@ class Voxels(Structure):
         if not -1.0 < nu <= 0.5:
             raise InvalidArgumentError(f"reference_nu = {nu!r} is not allowed: it must be greater than -1 and at most 0.5")
         self._set(labels=cells, phases=materials, spacing=steps, beside=beside, below=base, origin=corner, images=images,
-                  reference_nu=nu, _counts=counts)  # fmt: skip
+                  reference_nu=nu, exponent=exponent_of_mean(exponent), _counts=counts)  # fmt: skip
 
     @classmethod
     def from_shapes(
@@ -122,7 +125,7 @@ class Voxels(Structure):
             cells = np.ascontiguousarray(self.labels, dtype=np.intc)
             options = record(
                 _layout.structure_options, _native.structure_options_init, reference_nu=self.reference_nu, padded=padded,
-                images=self.images, beside_E=beside.E, beside_nu=beside.nu, origin=self.origin,
+                images=self.images, beside_E=beside.E, beside_nu=beside.nu, origin=self.origin, exponent=self.exponent,
             )  # fmt: skip
             moduli, ratios = [m.E for m in self.phases], [m.nu for m in self.phases]
             bodies = address(cells), moduli, ratios, self.spacing[::-1], self.below.E, self.below.nu

@@ -33,6 +33,7 @@ module mdrcontact_api_structure
         integer(c_int) :: images = 1_c_int
         real(c_double) :: beside_e = 0.0_c_double, beside_nu = 0.0_c_double
         real(c_double) :: origin(2) = 0.0_c_double
+        real(c_double) :: exponent = 1.0_c_double
     end type structure_options_t
 
     !> A C function E(x, y, z), nu(x, y, z).
@@ -97,7 +98,7 @@ contains
         end if
         if (.not. allocated(error)) then
             if (ieee_is_nan(chosen%reference_nu)) chosen%reference_nu = nu
-            call new_shapes(structure, background, shapes, error, chosen%reference_nu, chosen%tolerance)
+            call new_shapes(structure, background, shapes, error, chosen%reference_nu, chosen%tolerance, chosen%exponent)
         end if
         status = deliver(structure, out, error)
     end function mdr_structure_shapes
@@ -147,25 +148,31 @@ contains
             ! C counts phases from 0
             call copy_labels(labels, cells)
             call new_voxels(structure, cells, materials, spacing, below, error, beside, chosen%origin, int(chosen%images), &
-                            reference_nu)
+                            reference_nu, chosen%exponent)
         end if
         status = deliver(structure, out, error)
     end function mdr_structure_voxels
 
-    function mdr_structure_callback(field, context, reference_nu, tolerance, out) result(status) bind(C)
+    function mdr_structure_callback(field, context, reference_nu, options, out) result(status) bind(C)
         type(c_funptr), value :: field
         type(c_ptr), value :: context
-        real(c_double), value :: reference_nu, tolerance
+        real(c_double), value :: reference_nu
+        type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(c_field_t) :: wrapped
         type(field_structure_t) :: structure
+        type(structure_options_t), target :: chosen
         type(error_t), allocatable :: error
 
+        chosen = default_options()
+        call read_options(error, "options", options, c_loc(chosen), c_sizeof(chosen))
         call check_given(error, "field", c_associated(field))
         wrapped%function = field
         wrapped%context = context
-        if (.not. allocated(error)) call new_field_structure(structure, wrapped, reference_nu, error, tolerance)
+        if (.not. allocated(error)) then
+            call new_field_structure(structure, wrapped, reference_nu, error, chosen%tolerance, chosen%exponent)
+        end if
         status = deliver(structure, out, error)
     end function mdr_structure_callback
 

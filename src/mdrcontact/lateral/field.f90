@@ -9,6 +9,7 @@ module mdrcontact_lateral_field
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_density, only: lateral_density_spheroidal
     use mdrcontact_lateral_structure, only: structure_t
+    use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
@@ -57,7 +58,7 @@ contains
     end function yes
 
     !> A structure of the given field.
-    subroutine new_field_structure(self, field, reference_nu, error, tolerance)
+    subroutine new_field_structure(self, field, reference_nu, error, tolerance, exponent)
         type(field_structure_t), intent(out) :: self
         class(field_t), intent(in) :: field
         !> Poisson's ratio of the weights, -1 < nu <= 1/2
@@ -65,10 +66,15 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> relative error of G_eff and nu_eff, 1e-10 to 0.1; default 1e-5
         real(wp), intent(in), optional :: tolerance
+        !> of the mean of G, -1 (series) to 1 (parallel); default 1
+        real(wp), intent(in), optional :: exponent
+        type(power_mean_t) :: mean
 
         allocate (self%field, source=field)
         self%reference_nu = reference_nu
         if (present(tolerance)) self%tolerance = tolerance
+        if (present(exponent)) self%exponent = exponent
+        call new_power_mean(mean, self%exponent, [1.0_wp], error)
         call check_poisson(error, "reference_nu", reference_nu)
         if (.not. (self%tolerance >= 1.0e-10_wp .and. self%tolerance <= 0.1_wp)) then
             call raise(error, error_invalid, "tolerance = "//to_text(self%tolerance)// &
@@ -76,9 +82,9 @@ contains
         end if
     end subroutine new_field_structure
 
-    subroutine means(self, x, y, a, shear, poisson, error)
+    subroutine means(self, x, y, a, exponent, shear, poisson, error)
         class(field_structure_t), intent(in) :: self
-        real(wp), intent(in) :: x, y, a
+        real(wp), intent(in) :: x, y, a, exponent
         real(wp), intent(out) :: shear, poisson
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: before(2), found(2), difference(2)
@@ -91,7 +97,7 @@ contains
         order = lowest_order
         do
             before = found
-            call sum_at_order(self, order, x, y, a, found, error)
+            call sum_at_order(self, order, x, y, a, exponent, found, error)
             if (allocated(error)) return
             difference = abs(found - before)/[found(1), 1.0_wp - found(2)]
             if (all(difference <= self%tolerance)) exit
@@ -106,29 +112,33 @@ contains
         poisson = found(2)
     end subroutine means
 
-    subroutine sum_at_order(self, order, x, y, a, found, error)
+    subroutine sum_at_order(self, order, x, y, a, exponent, found, error)
         class(field_structure_t), intent(in) :: self
         integer, intent(in) :: order
-        real(wp), intent(in) :: x, y, a
+        real(wp), intent(in) :: x, y, a, exponent
         real(wp), intent(out) :: found(2)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: points(:, :), weights(:, :)
-        real(wp) :: first(2), shear, poisson
-        integer :: i
+        type(power_mean_t) :: mean
+        real(wp), allocatable :: points(:, :), weights(:, :), shear(:), poisson(:)
+        integer :: i, n
 
-        allocate (points(3, space_rule_size(order)), weights(2, space_rule_size(order)))
+        n = space_rule_size(order)
+        allocate (points(3, n), weights(2, n), shear(n), poisson(n))
         call space_rule(order, self%reference_nu, points, weights)
         found = 0.0_wp
-        first = 0.0_wp
-        do i = 1, size(points, 2)
-            call self%field%material(x + a*points(1, i), y + a*points(2, i), a*points(3, i), shear, poisson, error)
-            if (.not. allocated(error)) call check_material(shear, poisson, error)
+        do i = 1, n
+            call self%field%material(x + a*points(1, i), y + a*points(2, i), a*points(3, i), shear(i), poisson(i), error)
+            if (.not. allocated(error)) call check_material(shear(i), poisson(i), error)
             if (allocated(error)) return
-            ! differences from the first point: a homogeneous structure returns itself exactly
-            if (i == 1) first = [shear, poisson]
-            found = found + weights(:, i)*([shear, poisson] - first)
         end do
-        found = found + first
+        call new_power_mean(mean, exponent, shear, error)
+        if (allocated(error)) return
+        shear = mean%transformed(shear)
+        ! differences from the first point: a homogeneous structure returns itself exactly
+        do i = 1, n
+            found = found + weights(:, i)*[shear(i) - shear(1), poisson(i) - poisson(1)]
+        end do
+        found = [mean%mean(found(1) + shear(1)), found(2) + poisson(1)]
     end subroutine sum_at_order
 
     pure subroutine check_material(shear, poisson, error)

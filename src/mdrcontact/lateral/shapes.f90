@@ -10,6 +10,7 @@ module mdrcontact_lateral_shapes
     use mdrcontact_lateral_shape, only: depth_breaks, most_depths, section_at, shape_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_material, only: material_t
+    use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
@@ -33,7 +34,7 @@ module mdrcontact_lateral_shapes
 contains
 
     !> A background half-space with bodies in it.
-    subroutine new_shapes(self, background, shapes, error, reference_nu, tolerance)
+    subroutine new_shapes(self, background, shapes, error, reference_nu, tolerance, exponent)
         type(shapes_t), intent(out) :: self
         type(material_t), intent(in) :: background
         !> none is allowed
@@ -43,12 +44,17 @@ contains
         real(wp), intent(in), optional :: reference_nu
         !> relative error of G_eff and nu_eff, 1e-10 to 0.1; default 1e-5
         real(wp), intent(in), optional :: tolerance
+        !> of the mean of G, -1 (series) to 1 (parallel); default 1
+        real(wp), intent(in), optional :: exponent
+        type(power_mean_t) :: mean
 
         self%background = background
         self%shapes = shapes
         self%reference_nu = background%poisson
         if (present(reference_nu)) self%reference_nu = reference_nu
         if (present(tolerance)) self%tolerance = tolerance
+        if (present(exponent)) self%exponent = exponent
+        call new_power_mean(mean, self%exponent, [background%shear()], error)
         call check_poisson(error, "reference_nu", self%reference_nu)
         if (.not. (self%tolerance >= 1.0e-10_wp .and. self%tolerance <= 0.1_wp)) then
             call raise(error, error_invalid, "tolerance = "//to_text(self%tolerance)// &
@@ -57,24 +63,32 @@ contains
     end subroutine new_shapes
 
     !> Rules of rising order until two agree.
-    subroutine means(self, x, y, a, shear, poisson, error)
+    subroutine means(self, x, y, a, exponent, shear, poisson, error)
         class(shapes_t), intent(in) :: self
-        real(wp), intent(in) :: x, y, a
+        real(wp), intent(in) :: x, y, a, exponent
         real(wp), intent(out) :: shear, poisson
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: excess(2), before(2), scale(2)
+        type(power_mean_t) :: mean
+        real(wp) :: moduli(0:size(self%shapes)), contrast(2, size(self%shapes)), excess(2), before(2), scale(2)
         integer :: nodes
 
         shear = self%background%shear()
         poisson = self%background%poisson
         if (size(self%shapes) == 0) return
+        moduli(0) = shear
+        moduli(1:) = self%shapes%material%shear()
+        call new_power_mean(mean, exponent, moduli, error)
+        if (allocated(error)) return
+        moduli = mean%transformed(moduli)
+        contrast(1, :) = moduli(1:) - moduli(0)
+        contrast(2, :) = self%shapes%material%poisson - poisson
         nodes = fewest_nodes
-        call excess_means(self, x, y, a, nodes, excess)
+        call excess_means(self, contrast, x, y, a, nodes, excess)
         do
             before = excess
             nodes = 2*nodes
-            call excess_means(self, x, y, a, nodes, excess)
-            scale = [min(shear, shear + excess(1)), 1.0_wp - poisson - excess(2)]
+            call excess_means(self, contrast, x, y, a, nodes, excess)
+            scale = [min(mean%relative_unit(moduli(0)), mean%relative_unit(moduli(0) + excess(1))), 1.0_wp - poisson - excess(2)]
             if (all(abs(excess - before) <= self%tolerance*scale)) exit
             if (2*nodes > most_nodes) then
                 call raise(error, error_no_convergence, "E_eff at x = "//to_text(x)//", y = "//to_text(y)//", a = "//to_text(a)// &
@@ -83,13 +97,15 @@ contains
                 return
             end if
         end do
-        shear = shear + excess(1)
+        shear = mean%mean(moduli(0) + excess(1))
         poisson = poisson + excess(2)
     end subroutine means
 
-    !> What the bodies add to the background's (G, nu), with so many nodes in a panel.
-    subroutine excess_means(self, x, y, a, nodes, excess)
+    !> What the bodies add to the background's sums for G and nu, with so many nodes in a panel.
+    subroutine excess_means(self, contrast, x, y, a, nodes, excess)
         class(shapes_t), intent(in) :: self
+        !> (2, size(shapes)) of each body: its values less the background's
+        real(wp), intent(in) :: contrast(:, :)
         real(wp), intent(in) :: x, y, a
         integer, intent(in) :: nodes
         real(wp), intent(out) :: excess(2)
@@ -110,7 +126,7 @@ contains
             do j = 1, size(radii%nodes)
                 call lateral_density(radii%nodes(j), depths%nodes(i), self%reference_nu, shear, poisson)
                 plane = plane + radii%weights(j)*radii%nodes(j)*[shear, poisson] &
-                        *circle_integral(self, sections, present_shapes, radii%nodes(j))
+                        *circle_integral(contrast, sections, present_shapes, radii%nodes(j))
             end do
             excess = excess + depths%weights(i)*plane
         end do
@@ -175,9 +191,9 @@ contains
         radii = pack(radii(:found), ieee_is_finite(radii(:found)))
     end function all_touching_radii
 
-    !> int (G - G_background, nu - nu_background) dtheta around the circle of radius rho: exact arcs, the last body on top.
-    function circle_integral(self, sections, present_shapes, rho) result(integral)
-        class(shapes_t), intent(in) :: self
+    !> The integral of `contrast` dtheta around the circle of radius rho: exact arcs, the last body on top.
+    function circle_integral(contrast, sections, present_shapes, rho) result(integral)
+        real(wp), intent(in) :: contrast(:, :)
         type(section_t), intent(in) :: sections(:)
         integer, intent(in) :: present_shapes(:)
         real(wp), intent(in) :: rho
@@ -203,10 +219,7 @@ contains
             middle = 0.5_wp*(angles(k - 1) + angles(k))
             do i = size(sections), 1, -1
                 if (.not. holds(sections(i), rho*[cos(middle), sin(middle)])) cycle
-                associate (material => self%shapes(present_shapes(i))%material)
-                    integral = integral + (angles(k) - angles(k - 1)) &
-                               *[material%shear() - self%background%shear(), material%poisson - self%background%poisson]
-                end associate
+                integral = integral + (angles(k) - angles(k - 1))*contrast(:, present_shapes(i))
                 exit
             end do
         end do

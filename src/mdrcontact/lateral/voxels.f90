@@ -8,6 +8,7 @@ module mdrcontact_lateral_voxels
     use mdrcontact_lateral_slab, only: new_slab, slab_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_material, only: material_t
+    use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
     implicit none (type, external)
     private
     public :: voxels_t, new_voxels
@@ -35,7 +36,7 @@ module mdrcontact_lateral_voxels
 contains
 
     !> Voxels with the given phases over a half-space `below`.
-    subroutine new_voxels(self, labels, phases, spacing, below, error, beside, origin, images, reference_nu)
+    subroutine new_voxels(self, labels, phases, spacing, below, error, beside, origin, images, reference_nu, exponent)
         type(voxels_t), intent(out) :: self
         !> (nx, ny, nz) number of the phase, 1 to size(phases)
         integer, intent(in) :: labels(:, :, :)
@@ -53,6 +54,9 @@ contains
         integer, intent(in), optional :: images
         !> Poisson's ratio of the weights; default: the mean over all voxels
         real(wp), intent(in), optional :: reference_nu
+        !> of the mean of G, -1 (series) to 1 (parallel); default 1
+        real(wp), intent(in), optional :: exponent
+        type(power_mean_t) :: mean
         integer :: i, stat
 
         do i = 1, 3
@@ -77,6 +81,7 @@ contains
         self%spacing = spacing
         self%below = below
         self%periodic = .not. present(beside)
+        self%beside = below
         if (present(beside)) self%beside = beside
         if (present(origin)) self%origin = origin
         if (present(images)) self%images = images
@@ -96,22 +101,30 @@ contains
         self%reference_nu = min(max(self%reference_nu, minval(self%poisson)), maxval(self%poisson))
         if (present(reference_nu)) self%reference_nu = reference_nu
         call check_poisson(error, "reference_nu", self%reference_nu)
+        if (present(exponent)) self%exponent = exponent
+        call new_power_mean(mean, self%exponent, self%shear, error)
     end subroutine new_voxels
 
     !> By direct summation: the weight of every cell. What is outside the array enters through the differences from it.
-    subroutine means(self, x, y, a, shear, poisson, error)
+    subroutine means(self, x, y, a, exponent, shear, poisson, error)
         class(voxels_t), intent(in) :: self
-        real(wp), intent(in) :: x, y, a
+        real(wp), intent(in) :: x, y, a, exponent
         real(wp), intent(out) :: shear, poisson
         type(error_t), allocatable, intent(out) :: error
         type(slab_t) :: slab
+        type(power_mean_t) :: mean
         integer, allocatable :: columns(:), rows(:)
         real(wp), allocatable :: lines_x(:), lines_y(:), shear_weights(:, :), poisson_weights(:, :)
-        real(wp) :: base(2)
+        real(wp) :: phases(size(self%shear)), below(2), beside(2), base(2)
         integer :: k, stat
 
         shear = 0.0_wp
         poisson = 0.0_wp
+        call new_power_mean(mean, exponent, [self%shear, self%below%shear(), self%beside%shear()], error)
+        if (allocated(error)) return
+        phases = mean%transformed(self%shear)
+        below = [mean%transformed(self%below%shear()), self%below%poisson]
+        beside = [mean%transformed(self%beside%shear()), self%beside%poisson]
         call window(self, 1, x, columns, lines_x, error)
         if (.not. allocated(error)) call window(self, 2, y, rows, lines_y, error)
         if (allocated(error)) return
@@ -126,15 +139,16 @@ contains
                           hypot(maxval(abs(lines_x)), maxval(abs(lines_y))), error)
             if (allocated(error)) return
             call cell_weights(slab, lines_x, lines_y, shear_weights, poisson_weights)
-            base = slice_base(self, k)
+            base = beside
+            if (self%periodic) base = slice_mean(self, k, phases, below)
             ! differences from `below`, then from the slice's base: a homogeneous structure returns itself exactly
-            shear = shear + two_pi*slab%whole(1)*(base(1) - self%below%shear()) &
-                    + weighted(shear_weights, self%shear - base(1), self%labels(:, :, k), columns, rows)
-            poisson = poisson + two_pi*slab%whole(2)*(base(2) - self%below%poisson) &
+            shear = shear + two_pi*slab%whole(1)*(base(1) - below(1)) &
+                    + weighted(shear_weights, phases - base(1), self%labels(:, :, k), columns, rows)
+            poisson = poisson + two_pi*slab%whole(2)*(base(2) - below(2)) &
                       + weighted(poisson_weights, self%poisson - base(2), self%labels(:, :, k), columns, rows)
         end do
-        shear = shear + self%below%shear()
-        poisson = poisson + self%below%poisson
+        shear = mean%mean(shear + below(1))
+        poisson = poisson + below(2)
     end subroutine means
 
     !> The cells that count one by one in a direction: their indices, and their lines relative to the axis.
@@ -168,24 +182,22 @@ contains
         end do
     end subroutine window
 
-    !> What a slice is compared with: the surroundings, or its own mean where it repeats itself.
-    pure function slice_base(self, k) result(base)
+    !> What a slice that repeats itself is compared with: its own mean.
+    pure function slice_mean(self, k, phases, below) result(base)
         class(voxels_t), intent(in) :: self
         integer, intent(in) :: k
+        !> what G of each phase counts as, and G and nu of what lies below
+        real(wp), intent(in) :: phases(:), below(2)
         real(wp) :: base(2)
         real(wp) :: share
         integer :: phase
 
-        if (.not. self%periodic) then
-            base = [self%beside%shear(), self%beside%poisson]
-            return
-        end if
-        base = [self%below%shear(), self%below%poisson]
+        base = below
         do phase = 1, size(self%shear)
             share = count(self%labels(:, :, k) == phase)/real(size(self%labels, 1)*size(self%labels, 2), wp)
-            base = base + share*[self%shear(phase) - self%below%shear(), self%poisson(phase) - self%below%poisson]
+            base = base + share*[phases(phase) - below(1), self%poisson(phase) - below(2)]
         end do
-    end function slice_base
+    end function slice_mean
 
     !> Sum over the cells of weight times the value of their phase.
     pure function weighted(weights, values, labels, columns, rows) result(total)

@@ -26,6 +26,8 @@ module mdrcontact_numerics_power_mean
         !> the mean that belongs to a weighted sum of phi, and its derivative with respect to this sum
         procedure :: mean
         procedure :: mean_slope
+        !> the change of the sum that belongs to a relative change of the mean
+        procedure :: relative_unit
     end type power_mean_t
 
     interface
@@ -117,5 +119,20 @@ contains
             slope = x/(1.0_wp + self%exponent*phi)
         end if
     end function mean_slope
+
+    !> |dphi/d ln x| > 0 as a function of phi; what is not greater than 0 belongs to no mean.
+    elemental function relative_unit(self, phi) result(unit)
+        class(power_mean_t), intent(in) :: self
+        real(wp), intent(in) :: phi
+        real(wp) :: unit
+
+        if (abs(self%exponent) == 1.0_wp) then
+            unit = phi
+        else if (.not. self%is_flat) then
+            unit = abs(self%exponent)*phi
+        else
+            unit = 1.0_wp + self%exponent*phi
+        end if
+    end function relative_unit
 
 end module mdrcontact_numerics_power_mean

@@ -21,6 +21,7 @@ static const mdr_structure_options *take_options(input *in, mdr_structure_option
     options->beside_nu = take_ratio(in);
     options->origin[0] = take_number(in);
     options->origin[1] = take_number(in);
+    options->exponent = take_ratio(in);
     return options;
 }
 
@@ -55,7 +56,8 @@ static int make(world *w, mdr_structure **out)
         mdr_structure_free(&w->structure);
         field = take_function(in);
         nu = take_ratio(in);
-        return mdr_structure_callback(call_field, &field, nu, take_byte(in) % 2 ? 1e-2 : take_number(in), out);
+        options.tolerance = take_byte(in) % 2 ? 1e-2 : take_number(in);
+        return mdr_structure_callback(call_field, &field, nu, chosen, out);
     default:
         E = take_positive(in);
         nu = take_ratio(in);
