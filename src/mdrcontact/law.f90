@@ -34,6 +34,8 @@ module mdrcontact_law
     real(wp), parameter :: default_decades = 1.0e-4_wp
     !> Shares of the tolerance: of the samples, and of the polynomials through them.
     real(wp), parameter :: sample_share = 0.1_wp, fit_share = 0.3_wp
+    !> Noise of the contact's states with which it is worth to go on to verification.
+    real(wp), parameter :: largest_noise = 1.0e-6_wp
     !> What a law can be asked for.
     type :: law_options_t
         !> Without adhesion: the depth down to which the tolerance holds [length]; 0: 1e-4 of the largest. Nearer to first touch
@@ -170,7 +172,8 @@ contains
             of_force = of_depth
         end if
         coordinates = coordinates_between(contact%equilibrium, first, last)
-        call new_curve(curve, contact%equilibrium, coordinates, sample_share*self%tolerance, error)
+        ! what the samples miss, verification finds
+        call new_curve(curve, contact%equilibrium, coordinates, sample_share*self%tolerance, error, largest_noise)
         if (allocated(error)) return
         self%solutions = self%solutions + curve%solutions
         coordinates = coordinates(2:size(coordinates) - 1)

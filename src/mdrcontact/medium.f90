@@ -56,6 +56,8 @@ module mdrcontact_medium
         procedure :: why_it_ends => nothing_to_say
         !> the smallest one; 0 where there is no end
         procedure :: smallest_radius => zero
+        !> relative accuracy of E_eff and its slope where they are interpolated between samples; 0 where they are computed
+        procedure :: roughness => zero
     end type medium_t
 
     abstract interface
@@ -192,13 +194,13 @@ contains
         radius = huge(1.0_wp)
     end function unlimited
 
-    pure function zero(self) result(radius)
+    pure function zero(self) result(value)
         class(medium_t), intent(in) :: self
-        real(wp) :: radius
+        real(wp) :: value
 
         associate (unused => self)
         end associate
-        radius = 0.0_wp
+        value = 0.0_wp
     end function zero
 
 end module mdrcontact_medium

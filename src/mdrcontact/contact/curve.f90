@@ -23,7 +23,8 @@ module mdrcontact_contact_curve
     real(wp), parameter :: usual_length = 1.6_wp
     !> A panel is not halved below this length: a kink is then resolved well enough.
     real(wp), parameter :: shortest_length = 1.0e-4_wp
-    real(wp), parameter :: noisy_length = 0.25_wp, largest_noise = 1.0e-6_wp
+    !> Halving a panel of a smooth quantity below this length makes its last coefficients many times smaller: else they are noise.
+    real(wp), parameter :: noisy_length = 0.25_wp
     integer, parameter :: most_panels = 400
     !> Rows of the samples: ln d0, ln F0, ln k, ln dl.
     integer, parameter :: rows = 4, of_depth = 1, of_force = 2, of_stiffness = 3, of_excess = 4
@@ -79,7 +80,7 @@ module mdrcontact_contact_curve
 contains
 
     !> Samples the states between the first and the last of some coordinates.
-    subroutine new_curve(self, equilibrium, coordinates, tolerance, error)
+    subroutine new_curve(self, equilibrium, coordinates, tolerance, error, largest_noise)
         type(curve_t), intent(out) :: self
         type(equilibrium_t), intent(in) :: equilibrium
         !> ascending; at the inner ones indenter or medium are not analytic
@@ -87,13 +88,18 @@ contains
         !> relative, of the interpolated quantities
         real(wp), intent(in) :: tolerance
         type(error_t), allocatable, intent(out) :: error
+        !> relative noise of the equilibria up to which a panel is accepted though it misses the tolerance, by a caller that
+        !> compares the result with the contact itself; default: the roughness of medium and zeta, 0 where they are computed
+        real(wp), intent(in), optional :: largest_noise
         real(wp), allocatable :: waiting(:), before(:), kept(:, :, :)
-        real(wp) :: panel(rows, nodes), left, right, tail, attainable, edges(most_panels + 1)
+        real(wp) :: panel(rows, nodes), left, right, tail, attainable, noise, edges(most_panels + 1)
         logical :: root, roots(most_panels)
         integer :: count, i
 
         self%end_radius = equilibrium%profile%end_radius()
         self%adhesive = equilibrium%work_of_adhesion > 0.0_wp
+        noise = equilibrium%roughness
+        if (present(largest_noise)) noise = largest_noise
         allocate (waiting, source=first_edges(coordinates))
         allocate (before(size(waiting)), source=huge(1.0_wp))
         allocate (kept(rows, nodes, most_panels))
@@ -101,7 +107,7 @@ contains
         edges(1) = coordinates(1)
         do while (size(waiting) > 0)
             if (count + size(waiting) > most_panels) then
-                call raise(error, error_no_convergence, "the contact is not smooth enough near radius = "// &
+                call raise(error, error_no_convergence, "the contact is not smooth or not accurate enough near radius = "// &
                            to_text(equilibrium%radius_of(edges(count + 1)))//" to be sampled")
                 return
             end if
@@ -113,8 +119,8 @@ contains
             ! Close to a flat end a - b, and all that depends on it, has lost digits.
             attainable = max(tolerance, 16.0_wp*epsilon(1.0_wp)*self%end_radius*exp(-left))
             tail = maxval(abs(panel(:, nodes - 1:)))
-            ! What halving does not make smaller is noise of the medium's.
-            if (right - left < noisy_length .and. tail > 0.5_wp*before(1)) attainable = max(attainable, largest_noise)
+            ! What halving does not make smaller is noise of the equilibria.
+            if (right - left < noisy_length .and. tail > 0.5_wp*before(1)) attainable = max(attainable, noise)
             if (tail > attainable .and. right - left > shortest_length) then
                 waiting = [0.5_wp*(left + right), waiting]
                 before = [tail, tail, before(2:)]

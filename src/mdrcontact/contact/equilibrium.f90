@@ -11,7 +11,7 @@ module mdrcontact_contact_equilibrium
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t, reason_length
     use mdrcontact_numerics_quadrature, only: merged_breaks
-    use mdrcontact_numerics_radius_law, only: radius_law_t
+    use mdrcontact_numerics_radius_law, only: interpolation_roughness, radius_law_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -38,6 +38,8 @@ module mdrcontact_contact_equilibrium
         real(wp) :: last_radius = 0.0_wp
         !> whether a state is a formula and costs less than to start a thread for it
         logical :: is_formula = .false.
+        !> relative accuracy of a state where medium or zeta are interpolated between samples; 0 where they are computed
+        real(wp) :: roughness = 0.0_wp
     contains
         procedure :: at
         procedure :: parts
@@ -71,6 +73,7 @@ contains
         allocate (self%medium, source=medium)
         self%last_radius = largest_contact_radius(profile, medium)
         self%is_formula = medium%is_cheap()
+        self%roughness = medium%roughness()
         if (present(zeta)) then
             if (allocated(zeta)) then
                 call check_zeta(profile, medium, zeta, error)
@@ -79,6 +82,7 @@ contains
                 allocate (self%profile, source=scaled)
                 self%last_radius = min(self%last_radius, zeta%largest_radius())
                 self%is_formula = .false.
+                self%roughness = max(self%roughness, interpolation_roughness)
                 return
             end if
         end if

@@ -4,7 +4,8 @@ module mdrcontact_medium_tabulated
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
+    use mdrcontact_numerics_radius_law, only: interpolation_roughness, new_radius_law_from_function, &
+                                                new_radius_law_from_table, radius_law_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
@@ -21,6 +22,7 @@ module mdrcontact_medium_tabulated
         procedure :: smallest_radius
         procedure :: largest_radius
         procedure :: breaks
+        procedure :: roughness
     end type tabulated_medium_t
 
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
@@ -88,5 +90,14 @@ contains
 
         radii = self%law%break_radii()
     end function breaks
+
+    pure function roughness(self) result(value)
+        class(tabulated_medium_t), intent(in) :: self
+        real(wp) :: value
+
+        associate (unused => self)
+        end associate
+        value = interpolation_roughness
+    end function roughness
 
 end module mdrcontact_medium_tabulated

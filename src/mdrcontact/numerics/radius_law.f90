@@ -14,6 +14,10 @@ module mdrcontact_numerics_radius_law
     implicit none (type, external)
     private
     public :: radius_law_t, new_radius_law_from_table, new_radius_law_from_function
+    public :: interpolation_roughness
+
+    !> What the slope of an interpolated quantity may lack, relative: a function that is itself computed to 1e-9 has no better one.
+    real(wp), parameter :: interpolation_roughness = 1.0e-6_wp
 
     !> The interpolated quantity. Beyond its largest radius it is not asked.
     type :: radius_law_t
