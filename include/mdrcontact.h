@@ -984,7 +984,9 @@ enum mdr_fit_indenter {
     MDR_FIT_INDENTER_FLAT_PUNCH = 5,
     MDR_FIT_INDENTER_FLAT_CONE = 6,
     MDR_FIT_INDENTER_FLAT_PARABOLOID = 7,
-    MDR_FIT_INDENTER_ROUNDED_CONE = 8
+    MDR_FIT_INDENTER_ROUNDED_CONE = 8,
+    MDR_FIT_INDENTER_AREA_FUNCTION = 9 /**< min_height, max_height, C0 ... C7 of mdr_profile_area_function(), 0 for those it has
+                                            not. */
 };
 
 /** Kinds of medium, with their numbers in order. */
@@ -999,16 +1001,19 @@ enum mdr_fit_medium {
 
 /** The numbers of the instrument, by their place behind those of indenter and medium. */
 enum mdr_fit_instrument {
-    MDR_FIT_WORK_OF_ADHESION = 0,     /**< gamma >= 0, > 0 if free [modulus length]. */
+    MDR_FIT_WORK_OF_ADHESION = 0,     /**< gamma >= 0; the search begins above 0 [modulus length]. */
     MDR_FIT_DEPTH_OFFSET = 1,         /**< Depth that the instrument reads at first contact [length]. */
     MDR_FIT_FORCE_OFFSET = 2,         /**< Force that it reads there [modulus length^2]. */
     MDR_FIT_FRAME_COMPLIANCE = 3,     /**< Of the instrument's frame [1/(modulus length)]. */
     MDR_FIT_INDENTER_MODULUS = 4,     /**< Contact modulus E*_i of the indenter > 0; INFINITY: rigid, which force against depth
                                            demands [modulus]. */
-    MDR_FIT_CONTACT_DEPTH_FACTOR = 5, /**< epsilon of the contact depth h_c = h - epsilon P/S (Oliver, Pharr 1992); usually 0.75
-                                           [1]. */
+    MDR_FIT_CONTACT_DEPTH_FACTOR = 5, /**< epsilon of the contact depth h_c = h - epsilon P/S (Oliver, Pharr 1992); usually 0.75,
+                                           0 or less where the surface piles up [1]. */
     MDR_FIT_STIFFNESS_FACTOR = 6,     /**< beta of S = 2 beta a E_r; usually 1 [1]. */
-    MDR_FIT_INSTRUMENT_COUNT = 7      /**< How many there are. */
+    MDR_FIT_CONTACT_DEPTH_SCALE = 7,  /**< Factor of h_c, usually 1; 1.2 with epsilon = 1: Loubet's contact depth [1]. */
+    MDR_FIT_AREA_FACTOR = 8,          /**< True over assumed projected contact area, for all data but force against depth; usually
+                                           1 [1]. */
+    MDR_FIT_INSTRUMENT_COUNT = 9      /**< How many there are. */
 };
 
 /** How residuals r, in standard deviations, count; s is loss_scale. */
@@ -1049,6 +1054,14 @@ typedef struct mdr_fit_problem {
                                               default 1. */
     int parameter_count;                 /**< See mdr_fit_parameter_count(). */
     const mdr_fit_parameter *parameters; /**< [parameter_count] those of the indenter, the medium, and the instrument. */
+    int prior_count;                     /**< Rows of prior_weights >= 0; default 0. */
+    const double *prior_weights;         /**< [prior_count][parameter_count] what is known of several numbers together: the sum over j
+                                              of weight j times (value - prior) of parameter j has mean 0 and variance 1. For a
+                                              covariance C = L L^T the rows are those of the inverse of L. NULL if there is none. */
+    const int *branch;                   /**< [n] of enum mdr_branch; NULL: all points on one branch, down to pull-off. Matters
+                                              with adhesion, where the bodies part at pull-off and read the force offset from there.
+                                              In a fit the readings say which points are in contact, in mdr_fit_predict() the
+                                              model does. */
 } mdr_fit_problem;
 
 /** Sets everything to its default. problem = NULL is allowed. Never fails. */
@@ -1064,9 +1077,10 @@ typedef struct mdr_fit_summary {
     double degrees_of_freedom; /**< Number of data less that of the parameters they determine. */
     double noise;              /**< Factor of the standard deviations of the data: 1 if they are known, else estimated. */
     double log_likelihood;     /**< Of the data and the priors, at the estimates. */
-    double runs_probability;   /**< Probability of so few or many runs of equal sign, were the residuals random. */
+    double pattern_probability; /**< Probability that random residuals follow each other as smoothly (Bartels 1982); 1 for n < 8. */
     double weakest;            /**< Smallest eigenvalue of the correlation of the derivatives: 1: the parameters are independent,
                                     0: a combination of them is not determined. */
+    double lag_correlation;    /**< Correlation of neighbouring residuals along the curve; standard errors allow for it. */
 } mdr_fit_summary;
 
 /** How many numbers a problem has: those of its kinds of indenter and medium, `layers`, and the instrument.
@@ -1084,6 +1098,8 @@ int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
  *  @param sd                 [n] standard deviations of y > 0, in its unit; NULL: equal and unknown
  *  @param values             [m] or NULL: all numbers, each in its unit
  *  @param covariance         [m m] or NULL: their covariance, 0 for fixed ones; symmetric
+ *  @param widening           [m] or NULL: how much larger their standard errors are because neighbouring residuals are correlated,
+ *                            at least 1; the covariance holds it already
  *  @param at_bound           [m] or NULL: -1 or 1 for a number at its lower or upper bound, else 0
  *  @param weakest_direction  [m] or NULL: the relative change of the free parameters that the data determine least
  *  @param fitted             [n] or NULL: the model at the data, in the unit of y
@@ -1091,8 +1107,8 @@ int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
  *  @param summary            or NULL: what speaks for or against the fit
  *  @return MDR_EINVALID also for data in other units than the start, or too few; what the model answers at the start */
 int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
-                  const double sd[], double values[], double covariance[], int at_bound[], double weakest_direction[],
-                  double fitted[], double residuals[], mdr_fit_summary *summary);
+                  const double sd[], double values[], double covariance[], double widening[], int at_bound[],
+                  double weakest_direction[], double fitted[], double residuals[], mdr_fit_summary *summary);
 
 /** What the instrument reads if the numbers are the `value`s of the parameters. Data as for mdr_fit_solve().
  *  @param problem  problem

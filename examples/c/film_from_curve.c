@@ -62,7 +62,8 @@ static int read_curve(const char *path, double depth[], double load[], double sd
 
 static void set_problem(mdr_fit_problem *problem, mdr_fit_parameter numbers[COUNT])
 {
-    static const double values[COUNT] = {10000, 60, 0.17, 500, 163, 0.22, 1, /* instrument: */ 0, 0, 0, 0, INFINITY, 0.75, 1};
+    static const double values[COUNT] = {10000, 60, 0.17, 500, 163, 0.22, 1, /* instrument: */ 0, 0, 0, 0, INFINITY, 0.75, 1,
+                                         1, 1};
 
     for (int i = 0; i < COUNT; i++) numbers[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0, 0, 0};
     numbers[FILM_E].is_free = 1;
@@ -96,7 +97,7 @@ int main(int argc, char *argv[])
     }
     n = read_curve(argv[1], depth, load, sd);
     set_problem(&problem, numbers);
-    check(mdr_fit_solve(&problem, n, depth, load, NULL, sd, values, covariance, NULL, NULL, NULL, NULL, &summary));
+    check(mdr_fit_solve(&problem, n, depth, load, NULL, sd, values, covariance, NULL, NULL, NULL, NULL, NULL, &summary));
     printf("%d points, %s after %d evaluations, chi-square %.1f of %.1f degrees of freedom\n", n,
            summary.converged ? "converged" : "NOT converged", summary.evaluations, summary.chi_square, summary.degrees_of_freedom);
     printf("film modulus    %7.2f +- %.2f GPa\n", values[FILM_E], sqrt(covariance[FILM_E * COUNT + FILM_E]));

@@ -126,6 +126,9 @@ fit_problem = np.dtype(
         ("check_units", np.intc),
         ("parameter_count", np.intc),
         ("parameters", np.uintp),
+        ("prior_count", np.intc),
+        ("prior_weights", np.uintp),
+        ("branch", np.uintp),
     ],
     align=True,
 )
@@ -139,8 +142,9 @@ fit_summary = np.dtype(
         ("degrees_of_freedom", np.float64),
         ("noise", np.float64),
         ("log_likelihood", np.float64),
-        ("runs_probability", np.float64),
+        ("pattern_probability", np.float64),
         ("weakest", np.float64),
+        ("lag_correlation", np.float64),
     ],
     align=True,
 )
@@ -218,6 +222,7 @@ FIT_INDENTER_FLAT_PUNCH = 5
 FIT_INDENTER_FLAT_CONE = 6
 FIT_INDENTER_FLAT_PARABOLOID = 7
 FIT_INDENTER_ROUNDED_CONE = 8
+FIT_INDENTER_AREA_FUNCTION = 9
 
 FIT_MEDIUM_GIVEN = 0
 FIT_MEDIUM_HOMOGENEOUS = 1
@@ -232,7 +237,9 @@ FIT_FRAME_COMPLIANCE = 3
 FIT_INDENTER_MODULUS = 4
 FIT_CONTACT_DEPTH_FACTOR = 5
 FIT_STIFFNESS_FACTOR = 6
-FIT_INSTRUMENT_COUNT = 7
+FIT_CONTACT_DEPTH_SCALE = 7
+FIT_AREA_FACTOR = 8
+FIT_INSTRUMENT_COUNT = 9
 
 FIT_LINEAR = 0
 FIT_HUBER = 1

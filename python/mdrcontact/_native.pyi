@@ -123,6 +123,7 @@ def fit_solve(
     sd: int,
     values: int,
     covariance: int,
+    widening: int,
     at_bound: int,
     weakest_direction: int,
     fitted: int,

@@ -24,7 +24,7 @@ SIZES = {
     "mdr_lateral_rule": {"points": f"{POINTS_OF_RULE}, 3", "weights": f"{POINTS_OF_RULE}, 2"},
     "mdr_law_from_depth": dict.fromkeys(("F", "slope", "a", "k"), ""),
     "mdr_fit_solve": dict.fromkeys(
-        ("force", "sd", "values", "covariance", "at_bound", "weakest_direction", "fitted", "residuals"), ""
+        ("force", "sd", "values", "covariance", "widening", "at_bound", "weakest_direction", "fitted", "residuals"), ""
     ),
     "mdr_fit_predict": {"force": ""},
     "mdr_fit_interval": {"force": "", "sd": ""},

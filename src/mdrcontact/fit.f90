@@ -4,11 +4,13 @@
 !> Nonlinear least squares of the same forward model that computes contacts, over GSL's trust region. A value known beforehand
 !> enters as one more datum, and with it its uncertainty into that of everything else.
 module mdrcontact_fit
-    use mdrcontact_error, only: explain, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: explain, error_invalid, error_t, raise
+    use mdrcontact_fit_correlation, only: correlated_spread
     use mdrcontact_fit_least_squares, only: minimize, outcome_t
     use mdrcontact_fit_problem, only: check_data, check_problem, fit_data_t, fit_problem_t, loss_linear
     use mdrcontact_fit_residuals, only: bend_slope, bent, fit_residuals_t, new_fit_residuals
-    use mdrcontact_fit_runs, only: runs_test
+    use mdrcontact_fit_order, only: median
+    use mdrcontact_fit_pattern, only: pattern_test
     use mdrcontact_fit_spectrum, only: new_spectrum, spectrum_t
     use mdrcontact_fit_variables, only: new_variables, variables_t
     use mdrcontact_kinds, only: pi, wp
@@ -51,8 +53,13 @@ module mdrcontact_fit
         real(wp) :: degrees_of_freedom = 0.0_wp
         !> of the data and the priors at the estimates
         real(wp) :: log_likelihood = 0.0_wp
-        !> probability of so few or so many runs of equal sign along ascending x if the residuals are random
-        real(wp) :: runs_probability = 1.0_wp
+        !> probability that random residuals follow each other as smoothly along the curve
+        real(wp) :: pattern_probability = 1.0_wp
+        !> correlation of neighbouring residuals along the curve, and by how much it has widened the standard error of each free
+        !> number, which the covariance holds already
+        real(wp) :: lag_correlation = 0.0_wp
+        !> see `lag_correlation`
+        real(wp), allocatable :: widening(:)
         !> if not, the numbers are the best point found
         logical :: converged = .false.
         !> steps of the search
@@ -101,11 +108,25 @@ contains
                          "; check the units of the data and the starting values")
             return
         end if
-        ratio = norm2(residuals%data%y)/max(norm2(y), tiny(1.0_wp))
+        if (.not. norm2(y) > 0.0_wp) then
+            call raise(error, error_invalid, "at the start of the search the indenter touches at none of the points: check "// &
+                       "depth_offset, the depth at first contact, and the sign of the depths")
+            return
+        end if
+        ratio = norm2(residuals%data%y)/norm2(y)
         if (ratio <= wrong_units .and. ratio >= 1.0_wp/wrong_units) return
-        call raise(error, error_invalid, "the data are "//to_text(ratio)//" times the model at the start of the search: check "// &
-                   "the units of the data, or begin closer")
+        call raise(error, error_invalid, "the data are "//trim(rounded(ratio))//" times the model at the start of the search: "// &
+                   "check the units of the data, or whether contact begins where depth_offset says, or begin closer")
     end subroutine check_units_at_start
+
+    !> A ratio in words: two digits.
+    function rounded(value) result(text)
+        real(wp), intent(in) :: value
+        character(len=12) :: text
+
+        write (text, "(es8.1)") value
+        text = adjustl(text)
+    end function rounded
 
     !> Searches; where the noise is unknown and matters for the estimates, again until both agree.
     subroutine agree_with_noise(residuals, u, outcome, fit, error)
@@ -134,7 +155,7 @@ contains
             if (abs(noise - residuals%noise) <= noise_tolerance*residuals%noise) return
             call rescale(residuals, outcome, residuals%noise/noise)
             residuals%noise = noise
-            if (size(residuals%known) == 0 .and. residuals%loss == loss_linear) return
+            if (residuals%n == size(residuals%data%x) .and. residuals%loss == loss_linear) return
         end do
     end subroutine agree_with_noise
 
@@ -249,8 +270,8 @@ contains
         fit%degrees_of_freedom = degrees_of_freedom(residuals, outcome)
         fit%log_likelihood = -0.5_wp*(sum(bent(residuals%loss, residuals%problem%loss_scale, fit%residuals)**2) &
                                       + fit%prior_chi_square) - sum(log(data_sd)) - 0.5_wp*n*log(2.0_wp*pi)
-        call runs_test(residuals%data%x, fit%residuals, fit%runs_probability, error)
-        if (.not. allocated(error)) call describe_spread(residuals, u, outcome, fit)
+        fit%pattern_probability = pattern_test(fit%residuals(residuals%order))
+        call describe_spread(residuals, u, outcome, fit)
     end subroutine describe
 
     !> Covariance and the weakest direction. Under a robust loss the covariance is Huber's H^-1 V H^-1.
@@ -260,16 +281,19 @@ contains
         type(outcome_t), intent(in) :: outcome
         type(fit_result_t), intent(inout) :: fit
         type(spectrum_t) :: spectrum
-        real(wp), allocatable :: jacobian(:, :), inverse(:, :), scores(:, :), psi(:), psi_slope(:), slope(:), bend(:)
+        real(wp), allocatable :: jacobian(:, :), inverse(:, :), scores(:, :), psi(:), psi_slope(:), slope(:), bend(:), widening(:)
         integer, allocatable :: inner(:)
         integer :: i, n
 
         n = size(residuals%data%x)
         inner = pack([(i, i=1, size(u))], fit%at_bound == 0)
         allocate (fit%covariance(size(u), size(u)), fit%weakest_direction(size(u)))
+        allocate (fit%widening(size(u)))
         fit%covariance = 0.0_wp
         fit%weakest_direction = 0.0_wp
+        fit%widening = 1.0_wp
         if (size(inner) == 0) return
+        allocate (widening(size(inner)))
         jacobian = outcome%jacobian(:, inner)
         scores = jacobian
         if (residuals%loss /= loss_linear) then
@@ -290,7 +314,11 @@ contains
         spectrum = new_spectrum(matmul(transpose(jacobian), jacobian))
         inverse = spectrum%inverse()
         if (residuals%loss /= loss_linear) inverse = matmul(inverse, matmul(matmul(transpose(scores), scores), inverse))
+        call correlated_spread(outcome%r(residuals%order), outcome%jacobian(residuals%order, inner), inverse, &
+                               allocated(residuals%data%sd) .and. residuals%problem%sd_is_absolute, fit%lag_correlation, widening)
+        fit%widening(inner) = widening
         slope = residuals%variables%slope_at([(i, i=1, size(u))], u)
+        slope(inner) = slope(inner)*widening
         do i = 1, size(inner)
             fit%covariance(inner, inner(i)) = inverse(:, i)*slope(inner)*slope(inner(i))
         end do
@@ -298,23 +326,5 @@ contains
         fit%weakest_direction(inner) = spectrum%vectors(:, 1)/spectrum%scale
         fit%weakest_direction = fit%weakest_direction/max(maxval(abs(fit%weakest_direction)), tiny(1.0_wp))
     end subroutine describe_spread
-
-    pure function median(values) result(middle)
-        real(wp), intent(in) :: values(:)
-        real(wp) :: middle
-        real(wp) :: sorted(size(values)), one
-        integer :: i, j
-
-        sorted = values
-        do i = 2, size(sorted)
-            one = sorted(i)
-            do j = i - 1, 1, -1
-                if (sorted(j) <= one) exit
-                sorted(j + 1) = sorted(j)
-            end do
-            sorted(j + 1) = one
-        end do
-        middle = 0.5_wp*(sorted((size(sorted) + 1)/2) + sorted(size(sorted)/2 + 1))
-    end function median
 
 end module mdrcontact_fit

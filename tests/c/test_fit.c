@@ -2,12 +2,12 @@
 /* Fits through the C API: noise-free data give the truth back, bad input is refused. */
 #include "check.h"
 
-enum { POINTS = 40, NUMBERS = 14 };
+enum { POINTS = 40, NUMBERS = 16 };
 
 /* A paraboloid on a film under the Gao model; numbers: R; E, nu, h; E, nu, constant; the instrument's seven. */
 static void fill(mdr_fit_problem *problem, mdr_fit_parameter parameters[NUMBERS])
 {
-    static const double values[NUMBERS] = { 10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1, 0, 0, 0, 0, INFINITY, 0.75, 1 };
+    static const double values[NUMBERS] = { 10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1 };
 
     mdr_fit_problem_init(problem);
     problem->data_kind = MDR_FIT_FORCE_DEPTH;
@@ -51,7 +51,7 @@ static void truth_comes_back(void)
     parameters[1].is_free = 1;
     parameters[3].value = 300e-9;
     parameters[3].is_free = 1;
-    CHECK_INT(mdr_fit_solve(&problem, POINTS, d, expected, NULL, NULL, values, covariance, at_bound, direction, fitted, residuals,
+    CHECK_INT(mdr_fit_solve(&problem, POINTS, d, expected, NULL, NULL, values, covariance, NULL, at_bound, direction, fitted, residuals,
                             &summary), MDR_SUCCESS);
     CHECK_INT(summary.converged, 1);
     CHECK_CLOSE(values[1], 72e9, 1e-6);
@@ -80,31 +80,31 @@ static void bad_input_is_refused(void)
     int count;
 
     fill(&problem, parameters);
-    CHECK_INT(mdr_fit_solve(NULL, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
-    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    CHECK_INT(mdr_fit_solve(NULL, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
     parameters[1].is_free = 1;
-    CHECK_INT(mdr_fit_solve(&problem, 3, NULL, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
-    CHECK_INT(mdr_fit_solve(&problem, -1, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
-    CHECK_INT(mdr_fit_solve(&problem, 1, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    CHECK_INT(mdr_fit_solve(&problem, 3, NULL, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
+    CHECK_INT(mdr_fit_solve(&problem, -1, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    CHECK_INT(mdr_fit_solve(&problem, 1, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
     F[1] = NAN;
-    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
     F[1] = 3e-4;
     parameters[1].lower = 80e9;
-    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
     parameters[1].lower = -INFINITY;
     problem.parameter_count = NUMBERS - 1;
-    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
     problem.parameter_count = NUMBERS;
     problem.data_kind = MDR_FIT_STIFFNESS_DEPTH; /* needs forces */
-    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
     problem.data_kind = 9;
-    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
     problem.data_kind = MDR_FIT_FORCE_DEPTH;
     CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 0, 0.95, &lower, &upper), MDR_EINVALID); /* fixed */
     CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 99, 0.95, &lower, &upper), MDR_EINVALID);
     CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 1, 1.5, &lower, &upper), MDR_EINVALID);
     problem.indenter = MDR_FIT_INDENTER_GIVEN; /* and none is */
-    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
+    CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_ENULL);
     problem.indenter = 42;
     CHECK_INT(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID);
     CHECK_CLOSE(values[0], 7.0, 0.0);

@@ -14,7 +14,7 @@ void *malloc(size_t size)
     return size > largest_request ? NULL : __libc_malloc(size);
 }
 
-enum { COUNT = 200000, LARGE_TEXT = 300000, NUMBERS = 10 };
+enum { COUNT = 200000, LARGE_TEXT = 300000, NUMBERS = 12 };
 
 static double in[COUNT], out[COUNT];
 static char large_text[LARGE_TEXT + 1];
@@ -60,7 +60,7 @@ int main(void)
     parameters[2].value = 0.3;
     parameters[7].value = INFINITY;
     parameters[8].value = 0.75;
-    parameters[9].value = 1.0;
+    for (int i = 9; i < 12; i++) parameters[i].value = 1.0;
 
     refuse_large_requests();
     CHECK_TRUE(malloc(8 * COUNT) == NULL);

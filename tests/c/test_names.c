@@ -15,8 +15,8 @@ double evaluate(double x, void *params) { return calls++, params != NULL ? 0.0 :
 /* A sphere's force on a medium of E* = 3e9 found back from the data; the depths come from the library's root search. */
 int main(void)
 {
-    enum { POINTS = 20, NUMBERS = 10 };
-    static const double numbers[NUMBERS] = { 1e-6, 1e9, 0.3, 0, 0, 0, 0, INFINITY, 0.75, 1 };
+    enum { POINTS = 20, NUMBERS = 12 };
+    static const double numbers[NUMBERS] = { 1e-6, 1e9, 0.3, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1 };
     mdr_fit_problem problem;
     mdr_fit_parameter parameters[NUMBERS];
     mdr_fit_summary summary;
@@ -37,7 +37,7 @@ int main(void)
     problem.parameter_count = NUMBERS;
     problem.parameters = parameters;
     for (int i = 0; i < NUMBERS; i++) parameters[i] = (mdr_fit_parameter){ numbers[i], -INFINITY, INFINITY, 0, 0, i == 1 };
-    CHECK_INT(mdr_fit_solve(&problem, POINTS, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, &summary), MDR_SUCCESS);
+    CHECK_INT(mdr_fit_solve(&problem, POINTS, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, &summary), MDR_SUCCESS);
     CHECK_INT(summary.converged, 1);
     CHECK_CLOSE(values[1], 3e9, 1e-6);
     CHECK_INT(calls, 0);

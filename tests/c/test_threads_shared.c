@@ -14,7 +14,7 @@ typedef struct shared {
     mdr_law *law;
     mdr_structure *shapes, *voxels;
     mdr_fit_problem fit;
-    mdr_fit_parameter parameters[8];
+    mdr_fit_parameter parameters[10];
 } shared;
 
 typedef struct task {
@@ -54,9 +54,9 @@ static void evaluate_contact(task *t, const mdr_contact *contact)
 static void evaluate_fit(task *t, const mdr_fit_problem *problem)
 {
     static const double depth[FIT_POINTS] = {0.1, 0.2, 0.3, 0.4};
-    double force[FIT_POINTS], values[8];
+    double force[FIT_POINTS], values[10];
     tell(t, mdr_fit_predict(problem, FIT_POINTS, depth, depth, NULL, force));
-    tell(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, next(t, FIT_POINTS), NULL,
+    tell(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, NULL, next(t, FIT_POINTS), NULL,
                           NULL));
 }
 
@@ -117,7 +117,7 @@ static void make_structures(shared *s)
 /* A stack under a paraboloid of free radius, on a rigid and exact instrument. */
 static void make_fit(shared *s)
 {
-    static const double values[8] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0};
+    static const double values[10] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
     int count = 0;
 
     mdr_fit_problem_init(&s->fit);
@@ -126,8 +126,8 @@ static void make_fit(shared *s)
     s->fit.medium = MDR_FIT_MEDIUM_GIVEN;
     s->fit.medium_object = s->media[1];
     CHECK_SUCCESS(mdr_fit_parameter_count(&s->fit, &count));
-    CHECK_INT(count, 8);
-    for (int i = 0; i < 8; i++) s->parameters[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, i == 0};
+    CHECK_INT(count, 10);
+    for (int i = 0; i < 10; i++) s->parameters[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, i == 0};
     s->fit.parameters = s->parameters;
     s->fit.parameter_count = count;
 }

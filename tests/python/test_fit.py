@@ -200,7 +200,6 @@ def test_a_search_that_does_not_converge_says_so_and_gives_its_best_point():
 
 BAD = [
     (lambda: mdr.ForceDepth(DEPTH, np.where(DEPTH > 9e-8, np.nan, FORCE)), "rows are not finite"),
-    (lambda: mdr.ForceDepth(np.r_[DEPTH, DEPTH[::-1]], np.r_[FORCE, FORCE[::-1]]), "loading and unloading"),
     (lambda: mdr.ForceDepth(DEPTH[:2], FORCE[:2]), "too few points: 2"),
     (lambda: mdr.ForceDepth([], []), "too few points"),
     (lambda: mdr.ForceDepth(DEPTH, 1e3 * FORCE), "check the units"),

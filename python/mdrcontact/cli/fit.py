@@ -15,9 +15,10 @@ from tqdm import tqdm
 
 from ..errors import MDRError
 from ..fitting import FailedFit, FitResult, compare_models, fit, fit_many
+from ..fitting.quantities import dimension_of, dimension_of_data
 from ..problem import ProblemError
-from ..problem.fit_file import FitFile, dimension_of, load_fit_file
-from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, practical
+from ..problem.fit_file import FitFile, load_fit_file
+from ..problem.units import RATIO, practical
 from . import files
 from .table import Column, aligned, as_csv, column, number
 
@@ -51,7 +52,6 @@ In a folder each .csv, .tsv and .txt file is a curve; one that cannot be fitted 
 """
 
 _SUFFIXES = (".csv", ".tsv", ".txt")
-_DIMENSIONS = {"depth": LENGTH, "radius": LENGTH, "force": FORCE, "stiffness": STIFFNESS, "modulus": MODULUS}
 
 
 def add(subparsers: Any) -> None:
@@ -128,7 +128,7 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile) -> None:
 
 def _points(result: FitResult) -> list[Column]:
     data = result.data
-    x, y = _DIMENSIONS[data.x_name], _DIMENSIONS[data.y_name]
+    x, y = dimension_of_data(data.x_name), dimension_of_data(data.y_name)
     unit = practical(y, data.y)
     return [
         column(data.x_name, data.x, x),

@@ -4,7 +4,7 @@
 from .compare import ModelRanking, RankedModel, compare_models
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from .many import FailedFit, fit_many
-from .parameters import Free, Instrument
+from .parameters import Free, Instrument, JointPrior
 from .result import FitResult
 from .solve import fit
 
@@ -18,6 +18,7 @@ __all__ = [
     "RankedModel",
     "Free",
     "Instrument",
+    "JointPrior",
     "ForceDepth",
     "StiffnessDepth",
     "ModulusRadius",

@@ -9,21 +9,31 @@ import math
 import numpy as np
 
 from .. import medium as media
+from .. import profile as profiles
 from ..contact import Contact
 from ..errors import MDRError
-from .data import ForceDepth, ModulusRadius, StiffnessRadius
-from .result import FitResult
+from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
+from .result import UNLIKELY, FitResult
 
 _LARGE_ERROR = 0.3
 _STRONG_CORRELATION = 0.98
 _UNDETERMINED = 1e-9
-_UNLIKELY = 1e-3
+_BLUNT = 50e-9
+_STRAYS, _STRAY_SHARE = 3, 0.01
+"""Readings about a jump that noise may put on the wrong side of it."""
 _SMALL_CONTACT, _LARGE_CONTACT = 0.1, 3.0
 
 
 def advice(result: FitResult) -> list[str]:
     """All warnings about a result."""
-    return [*result.data.warnings, *_search(result), *_identifiability(result), *_pattern(result)]
+    return [
+        *result.data.warnings,
+        *_search(result),
+        *_identifiability(result),
+        *_pattern(result),
+        *_tip(result),
+        *_branches(result),
+    ]
 
 
 def _search(result: FitResult) -> list[str]:
@@ -107,29 +117,35 @@ def ratio_range(result: FitResult) -> tuple[float, float] | None:
     if isinstance(medium, media.Coated):
         h = medium.thickness
     elif isinstance(medium, media.Layered):
-        h = math.fsum(t for _, t in medium.layers)
+        h = medium.layers[0][1]
     else:
         return None
     data = result.data
     if isinstance(data, (ModulusRadius, StiffnessRadius)):
         return float(data.x.min() / h), float(data.x.max() / h)
     if isinstance(data, ForceDepth):
-        offset, compliance = result.values["depth_offset"], result.values["frame_compliance"]
-        depths = data.x - offset - compliance * (data.y - result.values["force_offset"])
-        depths = depths[depths > 0.0]
-        if not len(depths):
-            return None
         try:
-            radius = np.asarray(Contact(result.indenter, medium).at_depth([depths.min(), depths.max()]).radius)
+            radius = _radii(result)
         except MDRError:
             return None
-        return float(radius[0] / h), float(radius[1] / h)
+        return (float(radius.min() / h), float(radius.max() / h)) if len(radius) else None
     # the stiffness of the model gives the radius: S = 2 beta a E_r
     try:
         radius = contact_radii(result)
     except MDRError:
         return None
     return float(radius.min() / h), float(radius.max() / h)
+
+
+def _radii(result: FitResult) -> np.ndarray:
+    """Smallest and largest contact radius of force-depth data; none without contact."""
+    data = result.data
+    offset, compliance = result.values["depth_offset"], result.values["frame_compliance"]
+    depths = data.x - offset - compliance * (data.y - result.values["force_offset"])
+    depths = depths[depths > 0.0]
+    if not len(depths):
+        return depths
+    return np.asarray(Contact(result.indenter, result.medium).at_depth([depths.min(), depths.max()]).radius)
 
 
 def contact_radii(result: FitResult) -> np.ndarray:
@@ -139,6 +155,7 @@ def contact_radii(result: FitResult) -> np.ndarray:
     load = data.force - v["force_offset"]
     compliance = 1.0 / data.y - v["frame_compliance"]
     h_c = data.x - v["depth_offset"] - v["frame_compliance"] * load - v["contact_depth_factor"] * load * compliance
+    h_c = v["contact_depth_scale"] * h_c
     low = np.full_like(h_c, 1e-6 * h_c.max())
     high = np.full_like(h_c, 1e3 * h_c.max())
     for _ in range(60):
@@ -148,15 +165,18 @@ def contact_radii(result: FitResult) -> np.ndarray:
             with contextlib.suppress(MDRError):
                 height[i] = result.indenter.height(float(r))
         low, high = np.where(height < h_c, middle, low), np.where(height < h_c, high, middle)
-    return np.sqrt(low * high)
+    return np.sqrt(low * high * v["area_factor"])
 
 
 def _pattern(result: FitResult) -> list[str]:
     words = []
-    if result.runs_probability < _UNLIKELY:
+    if result.pattern_probability < UNLIKELY:
+        widest = max(result.widening.values(), default=1.0)
         words.append(
-            f"the residuals are not random along the curve (test of runs: p = {result.runs_probability:.1g}): the model misses "
-            "something, or the noise of neighbouring points is not independent; the standard errors are too small"
+            f"the residuals are not random along the curve (Bartels' test: p = {result.pattern_probability:.1g}; correlation of "
+            f"neighbours {result.lag_correlation:.2f}): the model misses something, or neighbouring readings share their errors. "
+            f"Standard errors are widened for the correlation (up to {widest:.2g} times); what a wrong model does to the estimates "
+            "is not in them"
         )
     dof = result.degrees_of_freedom
     if result.noise_is_known and dof >= 2.0:
@@ -167,3 +187,45 @@ def _pattern(result: FitResult) -> list[str]:
         elif spread < -4.0:
             words.append(f"the data lie closer to the fit than their standard deviations say: chi-square/dof = {ratio:.3g}")
     return words
+
+
+def _tip(result: FitResult) -> list[str]:
+    """An ideal tip is an assumption that no data support: what a usual bluntness would do to the area."""
+    tip = result.indenter
+    inclination = getattr(tip, "inclination", None)
+    is_sharp = isinstance(tip, (profiles.Berkovich, profiles.Vickers, profiles.CubeCorner, profiles.Cone))
+    if not is_sharp or inclination is None or isinstance(result.data, (ModulusRadius, StiffnessRadius)):
+        return []
+    if "area_factor" in result.names:
+        return []
+    try:
+        radius = contact_radii(result) if isinstance(result.data, StiffnessDepth) else _radii(result)
+    except MDRError:
+        return []
+    height = math.tan(inclination) * float(np.median(radius))
+    # a sphere that is tangent to the cone leaves so much of its tip missing
+    missing = _BLUNT * (1.0 / math.cos(inclination) - 1.0)
+    share = (1.0 + missing / height) ** 2 - 1.0
+    if share < 0.01:
+        return []
+    return [
+        f"the tip is taken as ideally sharp. A rounding of {_BLUNT * 1e9:.0f} nm, usual for a used tip, would make the contact "
+        f"area {100.0 * share:.0f} % larger in the middle of the depths, and the moduli wrong by about half of that or more; "
+        "nothing of it is in the errors. Use the area function of the tip's calibration, or a prior on area_factor"
+    ]
+
+
+def _branches(result: FitResult) -> list[str]:
+    """Whether the readings are in contact where the model is not, or the other way round."""
+    data = result.data
+    if not isinstance(data, ForceDepth) or not result.values["work_of_adhesion"] > 0.0:
+        return []
+    alone = result.problem.predict(result._values)
+    scale = result.noise * (1.0 if data.sd is None else data.sd)
+    differs = int(np.sum(np.abs(alone - result.fitted) > 3.0 * scale))
+    if differs <= max(_STRAYS, _STRAY_SHARE * len(data)):
+        return []
+    return [
+        f"{differs} of {len(data)} readings are in contact where the fitted model is apart, or apart where it is in contact: "
+        "pull-off or first touch lies elsewhere than the model says. They are fitted as what they are"
+    ]

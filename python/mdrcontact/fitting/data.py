@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._boundary import number, numbers
+from ..adhesion import BRANCHES
 from ..errors import ArgumentTypeError, InvalidArgumentError
 
 Array = NDArray[np.float64]
@@ -51,6 +52,7 @@ class Data:
         columns = self._without_gaps(columns, missing)
         self.x, self.y = columns[self.x_name], columns[self.y_name]
         self.force, self.sd = columns.get("force"), columns.get("sd")
+        self.branch: NDArray[np.int32] | None = None
         self._check_order()
 
     def __len__(self) -> int:
@@ -62,6 +64,11 @@ class Data:
         ranges = f"{self.x_name} {self.x.min():.4g} to {self.x.max():.4g}, {self.y_name} {self.y.min():.4g} to {self.y.max():.4g}"
         return f"<{type(self).__name__}: {len(self)} points, {ranges}>"
 
+    def order(self) -> NDArray[np.intp]:
+        """Positions of the points along the curve: by branch, and within a branch by ascending x."""
+        branch = np.zeros(len(self)) if self.branch is None else self.branch
+        return np.lexsort((self.x, branch))
+
     def with_y(self: Self, y: Array) -> Self:
         """The same points with other values, for simulations."""
         copy = object.__new__(type(self))
@@ -70,6 +77,7 @@ class Data:
 
     def _without_gaps(self, columns: dict[str, Array], missing: str) -> dict[str, Array]:
         bad = ~np.all([np.isfinite(column) for column in columns.values()], axis=0)
+        self._kept = ~bad
         if not bad.any():
             return columns
         places = np.flatnonzero(bad)
@@ -81,16 +89,24 @@ class Data:
         self.warnings.append(f"{words}: left out")
         return {name: column[~bad] for name, column in columns.items()}
 
+    def _turn(self) -> int | None:
+        """The point at which a curve turns from loading to unloading; None where it does not."""
+        top = int(np.argmax(self.x)) if len(self) >= _FEWEST_TO_JUDGE else 0
+        if not 0 < top < len(self) - 1:
+            return None
+        rise = float(np.ptp(self.x))
+        both = min(float(self.x[top] - self.x[:top].min()), float(self.x[top] - self.x[top:].min())) > _RETURN * rise
+        # points in no order at all do not turn: their neighbours are far apart
+        return top if both and np.median(np.abs(np.diff(self.x))) < _RETURN * rise else None
+
     def _check_order(self) -> None:
         """Refuses a curve that goes back over itself; small disorder is noise of the instrument and only mentioned."""
         back = int(np.sum(np.diff(self.x) < 0.0)) if len(self) > 1 else 0
         if not back:
             return
-        top = int(np.argmax(self.x))
-        rise = float(np.ptp(self.x))
-        returns = float(self.x[top] - self.x[top:].min())
-        steps = np.abs(np.diff(self.x))
-        if len(self) >= _FEWEST_TO_JUDGE and 0 < top < len(self) - 1 and returns > _RETURN * rise and steps.max() < _RETURN * rise:
+        top = self._turn()
+        if top is not None:
+            rise, returns = float(np.ptp(self.x)), float(self.x[top] - self.x[top:].min())
             raise InvalidArgumentError(
                 f"{self.x_name} rises to its largest value at point {top} of {len(self)} and falls again by "
                 f"{100.0 * returns / rise:.0f} % of its range: these are loading and unloading in one curve; fit one of them"
@@ -98,7 +114,7 @@ class Data:
         if back < len(self) - 1:
             self.warnings.append(
                 f"{self.x_name} is not in ascending order ({back} of {len(self) - 1} steps go back): the order does not matter for "
-                "the fit, and the test of runs sorts the points"
+                "the fit, and the test for patterns sorts the points"
             )
 
 
@@ -110,9 +126,12 @@ def _column(name: str, values: ArrayLike) -> Array:
 
 
 class ForceDepth(Data):
-    """Elastic force-depth curve: loading of a sphere, AFM; with adhesion, the part in contact of the unloading curve.
+    """Elastic force-depth curve: loading, unloading, or both, baseline and pull-off included.
 
     depth, force : what the instrument reads [length], [modulus length^2]; n numbers each
+    branch : "loading" or "unloading", for all points or one for each; None: a curve whose depth rises and falls again turns where
+        it is deepest. Matters with adhesion: on each branch the readings say where contact begins or ends, and the model is held
+        against both parts
     sd : standard deviation of the force, a number or n numbers; relative_sd: the same as a part of the force. Without either it is
         estimated from the scatter about the fit, and taken to be the same for all points
     missing : "raise" or "drop" rows with NaN or infinity
@@ -128,8 +147,38 @@ class ForceDepth(Data):
         sd: ArrayLike | None = None,
         relative_sd: float | None = None,
         missing: str = "raise",
+        branch: Any = None,
     ) -> None:
+        if branch is not None:
+            words = [branch] * np.size(depth) if isinstance(branch, str) else list(branch)
+            for word in words:
+                if word not in BRANCHES:
+                    raise InvalidArgumentError(f"branch = {word!r} is not allowed: choose from 'loading', 'unloading'")
+            if len(words) != np.size(depth):
+                raise InvalidArgumentError(f"branch has {len(words)} entries and depth {np.size(depth)}: they must be as many")
+            self._given = np.array([BRANCHES[word] for word in words], dtype=np.int32)
         super().__init__(depth, force, None, sd, relative_sd, missing)
+
+    _given: NDArray[np.int32] | None = None
+
+    def _check_order(self) -> None:
+        if self._given is not None:
+            self.branch = self._given[self._kept]
+            return
+        top = self._turn()
+        if top is None:
+            super()._check_order()
+            return
+        self.branch = np.where(np.arange(len(self)) <= top, BRANCHES["loading"], BRANCHES["unloading"]).astype(np.int32)
+
+    def on(self, branch: str) -> ForceDepth:
+        """The points of one branch, "loading" or "unloading"; all points of a curve that has one branch only."""
+        if branch not in BRANCHES:
+            raise InvalidArgumentError(f"branch = {branch!r} is not allowed: choose from 'loading', 'unloading'")
+        if self.branch is None:
+            return self
+        keep = self.branch == BRANCHES[branch]
+        return ForceDepth(self.x[keep], self.y[keep], sd=None if self.sd is None else self.sd[keep], branch=branch)
 
 
 class StiffnessDepth(Data):

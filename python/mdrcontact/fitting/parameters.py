@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
+import numpy as np
 from numpy.typing import NDArray
 
 from .. import medium as media
@@ -18,7 +19,6 @@ from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Elastic
 from ..medium.coated import base
 from ..medium.models import MODELS, settings
-from ..profile.tips import _Pyramid
 
 
 @dataclass(frozen=True)
@@ -53,6 +53,46 @@ class Free:
         object.__setattr__(self, "prior", prior)
 
 
+@dataclass(frozen=True)
+class JointPrior:
+    """What is known beforehand of several parameters together, such as the coefficients of a calibrated tip.
+
+    names : of the parameters, which become free
+    values, covariance : (n,) and (n, n), symmetric and positive definite, in the units of the parameters
+    """
+
+    names: tuple[str, ...]
+    values: tuple[float, ...]
+    covariance: tuple[tuple[float, ...], ...]
+
+    def __post_init__(self) -> None:
+        names = tuple(self.names)
+        values, covariance = np.asarray(self.values, dtype=float), np.asarray(self.covariance, dtype=float)
+        if values.shape != (len(names),) or covariance.shape != 2 * (len(names),):
+            raise InvalidArgumentError(
+                f"values and covariance have the shapes {values.shape} and {covariance.shape}: for {len(names)} names they must be "
+                f"({len(names)},) and ({len(names)}, {len(names)})"
+            )
+        if not (np.isfinite(values).all() and np.isfinite(covariance).all()):
+            raise InvalidArgumentError("values and covariance are not allowed: they must be finite")
+        object.__setattr__(self, "names", names)
+        object.__setattr__(self, "values", tuple(values.tolist()))
+        object.__setattr__(self, "covariance", tuple(map(tuple, covariance.tolist())))
+        self.weights()
+
+    def weights(self) -> NDArray[np.float64]:
+        """W with W^T W the inverse of the covariance: W (p - values) has independent entries of variance 1."""
+        covariance = np.array(self.covariance)
+        scale = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+        if not (scale > 0.0).all():
+            raise InvalidArgumentError("covariance is not allowed: its diagonal must be greater than 0")
+        variances, axes = np.linalg.eigh(covariance / np.outer(scale, scale))
+        if variances[0] < -1e-8 or not np.allclose(covariance, covariance.T, rtol=1e-6):
+            raise InvalidArgumentError("covariance is not allowed: it must be symmetric and positive definite")
+        # rounding of a covariance that was written to a file must not fix a direction
+        return np.asarray((axes / np.sqrt(np.maximum(variances, 1e-12))).T / scale)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Instrument:
     """What stands between the contact and the data.
@@ -62,8 +102,11 @@ class Instrument:
     frame_compliance : of frame and holder, beyond what the instrument has already taken off [1/(modulus length)]
     indenter : material of the indenter, an Elastic, or None for a rigid one. Its compliance adds to that of the medium in stiffness
         and modulus data; force-depth curves are those of a rigid indenter
-    contact_depth_factor : epsilon of h_c = h - epsilon P/S
+    contact_depth_factor : epsilon of the contact depth h_c = h - epsilon P/S; 0 or less where the surface piles up
     stiffness_factor : beta of S = 2 beta a E_r
+    contact_depth_scale : factor of h_c; 1.2 with contact_depth_factor = 1: Loubet's contact depth
+    area_factor : true over assumed projected area of contact, as a prior on which the uncertainty of the tip enters; for all data
+        but ForceDepth
     """
 
     work_of_adhesion: float = 0.0
@@ -73,6 +116,8 @@ class Instrument:
     indenter: Elastic | None = None
     contact_depth_factor: float = 0.75
     stiffness_factor: float = 1.0
+    contact_depth_scale: float = 1.0
+    area_factor: float = 1.0
 
     def __post_init__(self) -> None:
         if self.indenter is not None and not isinstance(self.indenter, Elastic):
@@ -110,20 +155,32 @@ INSTRUMENT = (
     "indenter_modulus",
     "contact_depth_factor",
     "stiffness_factor",
+    "contact_depth_scale",
+    "area_factor",
 )
+
+AREA_TERMS = 8
+"""Coefficients C0, C1, ... that an area function may have in a fit."""
 
 
 def of_indenter(indenter: Any) -> Numbers:
-    """An indenter's numbers; area functions, tables and sums are fixed as they are."""
+    """An indenter's numbers; tables, sums and pyramids are fixed as they are."""
     if not isinstance(indenter, profiles.Profile):
         raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an indenter profile")
-    if isinstance(indenter, _Pyramid):
-        return Numbers(0, [], [], lambda _: indenter)
+    if isinstance(indenter, profiles.AreaFunction) and len(indenter.coefficients) <= AREA_TERMS:
+        return _area_function(indenter)
     if type(indenter) not in _SHAPES:
         return Numbers(0, [], [], lambda _: indenter)
     code, names = _SHAPES[type(indenter)]
     values = [float(getattr(indenter, name)) for name in names]
     return Numbers(code, [f"indenter.{n}" for n in names], values, lambda v: type(indenter)(**dict(zip(names, v, strict=True))))
+
+
+def _area_function(tip: profiles.AreaFunction) -> Numbers:
+    count = len(tip.coefficients)
+    values = [tip.min_height, tip.max_height, *tip.coefficients, *(AREA_TERMS - count) * [0.0]]
+    names = ["", "", *(f"indenter.C{i}" for i in range(count)), *(AREA_TERMS - count) * [""]]
+    return Numbers(9, names, values, lambda v: replace(tip, coefficients=tuple(v[2 : 2 + count])))
 
 
 class MediumNumbers(NamedTuple):
@@ -193,7 +250,7 @@ def _stack(medium: Any) -> MediumNumbers:
 
 
 def of_instrument(instrument: Instrument) -> Numbers:
-    """The instrument's seven numbers."""
+    """The instrument's numbers."""
     if not isinstance(instrument, Instrument):
         raise ArgumentTypeError(f"instrument = {instrument!r} is not allowed: it must be an Instrument(...)")
     modulus = math.inf if instrument.indenter is None else instrument.indenter.contact_modulus
@@ -223,3 +280,24 @@ def read_free(free: Any, names: Sequence[str]) -> dict[str, Free]:
             raise ArgumentTypeError(f"free[{name!r}] = {entry!r} is not allowed: it must be Free(...), a starting value or None")
         chosen[name] = Free(entry)
     return chosen
+
+
+def read_known(known: Iterable[JointPrior], names: Sequence[str], free: dict[str, Free]) -> NDArray[np.float64]:
+    """The weights of joint priors, (priors, parameters); makes their parameters free."""
+    rows = [np.zeros((0, len(names)))]
+    taken: set[str] = set()
+    for prior in known:
+        if not isinstance(prior, JointPrior):
+            raise ArgumentTypeError(f"known = {prior!r} is not allowed: it must hold JointPrior(...)")
+        for name in prior.names:
+            if not name or name not in names:
+                raise InvalidArgumentError(f"joint prior of {name!r} is not allowed: {nearest(str(name), [n for n in names if n])}")
+            if name in taken or (name in free and free[name].prior is not None):
+                raise InvalidArgumentError(f"{name} has two priors: keep one")
+            taken.add(name)
+        weights = np.zeros((len(prior.names), len(names)))
+        weights[:, [names.index(name) for name in prior.names]] = prior.weights()
+        rows.append(weights)
+        for name in prior.names:
+            free.setdefault(name, Free())
+    return np.concatenate(rows)

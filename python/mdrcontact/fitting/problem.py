@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,8 +14,20 @@ from .. import _layout, _native
 from .._boundary import Refusal, address, number, outcome, record
 from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError
+from ..profile import AreaFunction
 from .data import Data
-from .parameters import Free, Instrument, MediumNumbers, Numbers, of_indenter, of_instrument, of_medium, read_free
+from .parameters import (
+    Free,
+    Instrument,
+    JointPrior,
+    MediumNumbers,
+    Numbers,
+    of_indenter,
+    of_instrument,
+    of_medium,
+    read_free,
+    read_known,
+)
 
 _LOSSES = {"linear": 0, "huber": 1, "cauchy": 2}
 
@@ -32,16 +45,22 @@ class Problem(NamedTuple):
     """`mdr_fit_problem`, without its parameters"""
     table: NDArray[np.float64]
     """(6, parameters): value, lower, upper, prior, standard deviation of the prior, is_free"""
+    weights: NDArray[np.float64]
+    """(joint priors, parameters)"""
 
-    def call(self, function: Any, *further: Any) -> Any:
-        """A compiled function of the problem, x, y, force and sd, and of what follows."""
+    def call(self, function: Any, *further: Any, with_sd: bool = True) -> Any:
+        """A compiled function of the problem, x, y, force, sd where it takes them, and of what follows."""
         parameters = np.zeros(self.table.shape[1], _layout.fit_parameter)
         for member, values in zip(_layout.fit_parameter.names or (), self.table, strict=True):
             parameters[member] = values
         record = self.record.copy()
         record["parameter_count"], record["parameters"] = len(parameters), address(parameters)
+        weights = np.ascontiguousarray(self.weights)
+        record["prior_count"], record["prior_weights"] = len(weights), address(weights)
+        record["branch"] = address(self.data.branch)
         force, sd = (None if given is None else np.ascontiguousarray(given, float) for given in (self.data.force, self.data.sd))
-        status, *results = outcome(function, address(record), self.data.x, self.data.y, address(force), address(sd), *further)
+        errors = (address(sd),) if with_sd else ()
+        status, *results = outcome(function, address(record), self.data.x, self.data.y, address(force), *errors, *further)
         if status:
             raise _named(Refusal(status), self).error()
         return results
@@ -61,10 +80,15 @@ class Problem(NamedTuple):
         rows = [float(v) for v in values]
         return self.indenter.build(rows[:i]), self.medium.numbers.build(rows[i : i + m]), self.instrument.build(rows[i + m :])
 
+    def predict(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What the instrument would read where the numbers are these."""
+        return np.asarray(self.changed(self.data, start=values).call(_native.fit_predict, with_sd=False)[0])
+
     def answer(self) -> Any:
         """What the library finds: the arguments of a FitResult after the problem."""
         n, m = len(self.data.x), self.table.shape[1]
-        found: list[NDArray[Any]] = [np.zeros(m), np.zeros((m, m)), np.zeros(m, np.intc), np.zeros(m), np.zeros(n), np.zeros(n)]
+        numbers, points = [np.zeros(m) for _ in range(3)], [np.zeros(n) for _ in range(2)]
+        found: list[NDArray[Any]] = [numbers[0], np.zeros((m, m)), numbers[1], np.zeros(m, np.intc), numbers[2], *points]
         summary = np.zeros(1, _layout.fit_summary)
         self.call(_native.fit_solve, *map(address, found), address(summary))
         return *found, summary[0]
@@ -82,6 +106,7 @@ def make_problem(
     sd_is_absolute: bool = True,
     max_iterations: int = 100,
     check_units: bool = True,
+    known: Iterable[JointPrior] = (),
 ) -> Problem:
     """Checks the arguments of `fit` and translates them."""
     if not isinstance(data, Data):
@@ -93,6 +118,12 @@ def make_problem(
     names = parts[0].names + parts[1].numbers.names + parts[2].names
     values = parts[0].values + parts[1].numbers.values + parts[2].values
     chosen = read_free(free, names)
+    weights = read_known(known, names, chosen)
+    if isinstance(indenter, AreaFunction) and not any(name.startswith("indenter.") for name in chosen):
+        # a tip that stays as it is need not be made anew at every step
+        count = len(parts[0].names)
+        parts = Numbers(0, [], [], lambda _: indenter), *parts[1:]
+        names, values, weights = names[count:], values[count:], weights[:, count:]
     table = np.zeros((6, len(names)))
     table[0], table[1], table[2] = values, -math.inf, math.inf
     for i, name in enumerate(names):
@@ -101,6 +132,9 @@ def make_problem(
         entry = chosen[name]
         start = values[i] if entry.start is None else entry.start
         table[:, i] = start, entry.lower, entry.upper, *(entry.prior or (0.0, 0.0)), 1.0
+    for prior in known:
+        for name, value in zip(prior.names, prior.values, strict=True):
+            table[3, names.index(name)] = value
     if not len(data):
         raise InvalidArgumentError("too few points: there are none")
     problem = record(
@@ -121,7 +155,7 @@ def make_problem(
         max_iterations=max_iterations,
         check_units=bool(check_units),
     )
-    return Problem(data, *parts, names, chosen, problem, table)
+    return Problem(data, *parts, names, chosen, problem, table, weights)
 
 
 def _named(refusal: Refusal, problem: Problem) -> Refusal:

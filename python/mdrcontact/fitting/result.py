@@ -17,10 +17,15 @@ from .._boundary import number
 from .._choices import nearest
 from .._files import replace
 from ..errors import InvalidArgumentError, MDRError
+from ..problem.units import practical
 from .picture import draw
 from .problem import Problem
+from .quantities import digits, dimension_of, dimension_of_data, measured, unit_of, words_of
 
 Array = NDArray[np.float64]
+
+UNLIKELY = 1e-3
+"""Random residuals with a smaller probability of their pattern are not believed to be random."""
 
 
 class Interval(NamedTuple):
@@ -40,7 +45,10 @@ class FitResult:
     fitted, residuals : the model at the data, and (data - model) in its standard deviations; the error of a reading counts once
         where the model is computed from it too (contact depths, frame compliance)
     noise : factor of the standard deviations of the data: 1 if they are known, else estimated; without `sd` the standard deviation
-    chi_square, degrees_of_freedom, log_likelihood, aic, bic, runs_probability
+    chi_square, degrees_of_freedom, log_likelihood, aic, bic
+    pattern_probability : that random residuals follow each other as smoothly (Bartels 1982)
+    lag_correlation, widening : correlation of neighbouring residuals, and by how much it has made each standard error larger;
+        covariance and intervals hold it already (restricted likelihood of a first-order autoregression, Cheang, Reinsel 2000)
     converged, iterations, evaluations, warnings
     """
 
@@ -49,6 +57,7 @@ class FitResult:
         problem: Problem,
         values: Array,
         covariance: Array,
+        widening: Array,
         at_bound: NDArray[np.int32],
         weakest_direction: Array,
         fitted: Array,
@@ -63,6 +72,7 @@ class FitResult:
         self.estimates = {name: self.values[name] for name in self.names}
         self.covariance: Array = np.asarray(covariance)[np.ix_(places, places)]
         self.standard_errors = {name: math.sqrt(self.covariance[i, i]) for i, name in enumerate(self.names)}
+        self.widening = {name: float(widening[i]) for name, i in zip(self.names, places, strict=True)}
         self.at_bound = {name: int(at_bound[i]) for name, i in zip(self.names, places, strict=True)}
         self.weakest_direction = {name: float(weakest_direction[i]) for name, i in zip(self.names, places, strict=True)}
         self.indenter, self.medium, self.instrument = problem.objects_at(values)
@@ -71,8 +81,8 @@ class FitResult:
         self.iterations, self.evaluations = int(summary["iterations"]), int(summary["evaluations"])
         self.chi_square, self.prior_chi_square = float(summary["chi_square"]), float(summary["prior_chi_square"])
         self.degrees_of_freedom, self.noise = float(summary["degrees_of_freedom"]), float(summary["noise"])
-        self.log_likelihood, self.runs_probability = float(summary["log_likelihood"]), float(summary["runs_probability"])
-        self.weakest = float(summary["weakest"])
+        self.log_likelihood, self.pattern_probability = float(summary["log_likelihood"]), float(summary["pattern_probability"])
+        self.weakest, self.lag_correlation = float(summary["weakest"]), float(summary["lag_correlation"])
         self.residuals: Array = np.asarray(residuals)
         self.warnings: list[str] = []
         self._values = np.asarray(values)
@@ -118,7 +128,9 @@ class FitResult:
         if not 0.0 < level < 1.0:
             raise InvalidArgumentError(f"level = {level!r} is not allowed: it must be between 0 and 1")
         if method == "normal":
-            reach = _quantile(0.5 * (1.0 + level), None if self.noise_is_known else self.degrees_of_freedom)
+            # correlated residuals are worth so many independent ones
+            freedom = self.degrees_of_freedom / self.widening[name] ** 2
+            reach = _quantile(0.5 * (1.0 + level), None if self.noise_is_known else freedom)
             half = reach * self.standard_errors[name]
             return Interval(self.estimates[name] - half, self.estimates[name] + half)
         if method == "profile":
@@ -141,10 +153,15 @@ class FitResult:
         random = np.random.default_rng(seed)
         sd = self.noise * (np.ones_like(self.fitted) if self.data.sd is None else self.data.sd)
         errors = self.problem.table[4]
+        # joint priors: W (p - value) is drawn with variance 1
+        weights = self.problem.weights
+        back = np.linalg.pinv(weights) if len(weights) else np.zeros((len(errors), 0))
+        joint = np.abs(weights).sum(axis=0) > 0.0
         trials = [
             self.problem.changed(
-                self.data.with_y(self.fitted + sd * random.standard_normal(sd.shape)),
-                priors=self._values + errors * random.standard_normal(errors.shape),
+                self.data.with_y(self.fitted + sd * self._noise(random)),
+                priors=self._values
+                + np.where(joint, back @ random.standard_normal(len(weights)), errors * random.standard_normal(errors.shape)),
                 start=self._values,
             )
             for _ in range(draws)
@@ -163,16 +180,29 @@ class FitResult:
             raise MDRError(f"only {len(rows)} of {draws} simulated data sets could be fitted: there is no interval from them")
         return np.array(rows)
 
+    def _noise(self, random: np.random.Generator) -> Array:
+        """Noise of variance 1 with the correlation that the residuals have along the curve."""
+        white = random.standard_normal(len(self.data))
+        rho = self.lag_correlation
+        noise = np.empty_like(white)
+        before = white[0]
+        for i, one in enumerate(white):
+            before = one if i == 0 else rho * before + math.sqrt(1.0 - rho**2) * one
+            noise[i] = before
+        along = np.empty_like(noise)
+        along[self.data.order()] = noise
+        return along
+
     def summary(self, level: float = 0.95) -> str:
-        """Table of estimates, quality of the fit, correlations, warnings."""
-        percent = f"{100.0 * level:g} %"
-        rows = [["parameter", "estimate", "standard error", f"{percent} interval", ""]]
+        """Estimates with units, what speaks against each beside it, quality of the fit, correlations, warnings. The numbers of the
+        problem are taken as SI."""
+        rows = [["", "estimate", f"{100.0 * level:g} % interval", ""]]
         for name in self.names:
             lower, upper = self.interval(name, level)
-            value, error = self.estimates[name], self.standard_errors[name]
-            relative = f"{100.0 * error / abs(value):.2g} %" if value else ""
-            bound = {-1: "at its lower bound", 1: "at its upper bound"}.get(self.at_bound[name], relative)
-            rows.append([name, f"{value:.6g}", f"{error:.2g}", f"{lower:.6g} to {upper:.6g}", bound])
+            error = self.standard_errors[name]
+            unit = unit_of(name, max(abs(self.estimates[name]), error))
+            ends = " to ".join(digits(end / unit.factor, error / unit.factor) for end in (lower, upper))
+            rows.append([f"{words_of(name)} ({name})", self._told(name), ends, "; ".join(self.doubts(name))])
         widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
         lines = [f"Fit of {len(self.data)} points: " + ("converged" if self.converged else "NOT CONVERGED, best point found")]
         lines[0] += f" after {self.iterations} iterations"
@@ -181,45 +211,92 @@ class FitResult:
         if self.noise_is_known:
             lines.append(f"chi-square {self.chi_square:.4g} for {dof:.4g} degrees of freedom: ratio {self.chi_square / dof:.3g}")
         elif self.data.sd is None:
-            lines.append(f"noise, estimated from the residuals: {self.noise:.3g} ({dof:.4g} degrees of freedom)")
+            unit = practical(dimension_of_data(self.data.y_name), [self.noise])
+            lines.append(f"noise, estimated from the residuals: {self.noise / unit.factor:.3g} {unit.symbol}")
         else:
             lines.append(f"standard deviations of the data, estimated: {self.noise:.3g} times the given ones")
         if self.prior_chi_square > 0.0:
             lines.append(f"chi-square of the priors {self.prior_chi_square:.3g}")
-        lines.append(f"AIC {self.aic:.5g}, BIC {self.bic:.5g}; test of runs of the residuals: p = {self.runs_probability:.2g}")
+        lines.append(
+            f"residuals in order along the curve: correlation of neighbours {self.lag_correlation:.2f}, random with p = "
+            f"{self.pattern_probability:.2g}; AIC {self.aic:.5g}, BIC {self.bic:.5g}"
+        )
         correlation = self.correlation
         for i, one in enumerate(self.names):
             for j in range(i):
                 lines.append(f"correlation of {one} and {self.names[j]}: {correlation[i, j]:+.4f}")
         return "\n".join(lines + [f"warning: {words}" for words in self.warnings])
 
-    def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
-        """Data, fit and residuals as a matplotlib figure; written to `path` (.png, .pdf, .svg) if one is given."""
-        title = [f"{name} = {self.estimates[name]:.4g} ± {self.standard_errors[name]:.2g}" for name in self.names]
+    def _told(self, name: str) -> str:
+        """An estimate with its standard error and unit, or what else there is to say of it."""
+        value, error = self.estimates[name], self.standard_errors[name]
+        if self.at_bound[name]:
+            unit = unit_of(name, value)
+            return f"{value / unit.factor:.4g} {unit.symbol}".rstrip() + ", at a bound"
+        if not name.endswith(("offset", "compliance")) and error > abs(value):
+            return "not determined"
+        return measured(name, value, error)
+
+    def doubts(self, name: str) -> list[str]:
+        """What speaks against an estimate, in a few words for each."""
+        words = []
         if not self.converged:
-            title.append("not converged")
+            words.append("not converged")
+        if self.at_bound[name]:
+            words.append("at its " + ("upper" if self.at_bound[name] > 0 else "lower") + " bound")
+            return words
+        if self.widening[name] > 1.3:
+            words.append(f"error widened {self.widening[name]:.2g} times for correlated residuals")
+        if self.describes_data is False:
+            words.append("THE MODEL MISSES THE DATA")
+        return words
+
+    @property
+    def describes_data(self) -> bool | None:
+        """Whether the residuals are as random and as large as they should be; None where neither can be said."""
+        if self.pattern_probability < UNLIKELY:
+            return False
+        dof = self.degrees_of_freedom
+        if self.noise_is_known and dof >= 2.0:
+            return bool(self.chi_square <= dof + 4.0 * math.sqrt(2.0 * dof))
+        return True if len(self.data) >= 8 else None
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
+        """Data, fit and residuals as a matplotlib figure with units (the numbers of the problem are taken as SI); written to `path`
+        (.png, .pdf, .svg) if one is given."""
+        title = [f"{words_of(name)} = {self._told(name)}" for name in self.names]
+        doubts = sorted({words for name in self.names for words in self.doubts(name)})
         model = getattr(self.medium, "model", None)
         label = f"fit ({model})" if model else "fit"
-        return draw(self.data, self.noise, self.fitted, self.residuals, label, title, path)
+        return draw(self.data, self.noise, self.fitted, self.residuals, label, title, doubts, path)
 
     def to_dict(self, level: float = 0.95) -> dict[str, Any]:
         """Everything but the objects, as plain Python values; numbers that are not finite become None."""
         parameters = {
             name: {
+                "words": words_of(name),
+                "unit": dimension_of(name).si,
                 "value": self.estimates[name],
                 "standard_error": self.standard_errors[name],
                 "interval": list(self.interval(name, level)),
                 "at_bound": self.at_bound[name],
+                "widening": self.widening[name],
+                "doubts": self.doubts(name),
             }
             for name in self.names
         }
         found = {
             "parameters": parameters,
             "level": level,
-            "fixed": {name: value for name, value in self.values.items() if name not in self.names},
+            "fixed": {
+                name: {"value": value, "unit": dimension_of(name).si}
+                for name, value in self.values.items()
+                if name not in self.names
+            },
             "covariance": self.covariance.tolist(),
             "correlation": self.correlation.tolist(),
             "points": len(self.data),
+            "describes_data": self.describes_data,
             "chi_square": self.chi_square,
             "prior_chi_square": self.prior_chi_square,
             "degrees_of_freedom": self.degrees_of_freedom,
@@ -228,7 +305,8 @@ class FitResult:
             "log_likelihood": self.log_likelihood,
             "aic": self.aic,
             "bic": self.bic,
-            "runs_probability": self.runs_probability,
+            "pattern_probability": self.pattern_probability,
+            "lag_correlation": self.lag_correlation,
             "converged": self.converged,
             "iterations": self.iterations,
             "evaluations": self.evaluations,

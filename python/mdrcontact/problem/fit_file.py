@@ -15,15 +15,13 @@ from .._choices import nearest
 from ..fitting import ForceDepth, Free, Instrument, ModulusRadius, StiffnessDepth, StiffnessRadius
 from ..fitting.data import Data
 from ..fitting.parameters import of_indenter, of_instrument, of_medium
+from ..fitting.quantities import dimension_of
 from . import indenter as indenters
 from . import medium as mediums
 from .columns import describe, read_table
 from .section import ProblemError, Section
 from .toml import parse_file
-from .units import ANGLE, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, Dimension
-
-ADHESION = Dimension("a work of adhesion", "J/m^2", "50 mJ/m^2", (("J/m^2", 1.0),))
-COMPLIANCE = Dimension("a compliance", "m/N", "0.5 nm/mN", (("m/N", 1.0),))
+from .units import COMPLIANCE, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, WORK_OF_ADHESION, Dimension
 
 _KINDS: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
     "force-depth": (ForceDepth, ("depth", "force")),
@@ -52,13 +50,15 @@ _DATA: Mapping[str, Dimension | None] = {
     "max_radius": LENGTH,
 }
 _INSTRUMENT: Mapping[str, Dimension | None] = {
-    "work_of_adhesion": ADHESION,
+    "work_of_adhesion": WORK_OF_ADHESION,
     "depth_offset": LENGTH,
     "force_offset": FORCE,
     "frame_compliance": COMPLIANCE,
     "indenter": None,
     "contact_depth_factor": None,
+    "contact_depth_scale": None,
     "stiffness_factor": None,
+    "area_factor": None,
 }
 _FIT: Mapping[str, Dimension | None] = {
     "free": None,
@@ -130,23 +130,12 @@ def _read_instrument(section: Section) -> Instrument:
     for key in ("work_of_adhesion", "depth_offset", "force_offset", "frame_compliance"):
         if key in section:
             given[key] = section.quantity(key)
-    for key in ("contact_depth_factor", "stiffness_factor"):
+    for key in ("contact_depth_factor", "contact_depth_scale", "stiffness_factor", "area_factor"):
         if key in section:
             given[key] = section.number(key)
     if "indenter" in section:
         given["indenter"] = mediums.read_material(section.child("indenter", mediums.MATERIAL))
     return Instrument(**given)
-
-
-def dimension_of(name: str) -> Dimension:
-    """What kind of quantity a parameter is, by its name."""
-    last = name.split(".")[-1].split("[")[0]
-    if last in ("E", "E0", "indenter_modulus"):
-        return MODULUS
-    if last in ("thickness", "radius", "end_radius", "blend_radius", "depth_offset", "z", "z0"):
-        return LENGTH
-    others = {"inclination": ANGLE, "force_offset": FORCE, "work_of_adhesion": ADHESION, "frame_compliance": COMPLIANCE}
-    return others.get(last, RATIO)
 
 
 def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:

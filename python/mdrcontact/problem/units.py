@@ -11,7 +11,6 @@ from decimal import Decimal
 from typing import Any, NamedTuple
 
 import numpy as np
-import pint
 
 from .._choices import nearest
 
@@ -37,6 +36,7 @@ STIFFNESS = Dimension("a stiffness", "N/m", "50 kN/m", (("uN/m", 1e-6), ("mN/m",
 WORK_OF_ADHESION = Dimension(
     "a work of adhesion", "J/m^2", "50 mJ/m^2", (("uJ/m^2", 1e-6), ("mJ/m^2", 1e-3), ("J/m^2", 1.0)), ("N/m",)
 )
+COMPLIANCE = Dimension("a compliance", "m/N", "0.5 nm/mN", (("nm/N", 1e-9), ("nm/mN", 1e-6), ("m/N", 1.0)), ("um/N",))
 ENERGY = Dimension(
     "an energy", "J", "1 fJ", (("aJ", 1e-18), ("fJ", 1e-15), ("pJ", 1e-12), ("nJ", 1e-9), ("uJ", 1e-6), ("mJ", 1e-3), ("J", 1.0))
 )
@@ -48,12 +48,16 @@ _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\W\
 
 @functools.cache
 def _registry() -> Any:
+    import pint  # here, because most who import this package never read a unit
+
     # decimal arithmetic: 10 um is then 1e-5 m to the last digit
     return pint.UnitRegistry(non_int_type=Decimal)
 
 
 def to_si(value: float | str, unit: str, dimension: Dimension) -> float:
     """`value` in `unit` as a number in the SI unit of `dimension`."""
+    from pint import DimensionalityError
+
     of_another_kind = UnitError(f'{unit!r} is not a unit of {dimension.name}: write it as in "{dimension.example}"')
     finite = math.isfinite(float(value))
     try:
@@ -66,7 +70,7 @@ def to_si(value: float | str, unit: str, dimension: Dimension) -> float:
         return float(_registry().Quantity(Decimal(str(value)), parsed).to(dimension.si).magnitude)
     except UnitError:
         raise
-    except pint.DimensionalityError:
+    except DimensionalityError:
         raise of_another_kind from None
     except Exception:  # noqa: BLE001 - what is no unit makes pint raise almost anything, down to tokenizer errors
         known = [name for name, _ in dimension.practical] + list(dimension.others)

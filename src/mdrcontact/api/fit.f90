@@ -23,30 +23,33 @@ module mdrcontact_api_fit
         real(c_double) :: degrees_of_freedom
         real(c_double) :: noise
         real(c_double) :: log_likelihood
-        real(c_double) :: runs_probability
+        real(c_double) :: pattern_probability
         real(c_double) :: weakest
+        real(c_double) :: lag_correlation
     end type c_fit_summary_t
 
 contains
 
-    function mdr_fit_solve(problem, n, x, y, force, sd, values, covariance, at_bound, weakest_direction, fitted, residuals, &
-                           summary) &
+    function mdr_fit_solve(problem, n, x, y, force, sd, values, covariance, widening, at_bound, weakest_direction, fitted, &
+                           residuals, summary) &
         result(status) bind(C)
         type(c_ptr), value :: problem
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
-        real(c_double), intent(inout), optional :: values(*), covariance(*), weakest_direction(*), fitted(*), residuals(*)
+        real(c_double), intent(inout), optional :: values(*), covariance(*), widening(*), weakest_direction(*), &
+                                                   fitted(*), residuals(*)
         integer(c_int), intent(inout), optional :: at_bound(*)
         type(c_fit_summary_t), intent(inout), optional :: summary
         integer(c_int) :: status
         type(fit_problem_t) :: chosen
+        type(c_ptr) :: branch
         type(fit_data_t) :: data
         type(fit_result_t) :: fit
         type(error_t), allocatable :: error
         integer :: i, j, m
 
-        call read_problem(problem, chosen, error)
-        if (.not. allocated(error)) call read_data(n, x, y, force, sd, data, error)
+        call read_problem(problem, chosen, branch, error)
+        if (.not. allocated(error)) call read_data(branch, n, x, y, force, sd, data, error)
         if (.not. allocated(error)) call solve_fit(chosen, data, fit, error)
         status = status_of(error)
         if (allocated(error)) return
@@ -62,6 +65,10 @@ contains
             weakest_direction(:m) = 0.0_c_double
             weakest_direction(fit%free) = fit%weakest_direction
         end if
+        if (present(widening)) then
+            widening(:m) = 1.0_c_double
+            widening(fit%free) = fit%widening
+        end if
         if (present(covariance)) then
             covariance(:m*m) = 0.0_c_double
             do j = 1, size(fit%free)
@@ -73,7 +80,7 @@ contains
         if (present(summary)) then
             summary = c_fit_summary_t(merge(1_c_int, 0_c_int, fit%converged), int(fit%iterations, c_int), &
                                       int(fit%evaluations, c_int), fit%chi_square, fit%prior_chi_square, fit%degrees_of_freedom, &
-                                      fit%noise, fit%log_likelihood, fit%runs_probability, fit%weakest)
+                                      fit%noise, fit%log_likelihood, fit%pattern_probability, fit%weakest, fit%lag_correlation)
         end if
     end function mdr_fit_solve
 
@@ -84,14 +91,15 @@ contains
         real(c_double), intent(inout), optional :: fitted(*)
         integer(c_int) :: status
         type(fit_problem_t) :: chosen
+        type(c_ptr) :: branch
         type(fit_data_t) :: data
         type(error_t), allocatable :: error
         real(c_double), allocatable :: model(:)
         integer :: stat
 
         call check_given(error, "fitted", present(fitted))
-        if (.not. allocated(error)) call read_problem(problem, chosen, error)
-        if (.not. allocated(error)) call read_data(n, x, y, force, data=data, error=error)
+        if (.not. allocated(error)) call read_problem(problem, chosen, branch, error)
+        if (.not. allocated(error)) call read_data(branch, n, x, y, force, data=data, error=error)
         if (.not. allocated(error)) call check_points(data, chosen, error)
         if (.not. allocated(error)) then
             allocate (model(n), stat=stat)
@@ -112,6 +120,7 @@ contains
         real(c_double), intent(inout), optional :: lower, upper
         integer(c_int) :: status
         type(fit_problem_t) :: chosen
+        type(c_ptr) :: branch
         type(fit_data_t) :: data
         type(fit_result_t) :: fit
         type(error_t), allocatable :: error
@@ -119,8 +128,8 @@ contains
 
         call check_given(error, "lower", present(lower))
         call check_given(error, "upper", present(upper))
-        if (.not. allocated(error)) call read_problem(problem, chosen, error)
-        if (.not. allocated(error)) call read_data(n, x, y, force, sd, data, error)
+        if (.not. allocated(error)) call read_problem(problem, chosen, branch, error)
+        if (.not. allocated(error)) call read_data(branch, n, x, y, force, sd, data, error)
         if (.not. allocated(error)) then
             if (position < 0 .or. position >= size(chosen%parameters)) then
                 call raise(error, error_invalid, "position = "//count_text(int(position))//" is not allowed: it must be at "// &

@@ -50,6 +50,9 @@ module mdrcontact_api_fit_problem
         integer(c_int) :: check_units = 1_c_int
         integer(c_int) :: parameter_count = 0_c_int
         type(c_ptr) :: parameters = c_null_ptr
+        integer(c_int) :: prior_count = 0_c_int
+        type(c_ptr) :: prior_weights = c_null_ptr
+        type(c_ptr) :: branch = c_null_ptr
     end type c_fit_problem_t
 
     integer(c_int), parameter :: most_layers = 100000_c_int
@@ -122,21 +125,28 @@ contains
     end subroutine read_kinds
 
     !> The whole problem, checked.
-    subroutine read_problem(structure, problem, error)
+    subroutine read_problem(structure, problem, branch, error)
         type(c_ptr), intent(in) :: structure
         type(fit_problem_t), intent(out) :: problem
+        !> where the branches of the data lie, if any
+        type(c_ptr), intent(out) :: branch
         type(error_t), allocatable, intent(out) :: error
         type(c_fit_problem_t), target :: given
         class(profile_t), pointer :: profile
         class(medium_t), pointer :: medium
         type(c_fit_parameter_t), pointer :: parameters(:)
+        real(c_double), pointer :: weights(:, :)
         integer :: stat
 
+        branch = c_null_ptr
         call check_given(error, "problem", c_associated(structure))
         call read_options(error, "problem", structure, c_loc(given), c_sizeof(given))
         if (allocated(error)) return
+        branch = given%branch
         if (given%parameter_count < 0) call raise(error, error_invalid, "parameter_count = "// &
                                                   count_text(int(given%parameter_count))//" is not allowed: it must be at least 0")
+        if (given%prior_count < 0) call raise(error, error_invalid, "prior_count = "//count_text(int(given%prior_count))// &
+                                              " is not allowed: it must be at least 0")
         call check_given(error, "parameters", c_associated(given%parameters))
         call read_kinds(given, problem, error)
         if (allocated(error)) return
@@ -164,15 +174,23 @@ contains
         problem%parameters%upper = parameters%upper
         problem%parameters%prior = parameters%prior
         problem%parameters%prior_sd = parameters%prior_sd
+        if (given%prior_count > 0) then
+            call check_given(error, "prior_weights", c_associated(given%prior_weights))
+            if (allocated(error)) return
+            call c_f_pointer(given%prior_weights, weights, [given%parameter_count, given%prior_count])
+            problem%prior_weights = transpose(weights)
+        end if
         call check_problem(problem, error)
     end subroutine read_problem
 
     !> The data; force and sd may be absent.
-    subroutine read_data(n, x, y, force, sd, data, error)
+    subroutine read_data(branch, n, x, y, force, sd, data, error)
+        type(c_ptr), intent(in) :: branch
         integer(c_int), intent(in) :: n
         real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
         type(fit_data_t), intent(out) :: data
         type(error_t), allocatable, intent(inout) :: error
+        integer(c_int), pointer :: branches(:)
 
         call check_count(error, n)
         call check_given(error, "x", present(x))
@@ -182,6 +200,9 @@ contains
         call read_column(n, y, data%y, error)
         call read_column(n, force, data%force, error)
         call read_column(n, sd, data%sd, error)
+        if (allocated(error) .or. .not. c_associated(branch)) return
+        call c_f_pointer(branch, branches, [n])
+        data%branch = int(branches)
     end subroutine read_data
 
     !> A column that may be absent.

@@ -11,23 +11,27 @@ module mdrcontact_fit_body
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile_area_function, only: new_area_function_profile
     use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
     use mdrcontact_profile_flat_paraboloid, only: flat_paraboloid_t, new_flat_paraboloid
     use mdrcontact_profile_flat_punch, only: flat_punch_t, new_flat_punch
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
     use mdrcontact_profile_rounded_cone, only: new_rounded_cone, rounded_cone_t
+    use mdrcontact_profile_sampled, only: sampled_profile_t
     use mdrcontact_profile_sphere, only: new_sphere, sphere_t
     implicit none (type, external)
     private
     public :: fit_body_t, indenter_count, medium_count, make_body
     public :: indenter_given, indenter_paraboloid, indenter_sphere, indenter_cone, indenter_power_law, indenter_flat_punch, &
-              indenter_flat_cone, indenter_flat_paraboloid, indenter_rounded_cone
+              indenter_flat_cone, indenter_flat_paraboloid, indenter_rounded_cone, indenter_area_function, area_terms
 
     !> Kinds of indenter; their numbers are the arguments of the shape's `new_...` procedure, in its order.
     integer, parameter :: indenter_given = 0, indenter_paraboloid = 1, indenter_sphere = 2, indenter_cone = 3, &
                           indenter_power_law = 4, indenter_flat_punch = 5, indenter_flat_cone = 6, &
-                          indenter_flat_paraboloid = 7, indenter_rounded_cone = 8
-    integer, parameter :: indenter_numbers(0:8) = [0, 1, 1, 1, 2, 1, 2, 2, 2]
+                          indenter_flat_paraboloid = 7, indenter_rounded_cone = 8, indenter_area_function = 9
+    !> Coefficients C0, C1, ... of an area function, 0 for those it has not; before them stand its smallest and its largest height.
+    integer, parameter :: area_terms = 8
+    integer, parameter :: indenter_numbers(0:9) = [0, 1, 1, 1, 2, 1, 2, 2, 2, 2 + area_terms]
 
     !> Which indenter on which medium.
     type :: fit_body_t
@@ -93,6 +97,7 @@ contains
         type(flat_cone_t) :: flat_cone
         type(flat_paraboloid_t) :: flat_paraboloid
         type(rounded_cone_t) :: rounded_cone
+        type(sampled_profile_t) :: sampled
 
         select case (self%indenter)
         case (indenter_given)
@@ -125,6 +130,9 @@ contains
         case (indenter_rounded_cone)
             call new_rounded_cone(rounded_cone, values(1), values(2), error)
             allocate (profile, source=rounded_cone)
+        case (indenter_area_function)
+            call new_area_function_profile(sampled, values(3:), values(1), values(2), error)
+            allocate (profile, source=sampled)
         case default
             call raise(error, error_invalid, "indenter = "//count_text(self%indenter)//" is not allowed: it must be a kind of "// &
                        "indenter in enum mdr_fit_indenter")

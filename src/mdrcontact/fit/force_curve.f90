@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> F(d) of one contact over a range of depths: its equilibria traced once, then any number of depths inverted on the samples. With
-!> adhesion the curve is the branch that unloading follows down to pull-off.
+!> adhesion the curve is the branch that unloading follows down to pull-off, where it ends.
 module mdrcontact_fit_force_curve
     use mdrcontact_contact_control, only: depth_control
     use mdrcontact_contact_curve, only: curve_point_t, curve_t, new_curve
@@ -31,6 +31,7 @@ module mdrcontact_fit_force_curve
         type(contact_state_t), allocatable :: wall
     contains
         procedure :: at
+        procedure :: pull_off_depth
     end type force_curve_t
 
 contains
@@ -94,8 +95,22 @@ contains
         self%highest = self%curve%at(self%last)
     end subroutine new_force_curve
 
-    !> F at a depth. Without adhesion 0 for d <= 0; with it the pull-off value below the pull-off depth, where there is no state:
-    !> such points do not belong into a fit. Beyond the end of the curve an error.
+    !> The depth at which unloading leaves the curve and the bodies part; without adhesion 0.
+    pure function pull_off_depth(self) result(depth)
+        class(force_curve_t), intent(in) :: self
+        real(wp) :: depth
+
+        depth = 0.0_wp
+        if (.not. self%adhesive) return
+        if (allocated(self%curve)) then
+            depth = self%lowest%depth
+        else
+            depth = self%wall%depth
+        end if
+    end function pull_off_depth
+
+    !> F in contact at a depth. Without adhesion 0 for d <= 0; with it the pull-off value below the pull-off depth, where there is
+    !> no contact: whether a point belongs there is for the caller to say. Beyond the end of the curve an error.
     elemental subroutine at(self, d, force, reached)
         class(force_curve_t), intent(in) :: self
         !> [length]
@@ -111,7 +126,7 @@ contains
         if (.not. self%adhesive .and. d <= 0.0_wp) return
         if (allocated(self%wall)) then
             if (d >= self%wall%depth .or. .not. allocated(self%curve)) then
-                force = self%wall%force + self%wall%stiffness*(d - self%wall%depth)
+                force = self%wall%force + self%wall%stiffness*(max(d, self%pull_off_depth()) - self%wall%depth)
                 return
             end if
         end if

@@ -6,7 +6,7 @@ module mdrcontact_fit_interval
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_fit, only: fit_result_t, solve_fit
-    use mdrcontact_fit_problem, only: fit_data_t, fit_problem_t
+    use mdrcontact_fit_problem, only: ascending_points, fit_data_t, fit_problem_t, joint_priors
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_residuals, only: bent
     use mdrcontact_kinds, only: wp
@@ -63,11 +63,14 @@ contains
                                                                     " is not allowed: it must be between 0 and 1")
         if (allocated(error)) return
         probability = 0.5_wp*(1.0_wp + level)
+        i = findloc(fit%free, position, dim=1)
         if (allocated(data%sd) .and. problem%sd_is_absolute) then
             threshold = gsl_cdf_ugaussian_pinv(probability)
         else
-            threshold = gsl_cdf_tdist_pinv(probability, fit%degrees_of_freedom)
+            threshold = gsl_cdf_tdist_pinv(probability, max(fit%degrees_of_freedom/fit%widening(i)**2, 1.0_wp))
         end if
+        ! correlated residuals weigh less than so many independent ones
+        threshold = threshold*fit%widening(i)
         ! the noise stays that of the best fit
         weighted = data
         if (.not. allocated(weighted%sd)) weighted%sd = spread(1.0_wp, 1, size(data%x))
@@ -78,8 +81,7 @@ contains
         fixed%parameters%value = fit%values
         best = objective(fixed, weighted, position, fit%values(position))
         fixed%parameters(position)%is_free = .false.
-        i = findloc(fit%free, position, dim=1)
-        step = sqrt(fit%covariance(i, i))
+        step = sqrt(fit%covariance(i, i))/fit%widening(i)
         if (.not. step > 0.0_wp) step = 0.01_wp*max(abs(fit%values(position)), tiny(1.0_wp))
         lower = end_of(fixed, weighted, position, fit%values(position), -step, threshold, best, &
                        problem%parameters(position)%lower)
@@ -154,9 +156,10 @@ contains
             if (allocated(error)) return
             total = sum(bent(held%loss, held%loss_scale, fit%residuals)**2) + fit%prior_chi_square
         else
-            call predict(held, held%parameters%value, data, y, error)
+            call predict(held, held%parameters%value, data, y, error, order=ascending_points(data))
             if (allocated(error)) return
-            total = sum(bent(held%loss, held%loss_scale, (data%y - y)/data%sd)**2)
+            total = sum(bent(held%loss, held%loss_scale, (data%y - y)/data%sd)**2) &
+                    + sum(joint_priors(held, held%parameters%value)**2)
         end if
         associate (parameter => held%parameters(position))
             if (parameter%prior_sd > 0.0_wp) total = total + ((p - parameter%prior)/parameter%prior_sd)**2

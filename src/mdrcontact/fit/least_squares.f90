@@ -22,6 +22,8 @@ module mdrcontact_fit_least_squares
 
     !> Half of what one more Newton step would gain, in units of the mean square of the residuals.
     real(wp), parameter :: negligible_gain = 1.0e-8_wp
+    !> The same where no step lowers the sum: a twentieth of a standard error from where the derivatives would have the minimum.
+    real(wp), parameter :: small_gain = 2.5e-3_wp
     !> Residuals this small against the readings are an exact fit, as far as the model itself is exact: noise-free data.
     real(wp), parameter :: exact_fit = 1.0e-8_wp
     !> Steps in the internal variables for the differences of the Jacobian: far above the model's rounding, far below its curvature.
@@ -152,8 +154,8 @@ contains
             if (status /= gsl_success) then
                 ! no step lowers the sum: at the minimum but for rounding, or stuck
                 sum_of_squares = sum(outcome%r**2)
-                outcome%converged = newton_decrement(outcome%jacobian, outcome%r) <= 1.0e4_wp*negligible_gain &
-                                    *sum_of_squares/size(outcome%r) .or. sum_of_squares <= exact_sum
+                outcome%converged = newton_decrement(outcome%jacobian, outcome%r) <= small_gain*sum_of_squares/size(outcome%r) &
+                                    .or. sum_of_squares <= exact_sum
                 if (status == gsl_enoprog .or. refusals >= most_refusals) return
                 refusals = refusals + 1
             end if

@@ -4,11 +4,14 @@ module mdrcontact_fit_predict
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
+    use mdrcontact_contact, only: on_loading, on_unloading
+    use mdrcontact_fit_branches, only: separate
     use mdrcontact_fit_body, only: indenter_count, make_body, medium_count
     use mdrcontact_fit_force_curve, only: force_curve_t, new_force_curve
-    use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
-                                      at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_force_depth, &
-                                      data_modulus_radius, data_stiffness_depth, fit_data_t, fit_problem_t
+    use mdrcontact_fit_problem, only: at_area_factor, at_contact_depth_factor, at_contact_depth_scale, at_depth_offset, &
+                                      at_force_offset, at_frame_compliance, at_indenter_modulus, at_stiffness_factor, &
+                                      at_work_of_adhesion, data_force_depth, data_modulus_radius, data_stiffness_depth, &
+                                      fit_data_t, fit_problem_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t
@@ -34,7 +37,7 @@ module mdrcontact_fit_predict
 contains
 
     !> The y of each point.
-    subroutine predict(problem, values, data, y, error, shared)
+    subroutine predict(problem, values, data, y, error, shared, order)
         type(fit_problem_t), intent(in) :: problem
         !> [indenter, medium, instrument]
         real(wp), intent(in) :: values(:)
@@ -44,22 +47,26 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> what exact media have in common from one call to the next, which then costs less
         type(layered_shared_t), intent(inout), optional :: shared
+        !> that of ascending_points: the readings y of the data then say which points of an adhesive curve are in contact; without
+        !> it the model does: from first touch on approach, until pull-off on retract
+        integer, intent(in), optional :: order(:)
         type(layered_shared_t) :: own
 
         if (present(shared)) then
-            call predict_sharing(problem, values, data, shared, y, error)
+            call predict_sharing(problem, values, data, shared, y, error, order)
         else
-            call predict_sharing(problem, values, data, own, y, error)
+            call predict_sharing(problem, values, data, own, y, error, order)
         end if
     end subroutine predict
 
-    subroutine predict_sharing(problem, values, data, shared, y, error)
+    subroutine predict_sharing(problem, values, data, shared, y, error, order)
         type(fit_problem_t), intent(in) :: problem
         real(wp), intent(in) :: values(:)
         type(fit_data_t), intent(in) :: data
         type(layered_shared_t), intent(inout) :: shared
         real(wp), intent(out) :: y(:)
         type(error_t), allocatable, intent(out) :: error
+        integer, intent(in), optional :: order(:)
         class(profile_t), allocatable :: profile
         class(medium_t), allocatable, target :: medium
         real(wp), allocatable :: a(:), modulus(:)
@@ -73,7 +80,7 @@ contains
             call check_instrument(instrument, error)
             if (allocated(error)) return
             if (problem%data_kind == data_force_depth) then
-                call predict_force(problem, instrument, profile, medium, data, y, error)
+                call predict_force(problem, instrument, profile, medium, data, y, error, order)
                 return
             end if
             if (problem%data_kind == data_stiffness_depth) then
@@ -82,9 +89,11 @@ contains
             else
                 a = data%x
             end if
+            a = a*sqrt(instrument(at_area_factor))
             call reduced_moduli(medium, instrument(at_indenter_modulus), a, modulus, error)
             if (allocated(error)) return
-            y = modulus
+            ! an instrument that takes the area as too small finds S/(2a) too large
+            y = modulus*sqrt(instrument(at_area_factor))
             if (problem%data_kind == data_modulus_radius) return
             y = 1.0_wp/(1.0_wp/(2.0_wp*instrument(at_stiffness_factor)*a*modulus) + instrument(at_frame_compliance))
         end associate
@@ -102,12 +111,14 @@ contains
             call raise(error, error_invalid, "indenter_modulus = "//to_text(instrument(at_indenter_modulus))// &
                        " is not allowed: it must be greater than 0, or infinite for a rigid indenter")
         end if
-        call check_positive(error, "contact_depth_factor", instrument(at_contact_depth_factor))
+        call check_finite(error, "contact_depth_factor", instrument(at_contact_depth_factor))
         call check_positive(error, "stiffness_factor", instrument(at_stiffness_factor))
+        call check_positive(error, "contact_depth_scale", instrument(at_contact_depth_scale))
+        call check_positive(error, "area_factor", instrument(at_area_factor))
     end subroutine check_instrument
 
     !> F + force offset at depths freed of the offset and of the deflection of the frame: d = x - offset - C (y - force offset).
-    subroutine predict_force(problem, instrument, profile, medium, data, y, error)
+    subroutine predict_force(problem, instrument, profile, medium, data, y, error, order)
         type(fit_problem_t), intent(in) :: problem
         real(wp), intent(in) :: instrument(:)
         class(profile_t), intent(in) :: profile
@@ -115,10 +126,12 @@ contains
         type(fit_data_t), intent(in) :: data
         real(wp), intent(out) :: y(:)
         type(error_t), allocatable, intent(out) :: error
+        integer, intent(in), optional :: order(:)
         type(equilibrium_t) :: equilibrium
         type(force_curve_t) :: curve
-        real(wp) :: d(size(y)), smallest
-        logical :: reached(size(y))
+        real(wp) :: d(size(y)), sd(size(y)), smallest
+        logical :: reached(size(y)), approaches(size(y))
+        integer :: branch(size(y))
 
         if (instrument(at_indenter_modulus) <= huge(1.0_wp)) then
             call raise(error, error_invalid, "indenter_modulus = "//to_text(instrument(at_indenter_modulus))// &
@@ -138,6 +151,18 @@ contains
         call new_force_curve(curve, equilibrium, smallest, maxval(d), error)
         if (allocated(error)) return
         call curve%at(d, y, reached)
+        if (instrument(at_work_of_adhesion) > 0.0_wp) then
+            branch = on_unloading
+            if (allocated(data%branch)) branch = data%branch
+            if (present(order)) then
+                sd = 1.0_wp
+                if (allocated(data%sd)) sd = data%sd
+                call separate(order, branch, data%y - instrument(at_force_offset), sd, 0.0_wp, y)
+            else
+                approaches = branch == on_loading
+                where ((approaches .and. d < 0.0_wp) .or. d < curve%pull_off_depth()) y = 0.0_wp
+            end if
+        end if
         y = y + instrument(at_force_offset)
         if (.not. all(reached)) call raise(error, error_unreachable, "depth = "//to_text(maxval(d))//" cannot be reached by "// &
                                            "this indenter on this medium")
@@ -172,6 +197,7 @@ contains
             compliance = 1.0_wp/data%y(i) - instrument(at_frame_compliance)
             height = data%x(i) - instrument(at_depth_offset) - instrument(at_frame_compliance)*load &
                      - instrument(at_contact_depth_factor)*load*compliance
+            height = instrument(at_contact_depth_scale)*height
             if (.not. (height > 0.0_wp .and. compliance > 0.0_wp)) then
                 call raise(error, error_domain, "the contact depth at depth "//to_text(data%x(i))//" is "//to_text(height)// &
                            ": it must be greater than 0; leave out the first points, or check units, offset and frame compliance")

@@ -5,15 +5,18 @@ module mdrcontact_fit_problem
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, error_invalid, error_t, &
                                 raise, to_text
+    use mdrcontact_contact, only: on_loading, on_unloading
+    use mdrcontact_fit_order, only: ascending
     use mdrcontact_fit_body, only: fit_body_t, indenter_count, medium_count
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, check_points, parameter_count
+    public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, check_points, parameter_count, joint_priors, &
+              ascending_points
     public :: data_force_depth, data_stiffness_depth, data_modulus_radius, data_stiffness_radius
     public :: loss_linear, loss_huber, loss_cauchy
     public :: at_work_of_adhesion, at_depth_offset, at_force_offset, at_frame_compliance, at_indenter_modulus, &
-              at_contact_depth_factor, at_stiffness_factor, instrument_numbers
+              at_contact_depth_factor, at_stiffness_factor, at_contact_depth_scale, at_area_factor, instrument_numbers
 
     !> What x and y are: d and F; d, F and k (dynamic nanoindentation); a and E_eff; a and k.
     integer, parameter :: data_force_depth = 1, data_stiffness_depth = 2, data_modulus_radius = 3, data_stiffness_radius = 4
@@ -24,9 +27,11 @@ module mdrcontact_fit_problem
     !> Positions of the instrument's numbers behind those of indenter and medium:
     !> gamma [modulus length]; depth and force at which the instrument reads first contact [length], [force]; compliance of the
     !> frame [length/force]; contact modulus E*_i of the indenter, infinite for a rigid one [modulus]; epsilon of Oliver and
-    !> Pharr's contact depth h - epsilon P/S; beta of S = 2 beta a E_r.
+    !> Pharr's contact depth h - epsilon P/S; beta of S = 2 beta a E_r; factor of the contact depth, 1.2 with epsilon = 1 for
+    !> Loubet's (N. X. Randall et al., J. Mater. Res. 24 (2009) 679); true over assumed projected contact area.
     integer, parameter :: at_work_of_adhesion = 1, at_depth_offset = 2, at_force_offset = 3, at_frame_compliance = 4, &
-                          at_indenter_modulus = 5, at_contact_depth_factor = 6, at_stiffness_factor = 7, instrument_numbers = 7
+                          at_indenter_modulus = 5, at_contact_depth_factor = 6, at_stiffness_factor = 7, &
+                          at_contact_depth_scale = 8, at_area_factor = 9, instrument_numbers = 9
 
     !> One number of the problem: fixed, or free within bounds and known beforehand to a standard deviation.
     type :: fit_parameter_t
@@ -48,6 +53,9 @@ module mdrcontact_fit_problem
         integer :: data_kind = data_force_depth
         !> [indenter, medium, instrument]
         type(fit_parameter_t), allocatable :: parameters(:)
+        !> (rows, parameters): what is known beforehand of several numbers together: sum_j w_ij (p_j - prior_j) has mean 0 and
+        !> variance 1, independent of the other rows. For a covariance C = L L^T the rows are those of L^-1
+        real(wp), allocatable :: prior_weights(:, :)
         !> one of adhesion_...
         integer :: adhesion_rule = adhesion_automatic
         !> one of loss_...
@@ -72,6 +80,8 @@ module mdrcontact_fit_problem
         real(wp), allocatable :: force(:)
         !> standard deviations of y > 0, same size; not allocated: equal and unknown
         real(wp), allocatable :: sd(:)
+        !> on_loading or on_unloading, same size; not allocated: all on one branch, down to pull-off. Matters with adhesion
+        integer, allocatable :: branch(:)
     end type fit_data_t
 
 contains
@@ -86,6 +96,28 @@ contains
             count = indenter_count(body) + medium_count(body) + instrument_numbers
         end if
     end function parameter_count
+
+    !> The residuals of what is known of several numbers together.
+    pure function joint_priors(self, values) result(r)
+        type(fit_problem_t), intent(in) :: self
+        !> of all numbers
+        real(wp), intent(in) :: values(:)
+        real(wp), allocatable :: r(:)
+
+        allocate (r(0))
+        if (allocated(self%prior_weights)) r = matmul(self%prior_weights, merge(values - self%parameters%prior, 0.0_wp, &
+                                                                                any(abs(self%prior_weights) > 0.0_wp, dim=1)))
+    end function joint_priors
+
+    !> Positions of the points by branch, and within a branch by ascending x.
+    pure function ascending_points(self) result(order)
+        type(fit_data_t), intent(in) :: self
+        integer :: order(size(self%x))
+
+        order = ascending(self%x)
+        if (allocated(self%branch)) order = [pack(order, self%branch(order) == on_loading), &
+                                             pack(order, self%branch(order) == on_unloading)]
+    end function ascending_points
 
     !> Raises unless the problem is well-formed.
     subroutine check_problem(self, error)
@@ -113,6 +145,14 @@ contains
         call check_positive(error, "loss_scale", self%loss_scale)
         if (self%max_iterations < 1) call raise(error, error_invalid, "max_iterations = "//count_text(self%max_iterations)// &
                                                 " is not allowed: it must be at least 1")
+        if (allocated(self%prior_weights)) then
+            if (size(self%prior_weights, 2) /= expected) then
+                call raise(error, error_invalid, "prior_weights has "//count_text(size(self%prior_weights, 2))// &
+                           " columns: it must have one for each of the "//count_text(expected)//" parameters")
+            else if (.not. all(ieee_is_finite(self%prior_weights))) then
+                call raise(error, error_invalid, "prior_weights is not allowed: its entries must be finite")
+            end if
+        end if
         if (allocated(error)) return
         do i = 1, expected
             call check_parameter(self%parameters(i), "parameters", i, error)
@@ -151,6 +191,7 @@ contains
         if (allocated(error)) return
         free = count(problem%parameters%is_free)
         priors = count(problem%parameters%is_free .and. problem%parameters%prior_sd > 0.0_wp)
+        if (allocated(problem%prior_weights)) priors = priors + size(problem%prior_weights, 1)
         if (free == 0) then
             call raise(error, error_invalid, "no parameter is free: there is nothing to fit")
         else if (size(self%x) < free + 1 - min(priors, free - 1)) then
@@ -178,6 +219,12 @@ contains
         end if
         call check_column(self%y, "y", size(self%x), error)
         if (allocated(self%sd)) call check_column(self%sd, "sd", size(self%x), error)
+        if (allocated(self%branch)) then
+            call check_column(real(self%branch, wp), "branch", size(self%x), error)
+            if (any(self%branch /= on_loading .and. self%branch /= on_unloading)) then
+                call raise(error, error_invalid, "branch is not allowed: its entries must be in enum mdr_branch")
+            end if
+        end if
         if (problem%data_kind == data_stiffness_depth) then
             if (allocated(self%force)) then
                 call check_column(self%force, "force", size(self%x), error)

@@ -5,8 +5,8 @@ module mdrcontact_fit_residuals
     use mdrcontact_fit_least_squares, only: residuals_t
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_body, only: indenter_count, medium_count
-    use mdrcontact_fit_problem, only: at_frame_compliance, data_stiffness_depth, fit_data_t, fit_problem_t, loss_cauchy, &
-                                      loss_huber, loss_linear
+    use mdrcontact_fit_problem, only: ascending_points, at_frame_compliance, data_stiffness_depth, fit_data_t, fit_problem_t, &
+                                      joint_priors, loss_cauchy, loss_huber, loss_linear
     use mdrcontact_fit_variables, only: variables_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
@@ -31,6 +31,8 @@ module mdrcontact_fit_residuals
         integer, allocatable :: known(:)
         !> standard deviations of the data, up to the factor `noise`
         real(wp), allocatable :: sd(:)
+        !> the points along the curve, see ascending_points
+        integer, allocatable :: order(:)
         real(wp) :: noise = 1.0_wp
         !> one of loss_...
         integer :: loss = loss_linear
@@ -64,7 +66,8 @@ contains
         self%loss = problem%loss
         self%known = pack([(i, i=1, size(variables%free))], problem%parameters(variables%free)%prior_sd > 0.0_wp)
         self%p = size(variables%free)
-        self%n = size(data%x) + size(self%known)
+        self%n = size(data%x) + size(self%known) + size(joint_priors(problem, problem%parameters%value))
+        self%order = ascending_points(data)
         allocate (self%sd(size(data%x)))
         self%sd = 1.0_wp
         if (allocated(data%sd)) self%sd = data%sd
@@ -96,7 +99,7 @@ contains
             y = self%recent(i)%y
             return
         end do
-        call predict(self%problem, self%values_at(u), self%data, y, error, self%shared)
+        call predict(self%problem, self%values_at(u), self%data, y, error, self%shared, self%order)
         if (allocated(error)) return
         self%recent(self%oldest)%u = u
         self%recent(self%oldest)%y = y
@@ -127,10 +130,10 @@ contains
         step = reading_step*maxval(abs(self%data%y))
         if (self%problem%data_kind == data_stiffness_depth) step = reading_step*self%data%y
         shifted%y = self%data%y - step
-        call predict(self%problem, self%values_at(u), shifted, below, error, self%shared)
+        call predict(self%problem, self%values_at(u), shifted, below, error, self%shared, self%order)
         if (allocated(error)) return
         shifted%y = self%data%y + step
-        call predict(self%problem, self%values_at(u), shifted, above, error, self%shared)
+        call predict(self%problem, self%values_at(u), shifted, above, error, self%shared, self%order)
         if (allocated(error)) return
         self%sd = 1.0_wp
         if (allocated(self%data%sd)) self%sd = self%data%sd
@@ -155,6 +158,7 @@ contains
                 r(n + i) = (values(j) - self%problem%parameters(j)%prior)/self%problem%parameters(j)%prior_sd
             end associate
         end do
+        r(n + size(self%known) + 1:) = joint_priors(self%problem, values)
     end subroutine evaluate
 
     subroutine neighbours(self, u, i, step, below, above)

@@ -1,20 +1,21 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> From the free numbers of a problem to unknowns of order one, and back.
 !>
-!> What must be positive is sought as its logarithm, u = 1 + ln(p/p0); what may have either sign as u = 1 + (p - p0)/scale.
-!> Beyond a bound the number stays at the bound.
+!> What must be positive is sought as its logarithm, u = 1 + ln(p/p0); what may have either sign as u = 1 + (p - p0)/scale; the work
+!> of adhesion, which may be 0 and enters by its square root, as u = sqrt(p/p0). Beyond a bound the number stays at the bound.
 module mdrcontact_fit_variables
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
-    use mdrcontact_fit_body, only: fit_body_t, indenter_count, medium_count
+    use mdrcontact_fit_body, only: fit_body_t, indenter_area_function, indenter_count, medium_count
     use mdrcontact_fit_medium_of, only: medium_graded, medium_homogeneous, medium_power_graded, medium_stack
-    use mdrcontact_fit_problem, only: at_depth_offset, at_force_offset, at_frame_compliance, data_force_depth, &
-                                      data_stiffness_depth, fit_data_t, fit_problem_t, instrument_numbers
+    use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
+                                      at_work_of_adhesion, data_force_depth, data_stiffness_depth, fit_data_t, fit_parameter_t, &
+                                      fit_problem_t, instrument_numbers
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: variables_t, new_variables
 
-    integer, parameter :: positive = 1, poisson = 2, signed = 3
+    integer, parameter :: positive = 1, poisson = 2, signed = 3, not_negative = 4
     real(wp), parameter :: smallest_poisson = -0.999_wp, largest_poisson = 0.5_wp
     !> ln of the largest ratio to the start that is tried
     real(wp), parameter :: widest_logarithm = 9.0_wp
@@ -23,7 +24,7 @@ module mdrcontact_fit_variables
     type :: variables_t
         !> positions of the free numbers among all
         integer, allocatable :: free(:)
-        !> of the free numbers: start, scale (0: logarithmic), bounds
+        !> of the free numbers: start, scale (0: logarithmic, less than 0: square root), bounds
         real(wp), allocatable :: start(:), scale(:), lower(:), upper(:)
     contains
         procedure :: number_at
@@ -62,8 +63,15 @@ contains
                                "must be greater than -1 and at most 0.5", "parameters", j)
                 end if
             case (signed)
-                self%scale(i) = typical(j - instrument, self%start(i), problem%data_kind, data)
+                self%scale(i) = typical(j - instrument, problem%parameters(j), problem%data_kind, data)
             case default
+                ! a number that runs to the end of what is tried has no optimum: it is at a bound, and told so
+                self%lower(i) = max(self%lower(i), self%start(i)*exp(-widest_logarithm))
+                self%upper(i) = min(self%upper(i), self%start(i)*exp(widest_logarithm))
+                if (kinds(j) == not_negative) then
+                    self%scale(i) = -1.0_wp
+                    self%lower(i) = max(problem%parameters(j)%lower, 0.0_wp)
+                end if
                 if (.not. self%start(i) > 0.0_wp) then
                     call raise(error, error_invalid, " = "//to_text(self%start(i))//" is not allowed: the search for a "// &
                                "positive quantity must begin above 0", "parameters", j)
@@ -89,16 +97,19 @@ contains
         case (medium_power_graded); kinds(first + 2:last) = [signed, poisson]
         case default; continue
         end select
+        if (body%indenter == indenter_area_function) kinds(:indenter_count(body)) = signed
+        kinds(last + at_work_of_adhesion) = not_negative
+        kinds(last + at_contact_depth_factor) = signed
         kinds(last + at_depth_offset) = signed
         kinds(last + at_force_offset) = signed
         kinds(last + at_frame_compliance) = signed
     end function natures
 
     !> The scale of a number of either sign.
-    pure function typical(position, start, data_kind, data) result(scale)
+    pure function typical(position, parameter, data_kind, data) result(scale)
         !> among the instrument's numbers; less than 1 for others
         integer, intent(in) :: position
-        real(wp), intent(in) :: start
+        type(fit_parameter_t), intent(in) :: parameter
         integer, intent(in) :: data_kind
         type(fit_data_t), intent(in) :: data
         real(wp) :: scale
@@ -117,7 +128,9 @@ contains
                 scale = maxval(abs(data%x))/maxval(abs(data%y))
             end if
         case default
-            scale = max(1.0_wp, abs(start))
+            ! coefficients of an area function have any unit: what is known of them is their size
+            scale = max(abs(parameter%value), parameter%prior_sd)
+            if (position >= 1 .or. .not. scale > 0.0_wp) scale = max(1.0_wp, scale)
         end select
     end function typical
 
@@ -130,6 +143,8 @@ contains
 
         if (self%scale(i) > 0.0_wp) then
             p = self%start(i) + (u - 1.0_wp)*self%scale(i)
+        else if (self%scale(i) < 0.0_wp) then
+            p = self%start(i)*max(u, 0.0_wp)**2
         else
             p = self%start(i)*exp(max(-widest_logarithm, min(u - 1.0_wp, widest_logarithm)))
         end if
@@ -144,6 +159,8 @@ contains
 
         if (self%scale(i) > 0.0_wp) then
             u = 1.0_wp + (p - self%start(i))/self%scale(i)
+        else if (self%scale(i) < 0.0_wp) then
+            u = sqrt(max(p, 0.0_wp)/self%start(i))
         else
             u = 1.0_wp + log(max(p/self%start(i), tiny(1.0_wp)))
         end if
@@ -157,7 +174,8 @@ contains
         real(wp) :: slope
 
         slope = self%scale(i)
-        if (.not. slope > 0.0_wp) slope = self%number_at(i, u)
+        if (slope < 0.0_wp) slope = 2.0_wp*self%start(i)*max(u, 0.0_wp)
+        if (.not. abs(self%scale(i)) > 0.0_wp) slope = self%number_at(i, u)
     end function slope_at
 
     !> -1 at or below the lower bound, 1 at or above the upper one, else 0.

@@ -61,7 +61,7 @@ void fuzz_fits(world *w)
     status = mdr_fit_predict(&problem, n, x, y, take_chance(in) ? NULL : force, fitted);
     judge("mdr_fit_predict", status, n, fitted, FINITE);
     fill(fitted);
-    status = mdr_fit_solve(&problem, n, x, y, force, take_chance(in) ? sd : NULL, values, covariance, at_bound, weakest, fitted,
+    status = mdr_fit_solve(&problem, n, x, y, force, take_chance(in) ? sd : NULL, values, covariance, NULL, at_bound, weakest, fitted,
                            residuals, &summary);
     judge("mdr_fit_solve", status, n, fitted, FINITE);
     judge("mdr_fit_solve", status, n, residuals, FINITE);

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the parameters of a fit are called in words, and their values with units. Values are taken as SI."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from ..problem.units import (
+    ANGLE,
+    COMPLIANCE,
+    FORCE,
+    LENGTH,
+    MODULUS,
+    RATIO,
+    STIFFNESS,
+    WORK_OF_ADHESION,
+    Dimension,
+    Unit,
+    practical,
+)
+
+_WORDS = {
+    "coating.E": "film modulus E",
+    "coating.nu": "film Poisson's ratio nu",
+    "thickness": "film thickness h",
+    "substrate.E": "substrate modulus E",
+    "substrate.nu": "substrate Poisson's ratio nu",
+    "E": "modulus E",
+    "nu": "Poisson's ratio nu",
+    "E0": "modulus E0 at depth z0",
+    "z0": "depth z0",
+    "indenter.radius": "indenter radius R",
+    "indenter.inclination": "inclination of the indenter's face",
+    "indenter.end_radius": "radius of the indenter's flat end",
+    "indenter.blend_radius": "radius of the indenter's rounding",
+    "work_of_adhesion": "work of adhesion",
+    "depth_offset": "depth at first contact",
+    "force_offset": "force at first contact",
+    "frame_compliance": "frame compliance",
+    "indenter_modulus": "contact modulus of the indenter",
+    "contact_depth_factor": "epsilon of the contact depth",
+    "contact_depth_scale": "factor of the contact depth",
+    "stiffness_factor": "beta of the stiffness",
+    "area_factor": "true over assumed contact area",
+}
+_LAYER_WORDS = {"E": "modulus E", "nu": "Poisson's ratio nu", "thickness": "thickness h"}
+_DATA = {"depth": LENGTH, "radius": LENGTH, "force": FORCE, "stiffness": STIFFNESS, "modulus": MODULUS}
+
+
+def words_of(name: str) -> str:
+    """A parameter in words: "film modulus E" for "coating.E"."""
+    if name in _WORDS:
+        return _WORDS[name]
+    layer = re.fullmatch(r"layers\[(\d+)\]\.(E|nu|thickness)", name)
+    if layer:
+        which = "film" if layer[1] == "0" else f"layer {int(layer[1]) + 1}"
+        return f"{which} {_LAYER_WORDS[layer[2]]}"
+    if re.fullmatch(r"indenter\.C\d", name):
+        return f"coefficient {name[-2:]} of the area function"
+    return name
+
+
+def dimension_of(name: str) -> Dimension:
+    """What kind of quantity a parameter is, by its name."""
+    coefficient = re.fullmatch(r"indenter\.C([1-7])", name)
+    if coefficient:
+        power = 2.0 - 0.5 ** (int(coefficient[1]) - 1)
+        unit = "nm" if power == 1.0 else f"nm^{power:g}"
+        return Dimension("a coefficient of an area function", f"m^{power:g}", f"1 {unit}", ((unit, 10.0 ** (-9.0 * power)),))
+    last = name.split(".")[-1].split("[")[0]
+    if last in ("E", "E0", "indenter_modulus"):
+        return MODULUS
+    if last in ("thickness", "radius", "end_radius", "blend_radius", "depth_offset", "z", "z0"):
+        return LENGTH
+    others = {"inclination": ANGLE, "force_offset": FORCE, "work_of_adhesion": WORK_OF_ADHESION, "frame_compliance": COMPLIANCE}
+    return others.get(last, RATIO)
+
+
+def dimension_of_data(name: str) -> Dimension:
+    """What kind of quantity a column of the data is."""
+    return _DATA[name]
+
+
+def digits(value: float, error: float) -> str:
+    """A value to the second digit of its error, in figures that people read: "72.1"."""
+    if not (math.isfinite(value) and math.isfinite(error)) or error <= 0.0:
+        return f"{value:.5g}"
+    places = 1 - math.floor(math.log10(error))
+    if -3 <= places <= 6 and abs(value) < 1e6:
+        return f"{round(value, places):.{max(places, 0)}f}"
+    return f"{value:.3g}"
+
+
+def measured(name: str, value: float, error: float) -> str:
+    """A value with its standard error and unit: "72.1 +- 1.0 GPa"."""
+    unit = practical(dimension_of(name), [value if abs(value) > error else error])
+    text = f"{digits(value / unit.factor, error / unit.factor)} ± {digits(error / unit.factor, error / unit.factor)}"
+    return f"{text} {unit.symbol}".rstrip()
+
+
+def unit_of(name: str, value: float) -> Unit:
+    """The practical unit of a parameter's value."""
+    return practical(dimension_of(name), [value])

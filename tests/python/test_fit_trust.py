@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether intervals hold what limits them, and whether wrong numbers are loud."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from conftest import OXIDE, SILICON
+
+import mdrcontact as mdr
+
+FILM = mdr.Coated(OXIDE, 500e-9, SILICON, "exact")
+BALL = mdr.Paraboloid(10e-6)
+DEPTH = np.linspace(2e-9, 100e-9, 60)
+FORCE = np.asarray(mdr.Contact(BALL, FILM).at_depth(DEPTH).force)
+DIAMOND = mdr.Elastic(1141e9, 0.07)
+
+
+def autoregression(random, n, rho):
+    """Noise of variance 1 whose neighbours have the correlation rho."""
+    noise = random.standard_normal(n)
+    for i in range(1, n):
+        noise[i] = rho * noise[i - 1] + math.sqrt(1.0 - rho**2) * noise[i]
+    return noise
+
+
+@pytest.mark.parametrize("known", [True, False])
+def test_intervals_hold_the_truth_under_correlated_noise(known):
+    """Lag-1 correlation 0.9: of 40 intervals of 95 % fewer than 32 would hold the truth with a probability of 5e-4; intervals for
+    independent noise hold about 18. The long run is benchmarks/fit_recovery.py."""
+    inside = 0
+    widest = []
+    for seed in range(40):
+        noise = 0.01 * autoregression(np.random.default_rng(seed), DEPTH.size, 0.9)
+        data = mdr.ForceDepth(DEPTH, FORCE * (1.0 + noise), relative_sd=0.01)
+        result = mdr.fit(data, BALL, FILM, ["coating.E"], sd_is_absolute=known)
+        lower, upper = result.interval("coating.E")
+        inside += lower <= OXIDE.E <= upper
+        widest.append(result.widening["coating.E"])
+    assert inside >= 32
+    assert 2.0 < np.median(widest) < 8.0
+
+
+def test_the_three_intervals_know_of_the_correlation():
+    noise = 0.01 * autoregression(np.random.default_rng(3), DEPTH.size, 0.9)
+    result = mdr.fit(mdr.ForceDepth(DEPTH, FORCE * (1.0 + noise), relative_sd=0.01), BALL, FILM, ["coating.E"])
+    assert result.lag_correlation > 0.7
+    assert "error widened" in result.summary().splitlines()[2], "the doubt stands beside the number"
+    width = np.ptp(result.interval("coating.E"))
+    assert np.ptp(result.interval("coating.E", method="profile")) == pytest.approx(width, rel=0.05)
+    assert np.ptp(result.interval("coating.E", method="monte-carlo", draws=100, seed=1)) == pytest.approx(width, rel=0.4)
+
+
+def test_a_pattern_in_eleven_residuals_is_seen():
+    """Residuals that rise all the way: 11 points, two runs."""
+    radius = np.linspace(1e-7, 1e-6, 11)
+    modulus = np.asarray(FILM.modulus(radius)) * np.linspace(0.95, 1.05, 11)
+    result = mdr.fit(mdr.ModulusRadius(radius, modulus), mdr.Berkovich(), mdr.Homogeneous(OXIDE), ["E"])
+    assert np.all(np.diff(result.residuals) > 0.0)
+    assert result.pattern_probability < 1e-4
+    assert result.describes_data is False
+    assert "THE MODEL MISSES THE DATA" in result.summary().splitlines()[2]
+
+
+def csm(area_error=0.0, noise=0.0, seed=0):
+    """Dynamic nanoindentation by a tip whose true area is larger than the one of its calibration by this part."""
+    tip = mdr.Berkovich()
+    h_c = np.linspace(20e-9, 250e-9, 60)
+    a = h_c / math.tan(tip.inclination) * math.sqrt(1.0 + area_error)
+    reduced = 1.0 / (1.0 / np.asarray(FILM.modulus(a)) + 1.0 / DIAMOND.contact_modulus)
+    stiffness = 2.0 * a * reduced * (1.0 + noise * np.random.default_rng(seed).standard_normal(a.size))
+    load = 9e9 * math.pi * a**2
+    return mdr.StiffnessDepth(h_c + 0.75 * load / stiffness, load, stiffness, relative_sd=max(noise, 0.005))
+
+
+def test_an_area_error_is_covered_by_its_prior():
+    """The tip's area is known to 2 %: without the prior most intervals miss the truth, with it they hold it."""
+    random = np.random.default_rng(5)
+    free = {"coating.E": None, "substrate.E": None}
+    known = {**free, "area_factor": mdr.Free(prior=(1.0, 0.02))}
+    instrument = mdr.Instrument(indenter=DIAMOND)
+    inside = {"ignored": 0, "known": 0}
+    for seed in range(30):
+        data = csm(0.02 * random.standard_normal(), 0.005, seed)
+        for name, chosen in (("ignored", free), ("known", known)):
+            lower, upper = mdr.fit(data, mdr.Berkovich(), FILM, chosen, instrument=instrument).interval("coating.E")
+            inside[name] += lower <= OXIDE.E <= upper
+    assert inside["known"] >= 25
+    assert inside["ignored"] < inside["known"]
+
+
+def test_an_area_factor_is_what_it_says():
+    """True over assumed area: 10 % too small an area of the calibration is found where the film is known."""
+    result = mdr.fit(csm(0.1), mdr.Berkovich(), FILM, ["area_factor"], instrument=mdr.Instrument(indenter=DIAMOND))
+    assert result.estimates["area_factor"] == pytest.approx(1.1, rel=1e-5)
+
+
+def test_an_ideal_tip_is_said_beside_the_result():
+    result = mdr.fit(csm(0.0, 0.005), mdr.Berkovich(), FILM, ["coating.E"], instrument=mdr.Instrument(indenter=DIAMOND))
+    assert any("ideally sharp" in words for words in result.warnings)
+    tip = mdr.AreaFunction([24.5, 3e-7], max_height=1e-6)
+    assert not any(
+        "sharp" in w for w in mdr.fit(csm(), tip, FILM, ["coating.E"], instrument=mdr.Instrument(indenter=DIAMOND)).warnings
+    )
+
+
+def test_coefficients_of_an_area_function_are_found_and_carry_their_covariance():
+    """A known body gives the tip back; the joint prior of its coefficients widens the interval of a film."""
+    tip = mdr.AreaFunction([24.5, 3e-7], max_height=1e-6)
+    h_c = np.geomspace(10e-9, 400e-9, 50)
+    a = np.sqrt((24.5 * h_c**2 + 3e-7 * h_c) / np.pi)
+    instrument = mdr.Instrument(indenter=DIAMOND)
+
+    def data(medium):
+        reduced = 1.0 / (1.0 / np.asarray(medium.modulus(a)) + 1.0 / DIAMOND.contact_modulus)
+        stiffness, load = 2.0 * a * reduced, 9e9 * np.pi * a**2
+        return mdr.StiffnessDepth(h_c + 0.75 * load / stiffness, load, stiffness, relative_sd=0.01)
+
+    silica = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    begin = mdr.AreaFunction([20.0, 1e-7], max_height=1e-6)
+    calibrated = mdr.fit(data(silica), begin, silica, ["indenter.C0", "indenter.C1"], instrument=instrument)
+    assert calibrated.converged
+    assert calibrated.estimates["indenter.C0"] == pytest.approx(24.5, rel=1e-5)
+    assert calibrated.estimates["indenter.C1"] == pytest.approx(3e-7, rel=1e-4)
+    prior = mdr.JointPrior(calibrated.names, tuple(calibrated.estimates.values()), calibrated.covariance)
+    sharp = mdr.fit(data(FILM), tip, FILM, ["coating.E"], instrument=instrument)
+    blunt = mdr.fit(data(FILM), tip, FILM, ["coating.E"], instrument=instrument, known=[prior])
+    assert set(blunt.names) == {"coating.E", "indenter.C0", "indenter.C1"}
+    assert blunt.standard_errors["coating.E"] > 1.05 * sharp.standard_errors["coating.E"]
+    assert blunt.estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-3)
+    # a joint prior of independent numbers is what two priors are
+    apart = {n: mdr.Free(prior=(calibrated.estimates[n], calibrated.standard_errors[n])) for n in calibrated.names}
+    variances = np.diag(np.square(list(calibrated.standard_errors.values())))
+    one = mdr.fit(data(FILM), tip, FILM, {"coating.E": None, **apart}, instrument=instrument)
+    joint = mdr.JointPrior(calibrated.names, tuple(calibrated.estimates.values()), variances)
+    other = mdr.fit(data(FILM), tip, FILM, ["coating.E"], instrument=instrument, known=[joint])
+    assert other.standard_errors["coating.E"] == pytest.approx(one.standard_errors["coating.E"], rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"names": ("indenter.C0", "indenter.C9")}, "C9"),
+        ({"values": (1.0,)}, "shapes"),
+        ({"covariance": ((1.0, 2.0), (2.0, 1.0))}, "positive definite"),
+        ({"covariance": ((0.0, 0.0), (0.0, 1.0))}, "diagonal"),
+    ],
+)
+def test_wrong_joint_priors_are_refused(change, words):
+    given = {"names": ("indenter.C0", "indenter.C1"), "values": (24.5, 3e-7), "covariance": ((1.0, 0.0), (0.0, 1e-14)), **change}
+    with pytest.raises(mdr.InvalidArgumentError, match=words):
+        tip = mdr.AreaFunction([24.5, 3e-7], max_height=1e-6)
+        mdr.fit(csm(), tip, FILM, ["coating.E"], known=[mdr.JointPrior(**given)])
+
+
+@pytest.mark.parametrize("epsilon", [0.75, 0.0, -0.3])
+def test_contact_deeper_than_the_depth(epsilon):
+    """Where the surface piles up, contact begins above it: epsilon of 0 and less."""
+    tip, body = mdr.Berkovich(), mdr.Homogeneous(OXIDE)
+    h_c = np.linspace(20e-9, 250e-9, 30)
+    stiffness = 2.0 * h_c / math.tan(tip.inclination) * OXIDE.contact_modulus
+    load = 1e9 * h_c**2
+    data = mdr.StiffnessDepth(h_c + epsilon * load / stiffness, load, stiffness)
+    result = mdr.fit(data, tip, body, {"E": 50e9}, instrument=mdr.Instrument(contact_depth_factor=epsilon))
+    assert result.estimates["E"] == pytest.approx(OXIDE.E, rel=1e-8)
+
+
+def test_loubets_contact_depth():
+    """h_c = 1.2 (h - P/S)."""
+    tip = mdr.Berkovich()
+    h_c = np.linspace(20e-9, 250e-9, 30)
+    stiffness = 2.0 * h_c / math.tan(tip.inclination) * OXIDE.contact_modulus
+    load = 1e9 * h_c**2
+    data = mdr.StiffnessDepth(h_c / 1.2 + load / stiffness, load, stiffness)
+    loubet = mdr.Instrument(contact_depth_factor=1.0, contact_depth_scale=1.2)
+    assert mdr.fit(data, tip, mdr.Homogeneous(OXIDE), {"E": 50e9}, instrument=loubet).estimates["E"] == pytest.approx(OXIDE.E)
+
+
+def test_practical_units_and_names():
+    data = mdr.ForceDepth(DEPTH, FORCE * (1.0 + 0.01 * np.random.default_rng(1).standard_normal(60)), relative_sd=0.01)
+    result = mdr.fit(data, BALL, FILM, {"coating.E": None, "thickness": mdr.Free(prior=(500e-9, 10e-9))})
+    line = result.summary().splitlines()[2]
+    assert "film modulus E" in line and " GPa" in line and "±" in line
+    found = result.to_dict()["parameters"]
+    assert found["coating.E"]["unit"] == "Pa" and found["thickness"]["unit"] == "m"
+    figure = result.plot()
+    assert figure.axes[0].get_ylabel() == "force [mN]"
+    assert figure.axes[1].get_xlabel() == "indentation depth [nm]"
+    assert "film modulus E" in figure.axes[0].get_title(loc="left")
+
+
+def test_a_contact_that_is_nowhere_is_named():
+    """Not a ratio of 1.667054E+299."""
+    data = mdr.ForceDepth(DEPTH - 1e-6, FORCE)
+    with pytest.raises(mdr.InvalidArgumentError, match="touches at none of the points.*depth_offset"):
+        mdr.fit(data, BALL, FILM, ["coating.E"])
+
+
+def test_a_contact_point_that_is_off_is_named_beside_the_units():
+    data = mdr.ForceDepth(DEPTH + 100e-6, FORCE)
+    with pytest.raises(mdr.InvalidArgumentError, match="depth_offset"):
+        mdr.fit(data, mdr.Paraboloid(1e-3), FILM, ["coating.E"])
+
+
+def test_what_the_data_do_not_determine_is_no_number():
+    """A film far thinner than the contact."""
+    wide = np.linspace(2e-5, 4e-5, 30)
+    modulus = np.asarray(FILM.modulus(wide)) * (1.0 + 0.05 * np.random.default_rng(2).standard_normal(30))
+    result = mdr.fit(mdr.ModulusRadius(wide, modulus, relative_sd=0.05), mdr.Berkovich(), FILM, ["coating.E"])
+    assert result.at_bound["coating.E"] or "not determined" in result.summary() or result.standard_errors["coating.E"] < OXIDE.E
+
+
+def test_a_over_h_is_that_of_the_film():
+    """Not of all layers together."""
+    stack = mdr.Layered([(OXIDE, 100e-9), (SILICON, 900e-9)], OXIDE, "exact")
+    radius = np.linspace(1e-6, 2e-6, 20)
+    data = mdr.ModulusRadius(radius, np.asarray(stack.modulus(radius)), relative_sd=0.2)
+    words = " ".join(mdr.fit(data, mdr.Berkovich(), stack, ["layers[0].E"]).warnings)
+    assert "a/h runs from 10 to 20" in words
