@@ -332,7 +332,7 @@ void mdr_medium_options_init(mdr_medium_options *options);
  *  @param out  receives the handle */
 int mdr_medium_homogeneous(double E, double nu, mdr_medium **out);
 
-/** Homogeneous half-space of given contact modulus: 1/E* = 1/E*_1 + 1/E*_2 stands for two elastic bodies, equation (2).
+/** Homogeneous half-space of given contact modulus, whatever its E and nu.
  *  @param contact_modulus  E* > 0 [modulus]
  *  @param out              receives the handle */
 int mdr_medium_contact_modulus(double contact_modulus, mdr_medium **out);
@@ -394,6 +394,23 @@ int mdr_medium_graded_callback(mdr_function E, mdr_function nu, void *context, d
  *  @param nu        -1 < nu <= 1/2 [1]
  *  @param out       receives the handle */
 int mdr_medium_power_graded(double E0, double z0, double exponent, double nu, mdr_medium **out);
+
+/** A rigid body: one body of mdr_medium_pair(), no medium by itself.
+ *  @param out  receives the handle */
+int mdr_medium_rigid(mdr_medium **out);
+
+/** Two deformable bodies as one medium: what presses and what is pressed, each homogeneous, coated, layered or graded.
+ *
+ *  The profile of a contact with it is the gap before contact, the sum of both shapes (1/R = 1/R1 + 1/R2 for paraboloids), its
+ *  depth the approach of distant points. Exact where both bodies are homogeneous or solved exactly (1/E0* = 1/E1* + 1/E2* of the
+ *  surface materials, and compliances add at every wavelength); with approximate models 1/E_eff = 1/E_eff,1 + 1/E_eff,2. Bodies
+ *  may be freed afterwards.
+ *  @param lower  a medium of one body, or a rigid one
+ *  @param upper  likewise; not both rigid
+ *  @param out    receives the handle
+ *  @return also MDR_EINVALID for pairs, for an exact body with an approximate one other than a homogeneous one, and for a power-law
+ *          graded body with another kind or another exponent: their springs do not add */
+int mdr_medium_pair(const mdr_medium *lower, const mdr_medium *upper, mdr_medium **out);
 
 /** Medium whose effective modulus is a table, interpolated in ln a without overshoot. States are offered from a[0] to a[n-1];
  *  below a[0] the modulus is taken as constant when forces are integrated.
@@ -517,9 +534,12 @@ enum mdr_field_kind {
     MDR_FIELD_PRESSURE = 1,     /**< p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says so: at
                                      the edge of a flat punch or of an adhesive contact, at the apex of a cone. */
     MDR_FIELD_DISPLACEMENT = 2, /**< u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the free
-                                     surface beyond; any r >= 0 [length]. */
-    MDR_FIELD_LINE_LOAD = 3     /**< q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a [modulus
+                                     surface beyond; any r >= 0. Of two bodies both together, each into its body [length]. */
+    MDR_FIELD_LINE_LOAD = 3,    /**< q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a [modulus
                                      length]. */
+    MDR_FIELD_DISPLACEMENT_LOWER = 4, /**< u(r) of the medium, or of the lower of two bodies, into that body: where its surface was
+                                           flat, the shape of the deformed interface for r <= a [length]. */
+    MDR_FIELD_DISPLACEMENT_UPPER = 5  /**< u(r) of the upper body, into that body; 0 for a rigid indenter [length]. */
 };
 
 /** States from depths, forces or radii.
@@ -549,6 +569,15 @@ int mdr_contact_from_force(const mdr_contact *c, int n, const double in[], doubl
 
 /** States from contact radii [length]. Otherwise as mdr_contact_from_depth(). */
 int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+
+/** Elastic energy of either body: together int F dd from first touch, with adhesion int F dd + pi a^2 work_of_adhesion along the
+ *  branch [modulus length^3].
+ *  @param c      contact
+ *  @param state  a state of this contact, with a radius > 0
+ *  @param lower  or NULL: receives that of the medium or of the lower body
+ *  @param upper  or NULL: receives that of the upper body, 0 for a rigid indenter
+ *  @return also MDR_EINVALID for power-law graded media, MDR_ENOCONVERGENCE */
+int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper);
 
 /** A field of a state.
  *  @param c      contact

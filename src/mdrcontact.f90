@@ -13,7 +13,8 @@ module mdrcontact
                                                coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_values, only: contact_field, contact_states, field_displacement, field_line_load, field_pressure, &
+    use mdrcontact_contact_values, only: contact_field, contact_states, field_displacement, field_line_load, &
+                                         field_displacement_lower, field_pressure, field_displacement_upper, &
                                          given_depth, given_force, given_radius
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_callback, error_domain, error_file, error_invalid, error_memory, error_no_convergence, &
@@ -46,7 +47,7 @@ module mdrcontact
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium, only: lower_body, medium_t, upper_body
     use mdrcontact_medium_values, only: modulus_values
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_nu_given, gao_nu_substrate, gao_nu_surface, gao_options_t, gao_t, &
                                      new_gao, new_gao_layered
@@ -56,11 +57,12 @@ module mdrcontact
     use mdrcontact_medium_graded, only: graded_t, new_graded
     use mdrcontact_medium_hay_crawford, only: hay_crawford_t, new_hay_crawford
     use mdrcontact_medium_mencik, only: mencik_t, new_mencik
+    use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_medium_perriot_barthel, only: new_perriot_barthel, perriot_barthel_t
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
     use mdrcontact_medium_wave, only: new_wave, wave_t
-    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
     use mdrcontact_model, only: find_model, model_options_t, models, new_medium
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from . import _layout, _native, _zeta, adhesion
 from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record
 from ._value import Value
-from .adhesion import BRANCHES, RULES, Loop, PullOff
+from .adhesion import BRANCHES, RULES, Loop, PullOff, code
 from .errors import ArgumentTypeError, MDRError, NotOneDiscWarning
 from .medium import Medium
 from .profile import Paraboloid, Profile
@@ -23,6 +23,8 @@ __all__ = ["Contact", "State"]
 
 _NOTICEABLE = 1e-4
 """A negative pressure of this part of the mean pressure is more than the solver's error."""
+
+_BODIES = {"lower": 0, "upper": 1}
 
 
 class State(NamedTuple):
@@ -161,10 +163,33 @@ class Contact(Value):
         force: float | None = None,
         radius: float | None = None,
         branch: str = "unloading",
+        body: str | None = None,
     ) -> FloatOrArray:
         """Surface displacement u(r) [length], positive into the medium, at r >= 0, any shape, of one state. Inside the contact it
-        is d - f(r), outside it is the free surface, with the neck of an adhesive contact. Arguments as of `pressure`."""
-        return self._field(_layout.FIELD_DISPLACEMENT, "r", r, state, depth, force, radius, branch)
+        is d - f(r), outside it is the free surface, with the neck of an adhesive contact. Arguments as of `pressure`.
+
+        body : of two deformable bodies (`Pair`) "lower" or "upper", each positive into its own body; None: their sum. u(0) of
+            each is its part of the approach. Where the lower surface was flat, "lower" is the shape of the interface for r <= a
+        """
+        field = _layout.FIELD_DISPLACEMENT
+        if body is not None:
+            field = (_layout.FIELD_DISPLACEMENT_LOWER, _layout.FIELD_DISPLACEMENT_UPPER)[code("body", body, _BODIES)]
+        return self._field(field, "r", r, state, depth, force, radius, branch)
+
+    def elastic_energy(
+        self,
+        state: State | None = None,
+        *,
+        depth: float | None = None,
+        force: float | None = None,
+        radius: float | None = None,
+        branch: str = "unloading",
+        body: str | None = None,
+    ) -> float:
+        """Elastic energy [modulus length^3] of one state: the work of the force from first touch; with adhesion the energy
+        gained by the surfaces, pi a^2 work_of_adhesion, comes on top. Arguments as of `displacement`; body=None: of both."""
+        energies = call(_native.contact_energy, self._handle.address, self._row(state, depth, force, radius, branch))
+        return float(sum(energies) if body is None else energies[code("body", body, _BODIES)])
 
     def line_load(
         self,
@@ -229,8 +254,13 @@ class Contact(Value):
         radius: float | None,
         branch: str,
     ) -> FloatOrArray:
+        row = self._row(state, depth, force, radius, branch)
+        return evaluate(name, points, lambda r: _native.contact_field(self._handle.address, field, row, r))
+
+    def _row(self, state: State | None, depth: float | None, force: float | None, radius: float | None, branch: str) -> list[float]:
+        """The numbers of the one state that is meant."""
         if sum(value is not None for value in (state, depth, force, radius)) != 1:
-            raise ArgumentTypeError("a field needs one of state, depth, force and radius, and not more")
+            raise ArgumentTypeError("a field or an energy needs one of state, depth, force and radius, and not more")
         if depth is not None:
             state = self.at_depth(number("depth", depth), branch)
         elif force is not None:
@@ -239,8 +269,7 @@ class Contact(Value):
             state = self.at_radius(number("radius", radius))
         if not isinstance(state, State):
             raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State; a radius is given as radius=...")
-        row = _row_of(state)
-        return evaluate(name, points, lambda r: _native.contact_field(self._handle.address, field, row, r))
+        return _row_of(state)
 
 
 def _row_of(state: State) -> list[float]:

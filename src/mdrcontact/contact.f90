@@ -57,6 +57,7 @@ module mdrcontact_contact
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement
+        procedure :: elastic_energy
         procedure :: lowest_pressure
     end type contact_t
 
@@ -345,8 +346,8 @@ contains
     end subroutine pressure
 
     !> u(r), the displacement of the surface, positive into the medium [length]: d - f(r) inside the contact, the free surface
-    !> outside.
-    subroutine displacement(self, state, r, values, error)
+    !> outside. Of two deformable bodies that of both surfaces together, each positive into its body, or of one of them.
+    subroutine displacement(self, state, r, values, error, body)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
         !> positions r >= 0 [length]
@@ -354,6 +355,8 @@ contains
         !> same size as r
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        !> lower_body or upper_body; without it both together
+        integer, intent(in), optional :: body
         real(wp), allocatable :: outside(:)
 
         call check_positions(self, state, "r", r, huge(1.0_wp), error)
@@ -363,7 +366,22 @@ contains
                                                           pack(r, r > state%radius), outside, error)
         if (allocated(error)) return
         values = unpack(outside, r > state%radius, state%depth - self%equilibrium%profile%height(min(r, state%radius)))
+        if (.not. present(body)) return
+        call self%equilibrium%medium%take_share(self%equilibrium%profile, state%radius, state%excess, body, r, values, error)
     end subroutine displacement
+
+    !> Elastic energy of the lower and of the upper body; without adhesion together int F dd from first touch [modulus length^3].
+    subroutine elastic_energy(self, state, values, error)
+        class(contact_t), intent(in) :: self
+        type(contact_state_t), intent(in) :: state
+        real(wp), intent(out) :: values(2)
+        type(error_t), allocatable, intent(out) :: error
+
+        values = 0.0_wp
+        call check_positions(self, state, "r", [real(wp) ::], 0.0_wp, error)
+        if (allocated(error)) return
+        call self%equilibrium%medium%energies(self%equilibrium%profile, state%radius, state%excess, values, error)
+    end subroutine elastic_energy
 
     !> The lowest pressure in a contact without adhesion. Below 0 the bodies would have to pull on each other: the contact is then
     !> not one disc, its pressure is not that of the true contact, and F(d) is a little off (theory 6). On stiff coatings only.

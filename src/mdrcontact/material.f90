@@ -5,7 +5,7 @@ module mdrcontact_material
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: material_t, new_material
+    public :: material_t, new_material, in_series
 
     !> E and nu, checked when it is made.
     type :: material_t
@@ -54,5 +54,16 @@ contains
 
         modulus = self%young/((1.0_wp - self%poisson)*(1.0_wp + self%poisson))
     end function contact
+
+    !> The modulus of two bodies under the same pressure, 1/E* = 1/E1* + 1/E2*. An infinite one is a rigid body and leaves the other
+    !> as it is, to the last digit.
+    elemental function in_series(first, second) result(modulus)
+        !> > 0, not both infinite [modulus]
+        real(wp), intent(in) :: first, second
+        real(wp) :: modulus
+
+        modulus = min(first, second)
+        modulus = modulus/(1.0_wp + modulus/max(first, second))
+    end function in_series
 
 end module mdrcontact_material

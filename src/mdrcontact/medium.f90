@@ -7,19 +7,24 @@
 !> `excess` is 0 without adhesion, negative at an adhesive edge (theory 5) and positive at a vertical wall (flat punch).
 !> Contact, adhesion and fitting are written in these terms and never ask which kind of medium they hold.
 module mdrcontact_medium
-    use mdrcontact_error, only: error_t
+    use mdrcontact_body, only: body_t
+    use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: medium_t, reason_length
+    public :: medium_t, reason_length, lower_body, upper_body
 
+    !> Which body of a contact, enum mdr_body of the C header.
+    integer, parameter :: lower_body = 1, upper_body = 2
     !> Room for the words of why_it_ends.
     integer, parameter :: reason_length = 120
 
     !> An elastic half-space. Concrete media are made by their `new_...` procedures and never change afterwards.
     !> All radii are positive and finite, and at most the profile's largest_radius(): callers check this.
     type, abstract :: medium_t
+        !> the body that is pressed and, of two deformable ones, the upper one, where they are known; not allocated else
+        class(body_t), allocatable :: pressed, counterbody
     contains
         !> E_eff(a), equation (10) [modulus]
         procedure(radius_function), deferred :: modulus
@@ -58,6 +63,16 @@ module mdrcontact_medium
         procedure :: smallest_radius => zero
         !> relative accuracy of E_eff and its slope where they are interpolated between samples; 0 where they are computed
         procedure :: roughness => zero
+        !> whether the medium stands for two deformable bodies
+        procedure :: is_pair => no
+        !> whether it does not deform: one body of a pair, no medium by itself
+        procedure :: is_rigid => no
+        !> what the upper body takes of a small change of depth at radius a: 0 if the indenter is rigid [1]
+        procedure :: upper_share => zero_share
+        !> displacement of one of the surfaces from that of both together
+        procedure :: take_share
+        !> elastic energy of the lower and of the upper body
+        procedure :: energies => no_energies
     end type medium_t
 
     abstract interface
@@ -97,6 +112,55 @@ module mdrcontact_medium
     end interface
 
 contains
+
+    !> The same share everywhere; a medium whose bodies differ by more than a factor overrides it.
+    subroutine take_share(self, profile, a, excess, body, r, values, error)
+        class(medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        !> contact radius [length] and depth beyond that of the non-adhesive state [length]
+        real(wp), intent(in) :: a, excess
+        !> lower_body or upper_body
+        integer, intent(in) :: body
+        !> positions r >= 0 [length]
+        real(wp), intent(in) :: r(:)
+        !> u(r) of both surfaces together, each positive into its body; then of the one asked for [length]
+        real(wp), intent(inout) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => profile, also_unused => excess, unused_too => r)
+        end associate
+        if (body == upper_body) then
+            values = self%upper_share(a)*values
+        else
+            values = (1.0_wp - self%upper_share(a))*values
+        end if
+    end subroutine take_share
+
+    subroutine no_energies(self, profile, a, excess, values, error)
+        class(medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        !> contact radius [length] and depth beyond that of the non-adhesive state [length]
+        real(wp), intent(in) :: a, excess
+        !> of the lower and the upper body [modulus length^3]
+        real(wp), intent(out) :: values(2)
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self, also_unused => profile, unused_too => a, and_this => excess)
+        end associate
+        values = 0.0_wp
+        call raise(error, error_invalid, "the elastic energy of a body is not known for this medium: use one that is "// &
+                   "homogeneous or solved exactly, or an effective modulus")
+    end subroutine no_energies
+
+    elemental function zero_share(self, a) result(share)
+        class(medium_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        real(wp) :: share
+
+        associate (unused => self, also_unused => a)
+        end associate
+        share = 0.0_wp
+    end function zero_share
 
     subroutine nonadhesive_depth(self, profile, a, value, error)
         class(medium_t), intent(in) :: self

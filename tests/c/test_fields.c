@@ -54,7 +54,7 @@ static void refusals(void)
         CHECK_SUCCESS(mdr_contact_field(c, field, &state, 0, NULL, NULL));
     }
     CHECK_STATUS(mdr_contact_field(c, 0, &state, 2, r, out), MDR_EINVALID, "field = 0");
-    CHECK_STATUS(mdr_contact_field(c, 4, &state, 2, r, out), MDR_EINVALID, "field = 4");
+    CHECK_STATUS(mdr_contact_field(c, 6, &state, 2, r, out), MDR_EINVALID, "field = 6");
     CHECK_STATUS(mdr_contact_lowest_pressure(NULL, &state, out, out + 1), MDR_ENULL, "c is NULL");
     CHECK_STATUS(mdr_contact_lowest_pressure(c, NULL, out, out + 1), MDR_ENULL, "state is NULL");
     CHECK_UNTOUCHED(2, out);
@@ -146,8 +146,46 @@ static void boussinesq(void)
     CHECK_SUCCESS(mdr_contact_free(&c));
 }
 
+/* A ball on a half-space twice as stiff: each surface takes its share of displacement and energy. */
+static void two_bodies(void)
+{
+    const double a = 0.5, r[3] = {0.0, 0.3, 2.0};
+    double both[3], lower[3], upper[3], energies[2] = {-1.0, -1.0};
+    mdr_profile *p = NULL;
+    mdr_medium *half_space = NULL, *ball = NULL, *pair = NULL;
+    mdr_contact *c = NULL;
+    mdr_state state;
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &p));
+    CHECK_SUCCESS(mdr_medium_homogeneous(6.0, 0.0, &half_space));
+    CHECK_SUCCESS(mdr_medium_homogeneous(3.0, 0.0, &ball));
+    CHECK_SUCCESS(mdr_medium_pair(half_space, ball, &pair));
+    CHECK_SUCCESS(mdr_contact_new(p, pair, NULL, &c));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_LOADING, 1, &a, &state));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_DISPLACEMENT, &state, 3, r, both));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_DISPLACEMENT_LOWER, &state, 3, r, lower));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_DISPLACEMENT_UPPER, &state, 3, r, upper));
+    for (int i = 0; i < 3; i++) {
+        CHECK_CLOSE(lower[i], both[i] / 3, 1e-14);
+        CHECK_CLOSE(upper[i], 2 * both[i] / 3, 1e-14);
+    }
+    CHECK_STATUS(mdr_contact_energy(c, NULL, &energies[0], &energies[1]), MDR_ENULL, "state is NULL");
+    CHECK_TRUE(energies[0] == -1.0 && energies[1] == -1.0);
+    CHECK_SUCCESS(mdr_contact_energy(c, &state, &energies[0], &energies[1]));
+    /* Hertz: int F dd = (2/5) F d */
+    CHECK_CLOSE(energies[0], 0.4 * state.force * state.depth / 3, 1e-12);
+    CHECK_CLOSE(energies[1], 0.8 * state.force * state.depth / 3, 1e-12);
+    CHECK_SUCCESS(mdr_contact_energy(c, &state, NULL, NULL));
+    mdr_profile_free(&p);
+    mdr_medium_free(&half_space);
+    mdr_medium_free(&ball);
+    mdr_medium_free(&pair);
+    mdr_contact_free(&c);
+}
+
 int main(void)
 {
+    two_bodies();
     refusals();
     hertz();
     sneddon();

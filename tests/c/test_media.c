@@ -342,8 +342,41 @@ static void model_names(void)
     CHECK_TRUE(model == MDR_MODEL_MENCIK_EXPONENTIAL && strcmp(name, "exact") == 0);
 }
 
+/* Two bodies: refusals, and 1/E* = 1/E1* + 1/E2*. Bodies may be freed before the pair. */
+static void pairs(void)
+{
+    const double a = 0.7;
+    double modulus = 0.0;
+    mdr_medium *film = NULL, *ball = NULL, *rigid = NULL, *pair = NULL, *none = NULL;
+    mdr_profile *p = NULL;
+    mdr_contact *c = NULL;
+
+    CHECK_STATUS(mdr_medium_rigid(NULL), MDR_ENULL, "out is NULL");
+    CHECK_SUCCESS(mdr_medium_rigid(&rigid));
+    CHECK_SUCCESS(mdr_medium_homogeneous(3.0, 0.0, &film));
+    CHECK_SUCCESS(mdr_medium_homogeneous(6.0, 0.0, &ball));
+    CHECK_STATUS(mdr_medium_pair(NULL, ball, &none), MDR_ENULL, "lower is NULL");
+    CHECK_STATUS(mdr_medium_pair(film, NULL, &none), MDR_ENULL, "upper is NULL");
+    CHECK_STATUS(mdr_medium_pair(film, ball, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_pair(rigid, rigid, &none), MDR_EINVALID, "upper is not allowed");
+    CHECK_STATUS(mdr_medium_modulus(rigid, 1, &a, &modulus), MDR_EINVALID, "m is not allowed: it is rigid");
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
+    CHECK_STATUS(mdr_contact_new(p, rigid, NULL, &c), MDR_EINVALID, "medium is not allowed: it is rigid");
+    CHECK_SUCCESS(mdr_medium_pair(film, ball, &pair));
+    CHECK_STATUS(mdr_medium_pair(pair, ball, &none), MDR_EINVALID, "lower is not allowed: it is a pair");
+    CHECK_TRUE(none == NULL && c == NULL && modulus == 0.0);
+    CHECK_SUCCESS(mdr_medium_free(&film));
+    CHECK_SUCCESS(mdr_medium_free(&ball));
+    CHECK_SUCCESS(mdr_medium_modulus(pair, 1, &a, &modulus));
+    CHECK_CLOSE(modulus, 2.0, 1e-15);
+    mdr_profile_free(&p);
+    mdr_medium_free(&rigid);
+    mdr_medium_free(&pair);
+}
+
 int main(void)
 {
+    pairs();
     model_names();
     homogeneous_refuses();
     coated_refuses();

@@ -46,7 +46,7 @@ def every_medium() -> list[mdr.Medium]:
     """One of each medium."""
     return [
         mdr.Homogeneous(OXIDE),
-        mdr.Homogeneous(OXIDE, indenter=SILICON),
+        mdr.Pair(mdr.Homogeneous(OXIDE), mdr.Homogeneous(SILICON)),
         *(mdr.Coated(OXIDE, 5e-7, SILICON, model) for model in ELASTIC_MODELS),
         mdr.Coated(OXIDE, 5e-7, SILICON, "gao", weight_nu=0.3),
         mdr.Coated(OXIDE, 5e-7, SILICON, "gao-series", weight_nu="effective"),
@@ -64,6 +64,11 @@ def every_medium() -> list[mdr.Medium]:
         mdr.PowerLawGraded(70e9, 1e-6, 0.3, 0.2),
         mdr.TabulatedMedium([1e-7, 1e-6, 1e-5], [80e9, 120e9, 160e9]),
         mdr.CallableMedium(rising_modulus, 1e-8, 1e-5),
+        mdr.Pair(mdr.Coated(OXIDE, 5e-7, SILICON), mdr.Homogeneous(SILICON)),
+        mdr.Pair(mdr.Coated(OXIDE, 5e-7, SILICON), mdr.Layered([(SILICON, 2e-7), (OXIDE, 3e-7)], mdr.RIGID)),
+        mdr.Pair(mdr.Coated(OXIDE, 5e-7, SILICON, "bec"), mdr.Coated(SILICON, 2e-7, OXIDE, "gao")),
+        mdr.Pair(mdr.PowerLawGraded(70e9, 1e-6, 0.3, 0.2), mdr.PowerLawGraded(90e9, 1e-6, 0.3, 0.3)),
+        mdr.Pair(mdr.RIGID, mdr.Coated(OXIDE, 5e-7, SILICON)),
     ]
 
 

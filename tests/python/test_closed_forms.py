@@ -29,7 +29,7 @@ def test_hertz():
 def test_hertz_with_an_elastic_indenter():
     diamond = mdr.Elastic(1141e9, 0.07)
     both = 1 / (1 / E_STAR + (1 - 0.07**2) / 1141e9)
-    assert mdr.Homogeneous(OXIDE, indenter=diamond).modulus(1.0) == pytest.approx(both, rel=CLOSED)
+    assert mdr.Pair(OXIDE, diamond).modulus(1.0) == pytest.approx(both, rel=CLOSED)
 
 
 def test_sneddon_cone_in_degrees_and_by_half_angle():

@@ -129,7 +129,17 @@ FAULTS = [
     ('radius = "10 um"', "radius = true", r"radius = True is not a length"),
     ('radius = "10 um"', 'radius = "-10 um"', r"\[indenter\]: radius = -1e-05 is not allowed"),
     ('radius = "10 um"', 'radius = "10 um"\ninclination = "20 deg"', r"'inclination' does not belong to the shape 'sphere'"),
-    ('radius = "10 um"', 'radius = "10 um"\n[indenter.material]\nE = "1141 GPa"\nnu = 0.07', r"exact on a homogeneous medium only"),
+    (
+        'radius = "10 um"',
+        'radius = "10 um"\nmaterial = {E = "1 GPa", nu = 0.3}\nbody = {type = "homogeneous"}',
+        r"\[indenter\]: material and body say the same thing twice",
+    ),
+    ('radius = "10 um"', 'radius = "10 um"\nbody = {type = "steel"}', r"\[indenter.body\]: type = 'steel' is not allowed"),
+    (
+        'radius = "10 um"',
+        'radius = "10 um"\nbody = {type = "power-law-graded", E0 = "1 GPa", z0 = "1 um", exponent = 0.3, nu = 0.3}',
+        r"\[indenter\]: upper is not allowed: the springs of a power-law graded body",
+    ),
     ('type = "coated"', 'type = "caoted"', r"did you mean 'coated'\?"),
     ('type = "coated"', "", r"\[medium\]: the key 'type' is missing"),
     ('type = "coated"', 'type = "homogeneous"', r"does not belong to a medium of type 'homogeneous'"),
@@ -262,9 +272,12 @@ def test_every_medium(number):
     assert repr(medium)[:20] == repr(expected)[:20]
 
 
-def test_an_elastic_indenter_on_a_homogeneous_medium():
-    problem = read({"indenter": {**SHAPES[0][0], "material": HARD}, "medium": MEDIA[0][0], "compute": {"max_depth": "1 nm"}})
-    assert problem.medium == mdr.Homogeneous(_SOFT, indenter=_HARD)
+@pytest.mark.parametrize("number", range(2))
+def test_a_deformable_indenter(number):
+    table, lower = MEDIA[number]
+    for key, upper in ("material", HARD), ("body", MEDIA[1][0]):
+        problem = read({"indenter": {**SHAPES[0][0], key: upper}, "medium": table, "compute": {"max_depth": "1 nm"}})
+        assert problem.medium == mdr.Pair(lower, _HARD if key == "material" else MEDIA[1][1])
 
 
 @pytest.mark.parametrize(

@@ -201,8 +201,6 @@ def of_medium(medium: Any) -> MediumNumbers:
         return _stack(medium)
     plain = (0, None, 1)
     if isinstance(medium, media.Homogeneous):
-        if medium.indenter is not None:
-            raise InvalidArgumentError("Homogeneous(material, indenter) is not allowed in a fit: say Instrument(indenter=...)")
         names, values = ["E", "nu"], [medium.material.E, medium.material.nu]
         return MediumNumbers(Numbers(1, names, values, lambda v: media.Homogeneous(Elastic(v[0], v[1]))), *plain)
     if isinstance(medium, media.PowerLawGraded):

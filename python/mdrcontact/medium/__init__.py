@@ -6,6 +6,7 @@ from .coated import Coated
 from .graded import Graded, PowerLawGraded
 from .homogeneous import Homogeneous
 from .layered import Layered
+from .pair import Pair
 from .sampled import CallableMedium, TabulatedMedium
 
 __all__ = [
@@ -17,4 +18,5 @@ __all__ = [
     "PowerLawGraded",
     "TabulatedMedium",
     "CallableMedium",
+    "Pair",
 ]

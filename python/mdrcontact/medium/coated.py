@@ -43,7 +43,7 @@ class Coated(UnderModel):
                                                 Dimitriadis et al. 2002, Garcia, Garcia 2018
         "exact"                                 options: tolerance = 1e-10, relative, 1e-12 to 1e-2
 
-    The indenter is rigid. (With an elastic one, both compliances would add up only approximately: see `Homogeneous`.)
+    The indenter is rigid; for a deformable one see `Pair`.
     """
 
     coating: Elastic

@@ -20,21 +20,10 @@ def elastic(name: str, value: object) -> Elastic:
 
 @dataclass(frozen=True)
 class Homogeneous(Medium):
-    """A homogeneous half-space.
-
-    material : the half-space, Elastic(E, nu)
-    indenter : material of the indenter; None for a rigid one. Both bodies then act as one with 1/E* = 1/E*_1 + 1/E*_2, which is
-        exact for two homogeneous bodies and for them only: that is why other media do not have this argument
-    """
+    """A homogeneous half-space of one material, Elastic(E, nu). The indenter is rigid; for a deformable one see `Pair`."""
 
     material: Elastic
-    indenter: Elastic | None = None
 
     def __post_init__(self) -> None:
         material = elastic("material", self.material)
-        if self.indenter is None:
-            created = _native.medium_homogeneous(material.E, material.nu)
-        else:
-            stars = material.contact_modulus, elastic("indenter", self.indenter).contact_modulus
-            created = _native.medium_contact_modulus(1.0 / (1.0 / stars[0] + 1.0 / stars[1]))
-        self._own(created)
+        self._own(_native.medium_homogeneous(material.E, material.nu))

@@ -54,15 +54,12 @@ def read(table: dict[str, Any], title: str = "") -> Problem:
             raise ProblemError(f"the table [{name}] is missing: a problem has [indenter], [medium] and [compute]")
         sections[name] = Section(table[name], name, known)
     shape = sections["indenter"]
-    material = None
-    if "material" in shape:
-        material = medium.read_material(shape.child("material", medium.MATERIAL))
     if "title" in whole:
         title = str(whole.plain("title"))
     return Problem(
         title,
         indenter.read_indenter(shape),
-        medium.read_medium(sections["medium"], material),
+        medium.read_medium(sections["medium"], shape),
         compute.read_control(sections["compute"]),
         adhesion.read_adhesion(Section(table["adhesion"], "adhesion", adhesion.KNOWN)) if "adhesion" in table else None,
     )

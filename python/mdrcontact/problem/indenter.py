@@ -25,9 +25,10 @@ KNOWN: Mapping[str, Dimension | None] = {
     "r": LENGTH,
     "f": LENGTH,
     "material": None,
+    "body": None,
 }
 
-_ALWAYS = ("shape", "material")
+_ALWAYS = ("shape", "material", "body")
 
 
 def _cone(section: Section) -> profile.Profile:

@@ -56,8 +56,8 @@ def _film(section: Section) -> tuple[Elastic, float]:
     return read_material(section), section.quantity("thickness")
 
 
-def _homogeneous(section: Section, indenter: Elastic | None) -> medium.Medium:
-    return medium.Homogeneous(read_material(section.child("material", MATERIAL)), indenter)
+def _homogeneous(section: Section) -> medium.Medium:
+    return medium.Homogeneous(read_material(section.child("material", MATERIAL)))
 
 
 def _coated(section: Section) -> medium.Medium:
@@ -92,20 +92,29 @@ _TYPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], medium.Medium]]]
     "graded": (("z", "E", "nu", "model", *OPTIONS), _graded),
     "power-law-graded": (("E0", "z0", "exponent", "nu"), _power_law_graded),
     "table": (("a", "moduli"), _table),
-    "homogeneous": (("material",), lambda section: _homogeneous(section, None)),
+    "homogeneous": (("material",), _homogeneous),
 }
 
 
-def read_medium(section: Section, indenter: Elastic | None) -> medium.Medium:
-    """The medium that [medium] describes; `indenter` is the indenter's material, None if it is rigid."""
+def read_medium(section: Section, indenter: Section) -> medium.Medium:
+    """The medium that [medium] describes, paired with the body of [indenter] where that is not rigid."""
+    body = _read_body(section)
+    upper: medium.Medium | None = None
+    if "material" in indenter and "body" in indenter:
+        raise ProblemError(f"[{indenter.path}]: material and body say the same thing twice: keep one")
+    if "material" in indenter:
+        upper = medium.Homogeneous(read_material(indenter.child("material", MATERIAL)))
+    if "body" in indenter:
+        upper = _read_body(indenter.child("body", KNOWN))
+    if upper is None:
+        return body
+    with indenter.words():
+        return medium.Pair(body, upper)
+
+
+def _read_body(section: Section) -> medium.Medium:
     kind = section.choice("type", _TYPES)
     keys, build = _TYPES[kind]
     section.only(("type", *keys), f"a medium of type {kind!r}")
     with section.words():
-        if indenter is None:
-            return build(section)
-        if kind != "homogeneous":
-            raise ProblemError(
-                "[indenter.material]: an elastic indenter is exact on a homogeneous medium only; leave it out for a rigid one"
-            )
-        return _homogeneous(section, indenter)
+        return build(section)

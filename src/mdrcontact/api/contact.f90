@@ -18,7 +18,7 @@ module mdrcontact_api_contact
     private
     public :: mdr_contact_options_init, mdr_contact_new
     public :: mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius
-    public :: mdr_contact_states, mdr_contact_field, mdr_contact_lowest_pressure
+    public :: mdr_contact_states, mdr_contact_field, mdr_contact_lowest_pressure, mdr_contact_energy
 
     !> struct mdr_contact_options
     type, bind(C) :: c_contact_options_t
@@ -215,5 +215,24 @@ contains
         if (present(pressure)) pressure = lowest
         if (present(r)) r = place
     end function mdr_contact_lowest_pressure
+
+    function mdr_contact_energy(c, state, lower, upper) result(status) bind(C)
+        type(c_ptr), value :: c
+        type(contact_state_t), intent(in), optional :: state
+        real(c_double), intent(inout), optional :: lower, upper
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        real(c_double) :: values(2)
+        type(error_t), allocatable :: error
+
+        call open_handle(c, "c", contact, error)
+        call check_given(error, "state", present(state))
+        if (.not. allocated(error)) call contact%elastic_energy(state, values, error)
+        if (.not. allocated(error)) call check_results_or_infinity(error, values)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(lower)) lower = values(1)
+        if (present(upper)) upper = values(2)
+    end function mdr_contact_energy
 
 end module mdrcontact_api_contact

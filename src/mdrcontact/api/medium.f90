@@ -5,13 +5,15 @@ module mdrcontact_api_medium
     use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_memory, status_of, wanted_threads
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
-    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
+    use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_medium_values, only: modulus_values
     implicit none (type, external)
     private
+    public :: mdr_medium_rigid, mdr_medium_pair
     public :: mdr_medium_homogeneous, mdr_medium_contact_modulus, mdr_medium_modulus, mdr_medium_stiffness
 
 contains
@@ -39,6 +41,34 @@ contains
         call new_homogeneous_from_modulus(medium, contact_modulus, error)
         status = deliver(medium, out, error)
     end function mdr_medium_contact_modulus
+
+    function mdr_medium_rigid(out) result(status) bind(C)
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(homogeneous_t) :: medium
+        type(error_t), allocatable :: error
+
+        call new_rigid(medium)
+        status = deliver(medium, out, error)
+    end function mdr_medium_rigid
+
+    function mdr_medium_pair(lower, upper, out) result(status) bind(C)
+        type(c_ptr), value :: lower, upper
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        class(medium_t), pointer :: first, second
+        class(medium_t), allocatable :: medium
+        type(error_t), allocatable :: error
+
+        call open_handle(lower, "lower", first, error)
+        call open_handle(upper, "upper", second, error)
+        if (.not. allocated(error)) call new_pair(medium, first, second, error)
+        if (allocated(error)) then
+            status = status_of(error)
+        else
+            status = deliver(medium, out, error)
+        end if
+    end function mdr_medium_pair
 
     function mdr_medium_modulus(m, n, a, out) result(status) bind(C)
         type(c_ptr), value :: m
@@ -88,6 +118,10 @@ contains
         call open_handle(m, "m", medium, error)
         call check_in_out(error, n, "a", present(a), has_out)
         if (allocated(error) .or. n == 0) return
+        if (medium%is_rigid()) then
+            call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable body", "m")
+            return
+        end if
         call check_each_positive(error, "a", a(:n))
         call check_each_within(error, "a", a(:n), medium%smallest_radius(), medium%largest_radius(), "the medium", &
                                trim(medium%why_it_ends()))

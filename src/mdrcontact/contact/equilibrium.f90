@@ -63,6 +63,10 @@ contains
         type(radius_law_t), allocatable, intent(in), optional :: zeta
         type(scaled_profile_t) :: scaled
 
+        if (medium%is_rigid()) then
+            call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable body", "medium")
+            return
+        end if
         call medium%check_profile(profile, error)
         if (allocated(error)) return
         if (profile%end_radius() > medium%largest_radius()) then

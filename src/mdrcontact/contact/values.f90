@@ -6,15 +6,18 @@ module mdrcontact_contact_values
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise, raise_at
     use mdrcontact_kinds, only: wp
+    use mdrcontact_medium, only: lower_body, upper_body
     implicit none (type, external)
     private
     public :: contact_states, given_depth, given_force, given_radius
-    public :: contact_field, field_pressure, field_displacement, field_line_load
+    public :: contact_field, field_pressure, field_displacement, field_line_load, field_displacement_lower, &
+              field_displacement_upper
 
     !> Which number determines a state.
     integer, parameter :: given_depth = 1, given_force = 2, given_radius = 3
-    !> Fields of a state: p(r), r <= a; u(r), any r; q(x), x <= a.
-    integer, parameter :: field_pressure = 1, field_displacement = 2, field_line_load = 3
+    !> Fields of a state: p(r), r <= a; u(r), any r; q(x), x <= a; u(r) of either of two bodies.
+    integer, parameter :: field_pressure = 1, field_displacement = 2, field_line_load = 3, field_displacement_lower = 4, &
+                          field_displacement_upper = 5
 
     type, extends(batch_t) :: states_batch_t
         type(contact_t), pointer :: contact => null()
@@ -67,7 +70,7 @@ contains
         team = 1
         if (present(threads)) team = threads
         call check_threads(error, team)
-        call check_choice(error, "given", given)
+        call check_choice(error, "given", given, given_radius)
         if (present(branch) .and. given /= given_radius) call check_branch(error, branch)
         call check_sizes(error, size(input), size(states))
         if (allocated(error)) return
@@ -108,7 +111,7 @@ contains
     !> contact%pressure, displacement or line_load of a state at many positions. Where some fail, the error is that of the first.
     subroutine contact_field(contact, field, state, positions, values, error, threads)
         type(contact_t), intent(in), target :: contact
-        !> field_pressure, field_displacement or field_line_load
+        !> one of field_...
         integer, intent(in) :: field
         !> a state of this contact
         type(contact_state_t), intent(in), target :: state
@@ -125,7 +128,7 @@ contains
         wanted = 1
         if (present(threads)) wanted = threads
         call check_threads(error, wanted)
-        call check_choice(error, "field", field)
+        call check_choice(error, "field", field, field_displacement_upper)
         call check_sizes(error, size(positions), size(values))
         if (allocated(error)) return
         batch%contact => contact
@@ -155,6 +158,10 @@ contains
                     call self%contact%pressure(self%state, r, values, error)
                 case (field_displacement)
                     call self%contact%displacement(self%state, r, values, error)
+                case (field_displacement_lower)
+                    call self%contact%displacement(self%state, r, values, error, lower_body)
+                case (field_displacement_upper)
+                    call self%contact%displacement(self%state, r, values, error, upper_body)
                 case default
                     call self%contact%line_load(self%state, r, values, error)
                 end select
@@ -163,13 +170,14 @@ contains
         end do
     end subroutine evaluate_field
 
-    pure subroutine check_choice(error, name, choice)
+    pure subroutine check_choice(error, name, choice, last)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name
-        integer, intent(in) :: choice
+        integer, intent(in) :: choice, last
 
-        if (choice < 1 .or. choice > 3) then
-            call raise(error, error_invalid, name//" = "//count_text(choice)//" is not allowed: it must be 1, 2 or 3")
+        if (choice < 1 .or. choice > last) then
+            call raise(error, error_invalid, name//" = "//count_text(choice)//" is not allowed: it must be at least 1 and "// &
+                       "at most "//count_text(last))
         end if
     end subroutine check_choice
 

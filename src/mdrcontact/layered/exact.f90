@@ -10,17 +10,18 @@ module mdrcontact_layered_exact
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_layered_combine, only: add_kernels
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
     use mdrcontact_layered_solve, only: solution_t, solve
-    use mdrcontact_material, only: material_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_material, only: in_series, material_t
+    use mdrcontact_medium, only: lower_body, medium_t, upper_body
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: layered_exact_t, new_layered_exact
+    public :: layered_exact_t, new_layered_exact, new_exact_pair
 
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 
@@ -29,12 +30,19 @@ module mdrcontact_layered_exact
     !> The same where all layers are of one material [length].
     real(wp), parameter :: largest_homogeneous = 1.0e100_wp
 
-    !> A layered or graded half-space, solved exactly.
+    !> What a pair keeps of each of its bodies: the kernel and its part E0*/E_i* of the compliance.
+    type :: part_t
+        type(kernel_t) :: kernel
+        real(wp) :: share = 0.0_wp
+    end type part_t
+
+    !> A layered or graded half-space, or two bodies pressed together, solved exactly.
     type, extends(medium_t) :: layered_exact_t
         private
-        class(body_t), allocatable :: pressed
         type(kernel_t) :: kernel
-        !> a half-space of the surface material, and its contact modulus E0* [modulus]
+        !> of two deformable bodies: the lower and the upper one
+        type(part_t), allocatable :: parts(:)
+        !> a half-space of the surface materials, and their contact modulus E0* [modulus]
         type(homogeneous_t) :: surface
         real(wp) :: surface_modulus = 0.0_wp
         !> depth below which the body is homogeneous [length]
@@ -52,12 +60,16 @@ module mdrcontact_layered_exact
         procedure :: largest_radius
         procedure :: zeta
         procedure :: body
+        procedure :: is_pair
+        procedure :: take_share
+        procedure :: energies
     end type layered_exact_t
 
     !> The exact medium of a body, or of layers on a substrate.
     interface new_layered_exact
         module procedure new_exact_from_body
         module procedure new_exact_from_layers
+        module procedure new_exact_from_homogeneous
     end interface new_layered_exact
 
 contains
@@ -109,6 +121,44 @@ contains
         call new_stack(stack, layers, thickness, substrate, error, rigid_base)
         if (.not. allocated(error)) call new_exact_from_body(self, stack, error, tolerance, shared)
     end subroutine new_exact_from_layers
+
+    !> A homogeneous half-space, or a rigid one, to be paired.
+    subroutine new_exact_from_homogeneous(self, homogeneous)
+        type(layered_exact_t), intent(out) :: self
+        class(homogeneous_t), intent(in) :: homogeneous
+
+        if (allocated(homogeneous%pressed)) allocate (self%pressed, source=homogeneous%pressed)
+        self%surface = homogeneous
+        self%surface_modulus = homogeneous%half_space_modulus()
+        self%tolerance = largest_tolerance
+    end subroutine new_exact_from_homogeneous
+
+    !> Two bodies pressed together (theory 9): 1/E0* = 1/E1* + 1/E2*, X = E0* (X_1/E1* + X_2/E2*), and nothing else changes.
+    subroutine new_exact_pair(self, lower, upper, error)
+        type(layered_exact_t), intent(out) :: self
+        !> not pairs, not both rigid
+        type(layered_exact_t), intent(in) :: lower, upper
+        type(error_t), allocatable, intent(out) :: error
+
+        self%surface_modulus = in_series(lower%surface_modulus, upper%surface_modulus)
+        allocate (self%parts(2))
+        self%parts(lower_body)%kernel = lower%kernel
+        self%parts(upper_body)%kernel = upper%kernel
+        self%parts%share = self%surface_modulus/[lower%surface_modulus, upper%surface_modulus]
+        self%depth = max(lower%depth, upper%depth)
+        self%tolerance = min(lower%tolerance, upper%tolerance)
+        if (allocated(lower%pressed)) allocate (self%pressed, source=lower%pressed)
+        if (allocated(upper%pressed)) allocate (self%counterbody, source=upper%pressed)
+        call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
+        if (.not. allocated(error)) call add_kernels(lower%kernel, upper%kernel, self%parts%share, self%kernel, error)
+    end subroutine new_exact_pair
+
+    pure function is_pair(self) result(answer)
+        class(layered_exact_t), intent(in) :: self
+        logical :: answer
+
+        answer = allocated(self%parts)
+    end function is_pair
 
     !> A copy of the body that the medium was made of.
     subroutine body(self, copy)
@@ -291,5 +341,63 @@ contains
         call load%displacement_beyond(self%kernel, r, added)
         values = values + added
     end subroutine displacement_outside
+
+    !> u_i(r) = (E0*/E_i*) (2/pi) int_0^r w_i(x)/sqrt(r^2 - x^2) dx with w_i = [q + K_i q]/E0* = d - g - v + v_i inside the contact.
+    subroutine take_share(self, profile, a, excess, body, r, values, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        integer, intent(in) :: body
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(inout) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(line_load_t) :: load
+        real(wp), allocatable :: v(:), outside(:), difference(:), total(:), added(:)
+
+        if (.not. allocated(self%parts)) then
+            if (body == upper_body) values = 0.0_wp
+            return
+        end if
+        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
+        if (allocated(error)) return
+        outside = pack(r, r > a)
+        allocate (v, mold=load%q)
+        allocate (difference(size(r)), total(size(outside)), added(size(outside)))
+        added = 0.0_wp
+        associate (part => self%parts(body))
+            call load%part_of(part%kernel, v)
+            call load%displacement_by(v - load%v, r, difference)
+            call self%surface%displacement_outside(profile, a, load%depth - profile%mdr(a), outside, total, error)
+            if (allocated(error)) return
+            if (.not. part%kernel%vanishes) call load%displacement_beyond(part%kernel, outside, added)
+            values = unpack(total + added, r > a, values)
+            values = part%share*(values + difference)
+        end associate
+    end subroutine take_share
+
+    !> W_i = int_0^a q w_i dx.
+    subroutine energies(self, profile, a, excess, values, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(out) :: values(2)
+        type(error_t), allocatable, intent(out) :: error
+        type(line_load_t) :: load
+        real(wp), allocatable :: v(:)
+        integer :: i
+
+        values = 0.0_wp
+        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
+        if (allocated(error)) return
+        if (.not. allocated(self%parts)) then
+            values(lower_body) = self%surface_modulus*load%work_on(profile, load%v)
+            return
+        end if
+        allocate (v, mold=load%q)
+        do i = 1, 2
+            call load%part_of(self%parts(i)%kernel, v)
+            values(i) = self%surface_modulus*self%parts(i)%share*load%work_on(profile, v)
+        end do
+    end subroutine energies
 
 end module mdrcontact_layered_exact

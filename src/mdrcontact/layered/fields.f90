@@ -6,12 +6,13 @@
 !> sigma = sqrt(1 - r^2/a^2).
 module mdrcontact_layered_fields
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
-    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: contact_rule, edge_row, interaction_matrix, moments_t, new_moments, normalisation
     use mdrcontact_layered_moments, only: profile_moments
     use mdrcontact_layered_rule, only: new_rule, rule_t
     use mdrcontact_layered_solve, only: factorize, first_unknowns, next_unknowns, solve_lower, solve_upper
+    use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -33,6 +34,9 @@ module mdrcontact_layered_fields
         procedure :: at
         procedure :: smooth_pressure
         procedure :: displacement_beyond
+        procedure :: part_of
+        procedure :: displacement_by
+        procedure :: work_on
     end type line_load_t
 
 contains
@@ -167,6 +171,80 @@ contains
         end do
         pressure = -sigma/(pi*self%a)*total
     end function smooth_pressure
+
+    !> (K q)(x)/E0* with the kernel of one of two bodies, as coefficients of P_2j(x/a) [length].
+    subroutine part_of(self, kernel, v)
+        class(line_load_t), intent(in) :: self
+        type(kernel_t), intent(in) :: kernel
+        !> same size as self%q
+        real(wp), intent(out) :: v(:)
+        type(moments_t) :: moments
+        real(wp) :: h(size(v), size(v)), s(size(v)), q(size(v))
+        integer :: i, n
+
+        v = 0.0_wp
+        if (kernel%vanishes) return
+        n = size(v)
+        call new_moments(moments, kernel, self%a/kernel%unit, n, 4*n)
+        call interaction_matrix(moments, h)
+        s = normalisation(n)
+        q = self%q/s
+        do i = 1, n
+            v(i) = v(i) + sum(h(i, :i)*q(:i)) + (moments%diagonal - 1.0_wp)*q(i)
+            v(:i - 1) = v(:i - 1) + h(i, :i - 1)*q(i)
+        end do
+        v = s*v
+    end subroutine part_of
+
+    !> (2/pi) int_0^min(r,a) of a series in P_2j(x/a) over sqrt(r^2 - x^2) dx [length].
+    subroutine displacement_by(self, c, r, values)
+        class(line_load_t), intent(in) :: self
+        !> coefficients [length]
+        real(wp), intent(in) :: c(:)
+        !> >= 0 [length]
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(rule_t) :: rule
+        real(wp) :: t, range
+        integer :: i, j, n
+
+        ! x = r sin(t): even polynomials of degree 2 size(c) - 2 in sin(t). Inside equal steps of t take them exactly.
+        n = size(c)/2 + 1
+        call new_rule(rule, size(c) + 16)
+        do j = 1, size(r)
+            values(j) = 0.0_wp
+            if (r(j) <= self%a) then
+                do i = 1, n
+                    t = half_pi*(real(i, wp) - 0.5_wp)/real(n, wp)
+                    values(j) = values(j) + even_sum(c, r(j)/self%a*sin(t))/real(n, wp)
+                end do
+            else
+                range = asin(self%a/r(j))
+                do i = 1, size(rule%weights)
+                    t = 0.5_wp*range*rule%distance(i)
+                    values(j) = values(j) + 0.5_wp*range/half_pi*rule%weights(i)*even_sum(c, min(r(j)/self%a*sin(t), 1.0_wp))
+                end do
+            end if
+        end do
+    end subroutine displacement_by
+
+    !> int_0^a q (q + E0* v) dx/E0*^2 with v as coefficients of P_2j(x/a) [length^3].
+    function work_on(self, profile, v) result(work)
+        class(line_load_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: v(:)
+        real(wp) :: work
+        real(wp), allocatable :: x(:), dx(:)
+        real(wp) :: q
+        integer :: i
+
+        call graded_rule(smallest_panel_ratio*self%a, self%a, profile%break_radii(), profile%singular_radius(), x, dx)
+        work = 0.0_wp
+        do i = 1, size(x)
+            q = self%at(profile, x(i))
+            work = work + dx(i)*q*(q + even_sum(v, x(i)/self%a))
+        end do
+    end function work_on
 
     !> What the layers add to the displacement of the surface beyond the contact:
     !> (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx [length], with w(x) = (1/pi) int_-a^a X(x - s) q(s)/E0* ds.

@@ -26,8 +26,8 @@ module mdrcontact_layered_kernel
         real(wp) :: unit = 1.0_wp
         !> X is zero: a homogeneous body
         logical :: vanishes = .true.
-        !> depth of the last interface [unit]
-        real(wp) :: depth = 0.0_wp
+        !> more layers than one: X varies at other lengths than the unit
+        logical :: is_layered = .false.
         !> X(0), and sigma(0) = 1 + chi(0)
         real(wp) :: origin = 0.0_wp, sigma_zero = 1.0_wp
         !> Below 2^plateau the table holds X - X(0), which keeps its digits where X(0) is large: a stiff film on a soft base.

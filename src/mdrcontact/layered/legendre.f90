@@ -57,7 +57,7 @@ contains
         integer :: i, count, panels, first
         logical :: layered
 
-        layered = kernel%depth > 1.0_wp
+        layered = kernel%is_layered
         count = 4*n + 4
         if (layered) count = max(ceiling(1.5_wp/trusted*real(last, wp)), min(24 + nint(16.0_wp*sqrt(sqrt(a))), 256))
         panels = 1 + (count - 1)/largest_rule
@@ -91,7 +91,7 @@ contains
         self%a = a
         call contact_rule(rule, kernel, a, n, last)
         count = size(rule%weights) - 1
-        if (kernel%depth > 1.0_wp) count = floor(trusted/1.5_wp*size(rule%weights))
+        if (kernel%is_layered) count = floor(trusted/1.5_wp*size(rule%weights))
         allocate (x(size(rule%weights)))
         if (kernel%sigma_zero > 1.0_wp .and. 2.0_wp*a <= scale(1.0_wp, kernel%plateau)) self%shift = kernel%origin
         call kernel%evaluate(a*rule%distance, self%shift, x)

@@ -88,7 +88,7 @@ contains
         n = 4
         if (kernel%vanishes) return
         if (a >= 0.2_wp) n = ceiling(min((3.7_wp + 0.05_wp*log(1.0e-10_wp/tolerance))*sqrt(a) + 3.0_wp, real(most_unknowns, wp)))
-        if (kernel%depth > 1.0_wp) n = min(n, first_layered)
+        if (kernel%is_layered) n = min(n, first_layered)
     end function first_unknowns
 
     !> n that makes errors smaller by a factor: they fall as exp(-c n), c from what brought them down so far.

@@ -15,7 +15,7 @@ module mdrcontact_layered_tabulate
     use mdrcontact_layered_waves, only: first_wave, new_wave_table, order, wave_table_t
     implicit none (type, external)
     private
-    public :: tabulate_kernel, attempts
+    public :: tabulate_kernel, attempts, powers_from_values, stiff
 
     !> Octaves of y at most.
     integer, parameter :: most_octaves = 128
@@ -43,7 +43,7 @@ contains
         kernel%vanishes = .not. surface%first_depth() > 0.0_wp
         if (kernel%vanishes) return
         kernel%unit = surface%first_depth()
-        kernel%depth = surface%last_depth()/kernel%unit
+        kernel%is_layered = surface%last_depth() > kernel%unit
         kernel%sigma_zero = surface%long_wave_limit()
         do attempt = 1, attempts
             if (.not. tables(attempt)%is_made()) then

@@ -30,6 +30,9 @@ module mdrcontact_medium_effective
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
+        procedure :: energies
+        !> what the upper body takes of the depth of the non-adhesive contact [length]
+        procedure :: upper_depth
     end type effective_medium_t
 
     !> Parts of the force that are left out where they vary, relative.
@@ -242,6 +245,42 @@ contains
             values(i) = values(i)*(2.0_wp/pi)
         end do
     end subroutine displacement_outside
+
+    !> The work of the springs: each increment of depth, shared by the bodies, under the force reached.
+    subroutine energies(self, profile, a, excess, values, error)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(out) :: values(2)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: s(:), ds(:)
+        real(wp) :: lowest, depth, force, rise, total, upper
+        integer :: i
+
+        values = 0.0_wp
+        call self%depth_and_force(profile, a, depth, force, error)
+        if (allocated(error)) return
+        total = (force + a*self%effective_modulus(a)*excess)*excess
+        upper = self%upper_share(a)*total
+        lowest = max(profile%end_radius(), smallest_panel_ratio*a)
+        if (a > lowest) then
+            rise = self%upper_depth(profile, a)
+            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds)
+            ds = 2.0_wp*s*self%effective_modulus(s)*profile%mdr_slope(s)*ds
+            total = total + sum((depth - profile%mdr(s))*ds)
+            upper = upper + sum([((rise - self%upper_depth(profile, s(i)))*ds(i), i=1, size(s))])
+        end if
+        values = [total - upper, upper]
+    end subroutine energies
+
+    function upper_depth(self, profile, a) result(depth)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp) :: depth
+
+        depth = self%upper_share(a)*profile%mdr(a)
+    end function upper_depth
 
     !> int_0^x d'(s)/s ds where d' is a power of s: infinite pressure at the apex of a cone and of anything sharper.
     pure function near_axis(profile, x) result(integral)

@@ -1,38 +1,102 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The homogeneous half-space (theory 2): the same modulus at every contact radius, and closed forms for every indenter.
 module mdrcontact_medium_homogeneous
+    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_material, only: material_t
+    use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus
+    public :: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_homogeneous_pair, new_rigid
 
-    !> A half-space of one material, or of the contact modulus of two bodies.
+    !> A half-space of one material, or two of them pressed together.
     type, extends(effective_medium_t) :: homogeneous_t
         private
-        !> E* [modulus]
-        real(wp) :: contact_modulus = 0.0_wp
+        !> E* [modulus], and its part of the upper body, E*/E2* [1]
+        real(wp) :: contact_modulus = 0.0_wp, share_of_upper = 0.0_wp
+        logical :: two = .false.
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: depth_and_force
         procedure :: is_cheap
+        procedure :: is_pair
+        procedure :: is_rigid
+        procedure :: upper_share
+        procedure :: half_space_modulus
     end type homogeneous_t
 
 contains
 
     !> A half-space of one material, pressed by a rigid indenter.
-    pure subroutine new_homogeneous(self, material)
+    subroutine new_homogeneous(self, material)
         type(homogeneous_t), intent(out) :: self
         type(material_t), intent(in) :: material
 
+        type(stack_t) :: body
+        type(error_t), allocatable :: error
+
         self%contact_modulus = material%contact()
+        call new_stack(body, [material_t ::], [real(wp) ::], material, error)
+        if (.not. allocated(error)) allocate (self%pressed, source=body)
     end subroutine new_homogeneous
 
-    !> A half-space of given contact modulus E*, for instance 1/E* = 1/E*_1 + 1/E*_2 for two elastic bodies.
+    !> A rigid half-space: one body of a pair, no medium by itself.
+    subroutine new_rigid(self)
+        type(homogeneous_t), intent(out) :: self
+
+        self%contact_modulus = ieee_value(1.0_wp, ieee_positive_inf)
+    end subroutine new_rigid
+
+    !> Two half-spaces pressed together, exactly: 1/E* = 1/E1* + 1/E2*.
+    subroutine new_homogeneous_pair(self, lower, upper)
+        type(homogeneous_t), intent(out) :: self
+        !> not pairs, not both rigid
+        type(homogeneous_t), intent(in) :: lower, upper
+
+        self%contact_modulus = in_series(lower%contact_modulus, upper%contact_modulus)
+        self%share_of_upper = self%contact_modulus/upper%contact_modulus
+        self%two = .true.
+        if (allocated(lower%pressed)) allocate (self%pressed, source=lower%pressed)
+        if (allocated(upper%pressed)) allocate (self%counterbody, source=upper%pressed)
+    end subroutine new_homogeneous_pair
+
+    !> E* [modulus]; infinite for a rigid body.
+    pure function half_space_modulus(self) result(modulus)
+        class(homogeneous_t), intent(in) :: self
+        real(wp) :: modulus
+
+        modulus = self%contact_modulus
+    end function half_space_modulus
+
+    pure function is_pair(self) result(answer)
+        class(homogeneous_t), intent(in) :: self
+        logical :: answer
+
+        answer = self%two
+    end function is_pair
+
+    pure function is_rigid(self) result(answer)
+        class(homogeneous_t), intent(in) :: self
+        logical :: answer
+
+        answer = self%contact_modulus > huge(1.0_wp)
+    end function is_rigid
+
+    elemental function upper_share(self, a) result(share)
+        class(homogeneous_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        real(wp) :: share
+
+        associate (unused => a)
+        end associate
+        share = self%share_of_upper
+    end function upper_share
+
+    !> A half-space of given contact modulus E*.
     pure subroutine new_homogeneous_from_modulus(self, contact_modulus, error)
         type(homogeneous_t), intent(out) :: self
         !> E* > 0 [modulus]

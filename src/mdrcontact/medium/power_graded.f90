@@ -8,6 +8,7 @@ module mdrcontact_medium_power_graded
     use mdrcontact_error, only: check_poisson, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_material, only: in_series
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
@@ -15,7 +16,7 @@ module mdrcontact_medium_power_graded
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: power_graded_t, new_power_graded
+    public :: power_graded_t, new_power_graded, new_power_graded_pair
 
     !> E(z) = E0 (z/z0)^m by its springs.
     type, extends(medium_t) :: power_graded_t
@@ -24,6 +25,9 @@ module mdrcontact_medium_power_graded
         real(wp) :: exponent = 0.0_wp
         !> c1 [modulus length^-m]
         real(wp) :: spring = 0.0_wp
+        !> c1 of both bodies over that of the upper one [1]
+        real(wp) :: share_of_upper = 0.0_wp
+        logical :: two = .false.
     contains
         procedure :: modulus
         procedure :: modulus_slope
@@ -33,6 +37,8 @@ module mdrcontact_medium_power_graded
         procedure :: displacement_outside
         procedure :: is_exact
         procedure :: has_modulus_formula => is_exact
+        procedure :: is_pair
+        procedure :: upper_share
     end type power_graded_t
 
     !> g(x) of one indenter in this medium.
@@ -80,6 +86,41 @@ contains
         self%exponent = exponent
         self%spring = spring_factor(exponent, poisson)*young/((1.0_wp - poisson)*(1.0_wp + poisson))*reference_depth**(-exponent)
     end subroutine new_power_graded
+
+    !> Two of them pressed together: their springs, of one power of x, add in series.
+    subroutine new_power_graded_pair(self, lower, upper, error)
+        type(power_graded_t), intent(out) :: self
+        !> not pairs
+        type(power_graded_t), intent(in) :: lower, upper
+        type(error_t), allocatable, intent(out) :: error
+
+        if (lower%exponent /= upper%exponent) then
+            call raise(error, error_invalid, "upper is not allowed: two power-law graded bodies act as springs on a line only "// &
+                       "with the same exponent, here "//to_text(lower%exponent)//" and "//to_text(upper%exponent))
+            return
+        end if
+        self%exponent = lower%exponent
+        self%spring = in_series(lower%spring, upper%spring)
+        self%share_of_upper = self%spring/upper%spring
+        self%two = .true.
+    end subroutine new_power_graded_pair
+
+    pure function is_pair(self) result(answer)
+        class(power_graded_t), intent(in) :: self
+        logical :: answer
+
+        answer = self%two
+    end function is_pair
+
+    elemental function upper_share(self, a) result(share)
+        class(power_graded_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        real(wp) :: share
+
+        associate (unused => a)
+        end associate
+        share = self%share_of_upper
+    end function upper_share
 
     !> H(m, nu), 1 for a homogeneous body.
     pure function spring_factor(m, nu) result(h)

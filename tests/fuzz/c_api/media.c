@@ -37,7 +37,7 @@ static int make(world *w, mdr_medium **out, int *is_exact)
     user_function f, g;
     int n, model;
 
-    switch (take_byte(in) % 10) {
+    switch (take_byte(in) % 12) {
     case 0:
         p = take_positive(in);
         return mdr_medium_homogeneous(p, take_ratio(in), out);
@@ -89,6 +89,10 @@ static int make(world *w, mdr_medium **out, int *is_exact)
         if (x[0] == 0.0) x[0] = x[1] / 2.0;
         take_positives(in, y);
         return mdr_medium_table(n, x, y, out);
+    case 9: return mdr_medium_rigid(out);
+    case 10:
+        *is_exact = 1;
+        return afford(w, 1) ? mdr_medium_pair(some_medium(w), some_medium(w), out) : MDR_ENULL;
     default:
         if (!afford(w, PRICE_OF_SAMPLED)) return MDR_ENULL;
         f = take_function(in);

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Two deformable bodies as one medium (theory 9)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from .. import _native
+from .._boundary import Handle
+from ..errors import ArgumentTypeError
+from ..material import RIGID, Elastic, _Rigid
+from .base import Medium
+from .homogeneous import Homogeneous
+
+
+@dataclass(frozen=True)
+class Pair(Medium):
+    """Two deformable bodies pressed together: a medium like any other.
+
+    lower, upper : each a medium of one body (homogeneous, coated, layered, graded), an Elastic(E, nu) for a homogeneous one, or
+        RIGID; not both rigid
+
+    The indenter of a contact with it is the gap before contact, the sum of both shapes (`SumOfProfiles`, or `paraboloids`); its
+    depth is the approach of distant points of the two bodies. Bodies that are homogeneous or solved exactly (the default) add
+    exactly. Approximate models add in series, 1/E_eff = 1/E_eff,1 + 1/E_eff,2, at an error far below their own; they do not
+    combine with a coated body solved exactly. Power-law graded bodies combine with their like of the same exponent only.
+    """
+
+    lower: Medium | _Rigid
+    upper: Medium | _Rigid
+
+    def __init__(self, lower: Medium | Elastic | _Rigid, upper: Medium | Elastic | _Rigid) -> None:
+        bodies = _body("lower", lower), _body("upper", upper)
+        handles = [Handle(_native.medium_rigid(), _native.medium_free) if body is RIGID else body._handle for body in bodies]
+        created = _native.medium_pair(handles[0].address, handles[1].address)
+        self._own(created, lower=bodies[0], upper=bodies[1])
+
+    @property
+    def model(self) -> str:
+        """The model of the bodies: "exact", or that of the approximate one."""
+        models = [getattr(body, "model", "exact") for body in (self.lower, self.upper)]
+        return next((model for model in models if model != "exact"), "exact")
+
+    def with_model(self, model: str, **options: Any) -> Pair:
+        """The same bodies, those that are coated, layered or graded under another model."""
+        bodies: list[Any] = [self.lower, self.upper]
+        return Pair(*(body.with_model(model, **options) if hasattr(body, "with_model") else body for body in bodies))
+
+
+def _body(name: str, body: Any) -> Any:
+    if isinstance(body, Elastic):
+        return Homogeneous(body)
+    if body is RIGID or isinstance(body, Medium):
+        return body
+    raise ArgumentTypeError(f"{name} = {body!r} is not allowed: it must be a medium, an Elastic(E, nu) or RIGID")
