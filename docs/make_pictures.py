@@ -22,7 +22,7 @@ from PIL import Image
 import mdrcontact as mdr
 
 BLUE, RED, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#7f7f7f"
-COLOURS = (BLUE, RED, GREEN, "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f")
+COLOURS = (BLUE, RED, GREEN, "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f", "#bcbd22")
 UM = 1e6
 
 OXIDE, SILICON = mdr.Elastic(72e9, 0.17), mdr.Elastic(163e9, 0.22)
@@ -120,10 +120,10 @@ def accuracy(quick: bool) -> Any:
     result = mdr.accuracy_map(np.geomspace(0.01, 100.0, n), np.geomspace(0.03, 30.0, n), models)
     levels = (-50, -20, -10, -5, -2, 2, 5, 10, 20, 50)
     colours = plt.get_cmap("RdBu_r")(np.linspace(0.02, 0.98, len(levels) + 1))
-    figure, axes = plt.subplots(3, 6, figsize=(10.5, 5.9), sharex=True, sharey=True, layout="constrained")
+    figure, axes = plt.subplots(4, 5, figsize=(9.2, 7.8), sharex=True, sharey=True, layout="constrained")
     for i, model in enumerate(models):
         for j, errors in enumerate((result.modulus_error, result.force_error)):
-            axis = axes[i // 3, 2 * (i % 3) + j]
+            axis = axes[2 * (i // 5) + j, i % 5]
             percent = 100.0 * errors[i]
             shown = axis.contourf(result.radius_ratio, result.modulus_ratio, percent, levels, colors=colours, extend="both")
             axis.set(xscale="log", yscale="log")
