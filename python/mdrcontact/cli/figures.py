@@ -175,7 +175,8 @@ def _mark_thickness(axis: Any, problem: Problem, curve: Curve, depth: Unit, unit
         return
     point = depth.of(at), unit.of(np.interp(at, curve.depth, values))
     axis.plot(*point, "o", color=COLOURS[1], markersize=5, zorder=5)
-    axis.annotate("a = h", point, xytext=(7, -11), textcoords="offset points", color=COLOURS[1])
+    beside = (7, -11) if point[1] > 0.1 * unit.of(values.max()) else (-24, 9)  # not on the axis of abscissae
+    axis.annotate("a = h", point, xytext=beside, textcoords="offset points", color=COLOURS[1])
 
 
 def _draw_pressures(axis: Any, pressures: Sequence[tuple[float, Any, Any]], curve: Curve) -> None:
