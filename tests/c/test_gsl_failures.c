@@ -95,7 +95,7 @@ static mdr_profile *ball;
 static mdr_medium *film, *exact_film;
 static mdr_contact *contact, *exact_contact;
 static mdr_contact_options sticky;
-static const double x[3] = {0.0, 0.5, 1.0}, y[3] = {0.0, 0.1, 0.4}, E[2] = {3.0, 2.0}, nu[2] = {0.3, 0.2}, h[2] = {0.5, 0.2}, thin[1] = {1e-4};
+static const double x[3] = {0.0, 0.5, 1.0}, y[3] = {0.0, 0.1, 0.4}, E[2] = {3.0, 2.0}, nu[2] = {0.3, 0.2}, h[2] = {0.5, 0.2}, thin[1] = {7e-5};
 static double out[3];
 
 static int table(void)
