@@ -606,28 +606,18 @@ int mdr_contact_free(mdr_contact **c);
 
 /* ---- adhesion: pull-off and loops, (28)-(32) --------------------------------------------------------------------- */
 
-/** Where an adhesive contact breaks: the lowest force, or depth, of all its stable states. All 0 without adhesion. Outputs
- *  that are NULL are skipped.
- *  @param c        contact
- *  @param control  MDR_CONTROL_FORCE or MDR_CONTROL_DEPTH
- *  @param d        or NULL: indentation depth [length]
- *  @param a        or NULL: contact radius [length]
- *  @param F        or NULL: normal force [modulus length^2]
- *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_EDOMAIN if the contact is still stable at the
- *          smallest radius for which the medium is defined, MDR_ENOCONVERGENCE */
-int mdr_contact_pull_off(const mdr_contact *c, int control, double *d, double *a, double *F);
-
-/** Where each stable segment of an adhesive contact ends: first that of mdr_contact_pull_off(), then the others by radius.
- *  A coated body can have several. Outputs d, a, F that are NULL are skipped.
+/** Where an adhesive contact breaks: first the lowest force, or depth, of all its stable states, then, by radius, where each other
+ *  stable segment ends: a coated body can have several. The first is 0 without adhesion. Outputs that are NULL are skipped.
  *  @param c         contact
  *  @param control   MDR_CONTROL_FORCE or MDR_CONTROL_DEPTH
- *  @param capacity  size of the arrays, >= 0: at most so many are written
+ *  @param capacity  size of the arrays, >= 0: at most so many are written; 1 for the pull-off alone
  *  @param d         [capacity] or NULL: indentation depths [length]
  *  @param a         [capacity] or NULL: contact radii [length]
  *  @param F         [capacity] or NULL: normal forces [modulus length^2]
- *  @param count     receives how many there are, 0 without adhesion
- *  @return as mdr_contact_pull_off() */
-int mdr_contact_pull_offs(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count);
+ *  @param count     or NULL: how many there are, 0 without adhesion
+ *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_EDOMAIN if the contact is still stable at the
+ *          smallest radius for which the medium is defined, MDR_ENOCONVERGENCE */
+int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count);
 
 /** A cycle: approach from afar, jump into contact, press to `largest`, retract until the bodies are apart again.
  *  @param c                 contact
@@ -1167,6 +1157,13 @@ int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], con
  *  @return as mdr_fit_solve() */
 int mdr_fit_interval(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
                      const double sd[], int position, double level, double *lower, double *upper);
+
+/** Half the width of a confidence interval in standard errors: the quantile of Student's t, of the normal distribution for
+ *  degrees_of_freedom = INFINITY (known standard deviations of the data).
+ *  @param level               of confidence, 0 < level < 1
+ *  @param degrees_of_freedom  > 0, see mdr_fit_summary
+ *  @param factor              receives it [1] */
+int mdr_fit_quantile(double level, double degrees_of_freedom, double *factor);
 
 #ifdef __cplusplus
 }

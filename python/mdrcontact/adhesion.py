@@ -98,7 +98,7 @@ def pull_offs(contact: Any, control: str) -> PullOff:
     """The pull-off of a contact and its other ends of stability."""
     chosen, room = code("control", control, CONTROLS, "force", "depth"), _FIRST_ROOM
     while True:
-        d, a, F, count = call(_native.contact_pull_offs, contact._handle.address, chosen, room)
+        d, a, F, count = call(_native.contact_pull_off, contact._handle.address, chosen, room)
         if count <= room:
             break
         room = count

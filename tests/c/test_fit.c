@@ -100,6 +100,16 @@ static void bad_input_is_refused(void)
     problem.data_kind = 9;
     CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
     problem.data_kind = MDR_FIT_FORCE_DEPTH;
+    CHECK_STATUS(mdr_fit_quantile(1.0, 5.0, &upper), MDR_EINVALID, "level = 1 ");
+    CHECK_STATUS(mdr_fit_quantile(0.5, 0.0, &upper), MDR_EINVALID, "degrees_of_freedom = 0 ");
+    CHECK_STATUS(mdr_fit_quantile(0.5, 5.0, NULL), MDR_ENULL, "factor is NULL");
+    /* Cauchy's tan(pi level/2); sqrt(2 p^2/(1 - p^2)) of two degrees; the normal distribution */
+    CHECK_SUCCESS(mdr_fit_quantile(0.9, 1.0, &upper));
+    CHECK_CLOSE(upper, tan(0.45 * acos(-1.0)), 1e-12);
+    CHECK_SUCCESS(mdr_fit_quantile(0.9, 2.0, &upper));
+    CHECK_CLOSE(upper, sqrt(2.0 * 0.81 / 0.19), 1e-12);
+    CHECK_SUCCESS(mdr_fit_quantile(0.95, INFINITY, &upper));
+    CHECK_CLOSE(upper, 1.9599639845400545, 1e-12);
     CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 0, 0.95, &lower, &upper), MDR_EINVALID); /* fixed */
     CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 99, 0.95, &lower, &upper), MDR_EINVALID);
     CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 1, 1.5, &lower, &upper), MDR_EINVALID);

@@ -73,7 +73,7 @@ static void test_history(void)
     CHECK_INT(facts.adhesive, 1);
     CHECK_TRUE(facts.error <= facts.tolerance);
     CHECK_TRUE(facts.solutions > 10 && facts.solutions <= 200);
-    CHECK_SUCCESS(mdr_contact_pull_off(contact, MDR_CONTROL_DEPTH, &pull_off_depth, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_pull_off(contact, MDR_CONTROL_DEPTH, 1, &pull_off_depth, NULL, NULL, NULL));
     CHECK_CLOSE(facts.lowest_depth, pull_off_depth, 1e-9);
     below = 1.001 * pull_off_depth;
     CHECK_SUCCESS(mdr_law_follow(law, -1e-9, &segment, &F, NULL, NULL, NULL));

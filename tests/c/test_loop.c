@@ -29,13 +29,10 @@ static void pull_off_refuses(const mdr_contact *c)
     double d = untouched, a = untouched, F = untouched;
     int count = -7;
 
-    CHECK_STATUS(mdr_contact_pull_off(NULL, MDR_CONTROL_FORCE, &d, &a, &F), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(mdr_contact_pull_off(c, MDR_CONTROL_SPRING, &d, &a, &F), MDR_EINVALID, "control = 2");
-    CHECK_STATUS(mdr_contact_pull_off(c, -1, &d, &a, &F), MDR_EINVALID, "control = -1");
-    CHECK_STATUS(mdr_contact_pull_offs(NULL, MDR_CONTROL_FORCE, 1, &d, &a, &F, &count), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(mdr_contact_pull_offs(c, MDR_CONTROL_SPRING, 1, &d, &a, &F, &count), MDR_EINVALID, "control = 2");
-    CHECK_STATUS(mdr_contact_pull_offs(c, MDR_CONTROL_FORCE, -1, &d, &a, &F, &count), MDR_EINVALID, "capacity = -1");
-    CHECK_STATUS(mdr_contact_pull_offs(c, MDR_CONTROL_FORCE, 1, &d, &a, &F, NULL), MDR_ENULL, "count is NULL");
+    CHECK_STATUS(mdr_contact_pull_off(NULL, MDR_CONTROL_FORCE, 1, &d, &a, &F, NULL), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_pull_off(c, MDR_CONTROL_SPRING, 1, &d, &a, &F, NULL), MDR_EINVALID, "control = 2");
+    CHECK_STATUS(mdr_contact_pull_off(c, -1, 1, &d, &a, &F, NULL), MDR_EINVALID, "control = -1");
+    CHECK_STATUS(mdr_contact_pull_off(c, MDR_CONTROL_FORCE, -1, &d, &a, &F, &count), MDR_EINVALID, "capacity = -1");
     CHECK_UNTOUCHED(1, &d);
     CHECK_UNTOUCHED(1, &a);
     CHECK_UNTOUCHED(1, &F);
@@ -87,21 +84,21 @@ static void jkr_pull_off(const mdr_contact *c)
     double d, a, F, ds[3], as[3], Fs[3];
     int count = 0;
 
-    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_FORCE, &d, &a, &F));
+    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_FORCE, 1, &d, &a, &F, NULL));
     CHECK_CLOSE(F, -1.5 * pi * work * R, 1e-12);
     CHECK_CLOSE(a, cbrt(9 * pi * work * R * R / (8 * modulus)), 1e-6); /* at an extremum of F: half the digits */
-    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_DEPTH, &d, &a, &F));
+    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_DEPTH, 1, &d, &a, &F, NULL));
     CHECK_CLOSE(F, -5.0 / 6.0 * pi * work * R, 1e-6);
     CHECK_CLOSE(a, cbrt(pi * work * R * R / (8 * modulus)), 1e-6);
     CHECK_CLOSE(d, a * a / R - sqrt(2 * pi * a * work / modulus), 1e-12);
-    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_DEPTH, NULL, NULL, NULL));
-    CHECK_SUCCESS(mdr_contact_pull_offs(c, MDR_CONTROL_DEPTH, 3, ds, as, Fs, &count));
+    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_DEPTH, 1, NULL, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_DEPTH, 3, ds, as, Fs, &count));
     CHECK_INT(count, 1);
     CHECK_CLOSE(ds[0], d, 1e-12);
     CHECK_CLOSE(as[0], a, 1e-12);
     CHECK_CLOSE(Fs[0], F, 1e-12);
     count = 0;
-    CHECK_SUCCESS(mdr_contact_pull_offs(c, MDR_CONTROL_DEPTH, 0, NULL, NULL, NULL, &count));
+    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_DEPTH, 0, NULL, NULL, NULL, &count));
     CHECK_INT(count, 1);
 }
 
@@ -163,9 +160,9 @@ static void without_adhesion(void)
     mdr_contact *c = new_contact(0.0);
     mdr_loop *l = NULL;
 
-    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_FORCE, &d, &a, &F));
+    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_FORCE, 1, &d, &a, &F, NULL));
     CHECK_TRUE(d == 0 && a == 0 && F == 0);
-    CHECK_SUCCESS(mdr_contact_pull_offs(c, MDR_CONTROL_FORCE, 1, &d, &a, &F, &count));
+    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_FORCE, 1, &d, &a, &F, &count));
     CHECK_INT(count, 0);
     CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_FORCE, 2.0, 5, 0.0, &l));
     CHECK_SUCCESS(mdr_loop_size(l, NULL, NULL, &jumps));

@@ -73,7 +73,7 @@ static void *evaluate(void *argument)
     for (int i = 0; i < MEDIA; i++) tell(t, mdr_medium_modulus(s->media[i], POINTS, radii, next(t, POINTS)));
     for (int i = 0; i < CONTACTS; i++) evaluate_contact(t, s->contacts[i]);
     evaluate_contact(t, s->adhesive);
-    tell(t, mdr_contact_pull_off(s->adhesive, MDR_CONTROL_FORCE, next(t, 1), NULL, NULL));
+    tell(t, mdr_contact_pull_off(s->adhesive, MDR_CONTROL_FORCE, 1, next(t, 1), NULL, NULL, NULL));
     tell(t, mdr_loop_path(s->loop, POINTS, NULL, NULL, NULL, next(t, POINTS)));
     tell(t, mdr_law_force(s->law, MDR_ON_UNLOADING, 0.1, next(t, 1), NULL));
     tell(t, mdr_law_follow(s->law, 0.1, &segment, next(t, 1), NULL, NULL, NULL));

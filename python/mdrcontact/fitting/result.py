@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _native
-from .._boundary import number
+from .._boundary import call, number
 from .._choices import nearest
 from .._files import replace
 from ..errors import InvalidArgumentError, MDRError
@@ -129,8 +129,8 @@ class FitResult:
             raise InvalidArgumentError(f"level = {level!r} is not allowed: it must be between 0 and 1")
         if method == "normal":
             # correlated residuals are worth so many independent ones
-            freedom = self.degrees_of_freedom / self.widening[name] ** 2
-            reach = _quantile(0.5 * (1.0 + level), None if self.noise_is_known else freedom)
+            freedom = max(self.degrees_of_freedom / self.widening[name] ** 2, 1.0)
+            reach = call(_native.fit_quantile, level, math.inf if self.noise_is_known else freedom)
             half = reach * self.standard_errors[name]
             return Interval(self.estimates[name] - half, self.estimates[name] + half)
         if method == "profile":
@@ -337,20 +337,3 @@ def _plain(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value
-
-
-def _quantile(probability: float, degrees_of_freedom: float | None) -> float:
-    """Quantile of the normal distribution, or of Student's (Hill's expansion, good to 1e-3 from 3 degrees on)."""
-    from statistics import NormalDist
-
-    z = NormalDist().inv_cdf(probability)
-    if degrees_of_freedom is None:
-        return z
-    v = max(degrees_of_freedom, 1.0)
-    terms = (
-        (z**3 + z) / 4.0,
-        (5 * z**5 + 16 * z**3 + 3 * z) / 96.0,
-        (3 * z**7 + 19 * z**5 + 17 * z**3 - 15 * z) / 384.0,
-        (79 * z**9 + 776 * z**7 + 1482 * z**5 - 1920 * z**3 - 945 * z) / 92160.0,
-    )
-    return z + sum(term / v**k for k, term in enumerate(terms, start=1))

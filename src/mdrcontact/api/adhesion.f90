@@ -12,7 +12,7 @@ module mdrcontact_api_adhesion
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     implicit none (type, external)
     private
-    public :: mdr_contact_pull_off, mdr_contact_pull_offs
+    public :: mdr_contact_pull_off
     public :: mdr_loop_new, mdr_loop_size, mdr_loop_path, mdr_loop_jumps, mdr_loop_dissipated_energy
 
     !> enum mdr_control
@@ -20,27 +20,7 @@ module mdrcontact_api_adhesion
 
 contains
 
-    function mdr_contact_pull_off(c, control, d, a, f) result(status) bind(C)
-        type(c_ptr), value :: c
-        integer(c_int), value :: control
-        real(c_double), intent(inout), optional :: d, a, f
-        integer(c_int) :: status
-        type(contact_t), pointer :: contact
-        type(control_t) :: chosen
-        type(contact_state_t) :: state
-        type(error_t), allocatable :: error
-
-        call open_handle(c, "c", contact, error)
-        call choose_control(chosen, control, 0.0_c_double, .false., error)
-        if (.not. allocated(error)) call contact%pull_off(chosen, state, error)
-        status = status_of(error)
-        if (allocated(error)) return
-        if (present(d)) d = state%depth
-        if (present(a)) a = state%radius
-        if (present(f)) f = state%force
-    end function mdr_contact_pull_off
-
-    function mdr_contact_pull_offs(c, control, capacity, d, a, f, count) result(status) bind(C)
+    function mdr_contact_pull_off(c, control, capacity, d, a, f, count) result(status) bind(C)
         type(c_ptr), value :: c
         integer(c_int), value :: control, capacity
         real(c_double), intent(inout), optional :: d(*), a(*), f(*)
@@ -56,19 +36,17 @@ contains
         call open_handle(c, "c", contact, error)
         if (capacity < 0) call raise(error, error_invalid, "capacity = "//count_text(int(capacity))// &
                                      " is not allowed: it must be at least 0")
-        call check_given(error, "count", present(count))
         call choose_control(chosen, control, 0.0_c_double, .false., error)
         if (.not. allocated(error)) call contact%pull_off(chosen, state, error, others)
         status = status_of(error)
         if (allocated(error)) return
-        allocate (all_states(0))
-        if (contact%is_adhesive()) all_states = [state, others]
-        count = size(all_states, kind=c_int)
+        all_states = [state, others]
+        if (present(count)) count = merge(size(all_states, kind=c_int), 0_c_int, contact%is_adhesive())
         n = min(size(all_states), int(capacity))
         if (present(d)) d(:n) = all_states(:n)%depth
         if (present(a)) a(:n) = all_states(:n)%radius
         if (present(f)) f(:n) = all_states(:n)%force
-    end function mdr_contact_pull_offs
+    end function mdr_contact_pull_off
 
     function mdr_loop_new(c, control, largest, points, spring_stiffness, out) result(status) bind(C)
         type(c_ptr), value :: c

@@ -6,12 +6,12 @@ module mdrcontact_api_fit
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit, only: fit_result_t, solve_fit
-    use mdrcontact_fit_interval, only: profile_interval
+    use mdrcontact_fit_interval, only: interval_quantile, profile_interval
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_problem, only: check_points, fit_data_t, fit_problem_t
     implicit none (type, external)
     private
-    public :: mdr_fit_solve, mdr_fit_predict, mdr_fit_interval
+    public :: mdr_fit_solve, mdr_fit_predict, mdr_fit_interval, mdr_fit_quantile
 
     !> struct mdr_fit_summary
     type, bind(C) :: c_fit_summary_t
@@ -146,5 +146,18 @@ contains
         end if
         status = status_of(error)
     end function mdr_fit_interval
+
+    function mdr_fit_quantile(level, degrees_of_freedom, factor) result(status) bind(C)
+        real(c_double), value :: level, degrees_of_freedom
+        real(c_double), intent(inout), optional :: factor
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+        real(c_double) :: found
+
+        call interval_quantile(level, degrees_of_freedom, found, error)
+        call check_given(error, "factor", present(factor))
+        status = status_of(error)
+        if (.not. allocated(error)) factor = found
+    end function mdr_fit_quantile
 
 end module mdrcontact_api_fit

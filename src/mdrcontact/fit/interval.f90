@@ -12,7 +12,7 @@ module mdrcontact_fit_interval
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: profile_interval
+    public :: profile_interval, interval_quantile
 
     !> How well the rise of the sum of squares must meet the threshold, in its square root.
     real(wp), parameter :: tolerance = 1.0e-3_wp
@@ -36,6 +36,29 @@ module mdrcontact_fit_interval
 
 contains
 
+    !> Half the width of a confidence interval in standard errors: the quantile of Student's t.
+    subroutine interval_quantile(level, degrees_of_freedom, factor, error)
+        !> of confidence, 0 < level < 1
+        real(wp), intent(in) :: level
+        !> > 0; infinite where the standard deviations of the data are known: the normal distribution
+        real(wp), intent(in) :: degrees_of_freedom
+        !> [1]
+        real(wp), intent(out) :: factor
+        type(error_t), allocatable, intent(out) :: error
+
+        factor = 0.0_wp
+        if (.not. (level > 0.0_wp .and. level < 1.0_wp)) then
+            call raise(error, error_invalid, " = "//to_text(level)//" is not allowed: it must be between 0 and 1", "level")
+        else if (.not. degrees_of_freedom > 0.0_wp) then
+            call raise(error, error_invalid, " = "//to_text(degrees_of_freedom)//" is not allowed: it must be greater than 0", &
+                       "degrees_of_freedom")
+        else if (degrees_of_freedom > huge(1.0_wp)) then
+            factor = gsl_cdf_ugaussian_pinv(0.5_wp*(1.0_wp + level))
+        else
+            factor = gsl_cdf_tdist_pinv(0.5_wp*(1.0_wp + level), degrees_of_freedom)
+        end if
+    end subroutine interval_quantile
+
     !> The interval of one free number in which the sum of squares rises by less than the quantile of `level`. An end that lies
     !> beyond a bound is the bound; one that does not exist is infinite.
     subroutine profile_interval(problem, data, fit, position, level, lower, upper, error)
@@ -52,23 +75,19 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(fit_problem_t) :: fixed
         type(fit_data_t) :: weighted
-        real(wp) :: threshold, best, step, probability
+        real(wp) :: threshold, best, step, freedom
         integer :: i
 
         lower = 0.0_wp
         upper = 0.0_wp
         if (.not. any(fit%free == position)) call raise(error, error_invalid, "parameter "//count_text(position)// &
                                                         " is not free: it has no interval")
-        if (.not. (level > 0.0_wp .and. level < 1.0_wp)) call raise(error, error_invalid, "level = "//to_text(level)// &
-                                                                    " is not allowed: it must be between 0 and 1")
         if (allocated(error)) return
-        probability = 0.5_wp*(1.0_wp + level)
         i = findloc(fit%free, position, dim=1)
-        if (allocated(data%sd) .and. problem%sd_is_absolute) then
-            threshold = gsl_cdf_ugaussian_pinv(probability)
-        else
-            threshold = gsl_cdf_tdist_pinv(probability, max(fit%degrees_of_freedom/fit%widening(i)**2, 1.0_wp))
-        end if
+        freedom = max(fit%degrees_of_freedom/fit%widening(i)**2, 1.0_wp)
+        if (allocated(data%sd) .and. problem%sd_is_absolute) freedom = ieee_value(freedom, ieee_positive_inf)
+        call interval_quantile(level, freedom, threshold, error)
+        if (allocated(error)) return
         ! correlated residuals weigh less than so many independent ones
         threshold = threshold*fit%widening(i)
         ! the noise stays that of the best fit

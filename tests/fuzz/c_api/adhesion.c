@@ -15,17 +15,17 @@ static void pull_off(world *w)
 
     if (!afford(w, PRICE_OF_PULL_OFF * (w->contact_is_exact[slot] ? EXACT : 1))) return;
     fill(d), fill(a), fill(F);
-    status = mdr_contact_pull_off(contact, control, d, a, F);
+    status = mdr_contact_pull_off(contact, control, 1, d, a, F, NULL);
     judge("mdr_contact_pull_off", status, 1, d, FINITE);
     judge("mdr_contact_pull_off", status, 1, a, NOT_NEGATIVE);
     judge("mdr_contact_pull_off", status, 1, F, FINITE);
     fill(d), fill(a), fill(F);
-    status = mdr_contact_pull_offs(contact, control, MOST_POINTS, d, a, F, &count);
-    if (status == MDR_SUCCESS && count < 0) finding("mdr_contact_pull_offs", "no count", count);
+    status = mdr_contact_pull_off(contact, control, MOST_POINTS, d, a, F, &count);
+    if (status == MDR_SUCCESS && count < 0) finding("mdr_contact_pull_off", "no count", count);
     if (count > MOST_POINTS) count = MOST_POINTS;
-    judge("mdr_contact_pull_offs", status, count, d, FINITE);
-    judge("mdr_contact_pull_offs", status, count, a, NOT_NEGATIVE);
-    judge("mdr_contact_pull_offs", status, count, F, FINITE);
+    judge("mdr_contact_pull_off", status, count, d, FINITE);
+    judge("mdr_contact_pull_off", status, count, a, NOT_NEGATIVE);
+    judge("mdr_contact_pull_off", status, count, F, FINITE);
 }
 
 static void loop(world *w)
