@@ -591,8 +591,8 @@ int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, i
 
 /** The lowest pressure of a state without adhesion. Below 0 the bodies would have to pull on each other: the contact is then not one
  *  disc, its pressure is not that of the true contact, and F(d) is off by up to 0.05 % (cone), 0.6 % (r^4) or 3.5 % (flat punch). It
- *  happens on stiff coatings, solved exactly: from a ratio of moduli of about 5 under flat ends, 7 to 10 under r^4 and r^3, 15 under
- *  r^2.5, 50 to 100 under cones; never under paraboloids.
+ *  happens on stiff coatings, solved exactly: from a ratio of moduli of 5 (nu = 1/2) to 7 (nu = 0) under flat ends, 6 to 10
+ *  under r^4, 8 to 12 under r^3, 12 to 20 under r^2.5, 50 to 100 under cones; never under paraboloids.
  *  @param c         contact without adhesion
  *  @param state     a state of this contact, with a radius > 0
  *  @param pressure  or NULL: the smallest p(r), 0 <= r <= a; 0, at the edge, where no pressure is negative [modulus]
