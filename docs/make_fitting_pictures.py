@@ -8,39 +8,14 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Any
 
 from make_pictures import save
-from matplotlib.ticker import EngFormatter, MaxNLocator
 
 from mdrcontact.fitting import compare_models, fit
 from mdrcontact.problem.fit_file import load_fit_file
 
 DOCS = Path(__file__).resolve().parent
 CURVES = DOCS.parent / "examples" / "fit"
-
-
-UNITS = {
-    "indentation depth": "m",
-    "contact radius": "m",
-    "radius": "m",
-    "force": "N",
-    "stiffness": "N/m",
-    "contact stiffness": "N/m",
-    "modulus": "Pa",
-    "effective modulus": "Pa",
-}
-
-
-def with_units(figure: Any) -> Any:
-    """A figure of a fit in SI units, with the unit at every number."""
-    for axes in figure.axes:
-        for axis in (axes.xaxis, axes.yaxis):
-            words = axis.get_label_text()
-            if words and words != "residual / sd":
-                axis.set_major_formatter(EngFormatter(unit=UNITS[words]))
-                axis.set_major_locator(MaxNLocator(6))
-    return figure
 
 
 def main(folder: Path) -> None:
@@ -53,7 +28,7 @@ def main(folder: Path) -> None:
         data, _ = problem.read_data(CURVES / f"{name}.csv")
         arguments = (data, problem.indenter, problem.medium, problem.free)
         result = fit(*arguments, instrument=problem.instrument, **problem.options)
-        save(with_units(result.plot()), folder / f"fit_{name}.png")
+        save(result.plot(), folder / f"fit_{name}.png")
     problem = load_fit_file(CURVES / "sphere_on_oxide.toml")
     data, _ = problem.read_data(CURVES / "sphere_on_oxide.csv")
     ranking = compare_models(data, problem.indenter, problem.medium, ["coating.E", "depth_offset"])
