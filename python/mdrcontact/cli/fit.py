@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import csv
 import functools
 import io
 import json
@@ -15,7 +16,7 @@ from tqdm import tqdm
 
 from ..errors import MDRError
 from ..fitting import FailedFit, FitResult, compare_models, fit, fit_many
-from ..fitting.quantities import dimension_of, dimension_of_data
+from ..fitting.quantities import dimension_of, dimension_of_data, measured, words_of
 from ..problem import ProblemError
 from ..problem.fit_file import FitFile, load_fit_file
 from ..problem.units import RATIO, practical
@@ -29,8 +30,12 @@ Fits indenter, film, substrate and instrument to a measured curve, or to every c
     mdrcontact fit curve.csv --problem problem.toml --json fit.json --plot fit.png --csv points.csv
     mdrcontact fit curves/ --problem problem.toml --csv estimates.csv
 
-The data are CSV or TSV with a header that names the columns and their units: "depth [nm]", "load (mN)", "h_nm", "S_N_per_m". The
-problem file is that of `mdrcontact curve` with two more tables in place of [compute], and if needed [instrument]:
+The data are tables as instruments write them: text (UTF-8, UTF-16, Latin-1; tabs, semicolons, commas or spaces; decimal point or
+comma) or .xlsx. A line names the columns and their units, as in "depth [nm]", "load (mN)", "h_nm", "S_N_per_m", or a row of units
+follows it; lines before it are passed over. What a table does not say, [data] does: columns = ["depth [nm]", "load [mN]"] without a
+header, units = { Depth = "nm" }, skip = 3 lines, sheet = "Test 1". What was understood is printed.
+
+The problem file is that of `mdrcontact curve` with two more tables in place of [compute], and if needed [instrument]:
 
     [data]
     kind = "force-depth"            # stiffness-depth, modulus-radius, stiffness-radius
@@ -48,10 +53,12 @@ problem file is that of `mdrcontact curve` with two more tables in place of [com
     thickness = { prior = "500 nm", prior_sd = "10 nm" }
     depth_offset = {}
 
-In a folder each .csv, .tsv and .txt file is a curve; one that cannot be fitted is reported and does not stop the others.
+In a folder each .csv, .tsv, .txt, .dat and .xlsx file is a curve; one that cannot be fitted is a row with its reason.
 """
 
-_SUFFIXES = (".csv", ".tsv", ".txt")
+_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".xlsx", ".xlsm")
+_MOST_WARNINGS, _MOST_NAMES = 10, 40
+"""On the screen, and under a picture."""
 
 
 def add(subparsers: Any) -> None:
@@ -162,25 +169,51 @@ def _run_folder(arguments: argparse.Namespace, problem: FitFile) -> None:
             **problem.options,
         )
     good = [(path, r) for path, r in zip(paths, results, strict=True) if isinstance(r, FitResult)]
+    if not good:
+        failures = [(path, r) for path, r in zip(paths, results, strict=True) if isinstance(r, FailedFit)]
+        reasons = "; ".join(f"{path.name}: {r.error}" for path, r in failures[:3])
+        raise MDRError(f"no curve could be fitted: {reasons}")
+    names = good[0][1].names
+    print(aligned(_rows_of(paths, results, names), left=1))
     for path, result in zip(paths, results, strict=True):
         if isinstance(result, FailedFit):
             print(f"not fitted: {path.name}: {result.error}")
-        elif not result.converged:
-            print(f"not converged: {path.name}")
-    if not good:
-        raise MDRError("no curve could be fitted")
-    names = good[0][1].names
-    print(f"\n{len(good)} of {len(paths)} curves fitted")
-    rows = [["parameter", "median", "mean", "scatter", "median standard error"]]
+    described = sum(r.describes_data is not False and r.converged for _, r in good)
+    print(f"\n{len(good)} of {len(paths)} curves fitted; {described} of {len(paths)} fits describe their data")
+    warned = [(path, words) for path, r in good for words in r.warnings]
+    for path, words in warned[:_MOST_WARNINGS]:
+        print(f"warning: {path.name}: {words}")
+    if len(warned) > _MOST_WARNINGS:
+        print(f"and {len(warned) - _MOST_WARNINGS} more warnings: --json and --csv have them all")
+    rows = [["between the curves", "median", "mean", "scatter", "median standard error", "scatter/error"]]
     for name in names:
         unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in good])
         v = np.array([r.estimates[name] for _, r in good]) / unit.factor
         errors = np.array([r.standard_errors[name] for _, r in good]) / unit.factor
-        scatter = float(v.std(ddof=1)) if len(v) > 1 else float("nan")
-        title = f"{name} [{unit.name}]" if unit.name else name
-        rows.append([title, *(number(float(x)) for x in (np.median(v), v.mean(), scatter, np.median(errors)))])
+        scatter, error = float(v.std(ddof=1)) if len(v) > 1 else float("nan"), float(np.median(errors))
+        title = f"{words_of(name)} [{unit.name}]" if unit.name else words_of(name)
+        ratio = f"{scatter / error:.2g}" if error > 0.0 and np.isfinite(scatter) else "-"
+        rows.append([title, *(number(float(x)) for x in (np.median(v), v.mean(), scatter, error)), ratio])
+        if error > 0.0 and scatter > 2.0 * error:
+            print(f"warning: {words_of(name)} scatters {ratio} times its errors: the curves differ, or errors are missing")
     print(aligned(rows, left=1))
     _write_folder(arguments, paths, results, good, names)
+
+
+def _rows_of(paths: list[Path], results: list[Any], names: tuple[str, ...]) -> list[list[str]]:
+    """One row for each file, failures too."""
+    rows = [["file", *(words_of(name) for name in names), "chi-square/dof", "random with p", "describes its data"]]
+    for path, result in zip(paths, results, strict=True):
+        if isinstance(result, FailedFit):
+            rows.append([path.name, *(len(names) * ["-"]), "-", "-", "not fitted"])
+            continue
+        told = [measured(name, result.estimates[name], result.standard_errors[name]) for name in names]
+        ratio = f"{result.chi_square / result.degrees_of_freedom:.3g}" if result.noise_is_known else "-"
+        verdict = {True: "yes", False: "NO", None: "too few points"}[result.describes_data]
+        rows.append(
+            [path.name, *told, ratio, f"{result.pattern_probability:.2g}", verdict if result.converged else "not converged"]
+        )
+    return rows
 
 
 def _first_readable(problem: FitFile, paths: list[Path]) -> tuple[Any, list[str]]:
@@ -203,13 +236,7 @@ def _write_folder(
 ) -> None:
     contents: dict[Path, bytes] = {}
     if arguments.csv:
-        table = []
-        for name in names:
-            unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in good])
-            table.append(Column(name, np.array([r.estimates[name] for _, r in good]), unit))
-            table.append(Column(f"standard error of {name}", np.array([r.standard_errors[name] for _, r in good]), unit))
-        table.append(column("converged", np.array([float(r.converged) for _, r in good]), RATIO))
-        contents[arguments.csv] = as_csv(table, ("file", [path.name for path, _ in good]))
+        contents[arguments.csv] = _estimates(paths, results, names)
     if arguments.json:
         found = {
             path.name: result.to_dict() if isinstance(result, FitResult) else {"error": str(result.error)}
@@ -223,18 +250,49 @@ def _write_folder(
         files.write(contents, arguments.overwrite)
 
 
+def _estimates(paths: list[Path], results: list[Any], names: tuple[str, ...]) -> bytes:
+    """A CSV file with one row for each curve; a failure is a row with its reason."""
+    good = [r for r in results if isinstance(r, FitResult)]
+    units = {name: practical(dimension_of(name), [abs(r.estimates[name]) for r in good]) for name in names}
+    titles = [f"{t}{name} [{units[name].name}]".replace(" []", "") for name in names for t in ("", "standard error of ")]
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["file", *titles, "converged", "describes its data", "chi-square/dof", "pattern p", "warnings"])
+    for path, r in zip(paths, results, strict=True):
+        if isinstance(r, FailedFit):
+            writer.writerow([path.name, *(len(titles) + 4) * [""], f"not fitted: {r.error}"])
+            continue
+        values = [float(v) / units[n].factor for n in names for v in (r.estimates[n], r.standard_errors[n])]
+        ratio = repr(r.chi_square / r.degrees_of_freedom) if r.noise_is_known else ""
+        marks = [int(r.converged), "" if r.describes_data is None else int(r.describes_data)]
+        writer.writerow([path.name, *map(repr, values), *marks, ratio, repr(r.pattern_probability), "; ".join(r.warnings)])
+    return text.getvalue().encode()
+
+
 def _overview(good: list[tuple[Path, FitResult]], names: tuple[str, ...], form: str) -> bytes:
-    """Each parameter over the number of the curve."""
+    """Each parameter curve by curve, and its histogram."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(6.4, 2.2 * len(names) + 0.6), layout="constrained")
-    axes = np.atleast_1d(figure.subplots(len(names), 1, sharex=True))
-    for axis, name in zip(axes, names, strict=True):
+    height = max(2.4, 0.25 * len(good) if len(good) <= _MOST_NAMES else 4.0)
+    figure = Figure(figsize=(9.0, height * len(names) + 0.6), layout="constrained")
+    axes = np.atleast_2d(figure.subplots(len(names), 2, width_ratios=[3, 1], sharey="row"))
+    for (each, histogram), name in zip(axes, names, strict=True):
         unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in good])
-        v = [r.estimates[name] / unit.factor for _, r in good]
-        errors = [1.96 * r.standard_errors[name] / unit.factor for _, r in good]
-        axis.errorbar(range(1, len(v) + 1), v, errors, fmt=".", color="#0072B2", elinewidth=0.8)
-        axis.set_ylabel(f"{name} [{unit.symbol}]" if unit.name else name)
-        axis.spines[["top", "right"]].set_visible(False)
-    axes[-1].set_xlabel("curve")
+        v = np.array([r.estimates[name] / unit.factor for _, r in good])
+        places = np.arange(1, len(v) + 1)
+        for describes, colour, label in ((True, "#0072B2", "describes its data"), (False, "#D55E00", "does not")):
+            keep = np.array([(r.describes_data is not False and r.converged) == describes for _, r in good])
+            if keep.any():
+                errors = [1.96 * r.standard_errors[name] / unit.factor for (_, r), k in zip(good, keep, strict=True) if k]
+                each.errorbar(places[keep], v[keep], errors, fmt=".", color=colour, elinewidth=0.8, label=label)
+        each.set_ylabel(f"{words_of(name)} [{unit.symbol}]" if unit.name else words_of(name))
+        if len(v) <= _MOST_NAMES:
+            each.set_xticks(places, [path.name for path, _ in good], rotation=90, fontsize=7)
+        else:
+            each.set_xlabel("curve")
+        histogram.hist(v, bins="auto" if len(v) > 1 else 1, orientation="horizontal", color="#0072B2", alpha=0.6)
+        histogram.set_xlabel("curves")
+        for axis in (each, histogram):
+            axis.spines[["top", "right"]].set_visible(False)
+    axes[0][0].legend(frameon=False, fontsize=8)
     return _rendered(figure, form)

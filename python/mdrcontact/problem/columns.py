@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of measured data: CSV or TSV with a header line that names the columns and their units."""
+"""Tables of measured data as instruments write them: text with or without preamble, header and a row of units, in any usual
+encoding, separator and decimal sign, and sheets of spreadsheets."""
 
 from __future__ import annotations
 
+import codecs
 import csv
 import math
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,67 +18,223 @@ from numpy.typing import NDArray
 
 from .._choices import nearest
 from .section import ProblemError
-from .units import Dimension, UnitError, to_si
+from .units import Dimension, UnitError, is_unit, to_si
 
 _BRACKETS = re.compile(r"\s*(.*?)\s*[\[(]\s*(.*?)\s*[\])]\s*")
+_COMMA = re.compile(r"\s*(.+?)\s*[,/]\s*(\S+)\s*")
 _LARGEST_FILE = 200_000_000
+_SEPARATORS = {"\t": "tabs", ";": "semicolons", ",": "commas", " ": "spaces"}
+_SHEETS = (".xlsx", ".xlsm")
+_LIKE_ASCII = str.maketrans({"\N{MICRO SIGN}": "u", "\N{GREEK SMALL LETTER MU}": "u", "\N{SUPERSCRIPT TWO}": "^2", "\xa0": " "})
+
+
+@dataclass(frozen=True)
+class TableOptions:
+    """What a problem file may say about a table that does not say it itself."""
+
+    columns: tuple[str, ...] = ()
+    """titles of the columns in order, for a table without a header"""
+    units: Mapping[str, str] = field(default_factory=dict)
+    """units of columns, by title"""
+    skip: int = 0
+    """lines before the table"""
+    sheet: str = ""
+    """of a spreadsheet; default: the only one that holds a table"""
 
 
 class MeasuredTable(NamedTuple):
-    """A table as it stands in the file: titles and numbers; cells that are no numbers are NaN."""
+    """A table as it stands in the file: titles, units where a row of their own or the problem file gives them, and numbers; cells
+    that are no numbers are NaN."""
 
     path: Path
     titles: list[str]
     values: NDArray[np.float64]
     notes: list[str]
+    units: Mapping[str, str]
 
     def column(self, title: str, dimension: Dimension) -> tuple[NDArray[np.float64], str]:
         """A column in SI units, and the unit it was in."""
         if title not in self.titles:
             raise ProblemError(f"{self.path}: there is no column {title!r}: {nearest(title, self.titles)}")
-        unit = unit_of(title, dimension)
+        unit = self.unit_of(title, dimension)
         if unit is None:
-            raise ProblemError(
-                f"{self.path}: the column {title!r} does not say its unit: write {dimension.name} as in "
-                f'"{title} [{dimension.example.split()[-1]}]"'
-            )
+            raise ProblemError(f"{self.path}: the column {title!r} does not say its unit: {self._remedy(title, dimension)}")
         factor = to_si(1.0, unit, dimension)
         return self.values[:, self.titles.index(title)] * factor, unit
 
-    def find(self, aliases: Sequence[str], dimension: Dimension) -> str | None:
-        """The column whose name, without unit, is one of the aliases and whose unit fits."""
+    def find(self, role: str, aliases: Sequence[str], dimension: Dimension) -> str:
+        """The column whose name, without unit, is one of the aliases and whose unit fits; a refusal names the true reason."""
+        nearly = None
         for title in self.titles:
-            if unit_of(title, dimension) is not None and name_of(title, dimension).lower() in aliases:
+            named = title if title in self.units else name_of(title, dimension)
+            if named.lower() not in aliases:
+                continue
+            if self.unit_of(title, dimension) is not None:
                 return title
-        return None
+            nearly = nearly or title
+        if nearly:
+            raise ProblemError(
+                f"{self.path}: the column {nearly!r} should be the {role}, but does not say its unit: "
+                f"{self._remedy(nearly, dimension)}"
+            )
+        titles = ", ".join(repr(t) for t in self.titles)
+        raise ProblemError(f'{self.path}: no column is the {role}: name it in [data], as in {role} = "..."; there are {titles}')
+
+    def unit_of(self, title: str, dimension: Dimension) -> str | None:
+        """The unit of a column if it is one of that dimension; "" for plain numbers."""
+        given = self.units.get(title)
+        if given is None:
+            return unit_of(title, dimension)
+        try:
+            to_si(1.0, given, dimension)
+        except UnitError:
+            return None
+        return given
+
+    def _remedy(self, title: str, dimension: Dimension) -> str:
+        unit = dimension.example.split()[-1]
+        if title in self.units:
+            return f"{self.units[title]!r} is no unit of {dimension.name}"
+        return f'write it as in "{title} [{unit}]", or in the problem file: [data] units = {{ "{title}" = "{unit}" }}'
 
 
-def read_table(path: Path) -> MeasuredTable:
+def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable:
     """Reads a table; lines that begin with # are comments."""
+    options = options or TableOptions()
     try:
         if path.stat().st_size > _LARGEST_FILE:
             raise ProblemError(f"{path}: it has more than {_LARGEST_FILE // 1_000_000} MB: that is no measured curve")
-        text = path.read_text(encoding="utf-8-sig")
+        content = path.read_bytes()
     except OSError as problem:
         raise ProblemError(f"{path}: it cannot be read: {problem.strerror or problem}") from problem
-    except UnicodeDecodeError as problem:
-        raise ProblemError(f"{path}: it is not a text file in UTF-8") from problem
-    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
-    if len(lines) < 2:
-        raise ProblemError(f"{path}: it must have a header line and at least one line of numbers")
-    separator = max("\t;,", key=lines[0].count)
-    rows = list(csv.reader(lines, delimiter=separator))
-    titles = [title.strip() for title in rows[0]]
-    if all(math.isfinite(_number(title, separator)) for title in titles):
-        raise ProblemError(f"{path}: the first line holds numbers: it must name the columns and their units, as in depth [nm]")
-    if len(set(titles)) < len(titles):
-        raise ProblemError(f"{path}: two columns have the same title")
-    values = np.full((len(rows) - 1, len(titles)), np.nan)
-    for i, row in enumerate(rows[1:]):
+    if path.suffix.lower() in _SHEETS:
+        return _table_of(path, *_sheet(path, options), options)
+    if path.suffix.lower() == ".xls":
+        raise ProblemError(f"{path}: old spreadsheets (.xls) are not read: save it as .xlsx or as .csv")
+    text, encoding = decode(path, content)
+    lines = text.translate(_LIKE_ASCII).splitlines()[options.skip :]
+    lines = [line for line in lines if line.strip() and not line.lstrip().startswith("#")]
+    best: tuple[int, str, list[list[str]]] | None = None
+    for separator in _SEPARATORS:
+        rows = [line.split() for line in lines] if separator == " " else list(csv.reader(lines, delimiter=separator))
+        first, last = _block(rows, separator)
+        cells = [cell for row in rows[first:last] for cell in row if cell.strip()]
+        numbers = sum(math.isfinite(_number(cell, separator)) for cell in cells)
+        # a wrong separator leaves cells that are no numbers
+        size = max(2 * numbers - len(cells), 0)
+        if best is None or size > best[0]:
+            best = size, separator, rows
+    if best is None or not best[0]:
+        raise ProblemError(f"{path}: there is no table of numbers in it: it must have a header line and lines of numbers")
+    _, separator, rows = best
+    return _table_of(path, rows, separator, [f"text in {encoding}", f"separated by {_SEPARATORS[separator]}"], options)
+
+
+def decode(path: Path, content: bytes) -> tuple[str, str]:
+    """The text of a file in UTF-8, UTF-16 or Latin-1, and which it was."""
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        encodings: tuple[str, ...] = ("utf-16",)
+    elif content[1:200:2].count(0) > len(content[1:200:2]) // 2:
+        encodings = ("utf-16-le",)
+    else:
+        encodings = ("utf-8-sig", "cp1252")
+    if b"\0" in content[:4096] and not encodings[0].startswith("utf-16"):
+        raise ProblemError(f"{path}: it is not a text file")
+    for encoding in encodings:
+        try:
+            return content.decode(encoding), encoding.replace("-sig", "").upper().replace("CP1252", "Latin-1 (Windows-1252)")
+        except UnicodeDecodeError:
+            continue
+    raise ProblemError(f"{path}: it is not a text file in UTF-8, UTF-16 or Latin-1")
+
+
+def _sheet(path: Path, options: TableOptions) -> tuple[list[list[str]], str, list[str]]:
+    """The cells of the chosen sheet of a spreadsheet, or of the first that holds a table."""
+    try:
+        import openpyxl
+    except ImportError as problem:
+        raise ProblemError(f'{path}: spreadsheets need openpyxl: pip install "mdrcontact[instruments]"') from problem
+    try:
+        book = openpyxl.load_workbook(path, read_only=True, data_only=True)
+    except Exception as problem:  # noqa: BLE001 - a damaged archive raises almost anything
+        raise ProblemError(f"{path}: it is not a spreadsheet: {problem}") from problem
+    try:
+        if options.sheet and options.sheet not in book.sheetnames:
+            raise ProblemError(f"{path}: there is no sheet {options.sheet!r}: {nearest(options.sheet, book.sheetnames)}")
+        for name in [options.sheet] if options.sheet else book.sheetnames:
+            cells = [["" if cell is None else str(cell) for cell in row] for row in book[name].iter_rows(values_only=True)]
+            rows = [[cell.translate(_LIKE_ASCII) for cell in row] for row in cells[options.skip :] if any(row)]
+            first, last = _block(rows, ",")
+            if last - first > 1:
+                return rows, ",", [f"sheet {name!r} of {len(book.sheetnames)}"]
+    finally:
+        book.close()
+    raise ProblemError(f"{path}: no sheet holds a table of numbers; the sheets are {', '.join(map(repr, book.sheetnames))}")
+
+
+def _block(rows: Sequence[Sequence[str]], separator: str) -> tuple[int, int]:
+    """First and last + 1 of the longest run of rows that hold numbers, one number for each column of the widest."""
+    numeric = [sum(math.isfinite(_number(cell, separator)) for cell in row) for row in rows]
+    best = first = 0
+    found = (0, 0)
+    while first < len(rows):
+        if numeric[first] == 0:
+            first += 1
+            continue
+        last = first
+        # cells without a number are gaps; a row of words alone ends the table
+        while last < len(rows) and numeric[last] > 0 and abs(len(rows[last]) - len(rows[first])) <= 1:
+            last += 1
+        weight = sum(n for n in numeric[first:last] if n > 1)
+        if weight > best:
+            best, found = weight, (first, last)
+        first = max(last, first + 1)
+    return found
+
+
+def _table_of(path: Path, rows: Sequence[Sequence[str]], separator: str, notes: list[str], options: TableOptions) -> MeasuredTable:
+    first, last = _block(rows, separator)
+    width = max(len(row) for row in rows[first:last])
+    above = [[cell.strip() for cell in row] for row in rows[:first]]
+    units: dict[str, str] = {}
+    if options.columns:
+        titles = list(options.columns)
+        if len(titles) != width:
+            raise ProblemError(f"{path}: [data] columns names {len(titles)} columns, and the table has {width}")
+    else:
+        titles, row_of_units = _header(above, width)
+        if not titles:
+            raise ProblemError(
+                f"{path}: no line above the numbers names the {width} columns: name them in [data], as in columns = "
+                '["depth [nm]", "load [mN]"]'
+            )
+        units = {title: unit for title, unit in zip(titles, row_of_units, strict=False) if unit}
+    titles = [title or f"column {i}" for i, title in enumerate(titles, start=1)]
+    doubled = {title for title in titles if titles.count(title) > 1}
+    if doubled:
+        raise ProblemError(f"{path}: two columns have the same title, {sorted(doubled)[0]!r}: name all in [data] columns = [...]")
+    for title, unit in options.units.items():
+        if title not in titles:
+            raise ProblemError(f"{path}: [data] units: there is no column {title!r}: {nearest(title, titles)}")
+        units[title] = unit
+    values = np.full((last - first, len(titles)), np.nan)
+    for i, row in enumerate(rows[first:last]):
         for j, cell in enumerate(row[: len(titles)]):
             values[i, j] = _number(cell, separator)
-    name = {"\t": "tabs", ";": "semicolons", ",": "commas"}[separator]
-    return MeasuredTable(path, titles, values, [f"{len(values)} rows, {len(titles)} columns, separated by {name}"])
+    where = f" after {len(above)} lines of header" if len(above) > 1 else ""
+    return MeasuredTable(path, titles, values, [f"{len(values)} rows, {len(titles)} columns{where}, {', '.join(notes)}"], units)
+
+
+def _header(above: Sequence[Sequence[str]], width: int) -> tuple[list[str], list[str]]:
+    """Titles and units from the lines above the numbers: a line of titles, and perhaps one of units below it."""
+    rows = [list(row) for row in above if sum(bool(cell) for cell in row) >= max(1, width - 1) and len(row) <= width + 1]
+    if not rows:
+        return [], []
+    padded = [(row + width * [""])[:width] for row in rows]
+    bare = [cell.strip("[]() ") for cell in padded[-1]]
+    if len(rows) > 1 and any(bare) and all(is_unit(cell) for cell in bare if cell):
+        return padded[-2], bare
+    return padded[-1], []
 
 
 def _number(cell: str, separator: str) -> float:
@@ -93,6 +252,9 @@ def _splits(title: str) -> list[tuple[str, str]]:
     match = _BRACKETS.fullmatch(title)
     if match:
         return [(match[1], match[2])]
+    match = _COMMA.fullmatch(title)
+    if match:
+        return [(match[1], match[2]), (title, "")]
     parts = title.split("_")
     found = [("_".join(parts[:i]), "_".join(parts[i:]).replace("_per_", "/")) for i in range(1, len(parts))]
     return [*found, (title, "")]

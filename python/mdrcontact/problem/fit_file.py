@@ -18,7 +18,7 @@ from ..fitting.parameters import of_indenter, of_instrument, of_medium
 from ..fitting.quantities import dimension_of
 from . import indenter as indenters
 from . import medium as mediums
-from .columns import describe, read_table
+from .columns import TableOptions, describe, read_table
 from .section import ProblemError, Section
 from .toml import parse_file
 from .units import COMPLIANCE, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, WORK_OF_ADHESION, Dimension
@@ -30,9 +30,15 @@ _KINDS: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
     "stiffness-radius": (StiffnessRadius, ("radius", "stiffness")),
 }
 _ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
-    "depth": (LENGTH, ("depth", "d", "h", "displacement", "indentation", "indentation depth")),
-    "force": (FORCE, ("force", "load", "f", "p")),
-    "stiffness": (STIFFNESS, ("stiffness", "contact stiffness", "s", "k")),
+    "depth": (
+        LENGTH,
+        (
+            *("depth", "d", "h", "displacement", "indentation", "indentation depth", "displacement into surface", "pd"),
+            *("penetration depth", "penetration"),
+        ),
+    ),
+    "force": (FORCE, ("force", "load", "f", "p", "load on sample", "fn", "normal force")),
+    "stiffness": (STIFFNESS, ("stiffness", "contact stiffness", "s", "k", "harmonic contact stiffness")),
     "radius": (LENGTH, ("radius", "contact radius", "a")),
     "modulus": (MODULUS, ("modulus", "effective modulus", "e_eff", "eeff", "er", "e_r", "reduced modulus")),
 }
@@ -42,6 +48,10 @@ _DATA: Mapping[str, Dimension | None] = {
     "radius_over_thickness": None,
     "thickness": LENGTH,
     "nu": None,
+    "columns": None,
+    "units": None,
+    "skip": None,
+    "sheet": None,
     "sd": None,
     "relative_sd": None,
     "min_depth": LENGTH,
@@ -164,8 +174,22 @@ def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:
     return free
 
 
+def _table_options(section: Section) -> TableOptions:
+    """What [data] says of a table that does not say it itself."""
+    columns = section.plain("columns") if "columns" in section else []
+    if not isinstance(columns, list) or not all(isinstance(title, str) and title for title in columns):
+        raise ProblemError('[data]: columns must be a list of titles, as in columns = ["depth [nm]", "load [mN]"]')
+    units = section.plain("units") if "units" in section else {}
+    if not isinstance(units, dict) or not all(isinstance(unit, str) for unit in units.values()):
+        raise ProblemError('[data]: units must be a table of units by title, as in units = { Depth = "nm" }')
+    skip = section.plain("skip") if "skip" in section else 0
+    if isinstance(skip, bool) or not isinstance(skip, int) or skip < 0:
+        raise ProblemError(f"[data]: skip = {skip!r} is not allowed: it must be a number of lines, at least 0")
+    return TableOptions(tuple(columns), units, skip, str(section.plain("sheet")) if "sheet" in section else "")
+
+
 def _read_data(section: Section, path: Path) -> tuple[Data, list[str]]:
-    table = read_table(path)
+    table = read_table(path, _table_options(section))
     cls, roles = _KINDS[section.choice("kind", _KINDS)]
     found: dict[str, tuple[str, str, NDArray[np.float64]]] = {}
     for role in roles:
@@ -175,10 +199,7 @@ def _read_data(section: Section, path: Path) -> tuple[Data, list[str]]:
             found[role] = title, "thicknesses", ratio * section.quantity("thickness")
             continue
         dimension, aliases = _ROLES[role]
-        chosen = str(section.plain(role)) if role in section else table.find(aliases, dimension)
-        if chosen is None:
-            titles = ", ".join(repr(t) for t in table.titles)
-            raise ProblemError(f'{path}: no column is the {role}: name it in [data], as in {role} = "..."; there are {titles}')
+        chosen = str(section.plain(role)) if role in section else table.find(role, aliases, dimension)
         values, unit = table.column(chosen, dimension)
         found[role] = chosen, unit, values
     options: dict[str, Any] = {"missing": "drop"}

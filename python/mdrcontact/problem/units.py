@@ -77,6 +77,17 @@ def to_si(value: float | str, unit: str, dimension: Dimension) -> float:
         raise UnitError(f"there is no unit {unit!r}: {nearest(unit, known)}") from None
 
 
+def is_unit(text: str) -> bool:
+    """Whether a text is a unit of anything, "%" and "-" for plain numbers included."""
+    if text in ("%", "-", "1"):
+        return True
+    try:
+        _registry().Unit(text)
+    except Exception:  # noqa: BLE001 - what is no unit makes pint raise almost anything
+        return False
+    return True
+
+
 def parse(text: str, dimension: Dimension) -> float:
     """A text such as "500 nm" as a number in SI units."""
     match = _QUANTITY.fullmatch(text)
