@@ -370,10 +370,11 @@ contains
         call self%equilibrium%medium%take_share(self%equilibrium%profile, state%radius, state%excess, body, r, values, error)
     end subroutine displacement
 
-    !> Elastic energy of the lower and of the upper body; without adhesion together int F dd from first touch [modulus length^3].
+    !> Elastic energy of the lower and of the upper body; without adhesion together int F dd from first touch.
     subroutine elastic_energy(self, state, values, error)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
+        !> of the lower and of the upper body [modulus length^3]
         real(wp), intent(out) :: values(2)
         type(error_t), allocatable, intent(out) :: error
 

@@ -39,10 +39,11 @@ module mdrcontact_error
         integer :: code = success
         !> the finished sentence: names the argument, its value and what is allowed
         character(len=:), allocatable :: message
-        !> its parts, for a layer that speaks to the user in its own way: the argument, if it is known; which entry of it, counted
-        !> from 1, 0 for none; and the rest of the words
+        !> its parts, for a layer that speaks to the user in its own way: the argument, if it is known,
         character(len=:), allocatable :: argument
+        !> which entry of it, counted from 1; 0: none,
         integer :: entry = 0
+        !> and the rest of the words
         character(len=:), allocatable :: text
     end type error_t
 

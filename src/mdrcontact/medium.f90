@@ -154,6 +154,7 @@ contains
 
     elemental function zero_share(self, a) result(share)
         class(medium_t), intent(in) :: self
+        !> contact radius [length]
         real(wp), intent(in) :: a
         real(wp) :: share
 

@@ -20,6 +20,7 @@ module mdrcontact_body_film
 
 contains
 
+    !> The film of these Poisson's ratios on a base.
     pure function new_film(film_poisson, base_poisson, contrast) result(self)
         real(wp), intent(in) :: film_poisson, base_poisson
         !> shear modulus of the film over that of the base; 0 on a rigid base

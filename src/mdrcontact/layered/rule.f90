@@ -10,6 +10,7 @@ module mdrcontact_layered_rule
 
     !> Sizes of which GSL knows nodes and weights to all digits.
     integer, parameter :: known(*) = [20, 32, 64, 96, 128, 256, 512, 1024]
+    !> The largest of them.
     integer, parameter :: largest_rule = known(size(known))
 
     !> Nodes u in (-1, 1) by their distance 1 + u from the end, and weights.

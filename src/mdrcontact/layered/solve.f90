@@ -268,6 +268,7 @@ contains
         done = .true.
     end subroutine factorize
 
+    !> Replaces x by inv(L) x, L the lower triangle that factorize left in a.
     pure subroutine solve_lower(n, m, sides, a, x)
         integer, intent(in) :: n, m, sides
         real(wp), intent(in) :: a(m, n)
@@ -282,6 +283,7 @@ contains
         end do
     end subroutine solve_lower
 
+    !> Replaces x by inv(transpose(L)) x.
     pure subroutine solve_upper(n, m, sides, a, x)
         integer, intent(in) :: n, m, sides
         real(wp), intent(in) :: a(m, n)
