@@ -1024,8 +1024,8 @@ enum mdr_fit_instrument {
     MDR_FIT_DEPTH_OFFSET = 1,         /**< Depth that the instrument reads at first contact [length]. */
     MDR_FIT_FORCE_OFFSET = 2,         /**< Force that it reads there [modulus length^2]. */
     MDR_FIT_FRAME_COMPLIANCE = 3,     /**< Of the instrument's frame [1/(modulus length)]. */
-    MDR_FIT_INDENTER_MODULUS = 4,     /**< Contact modulus E*_i of the indenter > 0; INFINITY: rigid, which force against depth
-                                           demands [modulus]. */
+    MDR_FIT_INDENTER_MODULUS = 4,     /**< Contact modulus E*_i of the indenter > 0; INFINITY: rigid. Homogeneous, and paired
+                                           with the medium as by mdr_medium_pair() [modulus]. */
     MDR_FIT_CONTACT_DEPTH_FACTOR = 5, /**< epsilon of the contact depth h_c = h - epsilon P/S (Oliver, Pharr 1992); usually 0.75,
                                            0 or less where the surface piles up [1]. */
     MDR_FIT_STIFFNESS_FACTOR = 6,     /**< beta of S = 2 beta a E_r; usually 1 [1]. */

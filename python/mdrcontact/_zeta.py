@@ -74,6 +74,8 @@ def _reachable(contact: Any, b: float, beyond: Any) -> Any:
 
 
 def _thickness(medium: Any) -> float:
+    if hasattr(medium, "lower"):
+        return max(_thickness(body) for body in (medium.lower, medium.upper) if hasattr(body, "with_model"))
     if hasattr(medium, "thickness"):
         return float(medium.thickness)
     if hasattr(medium, "layers"):

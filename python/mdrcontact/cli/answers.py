@@ -11,7 +11,7 @@ import numpy as np
 from ..contact import Contact
 from ..errors import MDRError
 from ..material import RIGID, Elastic
-from ..medium import Coated, Graded, Layered, Medium
+from ..medium import Coated, Graded, Homogeneous, Layered, Medium, Pair
 from ..medium.models import MODELS
 from ..problem import Problem, ProblemError
 from ..problem.units import FORCE, LENGTH, Dimension
@@ -48,8 +48,11 @@ def ask(problem: Problem) -> tuple[list[Answer], list[tuple[str, str]]]:
     return answers, refusals
 
 
-def candidates(medium: Medium) -> list[tuple[str, str, object]]:
+def candidates(medium: object) -> list[tuple[str, str, object]]:
     """(label, model, substrate) of every model worth asking; substrate None leaves it as it is."""
+    if isinstance(medium, Pair):
+        same = all(candidates(body) for body in (medium.lower, medium.upper) if not isinstance(body, Homogeneous))
+        return candidates(medium.lower) if same else []
     if isinstance(medium, (Layered, Graded)):
         return [(name, name, None) for name, model in MODELS.items() if model.layers]
     if not isinstance(medium, Coated):
@@ -63,6 +66,9 @@ def candidates(medium: Medium) -> list[tuple[str, str, object]]:
 
 
 def _under(medium: Any, model: str, base: Any) -> Medium:
+    if isinstance(medium, Pair):
+        upper = medium.upper if isinstance(medium.upper, Homogeneous) else _under(medium.upper, model, None)
+        return Pair(_under(medium.lower, model, base), upper)
     if model == medium.model and base is None:
         return medium  # type: ignore[no-any-return]
     if base is None:

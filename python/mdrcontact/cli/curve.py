@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..contact import Contact
+from ..errors import MDRError
+from ..medium import Pair
 from ..problem import Problem, load
 from ..problem.units import LENGTH, MODULUS, practical
 from . import files
@@ -58,9 +60,9 @@ def run(arguments: argparse.Namespace) -> None:
     table = columns(curve, problem.medium)
     print(f"{problem.title}\n")
     print(as_text(table, arguments.rows))
-    note = thickness_note(problem, curve)
-    if note:
-        print(f"\n{note}")
+    for note in (thickness_note(problem, curve), rigid_note(problem, curve)):
+        if note:
+            print(f"\n{note}")
     results = {}
     if arguments.csv:
         results[arguments.csv] = as_csv(table)
@@ -89,6 +91,22 @@ def thickness_note(problem: Problem, curve: Curve) -> str | None:
     unit = practical(LENGTH, [depth])
     deep = f"{number(float(unit.of(depth)))} {unit.name}"
     return f"The contact radius equals the coating thickness, a = h = {thick}, at depth {deep}."
+
+
+def rigid_note(problem: Problem, curve: Curve) -> str | None:
+    """One sentence on what it would have cost to take a deformable indenter as rigid."""
+    if not isinstance(problem.medium, Pair):
+        return None
+    lower: Any = problem.medium.lower
+    rigid = problem._replace(medium=lower).contact()
+    depths = curve.depth[[0, -1]]
+    try:
+        excess = [
+            100.0 * (float(rigid.at_depth(d).force) / float(f) - 1.0) for d, f in zip(depths, curve.force[[0, -1]], strict=True)
+        ]
+    except MDRError:
+        return None
+    return f"With a rigid indenter the force would be {excess[0]:+.1f} % off at the first depth, {excess[1]:+.1f} % at the last."
 
 
 def pressure_distributions(contact: Contact, curve: Curve) -> list[tuple[float, Any, Any]]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 from ..contact import Contact
-from ..medium import Coated, Layered, Medium
+from ..medium import Coated, Layered, Medium, Pair
 from ..problem.compute import Control
 from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 from .table import Column, column
@@ -66,6 +66,8 @@ def solve(contact: Contact, control: Control, bar: Any) -> Curve:
 
 def thickness(medium: Medium) -> float | None:
     """Thickness h of the coating or of all layers together; None for a medium without layers."""
+    if isinstance(medium, Pair):
+        return thickness(medium.lower) if isinstance(medium.lower, Medium) else None
     if isinstance(medium, Coated):
         return medium.thickness
     if isinstance(medium, Layered):

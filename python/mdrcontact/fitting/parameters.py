@@ -100,8 +100,8 @@ class Instrument:
     work_of_adhesion : gamma >= 0 [modulus length]; for ForceDepth
     depth_offset, force_offset : what the instrument reads at first contact [length], [modulus length^2]
     frame_compliance : of frame and holder, beyond what the instrument has already taken off [1/(modulus length)]
-    indenter : material of the indenter, an Elastic, or None for a rigid one. Its compliance adds to that of the medium in stiffness
-        and modulus data; force-depth curves are those of a rigid indenter
+    indenter : material of the indenter, an Elastic, or None for a rigid one: the contact is that of `Pair(medium, indenter)`. An
+        indenter that is layered itself stands in the medium, a Pair, which is then fixed as it is
     contact_depth_factor : epsilon of the contact depth h_c = h - epsilon P/S; 0 or less where the surface piles up
     stiffness_factor : beta of S = 2 beta a E_r
     contact_depth_scale : factor of h_c; 1.2 with contact_depth_factor = 1: Loubet's contact depth
@@ -197,6 +197,8 @@ def of_medium(medium: Any) -> MediumNumbers:
     """A medium's numbers; tables and functions are fixed as they are."""
     if not isinstance(medium, media.Medium):
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
+    if isinstance(medium, media.Pair) and has_homogeneous_indenter(medium):
+        return of_medium(medium.lower)
     if isinstance(medium, (media.Coated, media.Layered)):
         return _stack(medium)
     plain = (0, None, 1)
@@ -210,6 +212,21 @@ def of_medium(medium: Any) -> MediumNumbers:
     if isinstance(medium, media.Graded) and isinstance(medium.E, tuple):
         return _graded(medium)
     return MediumNumbers(Numbers(0, [], [], lambda _: medium), *plain)
+
+
+def has_homogeneous_indenter(medium: Any) -> bool:
+    """Whether a medium is a pair whose upper body is the number indenter_modulus to a fit."""
+    pair = isinstance(medium, media.Pair)
+    return pair and isinstance(medium.upper, media.Homogeneous) and isinstance(medium.lower, media.Medium)
+
+
+def with_indenter(instrument: Instrument, medium: Any) -> Instrument:
+    """The instrument with the upper body of a pair as its indenter."""
+    if not has_homogeneous_indenter(medium):
+        return instrument
+    if instrument.indenter is not None:
+        raise InvalidArgumentError("Instrument(indenter=...) is not allowed with a Pair: its upper body is the indenter")
+    return replace(instrument, indenter=medium.upper.material)
 
 
 def _graded(medium: Any) -> MediumNumbers:

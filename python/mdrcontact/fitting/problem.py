@@ -14,6 +14,7 @@ from .. import _layout, _native
 from .._boundary import Refusal, address, number, outcome, record
 from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError
+from ..medium import Pair
 from ..profile import AreaFunction
 from .data import Data
 from .parameters import (
@@ -22,11 +23,13 @@ from .parameters import (
     JointPrior,
     MediumNumbers,
     Numbers,
+    has_homogeneous_indenter,
     of_indenter,
     of_instrument,
     of_medium,
     read_free,
     read_known,
+    with_indenter,
 )
 
 _LOSSES = {"linear": 0, "huber": 1, "cauchy": 2}
@@ -47,6 +50,8 @@ class Problem(NamedTuple):
     """(6, parameters): value, lower, upper, prior, standard deviation of the prior, is_free"""
     weights: NDArray[np.float64]
     """(joint priors, parameters)"""
+    is_paired: bool
+    """the medium is a pair whose upper body stands in the instrument"""
 
     def call(self, function: Any, *further: Any, with_sd: bool = True) -> Any:
         """A compiled function of the problem, x, y, force, sd where it takes them, and of what follows."""
@@ -78,7 +83,8 @@ class Problem(NamedTuple):
         """Indenter, medium and instrument with these numbers."""
         i, m = len(self.indenter.values), len(self.medium.numbers.values)
         rows = [float(v) for v in values]
-        return self.indenter.build(rows[:i]), self.medium.numbers.build(rows[i : i + m]), self.instrument.build(rows[i + m :])
+        medium, instrument = self.medium.numbers.build(rows[i : i + m]), self.instrument.build(rows[i + m :])
+        return self.indenter.build(rows[:i]), Pair(medium, instrument.indenter) if self.is_paired else medium, instrument
 
     def predict(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """What the instrument would read where the numbers are these."""
@@ -114,7 +120,8 @@ def make_problem(
     rule, loss_code = code("adhesion_rule", adhesion_rule, RULES), code("loss", loss, _LOSSES)
     if not isinstance(max_iterations, int) or max_iterations < 1:
         raise InvalidArgumentError(f"max_iterations = {max_iterations!r} is not allowed: it must be a whole number, at least 1")
-    parts = of_indenter(indenter), of_medium(medium), of_instrument(instrument or Instrument())
+    is_paired = has_homogeneous_indenter(medium)
+    parts = of_indenter(indenter), of_medium(medium), of_instrument(with_indenter(instrument or Instrument(), medium))
     names = parts[0].names + parts[1].numbers.names + parts[2].names
     values = parts[0].values + parts[1].numbers.values + parts[2].values
     chosen = read_free(free, names)
@@ -144,7 +151,7 @@ def make_problem(
         indenter=parts[0].code,
         profile=indenter._handle.address,
         medium=parts[1].numbers.code,
-        medium_object=medium._handle.address,
+        medium_object=(medium.lower if is_paired else medium)._handle.address,
         model=parts[1].model,
         layers=parts[1].layers,
         options=address(parts[1].options),
@@ -155,7 +162,7 @@ def make_problem(
         max_iterations=max_iterations,
         check_units=bool(check_units),
     )
-    return Problem(data, *parts, names, chosen, problem, table, weights)
+    return Problem(data, *parts, names, chosen, problem, table, weights, is_paired)
 
 
 def _named(refusal: Refusal, problem: Problem) -> Refusal:

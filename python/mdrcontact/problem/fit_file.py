@@ -111,8 +111,6 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
         if name not in table:
             raise ProblemError(f"the table [{name}] is missing: a fit has [indenter], [medium], [data] and [fit]")
     shape = Section(table["indenter"], "indenter", indenters.KNOWN)
-    if "material" in shape or "body" in shape:
-        raise ProblemError("[indenter.material]: in a fit the indenter's material stands in [instrument], as indenter = {E, nu}")
     body = mediums.read_medium(Section(table["medium"], "medium", mediums.KNOWN), shape)
     instrument = _read_instrument(Section(table.get("instrument", {}), "instrument", _INSTRUMENT))
     tip = indenters.read_indenter(shape)

@@ -15,6 +15,8 @@ module mdrcontact_fit_predict
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
+    use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, radius_law_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -68,16 +70,18 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer, intent(in), optional :: order(:)
         class(profile_t), allocatable :: profile
+        class(medium_t), allocatable :: pressed
         class(medium_t), allocatable, target :: medium
         real(wp), allocatable :: a(:), modulus(:)
         integer :: n
 
         y = 0.0_wp
         n = indenter_count(problem%body) + medium_count(problem%body)
-        call make_body(problem%body, values(:n), shared, profile, medium, error)
+        call make_body(problem%body, values(:n), shared, profile, pressed, error)
         if (allocated(error)) return
         associate (instrument => values(n + 1:))
             call check_instrument(instrument, error)
+            if (.not. allocated(error)) call press(pressed, instrument(at_indenter_modulus), medium, error)
             if (allocated(error)) return
             if (problem%data_kind == data_force_depth) then
                 call predict_force(problem, instrument, profile, medium, data, y, error, order)
@@ -90,7 +94,7 @@ contains
                 a = data%x
             end if
             a = a*sqrt(instrument(at_area_factor))
-            call reduced_moduli(medium, instrument(at_indenter_modulus), a, modulus, error)
+            call sampled_moduli(medium, a, modulus, error)
             if (allocated(error)) return
             ! an instrument that takes the area as too small finds S/(2a) too large
             y = modulus*sqrt(instrument(at_area_factor))
@@ -98,6 +102,23 @@ contains
             y = 1.0_wp/(1.0_wp/(2.0_wp*instrument(at_stiffness_factor)*a*modulus) + instrument(at_frame_compliance))
         end associate
     end subroutine predict_sharing
+
+    !> The medium under a homogeneous indenter.
+    subroutine press(pressed, indenter_modulus, medium, error)
+        class(medium_t), allocatable, intent(inout) :: pressed
+        !> E* of the indenter; infinite if it is rigid
+        real(wp), intent(in) :: indenter_modulus
+        class(medium_t), allocatable, intent(out) :: medium
+        type(error_t), allocatable, intent(out) :: error
+        type(homogeneous_t) :: indenter
+
+        if (indenter_modulus > huge(1.0_wp)) then
+            call move_alloc(pressed, medium)
+            return
+        end if
+        call new_homogeneous_from_modulus(indenter, indenter_modulus, error)
+        if (.not. allocated(error)) call new_pair(medium, pressed, indenter, error)
+    end subroutine press
 
     pure subroutine check_instrument(instrument, error)
         real(wp), intent(in) :: instrument(:)
@@ -133,11 +154,6 @@ contains
         logical :: reached(size(y)), approaches(size(y))
         integer :: branch(size(y))
 
-        if (instrument(at_indenter_modulus) <= huge(1.0_wp)) then
-            call raise(error, error_invalid, "indenter_modulus = "//to_text(instrument(at_indenter_modulus))// &
-                       " is not allowed with force against depth: there the indenter is rigid; it enters stiffness data only")
-            return
-        end if
         d = data%x - instrument(at_depth_offset)
         if (instrument(at_frame_compliance) /= 0.0_wp) then
             d = d - instrument(at_frame_compliance)*(data%y - instrument(at_force_offset))
@@ -242,10 +258,9 @@ contains
         end do
     end function radius_at_height
 
-    !> E_r(a): E_eff of the medium and the indenter's own compliance in series.
-    subroutine reduced_moduli(medium, indenter_modulus, a, modulus, error)
+    !> E_eff(a) of medium and indenter.
+    subroutine sampled_moduli(medium, a, modulus, error)
         class(medium_t), intent(in), target :: medium
-        real(wp), intent(in) :: indenter_modulus
         real(wp), intent(in) :: a(:)
         real(wp), allocatable, intent(out) :: modulus(:)
         type(error_t), allocatable, intent(out) :: error
@@ -266,8 +281,7 @@ contains
             if (.not. allocated(error)) modulus = law%at(a)
         end if
         if (allocated(error)) return
-        if (indenter_modulus <= huge(1.0_wp)) modulus = 1.0_wp/(1.0_wp/modulus + 1.0_wp/indenter_modulus)
-    end subroutine reduced_moduli
+    end subroutine sampled_moduli
 
     function modulus_value(self, x) result(y)
         class(modulus_t), intent(inout) :: self
