@@ -32,6 +32,19 @@ def test_hertz_with_an_elastic_indenter():
     assert mdr.Pair(OXIDE, diamond).modulus(1.0) == pytest.approx(both, rel=CLOSED)
 
 
+def test_two_curved_bodies():
+    """1/R = 1/R1 + 1/R2: the gap is that of the two shapes; a socket that fits the ball is refused."""
+    both = mdr.Paraboloid.between(2e-3, 3e-3)
+    assert both.height(1e-4) == pytest.approx((mdr.Paraboloid(2e-3) + mdr.Paraboloid(3e-3)).height(1e-4), rel=CLOSED)
+    assert mdr.Paraboloid.between(2e-3, math.inf) == mdr.Paraboloid(2e-3)
+    assert mdr.Paraboloid.between(2e-3, -4e-3).radius == pytest.approx(4e-3, rel=CLOSED)
+    for lower, words in ((-2.1e-3, "conformal"), (-1e-3, "conformal"), (0.0, "other than 0"), (math.nan, "other than 0")):
+        with pytest.raises(mdr.InvalidArgumentError, match=words):
+            mdr.Paraboloid.between(2e-3, lower)
+    with pytest.raises(mdr.InvalidArgumentError, match="upper_radius = -1"):
+        mdr.Paraboloid.between(-1.0, 2.0)
+
+
 def test_sneddon_cone_in_degrees_and_by_half_angle():
     phi = math.radians(19.7)
     force = mdr.Contact(mdr.Cone(phi), mdr.Homogeneous(OXIDE)).at_depth(1e-7).force

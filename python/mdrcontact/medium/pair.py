@@ -21,7 +21,7 @@ class Pair(Medium):
     lower, upper : each a medium of one body (homogeneous, coated, layered, graded), an Elastic(E, nu) for a homogeneous one, or
         RIGID; not both rigid
 
-    The indenter of a contact with it is the gap before contact, the sum of both shapes (`SumOfProfiles`, or `paraboloids`); its
+    The indenter of a contact with it is the gap before contact, the sum of both shapes (`SumProfile`, `Paraboloid.between`); its
     depth is the approach of distant points of the two bodies. Bodies that are homogeneous or solved exactly (the default) add
     exactly. Approximate models add in series, 1/E_eff = 1/E_eff,1 + 1/E_eff,2, at an error far below their own; they do not
     combine with a coated body solved exactly. Power-law graded bodies combine with their like of the same exponent only.

@@ -21,6 +21,26 @@ class Paraboloid(Profile):
     def __post_init__(self) -> None:
         self._own(_native.profile_paraboloid(*self._numbers()))
 
+    @classmethod
+    def between(cls, upper_radius: float, lower_radius: float) -> Paraboloid:
+        """The gap between two curved bodies, 1/R = 1/R1 + 1/R2: a ball on a ball, or with lower_radius < 0 in a socket.
+
+        upper_radius : R1 > 0 [length]
+        lower_radius : R2, not 0; infinite for a plane. A socket must be at least a tenth wider than the ball: closer ones touch
+            conformally, over a width that is no longer small against the radii, and are not half-spaces to each other
+        """
+        upper, lower = number("upper_radius", upper_radius), number("lower_radius", lower_radius)
+        if not 0.0 < upper < math.inf:
+            raise InvalidArgumentError(f"upper_radius = {upper:g} is not allowed: it must be finite and greater than 0")
+        if math.isnan(lower) or lower == 0.0:
+            raise InvalidArgumentError(f"lower_radius = {lower:g} is not allowed: it must be a number other than 0")
+        if -1.1 * upper < lower < 0.0:
+            raise InvalidArgumentError(
+                f"lower_radius = {lower:g} is not allowed: a socket must be a tenth wider than the ball, {upper:g}, or the "
+                "contact is conformal"
+            )
+        return cls(1.0 / (1.0 / upper + 1.0 / lower))
+
 
 @dataclass(frozen=True)
 class Sphere(Profile):
