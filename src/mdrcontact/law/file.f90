@@ -69,7 +69,8 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         text(:len(first_line)) = first_line
-        text(len(first_line) + 1:start) = law%description//new_line_character
+        text(len(first_line) + 1:start - 1) = law%description
+        text(start:start) = new_line_character
         do i = 1, size(words)
             write (text(start + 1:start + word_length), "(z16.16, a)") words(i), merge(new_line_character, " ", modulo(i, 8) == 0)
             start = start + word_length
