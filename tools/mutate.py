@@ -27,8 +27,6 @@ MUTATIONS = [
     ("numerics/monotone_table.f90", "(3.0_wp*rise - 2.0_wp*self%slopes(low)", "(3.0_wp*rise - 1.0_wp*self%slopes(low)", "profile"),
     ("numerics/sampled_function.f90", "do j = size(c), 2, -1\n            b3", "do j = size(c), 3, -1\n            b3", "profile"),
     ("numerics/sampled_function.f90", "smallest_root = 1.0e-5_wp", "smallest_root = 1.0e-1_wp", "profile"),
-    ("numerics/order.f90", "x(runs(left)) <= x(runs(right))", "x(runs(left)) < x(runs(right))", "test_fit$"),
-    ("numerics/order.f90", "right = count + 1", "right = count + 2", "test_fit$"),
     ("gsl_handler.c", "while (atomic_load(&handler_state) != SWITCHED) {", "while (0) {", "gsl_handler"),
     ("lateral/voxels.f90", "last = floor(place) + self%images*n", "last = floor(place) + self%images*n + 1", "lateral_structures"),
     ("lateral/voxels.f90", "first = floor(place) - self", "first = floor(place) + 1 - self", "lateral_structures"),
@@ -46,8 +44,8 @@ MUTATIONS = [
      "        if (stat == 0) then\n            allocate", "test_law$|fuzz_replay_law"),
     ("law/crc32.f90", "-306674912_int32", "-306674911_int32", "test_law$|c_law"),
     ("law/compile.f90", "table%powers(3) = table%powers(1) - 1.0_wp", "table%powers(3) = table%powers(1)", "law"),
-    ("law/segment.f90", "3.0_wp*c(4)", "2.0_wp*c(4)", "law"),
-    ("law/segment.f90", "rate = 0.5_wp*rate/u", "rate = rate/u", "law"),
+    ("law/interval.f90", "3.0_wp*c(4)", "2.0_wp*c(4)", "law"),
+    ("law/interval.f90", "rate = 0.5_wp*rate/u", "rate = rate/u", "law"),
     ("file.c", "if (problem == 0 && rename(beside, place) != 0)", "if (0)", "c_files"),
     ("file.c", "if (problem != 0) unlink(beside);", "", "c_files"),
     ("file.c", "if (S_ISREG(facts.st_mode) && access(place, W_OK) == 0) return place;", "return place;", "c_files"),
@@ -62,8 +60,6 @@ MUTATIONS = [
     ("profile/transform.f90", "sum(weights*phi/sqrt(2.0_wp*x - s**2))", "sum(weights*phi/sqrt(2.0_wp*x + s**2))", "profile"),
     ("profile/sampled.f90", "if (here < before - rounding) then", "if (here < -huge(here)) then", "profile"),
     ("profile/sampled.f90", "roots(flat_ends + count + 1:) = .true.", "roots(flat_ends + count + 1:) = .false.", "profile"),
-    ("fit/runs.f90", "2.0_wp*above*below/(above + below)", "1.0_wp*above*below/(above + below)", "test_fit$"),
-    ("fit/runs.f90", "abs(runs - mean) - 0.5_wp", "abs(runs - mean) + 0.5_wp", "test_fit$"),
 ]  # fmt: skip
 """file, text, replacement, tests"""
 
