@@ -159,11 +159,35 @@ def adhesion(quick: bool) -> Any:
     return figure
 
 
+def stress(quick: bool) -> Any:
+    """Largest principal stress and von Mises stress in a TiN coating on steel under a sliding ball."""
+    contact = mdr.Contact(mdr.Paraboloid(1e-3), mdr.Coated(mdr.Elastic(450e9, 0.25), 2e-6, mdr.Elastic(210e9, 0.30)))
+    state = contact.at_radius(4e-6)
+    x = np.linspace(-8e-6, 8e-6, 41 if quick else 161)
+    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.0), layout="constrained", sharey=True)
+    parts = (np.linspace(1e-9, 2e-6 * (1 - 1e-9), 40), np.linspace(2e-6 * (1 + 1e-9), 6e-6, 40))
+    # x < 0 lies on the other side of the axis
+    fields = [contact.interior(abs(x)[:, None], z, state, friction=0.1, angle=np.where(x < 0, np.pi, 0)[:, None]) for z in parts]
+    for axis, name in zip(axes, ("von Mises stress", "largest principal stress"), strict=True):
+        values = [f.von_mises if name.startswith("von") else f.principal[..., 0] for f in fields]
+        top = max(float(v.max()) for v in values) / 1e9
+        levels = np.linspace(0.0 if name.startswith("von") else -top, top, 23)
+        for z, value in zip(parts, values, strict=True):
+            shown = np.clip(value / 1e9, levels[0], top)
+            drawn = axis.contourf(x / 1e-6, z / 1e-6, shown.T, levels, cmap="viridis" if levels[0] == 0.0 else "RdBu_r")
+        axis.axhline(2.0, color="white" if levels[0] == 0.0 else "black", linewidth=0.9)
+        axis.plot([-4.0, 4.0], [0.0, 0.0], color="black", linewidth=5.0, solid_capstyle="butt", clip_on=False)
+        axis.set(xlabel="x [um]", ylim=(6.0, 0.0), aspect="equal", title=f"{name} [GPa]")
+        figure.colorbar(drawn, ax=axis, shrink=0.9, format="%.1f")
+    axes[0].set(ylabel="depth z [um]")
+    return figure
+
+
 def _elastic_models() -> tuple[str, ...]:
     return mdr.accuracy_map([2.0], [1.0]).models
 
 
-PICTURES = (springs, indenters, media, accuracy, adhesion)
+PICTURES = (springs, indenters, media, accuracy, adhesion, stress)
 
 
 def save(figure: Any, file: Path) -> None:

@@ -600,6 +600,64 @@ int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, i
  *  @return also MDR_EINVALID with adhesion, MDR_ENOCONVERGENCE */
 int mdr_contact_lowest_pressure(const mdr_contact *c, const mdr_state *state, double *pressure, double *r);
 
+/** Which body of a contact. */
+enum mdr_body {
+    MDR_BODY_LOWER = 1, /**< The medium, or the lower one of two. */
+    MDR_BODY_UPPER = 2  /**< The upper one of two deformable bodies; a rigid indenter is none. */
+};
+
+/** Which side of an interface between layers: sigma_rr, sigma_tt and sigma_rt jump there. */
+enum mdr_side {
+    MDR_SIDE_BELOW = 1, /**< That of the larger depth. */
+    MDR_SIDE_ABOVE = 2  /**< That of the smaller depth. */
+};
+
+/** Displacements and stresses at a point inside a body, in cylinder coordinates (r, t, z); z and u_z point into the body, tension
+ *  is positive. */
+typedef struct mdr_interior {
+    double u_r;  /**< Radial displacement [length]. */
+    double u_t;  /**< Displacement along the circumference, 0 without friction [length]. */
+    double u_z;  /**< Displacement into the body [length]. */
+    double s_rr; /**< Radial stress [modulus]. */
+    double s_tt; /**< Circumferential (hoop) stress [modulus]. */
+    double s_zz; /**< Stress normal to the surface: -p at the surface [modulus]. */
+    double s_rz; /**< Shear stress [modulus]. */
+    double s_rt; /**< Shear stress, 0 without friction [modulus]. */
+    double s_tz; /**< Shear stress, 0 without friction [modulus]. */
+} mdr_interior;
+
+/** Displacements and stresses inside a body of homogeneous, layered or graded material, under the state's pressure.
+ *
+ *  Points that form a grid of few distinct r and z cost far less than as many scattered ones. Where the load is singular on the
+ *  surface (edge of a flat punch or of an adhesive contact, apex of a cone, edge of a flat end) stresses are infinite. Under an
+ *  approximate model it is the field in the layers under the model's own pressure, whose surface does not fit the indenter.
+ *  @param c         contact
+ *  @param body      one of enum mdr_body
+ *  @param state     a state of this contact, with a radius > 0
+ *  @param side      one of enum mdr_side, for points on an interface
+ *  @param friction  f >= 0: the contact slides, with traction f p(r) in +x on the lower body and -f p(r) on the upper one, p that
+ *                   of the contact without friction (Goodman). Not with adhesion.
+ *  @param n         number of points
+ *  @param r         [n] distances from the axis, >= 0 [length]
+ *  @param z         [n] depths into the body, >= 0 [length]
+ *  @param angle     [n] azimuths from +x [radian], or NULL: 0
+ *  @param out       [n] displacements and stresses
+ *  @return also MDR_EDOMAIN for points in a rigid base or beyond 1e12 a, MDR_EINVALID for media without E and nu, or with tension
+ *          under friction, MDR_ENOCONVERGENCE */
+int mdr_contact_interior(const mdr_contact *c, int body, const mdr_state *state, int side, double friction, int n, const double r[],
+                         const double z[], const double angle[], mdr_interior out[]);
+
+/** Elastic energy in each layer of a body without friction, from the surface down, the half-space last (0 for a rigid base).
+ *  Together they are the work of the pressure on the surface.
+ *  @param c         contact
+ *  @param body      one of enum mdr_body
+ *  @param state     a state of this contact, with a radius > 0
+ *  @param capacity  size of the array, >= 0: at most so many are written
+ *  @param out       [capacity] energies [modulus length^3]
+ *  @param count     receives how many there are
+ *  @return also MDR_EINVALID for graded bodies and media without E and nu, MDR_ENOCONVERGENCE */
+int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[], int *count);
+
 /** Frees a contact and sets *c to NULL. c = NULL and *c = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *c is not a contact */
 int mdr_contact_free(mdr_contact **c);

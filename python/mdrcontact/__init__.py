@@ -15,14 +15,31 @@ docs/theory.md, which states the equations. Numbers give floats, arrays give arr
 compare and pickle by their constructor arguments, and may be shared between threads. Errors are `MDRError` and its subclasses.
 """
 
-from . import accuracy, adhesion, closed_forms, contact, errors, fitting, law, material, medium, profile, threads, weights
+from . import (
+    accuracy,
+    adhesion,
+    closed_forms,
+    contact,
+    critical,
+    errors,
+    fitting,
+    interior,
+    law,
+    material,
+    medium,
+    profile,
+    threads,
+    weights,
+)
 from ._native import version as _version
 from .accuracy import *  # noqa: F403
 from .adhesion import *  # noqa: F403
 from .closed_forms import *  # noqa: F403
 from .contact import *  # noqa: F403
+from .critical import *  # noqa: F403
 from .errors import *  # noqa: F403
 from .fitting import *  # noqa: F403
+from .interior import *  # noqa: F403
 from .law import *  # noqa: F403
 from .material import *  # noqa: F403
 from .medium import *  # noqa: F403
@@ -35,8 +52,10 @@ __all__ = [
     *adhesion.__all__,
     *closed_forms.__all__,
     *contact.__all__,
+    *critical.__all__,
     *errors.__all__,
     *fitting.__all__,
+    *interior.__all__,
     *law.__all__,
     *material.__all__,
     *medium.__all__,

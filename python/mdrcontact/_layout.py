@@ -58,6 +58,20 @@ state = np.dtype(
     ],
     align=True,
 )
+interior = np.dtype(
+    [
+        ("u_r", np.float64),
+        ("u_t", np.float64),
+        ("u_z", np.float64),
+        ("s_rr", np.float64),
+        ("s_tt", np.float64),
+        ("s_zz", np.float64),
+        ("s_rz", np.float64),
+        ("s_rt", np.float64),
+        ("s_tz", np.float64),
+    ],
+    align=True,
+)
 structure_options = np.dtype(
     [
         ("size", np.uintp),
@@ -202,6 +216,12 @@ FIELD_DISPLACEMENT = 2
 FIELD_LINE_LOAD = 3
 FIELD_DISPLACEMENT_LOWER = 4
 FIELD_DISPLACEMENT_UPPER = 5
+
+BODY_LOWER = 1
+BODY_UPPER = 2
+
+SIDE_BELOW = 1
+SIDE_ABOVE = 2
 
 SHAPE_LAYER = 0
 SHAPE_HALF_SPACE = 1

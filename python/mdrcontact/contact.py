@@ -5,17 +5,20 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native, _zeta, adhesion
+from . import _layout, _native, _zeta, adhesion, critical, interior
 from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record
 from ._value import Value
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code
+from .critical import Critical, Failure
 from .errors import ArgumentTypeError, MDRError, NotOneDiscWarning
+from .interior import Interior
 from .medium import Medium
 from .profile import Paraboloid, Profile
 
@@ -208,8 +211,65 @@ class Contact(Value):
     def lowest_pressure(self, state: State) -> tuple[float, float]:
         """The smallest p(r) [modulus] of one state without adhesion, and its r [length]: 0, at the edge, where none is negative.
         Below 0 the contact is not one disc and its pressure not that of the true contact (see `NotOneDiscWarning`)."""
-        pressure, r = call(_native.contact_lowest_pressure, self._handle.address, _row_of(state))
+        pressure, r = call(_native.contact_lowest_pressure, self._handle.address, self._one(state))
         return float(pressure), float(r)
+
+    def interior(
+        self,
+        r: ArrayLike,
+        z: ArrayLike,
+        state: State,
+        body: str = "lower",
+        side: str = "below",
+        friction: float = 0.0,
+        angle: ArrayLike = 0.0,
+    ) -> Interior:
+        """Displacements and stresses inside a homogeneous, coated, layered or graded body.
+
+        r, z : distance from the axis and depth into the body, >= 0 [length], any shapes that broadcast; grids of few distinct r and
+            z, as r[:, None] and z[None, :], cost far less than as many scattered points
+        state : one state of this contact, as `at_force` and the like give
+        body : "lower", or "upper" of two deformable bodies
+        side : at an interface s_rr, s_tt and s_rt jump: the values "below" it (larger z) or "above"
+        friction : f >= 0; the contact slides with traction f p(r) in +x on the lower body and -f p(r) on the upper one, p being
+            that of the contact without friction (Goodman); not with adhesion
+        angle : azimuth of the points from +x [radian]
+
+        Infinite where theory says so: on the surface at the edge of a flat punch or an adhesive contact, at the apex of a cone, at
+        the edge of a flat end. Under an approximate model it is the field in the body under the model's own pressure, whose surface
+        does not fit the indenter. Graded bodies take up to some seconds for each 64 depths.
+        """
+        return interior.interior(self._handle.address, r, z, self._one(state), body, side, friction, angle)
+
+    def critical(self, state: State, body: str = "lower", friction: float = 0.0) -> Critical:
+        """What decides whether a coating cracks, yields or peels: the largest stresses in each layer, at the surface outside the
+        contact and at each interface, where they are, and the elastic energy of each layer. Arguments as of `interior`; with
+        friction in the plane of sliding."""
+        return critical.critical(self, state, body, friction)
+
+    def first_failure(
+        self,
+        strengths: Mapping[str, Sequence[float | None]],
+        body: str = "lower",
+        friction: float = 0.0,
+        largest_radius: float | None = None,
+    ) -> tuple[Failure, ...]:
+        """The states at which given strengths are first reached as the load grows, the first one first.
+
+        strengths : what the layers and interfaces bear [modulus], one number each from the surface down, None where no failure is
+            looked for: "yield" (von Mises stress) and "tension" (principal stress) of each layer, the half-space last;
+            "interface shear" and "interface tension" of each interface
+        largest_radius : how far to look [length]; default: 30 times the thickness of all layers, as far as the contact is defined
+
+        A strength that is not reached, or only at the singular edge of a punch, has no entry.
+        """
+        return critical.first_failure(self, strengths, body, friction, largest_radius)
+
+    def _one(self, state: State | None) -> list[float]:
+        """One state as the library takes it."""
+        if not isinstance(state, State):
+            raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State; a radius is given as radius=...")
+        return [number(f"{member} of the state", value) for member, value in zip(state._fields, state, strict=True)]
 
     def _states(self, name: str, given: int, values: ArrayLike, branch: str) -> State:
         chosen = adhesion.code("branch", branch, BRANCHES)
@@ -267,11 +327,4 @@ class Contact(Value):
             state = self.at_force(number("force", force), branch)
         elif radius is not None:
             state = self.at_radius(number("radius", radius))
-        if not isinstance(state, State):
-            raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State; a radius is given as radius=...")
-        return _row_of(state)
-
-
-def _row_of(state: State) -> list[float]:
-    """One state as the library takes it."""
-    return [number(f"{member} of the state", value) for member, value in zip(state._fields, state, strict=True)]
+        return self._one(state)

@@ -17,6 +17,7 @@ from pathlib import Path
 # Arrays whose size is not n; an empty text: as an address. In C order, as in the header.
 POINTS_OF_RULE = "6*order*order*order"
 SIZES = {
+    "mdr_contact_layer_energies": {"out": "capacity"},
     "mdr_contact_pull_off": {"d": "capacity", "a": "capacity", "F": "capacity"},
     "mdr_structure_shapes": {"parameters": "n, 7"},
     "mdr_structure_voxels": {"labels": "", "E": "phases", "nu": "phases"},

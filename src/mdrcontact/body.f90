@@ -6,6 +6,7 @@
 !> do not reach beyond that material. Both are analytic in a sector around the positive k axis and are needed there.
 !> Concrete bodies are made by their `new_...` procedures, keep their materials and never change afterwards.
 module mdrcontact_body
+    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -26,6 +27,10 @@ module mdrcontact_body
         procedure(number), deferred :: last_depth
         !> numbers without a unit that determine the body but for its size and stiffness; none if that takes too many
         procedure(numbers), deferred :: ratios
+        !> the body as homogeneous layers, for stresses inside
+        procedure(sublayers_at), deferred :: sublayers
+        !> whether these layers only stand for constants that vary with depth
+        procedure :: is_graded => no
     end type body_t
 
     abstract interface
@@ -48,6 +53,26 @@ module mdrcontact_body
             class(body_t), intent(in) :: self
             real(wp), allocatable :: values(:)
         end function numbers
+
+        pure subroutine sublayers_at(self, unit, ratio, depths, layers)
+            import :: body_t, layers_t, wp
+            class(body_t), intent(in) :: self
+            !> where constants vary with depth z, layers are at most ratio*(unit + z) thick, and have faces at depths, ascending
+            !> [length]; else these do not matter
+            real(wp), intent(in) :: unit, ratio, depths(:)
+            type(layers_t), intent(out) :: layers
+        end subroutine sublayers_at
     end interface
+
+contains
+
+    pure function no(self) result(answer)
+        class(body_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .false.
+    end function no
 
 end module mdrcontact_body

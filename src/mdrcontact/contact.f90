@@ -1,6 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact of an indenter with a medium: states from depth, force or radius, and their fields (theory 2, 4, 5).
 module mdrcontact_contact
+    use mdrcontact_body, only: body_t
+    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_contact_branch, only: branch_t, new_branch, stable_segment_t
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_state, only: contact_state_t
@@ -8,6 +10,9 @@ module mdrcontact_contact
                                               new_equilibrium
     use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
+    use mdrcontact_field_body_field, only: body_field
+    use mdrcontact_field_energy, only: layer_energies
+    use mdrcontact_field_load, only: load_t
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_contact_inversion, only: invert
     use mdrcontact_kinds, only: wp
@@ -59,6 +64,8 @@ module mdrcontact_contact
         procedure :: displacement
         procedure :: elastic_energy
         procedure :: lowest_pressure
+        procedure :: interior
+        procedure :: layer_energy
     end type contact_t
 
 contains
@@ -456,6 +463,100 @@ contains
                        to_text(maxval(list%highest))//trim(self%equilibrium%why_it_ends()), name)
         end if
     end subroutine adhesive_state
+
+    !> Displacements and stresses inside a body under the state's pressure, and under its friction where the contact slides.
+    subroutine interior(self, state, upper, r, z, below, friction, angle, field, error, threads)
+        class(contact_t), intent(in) :: self
+        !> with a radius > 0
+        type(contact_state_t), intent(in) :: state
+        !> whether the upper body is meant, not the lower one; z points into the body that is meant
+        logical, intent(in) :: upper
+        !> points r >= 0, z >= 0 [length]
+        real(wp), intent(in) :: r(:), z(:)
+        !> at an interface the side of the larger z is meant
+        logical, intent(in) :: below
+        !> f >= 0: traction f p(r) in +x on the lower body, -f p(r) on the upper one; not with adhesion
+        real(wp), intent(in) :: friction
+        !> azimuths of the points from +x, same size as r [radian]
+        real(wp), intent(in) :: angle(:)
+        !> (size(r), components): u_r, u_t, u_z [length], s_rr, s_tt, s_zz, s_rz, s_rt, s_tz [modulus]
+        real(wp), intent(out) :: field(:, :)
+        type(error_t), allocatable, intent(out) :: error
+        integer, intent(in) :: threads
+        class(load_t), allocatable :: load
+        integer :: i
+
+        call check_not_negative(error, "friction", friction)
+        do i = 1, size(angle)
+            call check_finite(error, "angle", angle(i), i)
+        end do
+        if (allocated(error)) return
+        call load_of(self, state, upper, load, error)
+        if (allocated(error)) return
+        if (friction > 0.0_wp .and. load%edge < 0.0_wp) then
+            call raise(error, error_invalid, " = "//to_text(friction)//" is not allowed with adhesion: Coulomb's "// &
+                       "law knows no tension, use friction = 0", "friction")
+            return
+        end if
+        associate (medium => self%equilibrium%medium)
+            if (upper) then
+                call body_field(load, medium%counterbody, r, z, below, field, error, -friction, angle, threads)
+            else
+                call body_field(load, medium%pressed, r, z, below, field, error, friction, angle, threads)
+            end if
+        end associate
+    end subroutine interior
+
+    !> Elastic energy of each layer of a body, from the surface down, the half-space last [modulus length^3].
+    subroutine layer_energy(self, state, upper, energies, error)
+        class(contact_t), intent(in) :: self
+        !> with a radius > 0
+        type(contact_state_t), intent(in) :: state
+        !> whether the upper body is meant
+        logical, intent(in) :: upper
+        real(wp), allocatable, intent(out) :: energies(:)
+        type(error_t), allocatable, intent(out) :: error
+        class(load_t), allocatable :: load
+        class(body_t), allocatable :: body
+        type(layers_t) :: layers
+
+        call load_of(self, state, upper, load, error)
+        if (allocated(error)) return
+        if (upper) then
+            allocate (body, source=self%equilibrium%medium%counterbody)
+        else
+            allocate (body, source=self%equilibrium%medium%pressed)
+        end if
+        if (body%is_graded()) then
+            call raise(error, error_invalid, "a graded body has no layers whose energies could be told apart")
+            return
+        end if
+        call body%sublayers(load%radius, 1.0_wp, [real(wp) ::], layers)
+        allocate (energies, source=layer_energies(load, layers))
+    end subroutine layer_energy
+
+    !> The load of a state on a body that is there.
+    subroutine load_of(self, state, upper, load, error)
+        type(contact_t), intent(in) :: self
+        type(contact_state_t), intent(in) :: state
+        logical, intent(in) :: upper
+        class(load_t), allocatable, intent(inout) :: load
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (equilibrium => self%equilibrium)
+            if (upper .and. .not. equilibrium%medium%is_pair()) then
+                call raise(error, error_invalid, " = upper is not allowed: the indenter is rigid", "body")
+                return
+            end if
+            call check_positions(self, state, "r", [real(wp) ::], 0.0_wp, error)
+            if (allocated(error)) return
+            call equilibrium%medium%surface_load(equilibrium%profile, state%radius, state%excess, load, error)
+            if (allocated(error)) return
+            if (upper .and. allocated(equilibrium%medium%counterbody)) return
+            if (allocated(equilibrium%medium%pressed) .and. .not. upper) return
+            call raise(error, error_invalid, "stresses inside are not known for this medium: E and nu of its layers are needed")
+        end associate
+    end subroutine load_of
 
     pure subroutine check_positions(self, state, name, positions, largest, error)
         type(contact_t), intent(in) :: self

@@ -9,6 +9,7 @@
 module mdrcontact_medium
     use mdrcontact_body, only: body_t
     use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_field_load, only: load_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -73,6 +74,8 @@ module mdrcontact_medium
         procedure :: take_share
         !> elastic energy of the lower and of the upper body
         procedure :: energies => no_energies
+        !> the line load of a state as stresses inside need it
+        procedure :: surface_load => no_surface_load
     end type medium_t
 
     abstract interface
@@ -267,5 +270,19 @@ contains
         end associate
         value = 0.0_wp
     end function zero
+
+    subroutine no_surface_load(self, profile, a, excess, load, error)
+        class(medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        !> contact radius [length] and depth beyond the non-adhesive one [length]
+        real(wp), intent(in) :: a, excess
+        class(load_t), allocatable, intent(inout) :: load
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self, also_unused => profile, unused_too => a, and_this => excess, this_too => load)
+        end associate
+        call raise(error, error_invalid, "stresses inside are not known for this medium: use a homogeneous, coated, layered or "// &
+                   "graded one")
+    end subroutine no_surface_load
 
 end module mdrcontact_medium

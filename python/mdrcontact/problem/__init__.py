@@ -9,15 +9,16 @@ from typing import Any, NamedTuple
 from ..contact import Contact
 from ..medium import Medium
 from ..profile import Profile
-from . import adhesion, compute, indenter, medium
+from . import adhesion, compute, indenter, medium, strength
 from .adhesion import Adhesion
 from .compute import Control
 from .section import ProblemError, Section
+from .strength import Strengths
 from .toml import parse_file
 
 __all__ = ["Problem", "ProblemError", "load", "read"]
 
-_TABLES = {"title": None, "indenter": None, "medium": None, "compute": None, "adhesion": None}
+_TABLES = {"title": None, "indenter": None, "medium": None, "compute": None, "adhesion": None, "strength": None}
 
 
 class Problem(NamedTuple):
@@ -28,6 +29,7 @@ class Problem(NamedTuple):
     medium: Medium
     control: Control
     adhesion: Adhesion | None = None
+    strength: Strengths | None = None
 
     def contact(self) -> Contact:
         """The contact of the indenter with the medium, with adhesion if the file has it."""
@@ -62,4 +64,5 @@ def read(table: dict[str, Any], title: str = "") -> Problem:
         medium.read_medium(sections["medium"], shape),
         compute.read_control(sections["compute"]),
         adhesion.read_adhesion(Section(table["adhesion"], "adhesion", adhesion.KNOWN)) if "adhesion" in table else None,
+        strength.read_strength(Section(table["strength"], "strength", strength.KNOWN)) if "strength" in table else None,
     )

@@ -8,12 +8,14 @@
 module mdrcontact_body_graded
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_body, only: body_t
+    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_gradient, only: gradient_series, multiply_series, new_antiderivative, order, series_value
     use mdrcontact_body_modes, only: half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, transferred
     use mdrcontact_error, only: check_poisson, check_positive, check_table, error_callback, error_invalid, error_t, &
                                 raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: merged_breaks
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -54,6 +56,8 @@ module mdrcontact_body_graded
         procedure :: first_depth
         procedure :: last_depth
         procedure :: ratios
+        procedure :: sublayers
+        procedure :: is_graded
     end type graded_body_t
 
     !> A user's function of depth, watched for values that are not numbers.
@@ -313,5 +317,61 @@ contains
         end associate
         allocate (values(0))
     end function ratios
+
+    !> Homogeneous layers with the constants of their middles, faces at the knots and the depths.
+    pure subroutine sublayers(self, unit, ratio, depths, layers)
+        class(graded_body_t), intent(in) :: self
+        real(wp), intent(in) :: unit, ratio, depths(:)
+        type(layers_t), intent(out) :: layers
+        real(wp), allocatable :: faces(:), fixed(:)
+        real(wp) :: length
+        integer :: i, j, parts
+
+        call fixed_faces(self, unit, ratio, depths, fixed)
+        allocate (faces(1), source=0.0_wp)
+        do i = 2, size(fixed)
+            length = fixed(i) - fixed(i - 1)
+            parts = max(1, ceiling(log((unit + fixed(i))/(unit + fixed(i - 1)))/ratio))
+            if (fixed(i) > self%last_depth()) parts = 1
+            faces = [faces, [(fixed(i - 1) + length*real(j, wp)/real(parts, wp), j=1, parts - 1)], fixed(i)]
+        end do
+        associate (n => size(faces))
+            allocate (layers%thickness(n - 1), layers%shear(n), layers%poisson(n), layers%top_shear(n), layers%top_poisson(n))
+            layers%thickness = faces(2:) - faces(:n - 1)
+            do i = 1, n
+                call self%constants(faces(i), layers%top_shear(i), layers%top_poisson(i))
+                if (i < n) call self%constants(0.5_wp*(faces(i) + faces(i + 1)), layers%shear(i), layers%poisson(i))
+            end do
+            layers%shear(n) = layers%top_shear(n)
+            layers%poisson(n) = layers%top_poisson(n)
+        end associate
+    end subroutine sublayers
+
+    !> Where layers must end: the depths, and those knots that are not closer to each other than a fraction of a layer.
+    pure subroutine fixed_faces(self, unit, ratio, depths, faces)
+        class(graded_body_t), intent(in) :: self
+        real(wp), intent(in) :: unit, ratio, depths(:)
+        real(wp), allocatable, intent(out) :: faces(:)
+        real(wp), parameter :: fraction = 0.2_wp
+        real(wp), allocatable :: knots(:)
+        real(wp) :: least
+        integer :: i
+
+        allocate (faces(1), source=0.0_wp)
+        knots = merged_breaks(self%knots(), depths)
+        do i = 1, size(knots)
+            least = ratio*(unit + knots(i))*merge(0.0_wp, fraction, any(depths == knots(i)) .or. knots(i) >= self%last_depth())
+            if (knots(i) - faces(size(faces)) > least) faces = [faces, knots(i)]
+        end do
+    end subroutine fixed_faces
+
+    pure function is_graded(self) result(answer)
+        class(graded_body_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .true.
+    end function is_graded
 
 end module mdrcontact_body_graded

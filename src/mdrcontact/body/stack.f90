@@ -3,6 +3,7 @@
 module mdrcontact_body_stack
     use mdrcontact_body, only: body_t
     use mdrcontact_body_film, only: film_t, new_film
+    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_modes, only: compliance_above, half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, &
                                      series_product
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
@@ -49,6 +50,7 @@ module mdrcontact_body_stack
         procedure :: first_depth
         procedure :: last_depth
         procedure :: ratios
+        procedure :: sublayers
     end type stack_t
 
 contains
@@ -254,5 +256,22 @@ contains
             values(3*n + 5) = self%sigma_zero
         end associate
     end function ratios
+
+    !> The layers as they were given.
+    pure subroutine sublayers(self, unit, ratio, depths, layers)
+        class(stack_t), intent(in) :: self
+        real(wp), intent(in) :: unit, ratio, depths(:)
+        type(layers_t), intent(out) :: layers
+
+        associate (unused => unit, also_unused => ratio, unused_too => depths)
+        end associate
+        layers%rigid_base = self%rigid_base
+        allocate (layers%thickness, source=self%thickness)
+        allocate (layers%shear, source=[self%layers%shear(), 1.0_wp])
+        allocate (layers%poisson, source=[self%layers%poisson, 0.0_wp])
+        if (self%rigid_base) return
+        layers%shear(size(layers%shear)) = self%substrate%shear()
+        layers%poisson(size(layers%shear)) = self%substrate%poisson
+    end subroutine sublayers
 
 end module mdrcontact_body_stack

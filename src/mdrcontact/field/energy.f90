@@ -5,8 +5,9 @@
 !> interfaces. At the surface the half-space of the first material gives (1/E0*) int_0^a q^2 dx, and the layers below add an
 !> integral that converges exponentially.
 module mdrcontact_field_energy
+    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_field_load, only: load_t
-    use mdrcontact_field_sweep, only: layer_state, layers_t, new_sweep, normal_rows, sweep_t
+    use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, sweep_t
     use mdrcontact_field_waves, only: faded, wave_rule
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
@@ -20,14 +21,12 @@ contains
         class(load_t), intent(in) :: load
         type(layers_t), intent(in) :: layers
         real(wp) :: energies(size(layers%thickness) + 1)
-        real(wp), allocatable :: x(:), weight(:)
         real(wp) :: below(size(layers%thickness) + 2)
         integer :: i, n
 
         n = size(layers%thickness)
-        call load%rule(0.0_wp, x, weight)
         associate (modulus => 2.0_wp*layers%shear(1)/(1.0_wp - layers%poisson(1)))
-            below(1) = sum(weight*load%value(x)**2)/modulus
+            below(1) = load%square_integral()/modulus
         end associate
         if (n > 0) below(1) = below(1) + energy_below(load, layers, 1)
         do i = 2, n + 1

@@ -154,6 +154,7 @@ contains
         ! beside the axis a broken power, which s^2 alone does not cure
         if (kink .and. start + r <= 0.0_wp .and. low <= start) length = min(length, first_beside_axis)
         length = min(length, load%singular_end/load%radius - r - high)
+        if (length > load%analytic/load%radius) length = min(length, hypot(load%analytic/load%radius, 1.0_wp - r - high))
     end function reach
 
     !> Nodes and weights of a panel relative to r; s^2 instead of s beside a kink, and beside r where the point is on the surface.

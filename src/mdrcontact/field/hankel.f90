@@ -5,9 +5,10 @@
 module mdrcontact_field_hankel
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_error, only: error_t
+    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_field_half_space, only: shear_sums
     use mdrcontact_field_load, only: load_t
-    use mdrcontact_field_sweep, only: layer_state, layers_t, new_sweep, normal_rows, shear_rows, sweep_t
+    use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, shear_rows, sweep_t
     use mdrcontact_field_waves, only: bessel_012, faded, wave_rule
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dgemm

@@ -12,13 +12,13 @@ module mdrcontact_field_interior
                                            shear_sums
     use mdrcontact_field_hankel, only: add_grid, add_point, depth_t, hankel_t, new_hankel
     use mdrcontact_field_load, only: load_t
-    use mdrcontact_field_sweep, only: layers_t
+    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_field_waves, only: faded
     use mdrcontact_gsl, only: gsl_sort_index
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: interior_field, components
+    public :: interior_field, distinct, components
     public :: u_r, u_t, u_z, s_rr, s_tt, s_zz, s_rz, s_rt, s_tz
 
     !> The components by their place in a result.
@@ -107,15 +107,15 @@ contains
         integer :: i
 
         do i = 1, size(r)
-            call check_not_negative(error, "r", r(i))
-            call check_not_negative(error, "z", z(i))
+            call check_not_negative(error, "r", r(i), i)
+            call check_not_negative(error, "z", z(i), i)
             if (allocated(error)) return
             if (max(r(i), z(i)) > farthest_point*load%radius) then
-                call raise(error, error_domain, "the point r = "//to_text(r(i))//", z = "//to_text(z(i))//" is too far away: "// &
-                           "stresses are offered within 1e12 contact radii, a = "//to_text(load%radius))
+                call raise(error, error_domain, " = "//to_text(r(i))//", "//to_text(z(i))//" is too far away: "// &
+                           "stresses are offered within 1e12 contact radii, a = "//to_text(load%radius), "r, z", i)
             else if (layers%layer_at(z(i), below) == 0) then
-                call raise(error, error_domain, "z = "//to_text(z(i))//" lies in the rigid base, which begins at z = "// &
-                           to_text(sum(layers%thickness))//" (its surface belongs to the side above)")
+                call raise(error, error_domain, " = "//to_text(z(i))//" lies in the rigid base, which begins at z = "// &
+                           to_text(sum(layers%thickness))//" (its surface belongs to the side above)", "z", i)
             end if
             if (allocated(error)) return
         end do
@@ -277,16 +277,19 @@ contains
         type(depth_t), intent(in) :: depths(:)
         real(wp), intent(in) :: r(:), unit, sums(:, :)
         real(wp), intent(out) :: field(:, :)
+        real(wp) :: nu, mu, local
         integer :: i
 
         field(:, [u_t, s_rt, s_tz]) = 0.0_wp
         do i = 1, size(r)
-            associate (s => sums(:, i), nu => layers%poisson(depths(i)%layer), mu => layers%shear(depths(i)%layer))
+            mu = layers%shear(depths(i)%layer)
+            call local_constants(layers, depths(i), unit, nu, local)
+            associate (s => sums(:, i))
                 field(i, u_z) = unit*s(1)/(2.0_wp*mu)
                 field(i, u_r) = unit*r(i)*s(4)/(2.0_wp*mu)
                 field(i, s_zz) = s(2)
-                field(i, s_rr) = (s(3) + nu*s(2))/(1.0_wp - nu) - s(4)
-                field(i, s_tt) = nu*(s(3) + s(2))/(1.0_wp - nu) + s(4)
+                field(i, s_rr) = (local*s(3) + nu*s(2))/(1.0_wp - nu) - local*s(4)
+                field(i, s_tt) = nu*(local*s(3) + s(2))/(1.0_wp - nu) + local*s(4)
                 field(i, s_rz) = r(i)*s(5)
             end associate
         end do
@@ -297,25 +300,48 @@ contains
         type(depth_t), intent(in) :: depths(:)
         real(wp), intent(in) :: r(:), unit, sums(:, :), friction, angle(:)
         real(wp), intent(inout) :: field(:, :)
-        real(wp) :: along, across
+        real(wp) :: along, across, nu, mu, local
         integer :: i
 
         do i = 1, size(r)
             along = friction*cos(angle(i))
             across = friction*sin(angle(i))
-            associate (s => sums(:, i), nu => layers%poisson(depths(i)%layer), mu => layers%shear(depths(i)%layer))
+            mu = layers%shear(depths(i)%layer)
+            call local_constants(layers, depths(i), unit, nu, local)
+            associate (s => sums(:, i))
                 field(i, u_r) = field(i, u_r) + along*unit*(s(1) + r(i)**2*s(7))/(4.0_wp*mu)
                 field(i, u_t) = field(i, u_t) - across*unit*(s(1) - r(i)**2*s(7))/(4.0_wp*mu)
                 field(i, u_z) = field(i, u_z) + along*unit*r(i)*s(3)/(2.0_wp*mu)
-                field(i, s_rr) = field(i, s_rr) + along*r(i)*((s(5) + nu*s(4))/(1.0_wp - nu) - s(7))
-                field(i, s_tt) = field(i, s_tt) + along*r(i)*(nu*(s(5) + s(4))/(1.0_wp - nu) + s(7))
+                field(i, s_rr) = field(i, s_rr) + along*r(i)*((local*s(5) + nu*s(4))/(1.0_wp - nu) - local*s(7))
+                field(i, s_tt) = field(i, s_tt) + along*r(i)*(nu*(local*s(5) + s(4))/(1.0_wp - nu) + local*s(7))
                 field(i, s_zz) = field(i, s_zz) + along*r(i)*s(4)
                 field(i, s_rz) = field(i, s_rz) + along*0.5_wp*(s(2) + s(8))
-                field(i, s_rt) = field(i, s_rt) + across*r(i)*(0.5_wp*s(6) - s(7))
+                field(i, s_rt) = field(i, s_rt) + across*r(i)*local*(0.5_wp*s(6) - s(7))
                 field(i, s_tz) = field(i, s_tz) - across*0.5_wp*(s(2) - s(8))
             end associate
         end do
     end subroutine add_shear_components
+
+    !> Poisson's ratio at a depth, and its shear modulus relative to that of the layer: displacements, sigma_zz and sigma_rz
+    !> pass an interface unchanged, the other stresses follow from them with the constants just there.
+    pure subroutine local_constants(layers, depth, unit, poisson, shear)
+        type(layers_t), intent(in) :: layers
+        type(depth_t), intent(in) :: depth
+        real(wp), intent(in) :: unit
+        real(wp), intent(out) :: poisson, shear
+        real(wp) :: fraction
+        integer :: next
+
+        poisson = layers%poisson(depth%layer)
+        shear = 1.0_wp
+        if (.not. allocated(layers%top_shear)) return
+        next = min(depth%layer + 1, size(layers%shear))
+        fraction = 0.0_wp
+        if (next > depth%layer) fraction = (unit*depth%z - layers%top(depth%layer))/layers%thickness(depth%layer)
+        poisson = layers%top_poisson(depth%layer) + fraction*(layers%top_poisson(next) - layers%top_poisson(depth%layer))
+        shear = layers%top_shear(depth%layer) + fraction*(layers%top_shear(next) - layers%top_shear(depth%layer))
+        shear = shear/layers%shear(depth%layer)
+    end subroutine local_constants
 
     !> Infinities where the load is singular on the surface: the quadratures do not see them.
     subroutine mark_singular(load, poisson, r, z, field)

@@ -4,12 +4,15 @@
 !> p(r) follows from q by equation (6), and its Hankel transform is p_hat(k) = int_0^a p J0(kr) r dr = (1/pi) int_0^a q cos kx dx.
 module mdrcontact_field_load
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_lapack, only: dgemv
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
     public :: load_t
 
-    !> Nodes of a panel, and the largest k times its length.
+    !> How many wavenumbers share sines, that of the panels of wave_rule.
+    integer, parameter :: panel = 16
+    !> Nodes of a panel of positions, and the largest k times its length.
     integer, parameter :: nodes = 16
     real(wp), parameter :: longest_phase = 15.0_wp
 
@@ -23,13 +26,14 @@ module mdrcontact_field_load
         real(wp), allocatable :: kinks(:)
         !> position beyond a where q is singular [length]; huge() if nowhere
         real(wp) :: singular_end = huge(1.0_wp)
+        !> how far from +-a in the complex plane q is analytic [length]
+        real(wp) :: analytic = huge(1.0_wp)
     contains
-        !> q(x) [modulus length]
-        procedure(function_of_position), deferred :: value
         !> q'(x) [modulus]
         procedure(function_of_position), deferred :: slope
         !> p_hat(k) [modulus length^2]
         procedure :: transform
+        procedure :: square_integral
         !> positions and weights for integrals over the contact
         procedure :: rule
         !> makes the axis a kink where q' behaves as a broken power there; for constructors
@@ -50,22 +54,84 @@ module mdrcontact_field_load
 
 contains
 
-    !> p_hat(k) by quadrature.
+    !> p_hat(k) by parts: (1/pi) [q(a) sin(ka)/k - int_0^a q' sin(kx)/k dx].
+    !>
+    !> Wavenumbers in equal panels, one after the other, share the sines of their distances from the panel's first.
     subroutine transform(self, k, values)
         class(load_t), intent(in) :: self
-        !> wavenumbers >= 0 [1/length]
+        !> wavenumbers > 0, ascending [1/length]
         real(wp), intent(in) :: k(:)
         !> same size as k
         real(wp), intent(out) :: values(:)
-        real(wp), allocatable :: x(:), weight(:)
-        integer :: i
+        real(wp), allocatable :: x(:), weight(:), cosine(:, :), sine(:, :), here(:)
+        real(wp) :: distance(panel)
+        integer :: i, j, last
 
         call self%rule(maxval(k), x, weight)
-        weight = weight*self%value(x)/pi
-        do i = 1, size(k)
-            values(i) = sum(weight*cos(k(i)*x))
+        weight = -weight*self%slope(x)
+        allocate (cosine(size(x), panel), sine(size(x), panel), here(size(x)))
+        distance = -1.0_wp
+        do i = 1, size(k), panel
+            last = min(i + panel - 1, size(k))
+            if (any(abs(k(i:last) - k(i) - distance(:last - i + 1)) > 8.0_wp*epsilon(1.0_wp)*k(last))) then
+                distance(:last - i + 1) = k(i:last) - k(i)
+                do j = 1, last - i + 1
+                    cosine(:, j) = cos(distance(j)*x)
+                    sine(:, j) = sin(distance(j)*x)
+                end do
+            end if
+            here = weight*sin(k(i)*x)
+            call dgemv("T", size(x), last - i + 1, 1.0_wp, cosine, size(x), here, 1, 0.0_wp, values(i:last), 1)
+            here = weight*cos(k(i)*x)
+            call dgemv("T", size(x), last - i + 1, 1.0_wp, sine, size(x), here, 1, 1.0_wp, values(i:last), 1)
         end do
+        values = (self%edge*sin(k*self%radius) + values)/(pi*k)
     end subroutine transform
+
+    !> int_0^a q^2 dx [modulus^2 length^3], with q(x) = q(a) - int_x^a q' dx.
+    function square_integral(self) result(total)
+        class(load_t), intent(in) :: self
+        real(wp) :: total
+        real(wp), allocatable :: x(:), weight(:), q(:)
+        real(wp) :: node(nodes), w(nodes), inner(nodes), before
+        integer :: first, i
+
+        call gauss_legendre(node, w)
+        call self%rule(0.0_wp, x, weight)
+        allocate (q(size(x)))
+        before = self%edge
+        ! panel by panel from the edge inwards; in a panel q' dx is as smooth in the rule's variable as its nodes say
+        do first = size(x) - nodes + 1, 1, -nodes
+            associate (here => weight(first:first + nodes - 1), t => x(first:first + nodes - 1))
+                inner = here*self%slope(t)/w
+                do i = 1, nodes
+                    q(first + i - 1) = before - integral_beyond(node, w, inner, node(i))
+                end do
+                before = before - sum(w*inner)
+            end associate
+        end do
+        total = sum(weight*q**2)
+    end function square_integral
+
+    !> Integral over [from, 1] of the polynomial through values at the Gauss nodes.
+    pure function integral_beyond(node, weight, values, from) result(total)
+        real(wp), intent(in) :: node(:), weight(:), values(:), from
+        real(wp) :: total
+        real(wp) :: t, factor
+        integer :: i, j, l
+
+        total = 0.0_wp
+        do i = 1, size(node)
+            t = from + (1.0_wp - from)*node(i)
+            do j = 1, size(node)
+                factor = values(j)
+                do l = 1, size(node)
+                    if (l /= j) factor = factor*(t - node(l))/(node(j) - node(l))
+                end do
+                total = total + (1.0_wp - from)*weight(i)*factor
+            end do
+        end do
+    end function integral_beyond
 
     !> Positions and weights for integrals over [0, a] with q and waves up to k: Gauss-Legendre panels, none longer than the
     !> shortest wave allows, and x = b + s^2 beyond a kink b.
@@ -86,7 +152,7 @@ contains
         allocate (ends(size(self%kinks) + merge(1, 2, from_zero)))
         ends(1) = 0.0_wp
         ends(size(ends) - size(self%kinks):) = [self%kinks, self%radius]
-        panels = 1 + int(k*(ends(2:) - ends(:size(ends) - 1))/longest_phase)
+        panels = 1 + int((k/longest_phase + 1.0_wp/self%analytic)*(ends(2:) - ends(:size(ends) - 1)))
         ! s^2 spreads the last panel to twice its length
         where ([(any(self%kinks == ends(i)), i=1, size(panels))]) panels = 2*panels
         allocate (x(nodes*sum(panels)), weight(nodes*sum(panels)))

@@ -8,26 +8,14 @@
 !>     G: e^t (1, -1, 1, -1)  and e^t (t, 3 - 4 nu - t, t - (1 - 2 nu), 2 (1 - nu) - t)
 !> Nothing is divided by 1 - 2 nu: nu = 1/2 is allowed.
 module mdrcontact_field_sweep
+    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: layers_t, sweep_t, new_sweep, layer_state, normal_rows, shear_rows
+    public :: sweep_t, new_sweep, layer_state, normal_rows, shear_rows
 
     !> Numbers of a state under a normal load, y1 to y4, and of one under a shear load, y1 to y5 and N.
     integer, parameter :: normal_rows = 4, shear_rows = 6
-
-    !> Bonded layers from the surface down, on a half-space or a rigid base.
-    type :: layers_t
-        !> thicknesses > 0 [length]
-        real(wp), allocatable :: thickness(:)
-        !> shear moduli mu [modulus] and Poisson's ratios of the layers and, one more, of the half-space
-        real(wp), allocatable :: shear(:), poisson(:)
-        !> bonded to a rigid base: the half-space's constants are not used
-        logical :: rigid_base = .false.
-    contains
-        procedure :: top
-        procedure :: layer_at
-    end type layers_t
 
     !> Amplitudes A and B of all layers at given wavenumbers. Made by new_sweep.
     type :: sweep_t
@@ -39,31 +27,6 @@ module mdrcontact_field_sweep
     end type sweep_t
 
 contains
-
-    !> Depth of a layer's upper face [length]; layer n + 1 is the half-space.
-    pure function top(self, layer) result(z)
-        class(layers_t), intent(in) :: self
-        integer, intent(in) :: layer
-        real(wp) :: z
-
-        z = sum(self%thickness(:layer - 1))
-    end function top
-
-    !> The layer at depth z, at an interface the one above or below it; 0 inside a rigid base.
-    pure function layer_at(self, z, below) result(layer)
-        class(layers_t), intent(in) :: self
-        real(wp), intent(in) :: z
-        logical, intent(in) :: below
-        integer :: layer
-        real(wp) :: bottom
-
-        bottom = 0.0_wp
-        do layer = 1, size(self%thickness)
-            bottom = bottom + self%thickness(layer)
-            if (z < bottom .or. (z == bottom .and. .not. below)) return
-        end do
-        if (self%rigid_base) layer = 0
-    end function layer_at
 
     !> Amplitudes at wavenumbers k > 0 under a normal load, or under a load along the surface.
     pure subroutine new_sweep(self, layers, k, along_surface)

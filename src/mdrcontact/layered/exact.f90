@@ -8,6 +8,8 @@ module mdrcontact_layered_exact
     use mdrcontact_body, only: body_t
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
+    use mdrcontact_field_load, only: load_t
+    use mdrcontact_field_profile_load, only: new_profile_load, profile_load_t
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_combine, only: add_kernels
@@ -63,6 +65,7 @@ module mdrcontact_layered_exact
         procedure :: is_pair
         procedure :: take_share
         procedure :: energies
+        procedure :: surface_load
     end type layered_exact_t
 
     !> The exact medium of a body, or of layers on a substrate.
@@ -399,5 +402,23 @@ contains
             values(i) = self%surface_modulus*self%parts(i)%share*load%work_on(profile, v)
         end do
     end subroutine energies
+
+    !> q = E0* (d - g - v) with v as a Legendre series.
+    subroutine surface_load(self, profile, a, excess, load, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        class(load_t), allocatable, intent(inout) :: load
+        type(error_t), allocatable, intent(out) :: error
+        type(line_load_t) :: springs
+        type(profile_load_t), allocatable :: own
+
+        call new_line_load(springs, self%kernel, self%tolerance, profile, a, excess, error)
+        if (allocated(error)) return
+        allocate (own)
+        call new_profile_load(own, profile, self%surface_modulus, a, self%surface_modulus*springs%edge, springs%v, &
+                              self%pressed%first_depth())
+        call move_alloc(own, load)
+    end subroutine surface_load
 
 end module mdrcontact_layered_exact

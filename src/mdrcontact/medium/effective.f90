@@ -5,6 +5,7 @@
 module mdrcontact_medium_effective
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_error, only: error_t
+    use mdrcontact_field_load, only: load_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
@@ -33,7 +34,17 @@ module mdrcontact_medium_effective
         procedure :: energies
         !> what the upper body takes of the depth of the non-adhesive contact [length]
         procedure :: upper_depth
+        procedure :: surface_load
     end type effective_medium_t
+
+    !> q' = -E_eff(x) g'(x), equation (21); an adhesive edge adds the constant E_eff(a) excess.
+    type, extends(load_t) :: effective_load_t
+        private
+        class(effective_medium_t), allocatable :: medium
+        class(profile_t), allocatable :: profile
+    contains
+        procedure :: slope
+    end type effective_load_t
 
     !> Parts of the force that are left out where they vary, relative.
     real(wp), parameter :: negligible = 1.0e-3_wp*epsilon(1.0_wp)
@@ -312,5 +323,34 @@ contains
             values = sign(ieee_value(values, ieee_positive_inf), excess)
         end if
     end function edge_pressure
+
+    subroutine surface_load(self, profile, a, excess, load, error)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        class(load_t), allocatable, intent(inout) :: load
+        type(error_t), allocatable, intent(out) :: error
+        type(effective_load_t), allocatable :: own
+        real(wp), allocatable :: breaks(:)
+
+        allocate (own)
+        allocate (own%medium, source=self)
+        allocate (own%profile, source=profile)
+        own%radius = a
+        own%edge = self%effective_modulus(a)*excess
+        breaks = all_breaks(self, profile)
+        own%kinks = pack(breaks, breaks < a)
+        own%singular_end = profile%singular_radius()
+        call own%mark_axis()
+        call move_alloc(own, load)
+    end subroutine surface_load
+
+    pure function slope(self, x) result(y)
+        class(effective_load_t), intent(in) :: self
+        real(wp), intent(in) :: x(:)
+        real(wp) :: y(size(x))
+
+        y = -self%medium%effective_modulus(x)*self%profile%mdr_slope(x)
+    end function slope
 
 end module mdrcontact_medium_effective

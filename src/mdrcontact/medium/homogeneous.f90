@@ -35,7 +35,6 @@ contains
     subroutine new_homogeneous(self, material)
         type(homogeneous_t), intent(out) :: self
         type(material_t), intent(in) :: material
-
         type(stack_t) :: body
         type(error_t), allocatable :: error
 

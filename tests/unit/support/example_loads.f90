@@ -10,23 +10,10 @@ module example_loads
     type, extends(load_t) :: polynomial_load_t
         real(wp), allocatable :: coefficients(:)
     contains
-        procedure :: value
         procedure :: slope
     end type polynomial_load_t
 
 contains
-
-    pure function value(self, x) result(y)
-        class(polynomial_load_t), intent(in) :: self
-        real(wp), intent(in) :: x(:)
-        real(wp) :: y(size(x))
-        integer :: i
-
-        y = 0.0_wp
-        do i = size(self%coefficients), 1, -1
-            y = self%coefficients(i) + x*y
-        end do
-    end function value
 
     pure function slope(self, x) result(y)
         class(polynomial_load_t), intent(in) :: self
@@ -43,13 +30,12 @@ contains
     pure function with_coefficients(radius, coefficients) result(load)
         real(wp), intent(in) :: radius, coefficients(:)
         type(polynomial_load_t) :: load
-        real(wp) :: edge(1)
+        integer :: i
 
         load%radius = radius
         allocate (load%coefficients, source=coefficients)
         allocate (load%kinks(0))
-        edge = load%value([radius])
-        load%edge = edge(1)
+        load%edge = sum(coefficients*[(radius**(i - 1), i=1, size(coefficients))])
         if (abs(load%edge) < 1.0e-14_wp*maxval(abs(coefficients))) load%edge = 0.0_wp
     end function with_coefficients
 

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Displacements and stresses inside the bodies of a contact."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _layout, _native
+from ._boundary import FloatOrArray, check, number, numbers
+from .adhesion import code
+from .errors import ArgumentTypeError
+
+__all__ = ["Interior"]
+
+BODIES = {"lower": _layout.BODY_LOWER, "upper": _layout.BODY_UPPER}
+SIDES = {"below": _layout.SIDE_BELOW, "above": _layout.SIDE_ABOVE}
+
+
+class Interior(NamedTuple):
+    """Displacements [length] and stresses [modulus] at points inside a body, in cylinder coordinates; each entry has the shape of
+    the input, or is a float. z and u_z point into the body, tension is positive."""
+
+    u_r: FloatOrArray
+    """radial displacement"""
+    u_t: FloatOrArray
+    """displacement along the circumference, 0 without friction"""
+    u_z: FloatOrArray
+    """displacement into the body"""
+    s_rr: FloatOrArray
+    """radial stress"""
+    s_tt: FloatOrArray
+    """circumferential (hoop) stress"""
+    s_zz: FloatOrArray
+    """stress normal to the surface, -p there"""
+    s_rz: FloatOrArray
+    s_rt: FloatOrArray
+    """0 without friction"""
+    s_tz: FloatOrArray
+    """0 without friction"""
+
+    @property
+    def von_mises(self) -> FloatOrArray:
+        """The von Mises stress: a metal yields where it reaches the yield stress."""
+        differences = np.square(self.s_rr - self.s_tt) + np.square(self.s_tt - self.s_zz) + np.square(self.s_zz - self.s_rr)
+        return _like(self.s_rr, np.sqrt(0.5 * differences + 3.0 * self._squared_shear()), self._is_infinite())
+
+    @property
+    def tresca(self) -> FloatOrArray:
+        """The largest shear stress, (s_1 - s_3)/2. By Tresca's criterion a metal yields where twice this is the yield stress."""
+        principal = self.principal
+        return _like(self.s_rr, 0.5 * (principal[..., 0] - principal[..., 2]), self._is_infinite())
+
+    @property
+    def principal(self) -> NDArray[np.float64]:
+        """The principal stresses s_1 >= s_2 >= s_3, along one more axis at the end; NaN where stresses are infinite."""
+        components = np.broadcast_arrays(self.s_rr, self.s_rt, self.s_rz, self.s_rt, self.s_tt, self.s_tz, self.s_rz, self.s_tz,
+                                         self.s_zz)  # fmt: skip
+        tensor = np.stack(components, axis=-1).reshape(*np.shape(self.s_rr), 3, 3)
+        finite = np.isfinite(tensor).all(axis=(-2, -1))
+        values = np.linalg.eigvalsh(np.where(finite[..., None, None], tensor, 0.0))[..., ::-1]
+        return np.where(finite[..., None], values, np.nan)
+
+    def _squared_shear(self) -> Any:
+        return np.square(self.s_rz) + np.square(self.s_rt) + np.square(self.s_tz)
+
+    def _is_infinite(self) -> Any:
+        return ~np.isfinite(np.asarray(self.s_rr) + self.s_tt + self.s_zz)
+
+
+def _like(given: FloatOrArray, values: Any, is_infinite: Any) -> FloatOrArray:
+    """Infinite where the stresses are, and a float where they are floats."""
+    result = np.where(is_infinite, np.inf, values)
+    return result if np.ndim(given) else float(result)
+
+
+def interior(
+    handle: int, r: ArrayLike, z: ArrayLike, state: list[float], body: str, side: str, friction: float, angle: ArrayLike
+) -> Interior:
+    """What `Contact.interior` returns, from the numbers of a state."""
+    points = [numbers(name, values) for name, values in (("r", r), ("z", z), ("angle", angle))]
+    try:
+        radii, depths, angles = np.broadcast_arrays(*points)
+    except ValueError as problem:
+        shapes = ", ".join(str(p.shape) for p in points)
+        raise ArgumentTypeError(f"r, z and angle have the shapes {shapes}: they do not fit together") from problem
+    if not radii.size:
+        return Interior(*(np.empty(radii.shape) for _ in Interior._fields))
+    flat = [np.ascontiguousarray(values, dtype=np.float64).ravel() for values in (radii, depths, angles)]
+    status, field = _native.contact_interior(
+        handle, code("body", body, BODIES), state, code("side", side, SIDES), number("friction", friction), *flat
+    )
+    check(status, single=not radii.shape)
+    return Interior(*(column.reshape(radii.shape) if radii.shape else float(column[0]) for column in field.T))
+
+
+def layer_energies(handle: int, state: list[float], body: str, layers: int) -> NDArray[np.float64]:
+    """Elastic energy of each of so many layers."""
+    status, energies, count = _native.contact_layer_energies(handle, code("body", body, BODIES), state, layers)
+    check(status)
+    return np.array(energies[:count])

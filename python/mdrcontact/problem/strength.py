@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table [strength] of a problem file: what layers and interfaces bear."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from .section import ProblemError, Section
+from .units import MODULUS, Dimension
+
+KNOWN: Mapping[str, Dimension | None] = {
+    "yield": MODULUS,
+    "tension": MODULUS,
+    "interface_shear": MODULUS,
+    "interface_tension": MODULUS,
+}
+
+Strengths = dict[str, list[float | None]]
+
+
+def read_strength(section: Section) -> Strengths:
+    """The strengths as `Contact.first_failure` takes them, SI units; "none" where no failure is looked for."""
+    strengths = {}
+    for key in KNOWN:
+        if key not in section:
+            continue
+        values = section.plain(key)
+        if not isinstance(values, list):
+            raise ProblemError(f'[{section.path}]: {key} must be a list from the surface down, as in {key} = ["3 GPa", "none"]')
+        known = [Section({key: value}, section.path, KNOWN).quantity(key) if value != "none" else None for value in values]
+        strengths[key.replace("_", " ")] = known
+    if not strengths:
+        raise ProblemError(f"[{section.path}]: it is empty: give at least one of {', '.join(KNOWN)}")
+    return strengths

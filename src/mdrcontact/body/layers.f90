@@ -1,0 +1,51 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Bonded homogeneous layers with their elastic constants: a body as the stresses inside it need it.
+module mdrcontact_body_layers
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: layers_t
+
+    !> Layers from the surface down, on a half-space or a rigid base.
+    type :: layers_t
+        !> thicknesses > 0 [length]
+        real(wp), allocatable :: thickness(:)
+        !> shear moduli mu [modulus] and Poisson's ratios of the layers and, one more, of the half-space
+        real(wp), allocatable :: shear(:), poisson(:)
+        !> bonded to a rigid base: the half-space's constants are not used
+        logical :: rigid_base = .false.
+        !> where layers stand for constants that vary with depth: the constants at the upper face of each, else not allocated
+        real(wp), allocatable :: top_shear(:), top_poisson(:)
+    contains
+        procedure :: top
+        procedure :: layer_at
+    end type layers_t
+
+contains
+
+    !> Depth of a layer's upper face [length]; layer n + 1 is the half-space.
+    pure function top(self, layer) result(z)
+        class(layers_t), intent(in) :: self
+        integer, intent(in) :: layer
+        real(wp) :: z
+
+        z = sum(self%thickness(:layer - 1))
+    end function top
+
+    !> The layer at depth z, at an interface the one above or below it; 0 inside a rigid base.
+    pure function layer_at(self, z, below) result(layer)
+        class(layers_t), intent(in) :: self
+        real(wp), intent(in) :: z
+        logical, intent(in) :: below
+        integer :: layer
+        real(wp) :: bottom
+
+        bottom = 0.0_wp
+        do layer = 1, size(self%thickness)
+            bottom = bottom + self%thickness(layer)
+            if (z < bottom .or. (z == bottom .and. .not. below)) return
+        end do
+        if (self%rigid_base) layer = 0
+    end function layer_at
+
+end module mdrcontact_body_layers

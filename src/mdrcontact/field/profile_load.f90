@@ -1,0 +1,81 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The line load under an indenter on a homogeneous or layered body: q(x) = E0* (d - g(x) - v(x)), with g the indenter's
+!> one-dimensional profile and v what the layers below the first do to the springs, a sum of even Legendre polynomials of x/a.
+module mdrcontact_field_profile_load
+    use mdrcontact_field_load, only: load_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: profile_load_t, new_profile_load
+
+    type, extends(load_t) :: profile_load_t
+        private
+        class(profile_t), allocatable :: profile
+        !> E0* [modulus]
+        real(wp) :: modulus = 0.0_wp
+        !> coefficients of P_2j(x/a), j = 0, 1, ..., in v [length]
+        real(wp), allocatable :: v(:)
+    contains
+        procedure :: slope
+    end type profile_load_t
+
+contains
+
+    !> The load of a state.
+    subroutine new_profile_load(self, profile, modulus, radius, edge, v, first_depth)
+        type(profile_load_t), intent(out) :: self
+        class(profile_t), intent(in) :: profile
+        !> contact modulus of the surface layer [modulus], contact radius [length], q(a) [modulus length]
+        real(wp), intent(in) :: modulus, radius, edge
+        !> coefficients of P_2j(x/a) in v [length]; none on a homogeneous body
+        real(wp), intent(in) :: v(:)
+        !> thickness of the surface layer: v is analytic within twice as much beyond the contact, with a high pole there [length]
+        real(wp), intent(in) :: first_depth
+        real(wp), allocatable :: breaks(:)
+
+        allocate (self%profile, source=profile)
+        self%modulus = modulus
+        self%radius = radius
+        self%edge = edge
+        allocate (self%v, source=v)
+        breaks = profile%break_radii()
+        breaks = pack(breaks, breaks < radius)
+        if (profile%end_radius() > 0.0_wp .and. profile%end_radius() < radius .and. .not. any(breaks == profile%end_radius())) then
+            breaks = [profile%end_radius(), breaks]
+        end if
+        self%kinks = breaks
+        self%singular_end = profile%singular_radius()
+        ! so many coefficients resolve no more than this
+        if (size(v) > 1) self%analytic = max(first_depth, 27.0_wp*radius/real(size(v), wp)**2)
+        call self%mark_axis()
+    end subroutine new_profile_load
+
+    pure function slope(self, x) result(y)
+        class(profile_load_t), intent(in) :: self
+        real(wp), intent(in) :: x(:)
+        real(wp) :: y(size(x))
+
+        y = -self%modulus*(self%profile%mdr_slope(x) + even_slope(self%v, x/self%radius)/self%radius)
+    end function slope
+
+    !> sum of c_j P'_2j(u): P'_(n+1) = P'_(n-1) + (2 n + 1) P_n.
+    pure function even_slope(c, u) result(total)
+        real(wp), intent(in) :: c(0:), u(:)
+        real(wp) :: total(size(u))
+        real(wp), dimension(size(u)) :: even, odd, rise
+        integer :: j
+
+        total = 0.0_wp
+        even = 1.0_wp
+        odd = u
+        rise = 0.0_wp
+        do j = 0, ubound(c, 1)
+            total = total + c(j)*rise
+            rise = rise + real(4*j + 3, wp)*odd
+            even = (real(4*j + 3, wp)*u*odd - real(2*j + 1, wp)*even)/real(2*j + 2, wp)
+            odd = (real(4*j + 5, wp)*u*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
+        end do
+    end function even_slope
+
+end module mdrcontact_field_profile_load

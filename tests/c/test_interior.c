@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Stresses inside: refusals, Hertz on the axis, an interface, energies that are the work of the indenter. */
+#include "check.h"
+
+static mdr_contact *on_film(double work_of_adhesion)
+{
+    mdr_profile *p = NULL;
+    mdr_medium *m = NULL;
+    mdr_contact *c = NULL;
+    mdr_contact_options options;
+
+    mdr_contact_options_init(&options);
+    options.work_of_adhesion = work_of_adhesion;
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
+    CHECK_SUCCESS(mdr_medium_coated(450.0, 0.25, 1.0, 210.0, 0.3, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_contact_new(p, m, &options, &c));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    return c;
+}
+
+static void refusals(void)
+{
+    const double r[2] = {0.0, 0.5}, z[2] = {0.1, 0.2}, negative[2] = {0.0, -0.5};
+    mdr_interior out[2];
+    mdr_contact *c = on_film(0.0), *sticky = on_film(1.0);
+    mdr_state state, sticky_state;
+    double energy[2];
+    int count = -7;
+
+    fill_untouched(18, &out[0].u_r);
+    fill_untouched(2, energy);
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_contact_states(sticky, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &sticky_state));
+    CHECK_STATUS(mdr_contact_interior(NULL, 1, &state, 1, 0.0, 2, r, z, NULL, out), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_interior(c, 3, &state, 1, 0.0, 2, r, z, NULL, out), MDR_EINVALID, "body = 3");
+    CHECK_STATUS(mdr_contact_interior(c, 2, &state, 1, 0.0, 2, r, z, NULL, out), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_contact_interior(c, 1, NULL, 1, 0.0, 2, r, z, NULL, out), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 0, 0.0, 2, r, z, NULL, out), MDR_EINVALID, "side = 0");
+    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, -0.1, 2, r, z, NULL, out), MDR_EINVALID, "friction");
+    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, NAN, 2, r, z, NULL, out), MDR_EINVALID, "friction");
+    CHECK_STATUS(mdr_contact_interior(sticky, 1, &sticky_state, 1, 0.1, 2, r, z, NULL, out), MDR_EINVALID, "adhesion");
+    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, -1, r, z, NULL, out), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, NULL, z, NULL, out), MDR_ENULL, "r is NULL");
+    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, r, NULL, NULL, out), MDR_ENULL, "z is NULL");
+    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, r, z, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, negative, z, NULL, out), MDR_EINVALID, "-0.5");
+    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, r, negative, NULL, out), MDR_EINVALID, "-0.5");
+    CHECK_SUCCESS(mdr_contact_interior(c, 1, &state, 1, 0.0, 0, NULL, NULL, NULL, NULL));
+    CHECK_UNTOUCHED(18, &out[0].u_r);
+    CHECK_STATUS(mdr_contact_layer_energies(NULL, 1, &state, 2, energy, &count), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_layer_energies(c, 2, &state, 2, energy, &count), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_contact_layer_energies(c, 1, NULL, 2, energy, &count), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_contact_layer_energies(c, 1, &state, -1, energy, &count), MDR_EINVALID, "capacity = -1");
+    CHECK_STATUS(mdr_contact_layer_energies(c, 1, &state, 2, NULL, &count), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_contact_layer_energies(c, 1, &state, 2, energy, NULL), MDR_ENULL, "count is NULL");
+    CHECK_UNTOUCHED(2, energy);
+    CHECK_INT(count, -7);
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_contact_free(&sticky));
+}
+
+static void film_on_steel(void)
+{
+    const double r[3] = {0.0, 0.7, 0.7}, z[3] = {0.0, 0.0, 1.0}, angle[3] = {0.0, 0.0, 1.0};
+    mdr_interior below[3], above[3];
+    mdr_contact *c = on_film(0.0);
+    mdr_state state;
+    double energy[2], p;
+    int count = 0;
+
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 3, r, z, NULL, below));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, 1, r, &p));
+    CHECK_CLOSE(below[0].s_zz, -p, 1e-9 * p);
+    CHECK_CLOSE(below[0].u_z, state.depth, 1e-9);
+    /* the table tests/data/stress.csv */
+    CHECK_CLOSE(below[1].s_rr, -159.396855810502, 3e-7);
+    CHECK_CLOSE(below[1].s_tt, -184.130046715943, 3e-7);
+    CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.3, 3, r, z, angle, below));
+    CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_ABOVE, 0.3, 3, r, z, angle, above));
+    CHECK_CLOSE(above[2].s_tz, below[2].s_tz, 1e-10);
+    CHECK_TRUE(fabs(above[2].s_rr - below[2].s_rr) > 1.0);
+    CHECK_SUCCESS(mdr_contact_layer_energies(c, MDR_BODY_LOWER, &state, 2, energy, &count));
+    CHECK_INT(count, 2);
+    CHECK_CLOSE(energy[0], 111.699225670, 1e-6);
+    CHECK_CLOSE(energy[1], 180.488912439, 1e-6);
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
+int main(void)
+{
+    refusals();
+    film_on_steel();
+    return check_report("interior");
+}

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stresses inside bodies against tables of an independent solution, closed forms, and what is refused."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mdrcontact as mdr
+
+DATA = Path(__file__).parents[1] / "data"
+STEEL, TIN = mdr.Elastic(210.0, 0.3), mdr.Elastic(450.0, 0.25)
+CONTACT = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(TIN, 1.0, STEEL, "exact"))
+STATE = CONTACT.at_radius(1.0)
+DISPLACEMENTS, STRESSES = ("u_r", "u_t", "u_z"), ("s_rr", "s_tt", "s_zz", "s_rz", "s_rt", "s_tz")
+
+
+def rows_of(name):
+    lines = [line for line in (DATA / name).read_text().splitlines() if not line.startswith("#")]
+    cases = {}
+    for row in csv.DictReader(lines):
+        cases.setdefault(row["case"], []).append(row)
+    return cases
+
+
+def body_of(words):
+    *layers, base = words.split(";")
+    stack = [(mdr.Elastic(E, nu), h) for h, E, nu in (map(float, layer.split(":")) for layer in layers)]
+    substrate = mdr.RIGID if "rigid" in base else mdr.Elastic(*map(float, base.split(":")))
+    return mdr.Layered(stack, substrate, "exact") if stack else mdr.Homogeneous(substrate)
+
+
+def contact_of(row):
+    a = float(row["a"])
+    shapes = {"paraboloid R=1": mdr.Paraboloid(1.0), "flat": mdr.FlatPunch(a), "cone slope 1": mdr.Cone(np.pi / 4)}
+    medium = body_of(row["body1"])
+    if row["body2"] != "rigid":
+        medium = mdr.Pair(medium, body_of(row["body2"]))
+    contact = mdr.Contact(shapes[row["profile"]], medium, float(row["gamma"]))
+    return contact, contact.at_depth(float(row["d"])) if row["profile"] == "flat" else contact.at_radius(a)
+
+
+def largest_error(rows, state, field, names):
+    """Relative to the largest displacement and stress of the state."""
+    worst = 0.0
+    for group in (DISPLACEMENTS, STRESSES):
+        known = {
+            name: np.array([float(row[names.get(name, name)]) for row in rows])
+            for name in group
+            if names.get(name, name) in rows[0]
+        }
+        size = max(np.abs(values).max() for values in known.values())
+        for name, values in known.items():
+            worst = max(worst, np.abs(getattr(field, name) - values).max() / size)
+    return worst
+
+
+def fields_at(contact, state, rows, **options):
+    r, z = (np.array([float(row[name]) for row in rows]) for name in ("r", "z"))
+    above = np.array([row["side"] == "-" for row in rows])
+    options["body"] = "upper" if rows[0]["inside"] == "2" else "lower"
+    both = [contact.interior(r, z, state, side=side, **options) for side in ("below", "above")]
+    return mdr.Interior(*(np.where(above, up, down) for down, up in zip(*both, strict=True)))
+
+
+@pytest.mark.parametrize("case", rows_of("stress.csv"))
+def test_rows_of_the_table(case):
+    rows = rows_of("stress.csv")[case]
+    contact, state = contact_of(rows[0])
+    assert state.depth == pytest.approx(float(rows[0]["d"]), rel=1e-9)
+    # the rows hold a rigid base's surface from above
+    rigid = "rigid" in rows[0]["body1"]
+    if rigid:
+        r, z = (np.array([float(row[name]) for row in rows]) for name in ("r", "z"))
+        field = contact.interior(r, z, state, side="above")
+    else:
+        field = fields_at(contact, state, rows)
+    assert largest_error(rows, state, field, {}) < 1e-9
+    largest = max(float(row["von_mises"]) for row in rows)
+    assert np.asarray(field.von_mises) == pytest.approx([float(row["von_mises"]) for row in rows], abs=1e-8 * largest)
+    assert np.asarray(field.tresca) == pytest.approx([float(row["tresca_shear"]) for row in rows], abs=1e-8 * largest)
+
+
+@pytest.mark.parametrize("case", rows_of("sliding.csv"))
+def test_rows_of_the_sliding_table(case):
+    rows = rows_of("sliding.csv")[case]
+    contact, state = contact_of(rows[0])
+    angle, names = 0.7, {"u_t": "u_phi", "s_tt": "s_pp", "s_rt": "s_rp", "s_tz": "s_pz"}
+    still = fields_at(contact, state, rows)
+    slid = fields_at(contact, state, rows, friction=1.0, angle=angle)
+    factors = {name: np.sin(angle) if name in ("u_t", "s_rt", "s_tz") else np.cos(angle) for name in mdr.Interior._fields}
+    field = mdr.Interior(*((getattr(slid, n) - getattr(still, n)) / factors[n] for n in mdr.Interior._fields))
+    assert largest_error(rows, state, field, names) < 1e-9
+
+
+def test_surface_values_are_those_of_the_contact():
+    r = np.array([0.0, 0.4, 0.9, 1.3, 5.0])
+    field = CONTACT.interior(r, 0.0, STATE)
+    assert field.u_z == pytest.approx(CONTACT.displacement(r, STATE), rel=1e-9)
+    assert field.s_zz[:3] == pytest.approx(-CONTACT.pressure(r[:3], STATE), rel=1e-9)
+
+
+def test_adhesive_and_flat_edges_are_infinite():
+    adhesive = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(TIN, 1.0, STEEL, "exact"), work_of_adhesion=1.0)
+    state = adhesive.at_radius(1.0)
+    field = adhesive.interior(1.0, 0.0, state)
+    assert field.s_zz == np.inf and field.von_mises == np.inf and np.isfinite(field.u_z)
+    assert np.isfinite(adhesive.interior(1.0, 1e-9, state).s_zz)
+    with pytest.raises(mdr.MDRError, match="adhesion"):
+        adhesive.interior(0.5, 0.1, state, friction=0.2)
+    cone = mdr.Contact(mdr.Cone(0.3), mdr.Homogeneous(STEEL))
+    assert cone.interior(0.0, 0.0, cone.at_radius(1.0)).s_zz == -np.inf
+
+
+def test_stresses_under_a_models_own_pressure():
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(TIN, 1.0, STEEL, "gao"))
+    state = contact.at_radius(1.0)
+    r = np.array([0.2, 0.7])
+    assert contact.interior(r, 0.0, state).s_zz == pytest.approx(-contact.pressure(r, state), rel=1e-8)
+
+
+def test_graded_body_of_equal_constants_is_homogeneous():
+    graded = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1.0], [210.0, 210.0], 0.3, "exact"))
+    same = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(STEEL))
+    r, z = np.array([0.0, 0.6, 1.5])[:, None], np.array([0.0, 0.3, 2.0])
+    for found, expected in zip(graded.interior(r, z, graded.at_radius(1.0)), same.interior(r, z, same.at_radius(1.0)), strict=True):
+        assert found == pytest.approx(expected, abs=1e-9 * 210.0)
+
+
+def test_graded_body_balances():
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1.0, 2.0], [450.0, 300.0, 210.0], 0.3, "exact"))
+    state = contact.at_radius(1.0)
+    step, r, z = 0.02, 0.5, 0.6
+    weights = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0.0, 4 / 5, -1 / 5, 4 / 105, -1 / 280]) / step
+    offsets = step * np.arange(-4, 5)
+    along = contact.interior(r + offsets, z, state)
+    down = contact.interior(r, z + offsets, state)
+    here = contact.interior(r, z, state)
+    assert weights @ along.s_rr + weights @ down.s_rz + (here.s_rr - here.s_tt) / r == pytest.approx(0.0, abs=1e-3)
+    # Hooke with the modulus at this depth: E (u_r/r) = s_tt - nu (s_rr + s_zz)
+    modulus = 450.0 - 150.0 * z
+    assert here.s_tt - 0.3 * (here.s_rr + here.s_zz) == pytest.approx(modulus * here.u_r / r, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"r": -0.1}, "r"),
+        ({"z": -0.1}, "z"),
+        ({"z": np.nan}, "z"),
+        ({"body": "upper"}, "rigid"),
+        ({"body": "middle"}, "body"),
+        ({"side": "left"}, "side"),
+        ({"friction": -0.1}, "friction"),
+        ({"friction": np.nan}, "friction"),
+        ({"angle": np.inf}, "angle"),
+        ({"r": 1e14}, "far"),
+        ({"state": 1.0}, "State"),
+        ({"r": [0.1, 0.2], "z": [0.1, 0.2, 0.3]}, "shape"),
+    ],
+)
+def test_bad_input_is_refused(options, words):
+    with pytest.raises((mdr.MDRError, TypeError), match=words):
+        CONTACT.interior(**{"r": 0.1, "z": 0.1, "state": STATE, **options})
+
+
+def test_media_without_elastic_constants_are_refused():
+    for medium in (mdr.TabulatedMedium([1.0, 2.0, 3.0], [1.0, 1.1, 1.2]), mdr.PowerLawGraded(1.0, 1.0, 0.3, 0.3)):
+        contact = mdr.Contact(mdr.Paraboloid(10.0), medium)
+        with pytest.raises(mdr.MDRError, match="stresses inside"):
+            contact.interior(0.1, 0.1, contact.at_radius(1.5))
+
+
+def test_largest_stresses_of_tin_on_steel():
+    # in units of the mean pressure: surface tension and its place, interface shear and its place, von Mises in film and substrate
+    mean = STATE.force / np.pi
+    found = CONTACT.critical(STATE)
+    assert found.surface.value / mean == pytest.approx(0.1615157, rel=1e-5)
+    assert found.surface.r == pytest.approx(1.0)
+    assert found.interfaces[0].shear.value / mean == pytest.approx(0.175386, rel=1e-4)
+    assert found.interfaces[0].shear.r == pytest.approx(0.895, abs=0.01)
+    assert found.layers[0].von_mises.value / mean == pytest.approx(0.9146, rel=1e-3)
+    assert found.layers[1].von_mises.value / mean == pytest.approx(0.6054, rel=1e-3)
+    # a stiff film bends: its ring of tension lies outside the edge
+    wide = CONTACT.at_radius(3.0)
+    ring = CONTACT.critical(wide).surface
+    assert ring.value / (wide.force / np.pi / 9.0) == pytest.approx(0.27524, rel=1e-4)
+    assert ring.r / 3.0 == pytest.approx(1.165, abs=0.005)
+    # the layers together hold the work of the indenter
+    forces = [CONTACT.at_depth(depth).force for depth in STATE.depth * 0.5 * (1.0 + np.polynomial.legendre.leggauss(20)[0])]
+    work = STATE.depth * 0.5 * np.polynomial.legendre.leggauss(20)[1] @ forces
+    assert sum(layer.energy for layer in found.layers) == pytest.approx(work, rel=1e-6)
+
+
+def test_hertz_yields_where_it_is_known_to():
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(STEEL))
+    state = contact.at_radius(0.1)
+    largest = contact.critical(state).layers[0].tresca
+    assert largest.value / contact.pressure(0.0, state) == pytest.approx(0.3100205020, rel=1e-6)
+    assert largest.z == pytest.approx(0.04808645, rel=1e-3)
+
+
+def test_first_failure_is_where_a_strength_is_reached():
+    failures = CONTACT.first_failure({"yield": [None, 60.0], "interface shear": [30.0]}, largest_radius=3.0)
+    assert [failure.mode for failure in failures] == ["yield", "interface shear"]
+    assert failures[0].state.force < failures[1].state.force
+    again = CONTACT.critical(failures[0].state)
+    assert again.layers[1].von_mises.value == pytest.approx(60.0, rel=1e-4)
+    assert CONTACT.first_failure({"yield": [1e6, None]}, largest_radius=1.0) == ()
+    for wrong in ({}, {"yield": [1.0]}, {"melt": [1.0]}, {"yield": [-1.0, None]}, {"yield": [None, None]}):
+        with pytest.raises((mdr.MDRError, TypeError)):
+            CONTACT.first_failure(wrong)
