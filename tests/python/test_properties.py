@@ -122,6 +122,11 @@ def _power_graded(v):
     return Body(lambda s, t: mdr.PowerLawGraded(v[0] * t, v[1] * s, v[2], v[3]))
 
 
+def _pair(lower, upper):
+    exact, gradient = lower.exact and upper.exact, lower.gradient or upper.gradient
+    return Body(lambda s, t: mdr.Pair(lower.build(s, t), upper.build(s, t)), exact, gradient)
+
+
 def _tabulated(moduli):
     a = np.geomspace(1e-3, 10.0, len(moduli))
     return Body(lambda s, t: mdr.TabulatedMedium(a * s, np.array(moduli) * t))
@@ -131,19 +136,22 @@ thicknesses = _between(0.05, 20.0)
 FORMULAS = ["gao", "gao-series", "doerner-nix", "wave", "mencik-exponential", "mencik-reciprocal", "bec", "perriot-barthel"]
 WEIGHTS = st.sampled_from(["gao", "gao-series"])
 homogeneous = materials.map(lambda m: Body(lambda s, t: mdr.Homogeneous(_elastic(m, t)), exact=True))
+one_coating = st.builds(_coated, materials, thicknesses, materials, st.sampled_from(FORMULAS))
 analytic_formulas = st.one_of(
-    st.builds(_coated, materials, thicknesses, materials, st.sampled_from(FORMULAS)),
+    one_coating,
+    st.builds(_pair, one_coating, st.one_of(homogeneous, one_coating)),
     st.builds(_layered, st.lists(st.tuples(materials, thicknesses), min_size=1, max_size=3), materials, WEIGHTS),
     st.builds(_graded, st.lists(_between(0.1, 10.0), min_size=2, max_size=5), st.floats(0.0, 0.5), WEIGHTS),
 )
 formulas = st.one_of(analytic_formulas, st.lists(_between(0.5, 2.0), min_size=3, max_size=6).map(_tabulated))
 # below -0.3 the pressure at a rim is too singular for the quadrature here
 power_graded = st.tuples(_between(0.1, 10.0), lengths, st.floats(-0.3, 0.6), st.floats(0.0, 0.5)).map(_power_graded)
-exact_layers = st.one_of(
+single_exact_layers = st.one_of(
     st.builds(_coated, materials, _between(0.1, 20.0), materials, st.just("exact")),
     st.builds(_coated, materials, _between(0.3, 20.0), st.none(), st.just("exact")),
     st.builds(_layered, st.lists(st.tuples(materials, _between(0.2, 20.0)), min_size=1, max_size=2), materials, st.just("exact")),
 )
+exact_layers = st.one_of(single_exact_layers, st.builds(_pair, single_exact_layers, st.one_of(homogeneous, single_exact_layers)))
 bodies = st.one_of(homogeneous, formulas, power_graded)
 few = settings(max_examples=max(12, settings().max_examples // 5))
 """For bodies whose states cost milliseconds."""
