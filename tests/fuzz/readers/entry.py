@@ -71,7 +71,7 @@ def _read_table(data: bytes) -> None:
 
 def _find_columns(table: MeasuredTable) -> None:
     for dimension in (LENGTH, FORCE, MODULUS, STIFFNESS, RATIO):
-        table.find(["h", "depth", "force", "p"], dimension)
+        table.find("force", ["h", "depth", "force", "p"], dimension)
         for title in table.titles:
             try:
                 table.column(title, dimension)
