@@ -6,6 +6,7 @@ from __future__ import annotations
 import atexit
 import shutil
 import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -71,7 +72,8 @@ def _read_table(data: bytes) -> None:
 
 def _find_columns(table: MeasuredTable) -> None:
     for dimension in (LENGTH, FORCE, MODULUS, STIFFNESS, RATIO):
-        table.find("force", ["h", "depth", "force", "p"], dimension)
+        with suppress(ProblemError):
+            table.find("force", ["h", "depth", "force", "p"], dimension)
         for title in table.titles:
             try:
                 table.column(title, dimension)
