@@ -148,7 +148,9 @@ contains
         self%parts(lower_body)%kernel = lower%kernel
         self%parts(upper_body)%kernel = upper%kernel
         self%parts%share = self%surface_modulus/[lower%surface_modulus, upper%surface_modulus]
-        self%depth = max(lower%depth, upper%depth)
+        ! as far as each body alone: a homogeneous one has no end
+        self%depth = min(lower%depth, upper%depth)
+        if (lower%kernel%vanishes .or. upper%kernel%vanishes) self%depth = max(lower%depth, upper%depth)
         self%tolerance = min(lower%tolerance, upper%tolerance)
         if (allocated(lower%pressed)) allocate (self%pressed, source=lower%pressed)
         if (allocated(upper%pressed)) allocate (self%counterbody, source=upper%pressed)
