@@ -7,7 +7,7 @@
 module mdrcontact_layered_moments
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_legendre, only: normalisation
-    use mdrcontact_layered_rule, only: new_rule, rule_t
+    use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -107,21 +107,24 @@ contains
         logical, intent(in) :: has_root
         real(wp), intent(inout) :: g(0:)
         type(rule_t) :: rule
-        real(wp), allocatable, dimension(:) :: x, w
-        integer :: n
+        real(wp), allocatable, dimension(:) :: t, x, w
+        integer :: i, n, parts
 
         ! P_2j runs through 2j/pi half waves as acos(x/a) goes through a right angle
         n = 16 + ceiling(real(size(g), wp)*(acos(low/a) - acos(min(high/a, 1.0_wp)))*merge(1.3_wp, 1.0_wp, has_root))
-        call new_rule(rule, n)
-        allocate (x, source=0.5_wp*rule%distance)
-        allocate (w, source=0.5_wp*rule%weights)
-        if (has_root) then
-            w = 2.0_wp*x*w
-            x = x**2
-        end if
-        x = min(low + (high - low)*x, high)
-        w = w*(2.0_wp*(high - low)/a)*profile%mdr(x)
-        call add_sums(size(x), x/a, w, g)
+        parts = 1 + (n - 1)/largest_rule
+        call new_rule(rule, 1 + (n - 1)/parts)
+        do i = 1, parts
+            t = (real(i - 1, wp) + 0.5_wp*rule%distance)/real(parts, wp)
+            w = rule%weights*((high - low)/(a*parts))
+            if (has_root) then
+                w = 2.0_wp*t*w
+                t = t**2
+            end if
+            x = min(low + (high - low)*t, high)
+            w = w*profile%mdr(x)
+            call add_sums(size(x), x/a, w, g)
+        end do
     end subroutine add_interval
 
     !> Adds sum w P_2j(u).
