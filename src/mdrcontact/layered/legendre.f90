@@ -11,7 +11,7 @@ module mdrcontact_layered_legendre
     use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
     implicit none (type, external)
     private
-    public :: moments_t, new_moments, contact_rule, interaction_matrix, edge_row, edge_slopes, normalisation
+    public :: moments_t, new_moments, contact_rule, interaction_matrix, edge_kernel, edge_row, edge_slopes, normalisation
 
     !> Of a rule of N nodes, moments up to order 0.8 N are right.
     real(wp), parameter :: trusted = 0.8_wp
@@ -186,9 +186,18 @@ contains
         real(wp), intent(in) :: first_column(0:)
         real(wp), intent(out) :: row(0:)
 
-        row = sqrt(0.5_wp)*first_column - (moments%a/pi)*normalisation(size(row))*(moments%t(0:2*ubound(row, 1):2) + moments%spike)
+        row = sqrt(0.5_wp)*first_column - edge_kernel(moments, size(row))
         row(0) = sqrt(0.5_wp)*(moments%diagonal - (moments%a/pi)*(moments%t(1) + moments%spike))
     end subroutine edge_row
+
+    !> K p_j at the edge of the contact, without `shift`.
+    pure function edge_kernel(moments, count) result(values)
+        type(moments_t), intent(in) :: moments
+        integer, intent(in) :: count
+        real(wp) :: values(0:count - 1)
+
+        values = (moments%a/pi)*normalisation(count)*(moments%t(0:2*count - 2:2) + moments%spike)
+    end function edge_kernel
 
     !> The slope of K p_j at the edge of the contact [1/unit].
     pure function edge_slopes(moments, count) result(slopes)

@@ -5,13 +5,15 @@
 !> Powers of x have closed forms. Elsewhere g is integrated between the radii where it is not analytic, with room for the
 !> square roots that start there.
 module mdrcontact_layered_moments
-    use mdrcontact_kinds, only: wp
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: normalisation
     use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
+    use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: profile_moments
+    public :: edge_moment, profile_moments
 
     !> Towards the axis, where g may be any power, and towards a singular end, intervals shrink by this factor.
     real(wp), parameter :: shrinking = 0.25_wp
@@ -99,6 +101,25 @@ contains
             low = high
         end do
     end subroutine integrate
+
+    !> (a/pi) int_-1^1 X(a (1 - u)) (g(a |u|) - mean) du, what g adds to K g at the edge of the contact.
+    subroutine edge_moment(profile, kernel, a, shift, mean, total)
+        class(profile_t), intent(in) :: profile
+        type(kernel_t), intent(in) :: kernel
+        !> contact radius [length]
+        real(wp), intent(in) :: a
+        !> a constant taken off X [1/unit], which adds nothing where `mean` is that of g [length]
+        real(wp), intent(in) :: shift, mean
+        real(wp), intent(out) :: total
+        real(wp), allocatable, dimension(:) :: x, weights, near, far
+
+        ! X varies at the scale of the distance from the edge, down to the unit
+        call graded_rule(smallest_panel_ratio*a, a, profile%break_radii(), a + 0.1_wp*kernel%unit, x, weights)
+        allocate (near, far, mold=x)
+        call kernel%evaluate(max(a - x, 0.0_wp)/kernel%unit, shift, near)
+        call kernel%evaluate((a + x)/kernel%unit, shift, far)
+        total = sum(weights*(near + far)*(profile%mdr(x) - mean))/(pi*kernel%unit)
+    end subroutine edge_moment
 
     !> Adds 2 int P_2j(x/a) g(x) dx/a over one interval, x = low + (high - low) t^2 where a root starts at its lower end.
     subroutine add_interval(profile, a, low, high, has_root, g)

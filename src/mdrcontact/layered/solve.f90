@@ -3,14 +3,15 @@
 !>
 !> n unknowns are solved for, and as many coefficients more come from one iteration of the equation: what they add to a number
 !> is of second order in them and is kept. Numbers of all smaller n are partial sums of the same factorization, which give
-!> the error of each number.
+!> the error of each number. Under a fine surface layer X is nearly singular at the edge, and its series falls slowly there: its
+!> product with g is taken whole, as an integral.
 module mdrcontact_layered_solve
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_lapack, only: dpotrf
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_legendre, only: edge_row, edge_slopes, interaction_matrix, moments_t, new_moments
-    use mdrcontact_layered_moments, only: profile_moments
+    use mdrcontact_layered_legendre, only: edge_kernel, edge_row, edge_slopes, interaction_matrix, moments_t, new_moments
+    use mdrcontact_layered_moments, only: edge_moment, profile_moments
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -111,8 +112,8 @@ contains
         logical, intent(out) :: solved
         class(profile_t), intent(in), optional :: profile
         type(moments_t) :: moments
-        real(wp), allocatable :: h(:, :), rhs(:, :), forward(:, :), rest(:, :)
-        real(wp) :: mean, rise, beyond
+        real(wp), allocatable :: h(:, :), rhs(:, :), forward(:, :), rest(:, :), known(:)
+        real(wp) :: mean, rise, beyond, tail
         integer :: i, m, sides, status
 
         m = 2*n
@@ -129,12 +130,20 @@ contains
         call edge_row(moments, h(:, 1), rhs(:, 2))
         mean = 0.0_wp
         rise = 0.0_wp
+        tail = 0.0_wp
         rhs(:, 3) = 0.0_wp
+        allocate (known(m))
+        known = 0.0_wp
         if (present(profile)) then
             call profile_moments(profile, a, rhs(:, 3))
             mean = rhs(1, 3)*sqrt(0.5_wp)
             rhs(1, 3) = 0.0_wp
             rise = profile%mdr(a) - mean
+            if (kernel%is_layered .and. any(abs(rhs(n + 1:, 3)) > 0.0_wp)) then
+                call edge_moment(profile, kernel, a, moments%shift, mean, tail)
+                known = edge_kernel(moments, m)*rhs(:, 3)
+                tail = sum(known(:n)) - tail
+            end if
         end if
         do i = 1, n
             h(i, i) = h(i, i) + moments%diagonal
@@ -147,7 +156,7 @@ contains
         rhs(:n, :) = forward
         call solve_upper(n, m, sides, h, rhs)
         rest(:, :sides) = rest(:, :sides) - matmul(h(n + 1:, :), rhs(:n, :sides))
-        call add_rest(n, m, a, mean, rise, h, forward, rest, solution)
+        call add_rest(n, m, a, mean, rise, h, forward, rest, known(n + 1:), tail, solution)
         ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
         if (present(profile)) then
             beyond = solution%depth - mean
@@ -161,7 +170,7 @@ contains
     !> The numbers from the factorization, what the coefficients beyond n add to them, and their errors.
     !>
     !> The Schur complement of the n unknowns is close to its diagonal, S_i, which the pivots approach geometrically to 1.
-    pure subroutine add_rest(n, m, a, mean, rise, h, forward, rest, solution)
+    pure subroutine add_rest(n, m, a, mean, rise, h, forward, rest, known, tail, solution)
         integer, intent(in) :: n, m
         !> contact radius, mean of g over the contact and g(a) - mean [length]
         real(wp), intent(in) :: a, mean, rise
@@ -169,6 +178,8 @@ contains
         real(wp), intent(in) :: h(m, n)
         !> the right-hand sides 1, edge and g, times the inverse of the factor, and what is left of them beyond n
         real(wp), intent(in) :: forward(n, 3), rest(n + 1:m, 3)
+        !> terms of the edge kernel times g, which decrease slowest, and the negative sum of all of them beyond n
+        real(wp), intent(in) :: known(n + 1:m), tail
         type(solution_t), intent(inout) :: solution
         real(wp) :: sums(4), inverse(n + 1:m), load(n + 1:m), unsure(n + 1:m), quarter(n + 1:m), eighth(n + 1:m)
         real(wp) :: ratio, excess, beyond, error_of_depth
@@ -188,7 +199,7 @@ contains
         inverse = quarter*inverse
         sums(1) = sum(forward(:, 1)**2) + sum(inverse*rest(:, 1)**2)
         sums(2) = sum(forward(:, 1)*forward(:, 2)) + sum(inverse*rest(:, 1)*rest(:, 2))
-        sums(3) = sum(forward(:, 2)*forward(:, 3)) + sum(inverse*rest(:, 2)*rest(:, 3))
+        sums(3) = sum(forward(:, 2)*forward(:, 3)) + sum(inverse*rest(:, 2)*rest(:, 3) + quarter*known) + tail
         sums(4) = sum(forward(:, 1)*forward(:, 3)) + sum(inverse*rest(:, 1)*rest(:, 3))
         solution%modulus = 0.5_wp*sums(1)
         solution%punch_edge = sums(2)
@@ -200,7 +211,7 @@ contains
         solution%errors(1) = not_seen(rest(:, 1)**2)/sums(1)
         solution%errors(2) = not_seen(rest(:, 1)*rest(:, 2))/abs(sums(2))
         if (solution%depth == 0.0_wp) return
-        error_of_depth = not_seen(rest(:, 2)*load)/abs(sums(2))
+        error_of_depth = not_seen(rest(:, 2)*load, known)/abs(sums(2))
         solution%errors(3) = error_of_depth/solution%depth
         solution%errors(4) = a*(sums(1)*error_of_depth + not_seen(rest(:, 1)*load))/solution%force
 
@@ -209,18 +220,23 @@ contains
         !> What is unsure of the terms of a sum, and those left out. Where the last quarter of the terms does not cancel, it tells
         !> how many times the last one these are, whether they fall as a power or as an exponential; where it does, the sum
         !> depends little on how it ends.
-        pure function not_seen(terms) result(error)
-            real(wp), intent(in) :: terms(n + 1:m)
+        pure function not_seen(products, apart) result(error)
+            real(wp), intent(in) :: products(n + 1:m)
+            !> part of the products whose sum is known
+            real(wp), intent(in), optional :: apart(n + 1:m)
             real(wp) :: error
+            real(wp) :: terms(n + 1:m)
             real(wp) :: first, last, more, partial
             integer :: i
 
             error = 0.0_wp
             partial = 0.0_wp
             do i = n + 1, m
-                partial = partial + terms(i)*unsure(i)
+                partial = partial + products(i)*unsure(i)
                 error = max(error, abs(partial))
             end do
+            terms = products
+            if (present(apart)) terms = products - apart
             i = m - max(m/4, 4) + 1
             first = maxval(abs(terms(i:i + 2)))
             last = maxval(abs(terms(m - 2:m)))
