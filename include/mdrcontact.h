@@ -498,6 +498,8 @@ typedef struct mdr_contact_options {
     const double *zeta;        /**< [zeta_count] zeta > 0 [1]; zeta(a) g(a) must not decrease. */
     double work_of_adhesion;   /**< gamma >= 0 [modulus length]; default 0. */
     int adhesion_rule;         /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
+    int zeta_is_exact;         /**< Not 0: instead of a table, the zeta of the same coated, layered or graded body solved exactly,
+                                    for radii up to 1000 thicknesses, so that E_eff is the only approximation; default 0. */
 } mdr_contact_options;
 
 /** Sets all options to their defaults. options = NULL is allowed. Never fails. */

@@ -45,6 +45,7 @@ contact_options = np.dtype(
         ("zeta", np.uintp),
         ("work_of_adhesion", np.float64),
         ("adhesion_rule", np.intc),
+        ("zeta_is_exact", np.intc),
     ],
     align=True,
 )

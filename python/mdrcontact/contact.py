@@ -12,12 +12,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native, _zeta, adhesion, critical, interior
-from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record
+from . import _layout, _native, adhesion, critical, interior
+from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record, row
 from ._value import Value
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code
 from .critical import Critical, Failure
-from .errors import ArgumentTypeError, MDRError, NotOneDiscWarning
+from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, NotOneDiscWarning
 from .interior import Interior
 from .medium import Medium
 from .profile import Paraboloid, Profile
@@ -26,6 +26,8 @@ __all__ = ["Contact", "State"]
 
 _NOTICEABLE = 1e-4
 """A negative pressure of this part of the mean pressure is more than the solver's error."""
+
+Table = tuple[tuple[float, ...], tuple[float, ...]]
 
 _BODIES = {"lower": 0, "upper": 1}
 
@@ -71,7 +73,7 @@ class Contact(Value):
     medium: Medium
     work_of_adhesion: float
     adhesion_rule: str
-    zeta: _zeta.Table | str | None
+    zeta: Table | str | None
     _looked_at: set[int] | None = field(init=False, repr=False, compare=False)
 
     def __init__(
@@ -87,11 +89,12 @@ class Contact(Value):
         if not isinstance(medium, Medium):
             raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
         gamma, rule = number("work_of_adhesion", work_of_adhesion), adhesion.code("adhesion_rule", adhesion_rule, RULES)
-        given: Any = zeta if zeta is None or isinstance(zeta, str) and zeta == "exact" else _zeta.table(zeta)
-        table = _zeta.exact(indenter, medium, Contact) if isinstance(given, str) else given
-        columns = [np.array(column) for column in table or ((), ())]
+        is_exact = isinstance(zeta, str) and zeta == "exact"
+        given: Any = zeta if zeta is None or is_exact else _table(zeta)
+        columns = [np.array(column) for column in (((), ()) if is_exact or given is None else given)]
         options = record(_layout.contact_options, _native.contact_options_init, work_of_adhesion=gamma, adhesion_rule=rule,
-                         zeta_count=len(columns[0]), zeta_radius=address(columns[0]), zeta=address(columns[1]))  # fmt: skip
+                         zeta_count=len(columns[0]), zeta_radius=address(columns[0]), zeta=address(columns[1]),
+                         zeta_is_exact=int(is_exact))  # fmt: skip
         created = _native.contact_new(indenter._handle.address, medium._handle.address, address(options))
         self._set(_handle=Handle(created, _native.contact_free), indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given)
@@ -328,3 +331,15 @@ class Contact(Value):
         elif radius is not None:
             state = self.at_radius(number("radius", radius))
         return self._one(state)
+
+
+def _table(zeta: Any) -> Table:
+    """A user's pair (radii, values), checked for its form; the values are the library's business."""
+    try:
+        radii, values = zeta
+    except (TypeError, ValueError) as problem:
+        raise ArgumentTypeError(f'zeta = {zeta!r} is not allowed: it must be a pair (radii, values) or "exact"') from problem
+    pair = row("radii of zeta", radii), row("values of zeta", values)
+    if len(pair[0]) != len(pair[1]):
+        raise InvalidArgumentError(f"radii and values of zeta must have the same length; it is {len(pair[0])} and {len(pair[1])}")
+    return pair

@@ -8,6 +8,7 @@ module mdrcontact_contact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, equilibrium_t, &
                                               new_equilibrium
+    use mdrcontact_contact_exact_zeta, only: exact_zeta
     use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_field_body_field, only: body_field
@@ -36,6 +37,8 @@ module mdrcontact_contact
         integer :: adhesion_rule = adhesion_automatic
         !> zeta(a) of (9), d = zeta(a) g(a), for a medium with an effective modulus; the source's zeta = 1 if not allocated
         type(radius_law_t), allocatable :: zeta
+        !> whether zeta is that of the same body solved exactly, for radii up to 1000 thicknesses, instead of a given one
+        logical :: zeta_is_exact = .false.
     end type contact_options_t
 
     !> Where the lowest pressure is looked for: so many radii, and again as many between the neighbours of the lowest.
@@ -80,15 +83,20 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> without it: no adhesion, zeta = 1
         type(contact_options_t), intent(in), optional :: options
+        type(radius_law_t), allocatable :: zeta
 
         call disable_gsl_abort()
-        if (present(options)) then
-            call new_equilibrium(self%equilibrium, profile, medium, error, options%zeta)
-        else
+        if (.not. present(options)) then
             call new_equilibrium(self%equilibrium, profile, medium, error)
+            return
         end if
-        if (allocated(error) .or. .not. present(options)) return
-        call set_adhesion(self, options%work_of_adhesion, options%adhesion_rule, error)
+        if (options%zeta_is_exact) then
+            call exact_zeta(profile, medium, zeta, error)
+        else if (allocated(options%zeta)) then
+            zeta = options%zeta
+        end if
+        if (.not. allocated(error)) call new_equilibrium(self%equilibrium, profile, medium, error, zeta)
+        if (.not. allocated(error)) call set_adhesion(self, options%work_of_adhesion, options%adhesion_rule, error)
     end subroutine new_contact
 
     subroutine set_adhesion(self, work_of_adhesion, rule, error)

@@ -153,7 +153,7 @@ contains
         changed = options_of(values)
     end function with_constant
 
-    !> A body under a model.
+    !> A body under a model. The medium keeps the body.
     subroutine new_medium(medium, body, model, error, options, shared)
         class(medium_t), allocatable, intent(out) :: medium
         class(body_t), intent(in) :: body

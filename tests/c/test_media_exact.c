@@ -84,6 +84,37 @@ static void depth_of_first_touch(void)
     CHECK_SUCCESS(mdr_medium_free(&m));
 }
 
+/* With zeta_is_exact an approximate model has the depths of the exact one, up to where the tip ends. */
+static void exact_zeta_of_a_model(void)
+{
+    const double a[3] = {0.3, 1.0, 3.0};
+    double d[3], expected[3];
+    mdr_medium *exact = NULL, *model = NULL;
+    mdr_profile *p = NULL;
+    mdr_contact *c = NULL;
+    mdr_contact_options options;
+
+    CHECK_SUCCESS(mdr_medium_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_EXACT, NULL, &exact));
+    CHECK_SUCCESS(mdr_medium_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_GAO, NULL, &model));
+    mdr_contact_options_init(&options);
+    options.zeta_is_exact = 1;
+    CHECK_SUCCESS(mdr_profile_sphere(5.5, &p));
+    CHECK_SUCCESS(mdr_contact_new(p, exact, NULL, &c));
+    CHECK_SUCCESS(mdr_contact_from_radius(c, 3, a, expected, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_contact_new(p, model, &options, &c));
+    CHECK_SUCCESS(mdr_contact_from_radius(c, 3, a, d, NULL, NULL, NULL));
+    for (int i = 0; i < 3; i++) CHECK_CLOSE(d[i], expected[i], 1e-6);
+    CHECK_STATUS(mdr_contact_from_radius(c, 1, (const double[]){5.6}, d, NULL, NULL, NULL), MDR_EDOMAIN, "5.5");
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_STATUS(mdr_contact_new(p, exact, &options, &c), MDR_EINVALID, "under an approximate model");
+    options.zeta_count = 3;
+    CHECK_STATUS(mdr_contact_new(p, model, &options, &c), MDR_EINVALID, "zeta_is_exact = 1 is not allowed with a table");
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&exact));
+    CHECK_SUCCESS(mdr_medium_free(&model));
+}
+
 /* A table with a step is a coating, at every radius from the surface's to many times the film's thickness. */
 static void graded_bodies(void)
 {
@@ -155,5 +186,6 @@ int main(void)
     rigid_base();
     degenerate_stacks();
     depth_of_first_touch();
+    exact_zeta_of_a_model();
     return check_report("media_exact");
 }

@@ -209,11 +209,19 @@ def test_exact_zeta(shape):
     assert contact.zeta == "exact" and pickle.loads(pickle.dumps(contact)) == contact
 
 
+def test_exact_zeta_of_two_bodies():
+    pair, a = mdr.Pair(FILM, mdr.Elastic(3.0, 0.2)), np.array([0.3, 1.0, 7.0])
+    contact, truth = mdr.Contact(mdr.Cone(0.2), pair, zeta="exact"), mdr.Contact(mdr.Cone(0.2), pair.with_model("exact"))
+    np.testing.assert_allclose(contact.at_radius(a).depth, truth.at_radius(a).depth, rtol=1e-6)
+
+
 def test_exact_zeta_refuses():
     with pytest.raises(mdr.InvalidArgumentError, match="one contact radius"):
         mdr.Contact(mdr.FlatPunch(1.0), FILM, zeta="exact")
     with pytest.raises(mdr.InvalidArgumentError, match="approximate"):
         mdr.Contact(mdr.Cone(0.2), BODY, zeta="exact")
+    with pytest.raises(mdr.InvalidArgumentError, match="approximate"):
+        mdr.Contact(mdr.Cone(0.2), FILM.with_model("exact"), zeta="exact")
     with pytest.raises(mdr.MDRError, match="zeta"):
         mdr.Contact(mdr.Cone(0.2), FILM, zeta="exakt")
 

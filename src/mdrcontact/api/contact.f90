@@ -28,6 +28,7 @@ module mdrcontact_api_contact
         type(c_ptr) :: zeta = c_null_ptr
         real(c_double) :: work_of_adhesion = 0.0_c_double
         integer(c_int) :: adhesion_rule = int(adhesion_automatic, c_int)
+        integer(c_int) :: zeta_is_exact = 0_c_int
     end type c_contact_options_t
 
 contains
@@ -56,6 +57,11 @@ contains
         call open_handle(medium, "medium", body, error)
         chosen%work_of_adhesion = given%work_of_adhesion
         chosen%adhesion_rule = given%adhesion_rule
+        chosen%zeta_is_exact = given%zeta_is_exact /= 0_c_int
+        if (chosen%zeta_is_exact .and. given%zeta_count /= 0) then
+            call raise(error, error_invalid, "zeta_is_exact = "//count_text(int(given%zeta_is_exact))//" is not allowed with a "// &
+                       "table of zeta: set zeta_count = 0 or zeta_is_exact = 0")
+        end if
         if (given%zeta_count /= 0 .and. .not. allocated(error)) call read_zeta(given, chosen%zeta, error)
         if (.not. allocated(error)) call new_contact(contact, indenter, body, error, chosen)
         status = deliver(contact, out, error)
