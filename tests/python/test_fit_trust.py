@@ -69,7 +69,7 @@ def csm(area_error=0.0, noise=0.0, seed=0):
     tip = mdr.Berkovich()
     h_c = np.linspace(20e-9, 250e-9, 60)
     a = h_c / math.tan(tip.inclination) * math.sqrt(1.0 + area_error)
-    reduced = 1.0 / (1.0 / np.asarray(FILM.modulus(a)) + 1.0 / DIAMOND.contact_modulus)
+    reduced = np.asarray(mdr.Pair(FILM, mdr.Homogeneous(DIAMOND)).modulus(a))
     stiffness = 2.0 * a * reduced * (1.0 + noise * np.random.default_rng(seed).standard_normal(a.size))
     load = 9e9 * math.pi * a**2
     return mdr.StiffnessDepth(h_c + 0.75 * load / stiffness, load, stiffness, relative_sd=max(noise, 0.005))
