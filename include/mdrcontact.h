@@ -1042,7 +1042,7 @@ int mdr_law_read(const char *buffer, int length, mdr_law **out);
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *law is not a law */
 int mdr_law_free(mdr_law **law);
 
-/* ---- fit: from measured data to the numbers of indenter, medium and instrument; docs/fitting.md ---------------------- */
+/* ---- fit: from measured data to the parameters of indenter, medium and instrument; docs/fitting.md ----------------- */
 
 /** What x and y of the data are. */
 enum mdr_fit_data_kind {
@@ -1053,9 +1053,9 @@ enum mdr_fit_data_kind {
     MDR_FIT_STIFFNESS_RADIUS = 4 /**< Contact radius > 0 [length] and contact stiffness [modulus length]. */
 };
 
-/** Kinds of indenter. Their numbers are the arguments of mdr_profile_paraboloid() and so on, in that order. */
+/** Kinds of indenter. Their parameters are the arguments of mdr_profile_paraboloid() and so on, in that order. */
 enum mdr_fit_indenter {
-    MDR_FIT_INDENTER_GIVEN = 0, /**< The handle `profile`; no numbers. */
+    MDR_FIT_INDENTER_GIVEN = 0, /**< The handle `profile`; no parameters. */
     MDR_FIT_INDENTER_PARABOLOID = 1,
     MDR_FIT_INDENTER_SPHERE = 2,
     MDR_FIT_INDENTER_CONE = 3,
@@ -1068,9 +1068,9 @@ enum mdr_fit_indenter {
                                             not. */
 };
 
-/** Kinds of medium, with their numbers in order. */
+/** Kinds of medium, with their parameters in order. */
 enum mdr_fit_medium {
-    MDR_FIT_MEDIUM_GIVEN = 0,       /**< The handle `medium_object`; no numbers. */
+    MDR_FIT_MEDIUM_GIVEN = 0,       /**< The handle `medium_object`; no parameters. */
     MDR_FIT_MEDIUM_HOMOGENEOUS = 1, /**< E, nu. */
     MDR_FIT_MEDIUM_STACK = 2,       /**< E, nu, h of each layer from the surface down; E, nu of the substrate (E INFINITY: rigid);
                                          alpha or wave_factor of the model, 1 if it has neither. */
@@ -1078,7 +1078,7 @@ enum mdr_fit_medium {
     MDR_FIT_MEDIUM_POWER_GRADED = 4 /**< E0, z0, exponent, nu. */
 };
 
-/** The numbers of the instrument, by their place behind those of indenter and medium. */
+/** The parameters of the instrument, by their place behind those of indenter and medium. */
 enum mdr_fit_instrument {
     MDR_FIT_WORK_OF_ADHESION = 0,     /**< gamma >= 0; the search begins above 0 [modulus length]. */
     MDR_FIT_DEPTH_OFFSET = 1,         /**< Depth that the instrument reads at first contact [length]. */
@@ -1102,7 +1102,7 @@ enum mdr_fit_loss {
     MDR_FIT_CAUCHY = 2  /**< s^2 ln(1 + r^2/s^2). */
 };
 
-/** One number of the problem, in its own unit. */
+/** One parameter of the problem, in its own unit. */
 typedef struct mdr_fit_parameter {
     double value;    /**< The value, or where the search begins. */
     double lower;    /**< Lower bound of a free one; -INFINITY for none. */
@@ -1122,8 +1122,8 @@ typedef struct mdr_fit_problem {
     const mdr_medium *medium_object;     /**< For MDR_FIT_MEDIUM_GIVEN. */
     int model;                           /**< One of enum mdr_model, for stacks and graded media; default MDR_MODEL_EXACT. */
     int layers;                          /**< Layers of a stack, or depths of a graded medium, 1 to 100000; default 1. */
-    const mdr_medium_options *options;   /**< Or NULL (default): weight_nu_choice, weight_nu, tolerance; the model's constant (alpha,
-                                              wave_factor or exponent) is among the parameters of a stack. */
+    const mdr_medium_options *options;   /**< Or NULL (default): weight_nu_choice, weight_nu, tolerance; the model's constant
+                                              (alpha, wave_factor or exponent) is among the parameters of a stack. */
     int adhesion_rule;                   /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
     int loss;                            /**< One of enum mdr_fit_loss; default MDR_FIT_LINEAR. */
     double loss_scale;                   /**< Standard deviations > 0 beyond which a residual counts less; default 1.345. */
@@ -1134,9 +1134,9 @@ typedef struct mdr_fit_problem {
     int parameter_count;                 /**< See mdr_fit_parameter_count(). */
     const mdr_fit_parameter *parameters; /**< [parameter_count] those of the indenter, the medium, and the instrument. */
     int prior_count;                     /**< Rows of prior_weights >= 0; default 0. */
-    const double *prior_weights;         /**< [prior_count][parameter_count] what is known of several numbers together: the sum over j
-                                              of weight j times (value - prior) of parameter j has mean 0 and variance 1. For a
-                                              covariance C = L L^T the rows are those of the inverse of L. NULL if there is none. */
+    const double *prior_weights;         /**< [prior_count][parameter_count] what is known of several parameters together: the sum
+                                              over j of weight j times (value - prior) of parameter j has mean 0 and variance 1. For
+                                              a covariance C = L L^T the rows are those of the inverse of L. NULL if there is none. */
     const int *branch;                   /**< [n] of enum mdr_branch; NULL: all points on one branch, down to pull-off. Matters
                                               with adhesion, where the bodies part at pull-off and read the force offset from there.
                                               In a fit the readings say which points are in contact, in mdr_fit_predict() the
@@ -1148,7 +1148,7 @@ void mdr_fit_problem_init(mdr_fit_problem *problem);
 
 /** What speaks for or against a fit. */
 typedef struct mdr_fit_summary {
-    int converged;             /**< 1, or 0: the numbers are the best point found. */
+    int converged;             /**< 1, or 0: the parameters are the best point found. */
     int iterations;            /**< Steps of the search. */
     int evaluations;           /**< How often the model was computed at all data. */
     double chi_square;         /**< Sum of the squared residuals of the data, in their standard deviations. */
@@ -1162,7 +1162,7 @@ typedef struct mdr_fit_summary {
     double lag_correlation;    /**< Correlation of neighbouring residuals along the curve; standard errors allow for it. */
 } mdr_fit_summary;
 
-/** How many numbers a problem has: those of its kinds of indenter and medium, `layers`, and the instrument.
+/** How many parameters a problem has: those of its kinds of indenter and medium, `layers`, and the instrument.
  *  @param problem  problem; its parameters need not be there yet
  *  @param count    receives the number */
 int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
@@ -1175,11 +1175,11 @@ int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
  *  @param y                  [n] see enum mdr_fit_data_kind; not all equal
  *  @param force              [n] forces, for MDR_FIT_STIFFNESS_DEPTH; otherwise may be NULL [modulus length^2]
  *  @param sd                 [n] standard deviations of y > 0, in its unit; NULL: equal and unknown
- *  @param values             [m] or NULL: all numbers, each in its unit
+ *  @param values             [m] or NULL: all parameters, each in its unit
  *  @param covariance         [m m] or NULL: their covariance, 0 for fixed ones; symmetric
  *  @param widening           [m] or NULL: how much larger their standard errors are because neighbouring residuals are correlated,
  *                            at least 1; the covariance holds it already
- *  @param at_bound           [m] or NULL: -1 or 1 for a number at its lower or upper bound, else 0
+ *  @param at_bound           [m] or NULL: -1 or 1 for a parameter at its lower or upper bound, else 0
  *  @param weakest_direction  [m] or NULL: the relative change of the free parameters that the data determine least
  *  @param fitted             [n] or NULL: the model at the data, in the unit of y
  *  @param residuals          [n] or NULL: (y - model)/standard deviation [1]
@@ -1189,7 +1189,7 @@ int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const
                   const double sd[], double values[], double covariance[], double widening[], int at_bound[],
                   double weakest_direction[], double fitted[], double residuals[], mdr_fit_summary *summary);
 
-/** What the instrument reads if the numbers are the `value`s of the parameters. Data as for mdr_fit_solve().
+/** What the instrument reads if each parameter is its `value`. Data as for mdr_fit_solve().
  *  @param problem  problem
  *  @param n        number of points
  *  @param x        [n] see enum mdr_fit_data_kind
@@ -1200,7 +1200,7 @@ int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const
 int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
                     double fitted[]);
 
-/** Profile-likelihood interval of one free number: the values at which the
+/** Profile-likelihood interval of one free parameter: the values at which the
  * weighted sum of squares, minimal over all other free ones, exceeds its minimum by the quantile of that level (chi-square with one
  * degree of freedom, or F where the noise is estimated). An end
  *  beyond a bound is the bound; one that does not exist is infinite. Data as for mdr_fit_solve().
@@ -1210,10 +1210,10 @@ int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], con
  *  @param y         [n] see enum mdr_fit_data_kind
  *  @param force     [n] or NULL, as for mdr_fit_solve() [modulus length^2]
  *  @param sd        [n] or NULL, as for mdr_fit_solve()
- *  @param position  index of the number among the parameters, from 0
+ *  @param position  index among the parameters, from 0
  *  @param level     of confidence, 0 < level < 1
- *  @param lower     receives the lower end, in the number's unit
- *  @param upper     receives the upper end, in the number's unit
+ *  @param lower     receives the lower end, in the parameter's unit
+ *  @param upper     receives the upper end, in the parameter's unit
  *  @return as mdr_fit_solve() */
 int mdr_fit_interval(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
                      const double sd[], int position, double level, double *lower, double *upper);

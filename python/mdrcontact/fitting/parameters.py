@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of indenter, medium and instrument by name, in the order in which the library takes them, and back to objects."""
+"""The parameters of indenter, medium and instrument by name, in the order in which the library takes them, and back to objects."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ class Instrument:
 
 
 class Numbers(NamedTuple):
-    """A part of the problem as the library takes it: its kind, the names and values of its numbers, and the way back."""
+    """A part of the problem as the library takes it: its kind, the names and values of its parameters, and the way back."""
 
     code: int
     names: list[str]
@@ -164,7 +164,7 @@ AREA_TERMS = 8
 
 
 def of_indenter(indenter: Any) -> Numbers:
-    """An indenter's numbers; tables, sums and pyramids are fixed as they are."""
+    """An indenter's parameters; tables, sums and pyramids are fixed as they are."""
     if not isinstance(indenter, profiles.Profile):
         raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an indenter profile")
     if isinstance(indenter, profiles.AreaFunction) and len(indenter.coefficients) <= AREA_TERMS:
@@ -184,7 +184,7 @@ def _area_function(tip: profiles.AreaFunction) -> Numbers:
 
 
 class MediumNumbers(NamedTuple):
-    """A medium's numbers and choices."""
+    """A medium's parameters and choices."""
 
     numbers: Numbers
     model: int
@@ -194,7 +194,7 @@ class MediumNumbers(NamedTuple):
 
 
 def of_medium(medium: Any) -> MediumNumbers:
-    """A medium's numbers; tables and functions are fixed as they are."""
+    """A medium's parameters; tables and functions are fixed as they are."""
     if not isinstance(medium, media.Medium):
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
     if isinstance(medium, media.Pair) and has_homogeneous_indenter(medium):
@@ -265,7 +265,7 @@ def _stack(medium: Any) -> MediumNumbers:
 
 
 def of_instrument(instrument: Instrument) -> Numbers:
-    """The instrument's numbers."""
+    """The instrument's parameters."""
     if not isinstance(instrument, Instrument):
         raise ArgumentTypeError(f"instrument = {instrument!r} is not allowed: it must be an Instrument(...)")
     modulus = math.inf if instrument.indenter is None else instrument.indenter.contact_modulus

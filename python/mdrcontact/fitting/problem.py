@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A fit as the library takes it: a problem of numbers, made from objects with names."""
+"""A fit as the library takes it: a problem with its parameters, made from objects with names."""
 
 from __future__ import annotations
 
@@ -80,14 +80,14 @@ class Problem(NamedTuple):
         return self._replace(data=data, table=table)
 
     def objects_at(self, values: NDArray[np.float64]) -> tuple[Any, Any, Any]:
-        """Indenter, medium and instrument with these numbers."""
+        """Indenter, medium and instrument with these parameters."""
         i, m = len(self.indenter.values), len(self.medium.numbers.values)
         rows = [float(v) for v in values]
         medium, instrument = self.medium.numbers.build(rows[i : i + m]), self.instrument.build(rows[i + m :])
         return self.indenter.build(rows[:i]), Pair(medium, instrument.indenter) if self.is_paired else medium, instrument
 
     def predict(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What the instrument would read where the numbers are these."""
+        """What the instrument would read where the parameters are these."""
         return np.asarray(self.changed(self.data, start=values).call(_native.fit_predict, with_sd=False)[0])
 
     def answer(self) -> Any:

@@ -32,7 +32,7 @@ def fit(
     that `Contact` computes, over GSL's trust region.
 
     data : ForceDepth(...), StiffnessDepth(...), ModulusRadius(...) or StiffnessRadius(...)
-    indenter, medium : any of the library; their numbers are the fixed values, and the start of the free ones
+    indenter, medium : any of the library; their parameters are the fixed values, and the start of the free ones
     free : names of the free parameters, or a mapping from names to Free(start, lower=, upper=, prior=(value, sd)), a starting
         value or None. Names: indenter.radius, ...; coating.E, coating.nu, thickness, substrate.E, substrate.nu, alpha;
         layers[0].E, ...; E, nu; indenter.C0, ... of an AreaFunction; work_of_adhesion, depth_offset, force_offset,

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Indenter and medium as functions of a vector of numbers: what a fit varies.
+!> Indenter and medium as functions of a vector of parameters: what a fit varies.
 !>
-!> The vector is [indenter, medium, instrument]. `layout_of` says how many numbers each kind has and in which order they stand;
-!> what does not fit one of the kinds is given as a finished object and then has no numbers.
+!> The vector is [indenter, medium, instrument]. `layout_of` says how many parameters each kind has and in which order they stand;
+!> what does not fit one of the kinds is given as a finished object and then has no parameters.
 module mdrcontact_fit_body
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit_medium_of, only: make_medium, medium_given, medium_graded, medium_homogeneous, medium_power_graded, &
@@ -25,7 +25,7 @@ module mdrcontact_fit_body
     public :: indenter_given, indenter_paraboloid, indenter_sphere, indenter_cone, indenter_power_law, indenter_flat_punch, &
               indenter_flat_cone, indenter_flat_paraboloid, indenter_rounded_cone, indenter_area_function, area_terms
 
-    !> Kinds of indenter; their numbers are the arguments of the shape's `new_...` procedure, in its order.
+    !> Kinds of indenter; their parameters are the arguments of the shape's `new_...` procedure, in its order.
     integer, parameter :: indenter_given = 0, indenter_paraboloid = 1, indenter_sphere = 2, indenter_cone = 3, &
                           indenter_power_law = 4, indenter_flat_punch = 5, indenter_flat_cone = 6, &
                           indenter_flat_paraboloid = 7, indenter_rounded_cone = 8, indenter_area_function = 9
@@ -45,7 +45,7 @@ module mdrcontact_fit_body
 
 contains
 
-    !> How many numbers the indenter has; -1 for a kind that does not exist.
+    !> How many parameters the indenter has; -1 for a kind that does not exist.
     pure function indenter_count(self) result(count)
         type(fit_body_t), intent(in) :: self
         integer :: count
@@ -54,7 +54,7 @@ contains
         if (self%indenter >= 0 .and. self%indenter <= ubound(indenter_numbers, 1)) count = indenter_numbers(self%indenter)
     end function indenter_count
 
-    !> How many numbers the medium has; -1 for a kind that does not exist.
+    !> How many parameters the medium has; -1 for a kind that does not exist.
     pure function medium_count(self) result(count)
         type(fit_body_t), intent(in) :: self
         integer :: count
@@ -70,7 +70,7 @@ contains
         end select
     end function medium_count
 
-    !> Indenter and medium from their numbers, values = [indenter, medium].
+    !> Indenter and medium from their parameters, values = [indenter, medium].
     subroutine make_body(self, values, shared, profile, medium, error)
         type(fit_body_t), intent(in) :: self
         real(wp), intent(in) :: values(:)

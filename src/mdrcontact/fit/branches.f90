@@ -2,7 +2,7 @@
 !> Where contact begins and ends in a measured adhesive curve.
 !>
 !> Tip and surface jump into contact and out of it. Which readings belong to the contact is a fact of the data, and a model whose
-!> numbers are still wrong must not decide it: a baseline taken for a contact, or a contact for a baseline, would hold the search
+!> parameters are still wrong must not decide it: a baseline taken for a contact, or a contact for a baseline, would hold the search
 !> where it is. So on each branch, in order of depth, the point is found up to which "in contact" explains the readings best; those
 !> deeper than one above half of the largest force are in contact in any case.
 module mdrcontact_fit_branches

@@ -71,7 +71,7 @@ module mdrcontact_fit_gsl_multifit
             type(gsl_multifit_nlinear_parameters) :: parameters
         end function gsl_multifit_nlinear_default_parameters
 
-        !> A workspace for n data and p numbers; null without memory.
+        !> A workspace for n data and p parameters; null without memory.
         function gsl_multifit_nlinear_alloc(kind, parameters, n, p) result(workspace) bind(C)
             import :: c_ptr, c_size_t, gsl_multifit_nlinear_parameters
             type(c_ptr), value :: kind

@@ -59,18 +59,18 @@ contains
         end if
     end subroutine interval_quantile
 
-    !> The interval of one free number in which the sum of squares rises by less than the quantile of `level`. An end that lies
+    !> The interval of one free parameter in which the sum of squares rises by less than the quantile of `level`. An end that lies
     !> beyond a bound is the bound; one that does not exist is infinite.
     subroutine profile_interval(problem, data, fit, position, level, lower, upper, error)
         type(fit_problem_t), intent(in) :: problem
         type(fit_data_t), intent(in) :: data
         !> the result of solve_fit for the same problem and data
         type(fit_result_t), intent(in) :: fit
-        !> among all numbers; it must be free
+        !> among all parameters; it must be free
         integer, intent(in) :: position
         !> of confidence, 0 < level < 1
         real(wp), intent(in) :: level
-        !> ends of the interval, in the unit of the number; infinite where there is none
+        !> ends of the interval, in the unit of the parameter; infinite where there is none
         real(wp), intent(out) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
         type(fit_problem_t) :: fixed
@@ -154,7 +154,7 @@ contains
         end if
     end function end_of
 
-    !> The lowest sum of squares, priors included, with one number held; huge where the model has no value.
+    !> The lowest sum of squares, priors included, with one parameter held; huge where the model has no value.
     function objective(problem, data, position, p) result(total)
         type(fit_problem_t), intent(in) :: problem
         type(fit_data_t), intent(in) :: data

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The medium that belongs to a vector of numbers.
+!> The medium that belongs to a vector of parameters.
 module mdrcontact_fit_medium_of
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body
     use mdrcontact_body_stack, only: new_stack, stack_t
@@ -21,7 +21,7 @@ module mdrcontact_fit_medium_of
     !> E0, z0, exponent, nu.
     integer, parameter :: medium_given = 0, medium_homogeneous = 1, medium_stack = 2, medium_graded = 3, medium_power_graded = 4
 
-    !> Which medium the numbers belong to.
+    !> Which medium the parameters belong to.
     type :: medium_choice_t
         !> one of medium_...
         integer :: kind = medium_given
@@ -29,7 +29,7 @@ module mdrcontact_fit_medium_of
         integer :: model = models%exact
         !> layers of a stack, depths of a graded medium
         integer :: layers = 0
-        !> what the model leaves to choose; the constant of a stack's model is among the numbers instead
+        !> what the model leaves to choose; the constant of a stack's model is among the parameters instead
         type(model_options_t) :: options
         !> the finished medium for medium_given
         class(medium_t), allocatable :: object
@@ -37,7 +37,7 @@ module mdrcontact_fit_medium_of
 
 contains
 
-    !> The medium of a kind from its numbers.
+    !> The medium of a kind from its parameters.
     subroutine make_medium(choice, values, shared, medium, error)
         type(medium_choice_t), intent(in) :: choice
         real(wp), intent(in) :: values(:)

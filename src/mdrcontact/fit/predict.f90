@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The forward model: what the instrument reads where the problem's numbers are the given ones.
+!> The forward model: what the instrument reads at given parameters of the problem.
 module mdrcontact_fit_predict
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &

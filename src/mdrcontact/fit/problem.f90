@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What is fitted to what: the numbers of indenter, medium and instrument, and the measured data.
+!> What is fitted to what: the parameters of indenter, medium and instrument, and the measured data.
 module mdrcontact_fit_problem
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
@@ -24,7 +24,7 @@ module mdrcontact_fit_problem
     !> What of a residual r in standard deviations is summed: r^2; Huber's; Cauchy's s^2 ln(1 + r^2/s^2).
     integer, parameter :: loss_linear = 0, loss_huber = 1, loss_cauchy = 2
 
-    !> Positions of the instrument's numbers behind those of indenter and medium:
+    !> Positions of the instrument's parameters behind those of indenter and medium:
     !> gamma [modulus length]; depth and force at which the instrument reads first contact [length], [force]; compliance of the
     !> frame [length/force]; contact modulus E*_i of the indenter, infinite for a rigid one [modulus]; epsilon of Oliver and
     !> Pharr's contact depth h - epsilon P/S; beta of S = 2 beta a E_r; factor of the contact depth, 1.2 with epsilon = 1 for
@@ -33,19 +33,19 @@ module mdrcontact_fit_problem
                           at_indenter_modulus = 5, at_contact_depth_factor = 6, at_stiffness_factor = 7, &
                           at_contact_depth_scale = 8, at_area_factor = 9, instrument_numbers = 9
 
-    !> One number of the problem: fixed, or free within bounds and known beforehand to a standard deviation.
+    !> One parameter of the problem: fixed, or free within bounds and known beforehand to a standard deviation.
     type :: fit_parameter_t
         !> the value, or where the search begins
         real(wp) :: value = 0.0_wp
         !> whether the fit may change the value
         logical :: is_free = .false.
-        !> bounds of a free number
+        !> bounds of a free parameter
         real(wp) :: lower = -huge(1.0_wp), upper = huge(1.0_wp)
         !> the value known beforehand and its standard deviation; 0: nothing is known
         real(wp) :: prior = 0.0_wp, prior_sd = 0.0_wp
     end type fit_parameter_t
 
-    !> The question of a fit: what the numbers mean, which are free, and how residuals count.
+    !> The question of a fit: what the parameters mean, which are free, and how residuals count.
     type :: fit_problem_t
         !> kinds of indenter and medium
         type(fit_body_t) :: body
@@ -53,7 +53,7 @@ module mdrcontact_fit_problem
         integer :: data_kind = data_force_depth
         !> [indenter, medium, instrument]
         type(fit_parameter_t), allocatable :: parameters(:)
-        !> (rows, parameters): what is known beforehand of several numbers together: sum_j w_ij (p_j - prior_j) has mean 0 and
+        !> (rows, parameters): what is known beforehand of several parameters together: sum_j w_ij (p_j - prior_j) has mean 0 and
         !> variance 1, independent of the other rows. For a covariance C = L L^T the rows are those of L^-1
         real(wp), allocatable :: prior_weights(:, :)
         !> one of adhesion_...
@@ -86,7 +86,7 @@ module mdrcontact_fit_problem
 
 contains
 
-    !> How many numbers a problem has.
+    !> How many parameters a problem has.
     pure function parameter_count(body) result(count)
         type(fit_body_t), intent(in) :: body
         integer :: count
@@ -97,10 +97,10 @@ contains
         end if
     end function parameter_count
 
-    !> The residuals of what is known of several numbers together.
+    !> The residuals of what is known of several parameters together.
     pure function joint_priors(self, values) result(r)
         type(fit_problem_t), intent(in) :: self
-        !> of all numbers
+        !> of all parameters
         real(wp), intent(in) :: values(:)
         real(wp), allocatable :: r(:)
 

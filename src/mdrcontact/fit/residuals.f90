@@ -27,7 +27,7 @@ module mdrcontact_fit_residuals
         type(fit_problem_t) :: problem
         type(fit_data_t) :: data
         type(variables_t) :: variables
-        !> positions, among the free numbers, of those with priors
+        !> positions, among the free parameters, of those with priors
         integer, allocatable :: known(:)
         !> standard deviations of the data, up to the factor `noise`
         real(wp), allocatable :: sd(:)
@@ -74,7 +74,7 @@ contains
         allocate (self%recent(self%p + 2))
     end subroutine new_fit_residuals
 
-    !> All numbers of the problem at the unknowns u.
+    !> All parameters of the problem at the unknowns u.
     pure function values_at(self, u) result(values)
         class(fit_residuals_t), intent(in) :: self
         real(wp), intent(in) :: u(:)
@@ -169,7 +169,7 @@ contains
         real(wp), intent(out) :: below, above
         real(wp) :: lowest, highest
 
-        ! the differences must be those of the numbers, which stay at their bounds; beyond a bound nothing moves
+        ! the differences must be those of the parameters, which stay at their bounds; beyond a bound nothing moves
         lowest = self%variables%unknown_of(i, max(self%variables%lower(i), self%variables%number_at(i, u(i) - step)))
         highest = self%variables%unknown_of(i, min(self%variables%upper(i), self%variables%number_at(i, u(i) + step)))
         below = min(lowest, highest)

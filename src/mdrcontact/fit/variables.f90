@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> From the free numbers of a problem to unknowns of order one, and back.
+!> From the free parameters of a problem to unknowns of order one, and back.
 !>
 !> What must be positive is sought as its logarithm, u = 1 + ln(p/p0); what may have either sign as u = 1 + (p - p0)/scale; the work
-!> of adhesion, which may be 0 and enters by its square root, as u = sqrt(p/p0). Beyond a bound the number stays at the bound.
+!> of adhesion, which may be 0 and enters by its square root, as u = sqrt(p/p0). Beyond a bound the parameter stays at the bound.
 module mdrcontact_fit_variables
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_fit_body, only: fit_body_t, indenter_area_function, indenter_count, medium_count
@@ -20,11 +20,11 @@ module mdrcontact_fit_variables
     !> ln of the largest ratio to the start that is tried
     real(wp), parameter :: widest_logarithm = 9.0_wp
 
-    !> The free numbers, and how each is scaled.
+    !> The free parameters, and how each is scaled.
     type :: variables_t
-        !> positions of the free numbers among all
+        !> positions of the free parameters among all
         integer, allocatable :: free(:)
-        !> of the free numbers: start, scale (0: logarithmic, less than 0: square root), bounds
+        !> of the free parameters: start, scale (0: logarithmic, less than 0: square root), bounds
         real(wp), allocatable :: start(:), scale(:), lower(:), upper(:)
     contains
         procedure :: number_at
@@ -35,7 +35,7 @@ module mdrcontact_fit_variables
 
 contains
 
-    !> Chooses the scale of each free number; refuses a start outside its bounds.
+    !> Chooses the scale of each free parameter; refuses a start outside its bounds.
     subroutine new_variables(self, problem, data, error)
         type(variables_t), intent(out) :: self
         type(fit_problem_t), intent(in) :: problem
@@ -65,7 +65,7 @@ contains
             case (signed)
                 self%scale(i) = typical(j - instrument, problem%parameters(j), problem%data_kind, data)
             case default
-                ! a number that runs to the end of what is tried has no optimum: it is at a bound, and told so
+                ! a parameter that runs to the end of what is tried has no optimum: it is at a bound, and told so
                 self%lower(i) = max(self%lower(i), self%start(i)*exp(-widest_logarithm))
                 self%upper(i) = min(self%upper(i), self%start(i)*exp(widest_logarithm))
                 if (kinds(j) == not_negative) then
@@ -81,7 +81,7 @@ contains
         end do
     end subroutine new_variables
 
-    !> What kind of number each is: positive, a Poisson's ratio, or of either sign.
+    !> What kind of parameter each is: positive, a Poisson's ratio, or of either sign.
     pure function natures(body) result(kinds)
         type(fit_body_t), intent(in) :: body
         integer :: kinds(indenter_count(body) + medium_count(body) + instrument_numbers)
@@ -105,9 +105,9 @@ contains
         kinds(last + at_frame_compliance) = signed
     end function natures
 
-    !> The scale of a number of either sign.
+    !> The scale of a parameter of either sign.
     pure function typical(position, parameter, data_kind, data) result(scale)
-        !> among the instrument's numbers; less than 1 for others
+        !> among the instrument's parameters; less than 1 for others
         integer, intent(in) :: position
         type(fit_parameter_t), intent(in) :: parameter
         integer, intent(in) :: data_kind
@@ -134,7 +134,7 @@ contains
         end select
     end function typical
 
-    !> Number i at an unknown, held within its bounds.
+    !> Parameter i at an unknown, held within its bounds.
     elemental function number_at(self, i, u) result(p)
         class(variables_t), intent(in) :: self
         integer, intent(in) :: i
