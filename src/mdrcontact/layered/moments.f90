@@ -13,7 +13,7 @@ module mdrcontact_layered_moments
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: edge_moment, profile_moments
+    public :: edge_moment, is_smooth, profile_moments
 
     !> Towards the axis, where g may be any power, and towards a singular end, intervals shrink by this factor.
     real(wp), parameter :: shrinking = 0.25_wp
@@ -43,6 +43,16 @@ contains
         end if
         g = g*normalisation(size(g))
     end subroutine profile_moments
+
+    !> Whether g is a polynomial in x^2, with few coefficients.
+    pure function is_smooth(profile) result(answer)
+        class(profile_t), intent(in) :: profile
+        logical :: answer
+        real(wp), allocatable :: exponents(:), coefficients(:)
+
+        call profile%powers(exponents, coefficients)
+        answer = size(exponents) > 0 .and. all(modulo(exponents, 2.0_wp) == 0.0_wp)
+    end function is_smooth
 
     !> int_-1^1 |u|^s P_2j(u) du = 2 t_j, t_(j+1) = t_j (s - 2j)/(s + 2j + 3).
     pure subroutine add_power(exponent, coefficient, g)

@@ -11,7 +11,7 @@ module mdrcontact_layered_solve
     use mdrcontact_lapack, only: dpotrf
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: edge_kernel, edge_row, edge_slopes, interaction_matrix, moments_t, new_moments
-    use mdrcontact_layered_moments, only: edge_moment, profile_moments
+    use mdrcontact_layered_moments, only: edge_moment, is_smooth, profile_moments
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -63,6 +63,12 @@ contains
         to_edge = .false.
         if (present(edge)) to_edge = edge
         n = first_unknowns(kernel, tolerance, a/kernel%unit)
+        if (present(profile) .and. .not. kernel%is_layered .and. a > kernel%unit) then
+            ! what cones and flat ends take at a/h of 10 and 100, on a stiff film and on a soft one
+            if (.not. is_smooth(profile)) then
+                n = min(ceiling(n*merge(1.2_wp, 1.0_wp, kernel%sigma_zero > 1.0_wp)*(a/kernel%unit)**0.125_wp), most_unknowns)
+            end if
+        end if
         do
             call solve_with(kernel, a, n, solution, solved, profile)
             if (.not. solved) then
