@@ -1136,7 +1136,7 @@ typedef struct mdr_fit_problem {
     int prior_count;                     /**< Rows of prior_weights >= 0; default 0. */
     const double *prior_weights;         /**< [prior_count][parameter_count] what is known of several parameters together: the sum
                                               over j of weight j times (value - prior) of parameter j has mean 0 and variance 1. For
-                                              a covariance C = L L^T the rows are those of the inverse of L. NULL if there is none. */
+                                              a covariance C = L L^T the rows are those of the inverse of L. NULL: none. */
     const int *branch;                   /**< [n] of enum mdr_branch; NULL: all points on one branch, down to pull-off. Matters
                                               with adhesion, where the bodies part at pull-off and read the force offset from there.
                                               In a fit the readings say which points are in contact, in mdr_fit_predict() the

@@ -209,8 +209,9 @@ def test_exact_zeta(shape):
     assert contact.zeta == "exact" and pickle.loads(pickle.dumps(contact)) == contact
 
 
-def test_exact_zeta_of_two_bodies():
-    pair, a = mdr.Pair(FILM, mdr.Elastic(3.0, 0.2)), np.array([0.3, 1.0, 7.0])
+@pytest.mark.parametrize("pair", [mdr.Pair(FILM, mdr.Elastic(3.0, 0.2)), mdr.Pair(mdr.RIGID, FILM)], ids=["elastic", "rigid"])
+def test_exact_zeta_of_two_bodies(pair):
+    a = np.array([0.3, 1.0, 7.0])
     contact, truth = mdr.Contact(mdr.Cone(0.2), pair, zeta="exact"), mdr.Contact(mdr.Cone(0.2), pair.with_model("exact"))
     np.testing.assert_allclose(contact.at_radius(a).depth, truth.at_radius(a).depth, rtol=1e-6)
 

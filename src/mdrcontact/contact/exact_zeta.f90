@@ -68,6 +68,9 @@ contains
             call new_layered_exact(lower, medium%pressed, error)
             if (.not. allocated(error)) call new_layered_exact(upper, medium%counterbody, error)
             if (.not. allocated(error)) call new_exact_pair(exact, lower, upper, error)
+        else if (allocated(medium%counterbody) .and. medium%upper_share(thickness) >= 1.0_wp) then
+            ! the lower body is rigid
+            call new_layered_exact(exact, medium%counterbody, error)
         else
             call raise(error, error_invalid, "the exact zeta is not allowed here: one of the two bodies is "// &
                        "known by its modulus alone, not by its materials")
