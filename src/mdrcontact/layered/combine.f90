@@ -16,8 +16,8 @@ module mdrcontact_layered_combine
 
 contains
 
-    !> The kernel of two bodies, the sum of theirs with these weights. The table of the sum is no longer than theirs and costs no more
-    !> to evaluate; it is made of their values alone.
+    !> The kernel of two bodies, the sum of theirs with these weights. The table of the sum is no longer than theirs and costs no
+    !> more to evaluate; it is made of their values alone.
     subroutine add_kernels(first, second, weights, kernel, error)
         type(kernel_t), intent(in) :: first, second
         !> E0*/E_i* of each body: 0 for a rigid one, together 1

@@ -19,8 +19,8 @@ module mdrcontact_layered_solve
 
     !> Unknowns at most, and those that a body of several layers is begun with at most.
     integer, parameter :: most_unknowns = 1500, first_layered = 16
-    !> From this size on LAPACK factorizes: beyond a/h of some thousands. Below it a BLAS with threads of its own would wake them for
-    !> microseconds of work, which costs many times that where the processors are busy.
+    !> From this size on LAPACK factorizes: beyond a/h of some thousands. Below it a BLAS with threads of its own would start them
+    !> for microseconds of work, which costs many times that where the processors are busy.
     integer, parameter :: large = 300
     !> What the estimate is multiplied by: it has been seen too small by a factor 2.
     real(wp), parameter :: safety = 4.0_wp
