@@ -4,7 +4,7 @@
 
 #include <pthread.h>
 
-enum { THREADS = 3, POINTS = 3, MOST_VALUES = 200, CONTACTS = 7, MEDIA = CONTACTS, LAYERS = 2, PHASES = 2, FIT_POINTS = 4 };
+enum { THREADS = 3, POINTS = 3, MOST_VALUES = 200, CONTACTS = 8, MEDIA = CONTACTS, LAYERS = 2, PHASES = 2, FIT_POINTS = 4 };
 
 typedef struct shared {
     mdr_profile *cone, *table, *sum;
@@ -99,6 +99,7 @@ static void make_media(shared *s)
     CHECK_SUCCESS(mdr_medium_graded(LAYERS, z, E, nu, MDR_MODEL_EXACT, &loose, &s->media[4]));
     CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, 0.2, 0.3, &s->media[5]));
     CHECK_SUCCESS(mdr_medium_table(POINTS, a, radii, &s->media[6]));
+    CHECK_SUCCESS(mdr_medium_pair(s->media[2], s->media[4], &s->media[7])); /* both exact: fields too */
 }
 
 static void make_structures(shared *s)
