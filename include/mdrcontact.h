@@ -939,6 +939,15 @@ void mdr_law_options_init(mdr_law_options *options);
  *  @return also as mdr_contact_from_depth() and mdr_contact_pull_off(); MDR_ENOCONVERGENCE if the tolerance is not met */
 int mdr_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_options *options, mdr_law **out);
 
+/** The law of the same bodies for a paraboloid of another radius R, from the law for R0, without adhesion: on any linear bodies
+ *  F(d; R) = (R0/R) F0(d R/R0) with the same a and k, up to the largest depth times R0/R.
+ *  @param law     law
+ *  @param radius  R > 0 [length]
+ *  @param out     receives the handle
+ *  @return also MDR_EINVALID for adhesive laws (they hold for other radii only where work of adhesion times R^2 stays the same),
+ *          for indenters other than paraboloids, and for laws of files that do not hold the radius */
+int mdr_law_with_radius(const mdr_law *law, double radius, mdr_law **out);
+
 /** The force at one depth. Outputs that are NULL are skipped.
  *  @param law     law
  *  @param branch  one of enum mdr_branch

@@ -108,6 +108,17 @@ class ContactLaw:
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) > 0.0)
         return LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
 
+    def with_radius(self, radius: float) -> ContactLaw:
+        """The law of the same bodies for a paraboloid of another radius R > 0 [length], from this one for R0.
+
+        Without adhesion, on any linear bodies, F(d; R) = (R0/R) F0(d R/R0) with the same a and k, up to the largest depth times
+        R0/R. Refused (InvalidArgumentError) with adhesion, where it holds only if work of adhesion times R^2 stays the same; for
+        indenters other than paraboloids; and for laws of files that do not hold the radius.
+        """
+        law = type(self).__new__(type(self))
+        law._own(_native.law_with_radius(self._handle.address, number("radius", radius)))
+        return law
+
     @property
     def depth_range(self) -> tuple[float, float]:
         """The compiled depths [length]: from pull-off on with adhesion."""

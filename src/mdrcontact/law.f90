@@ -19,8 +19,9 @@ module mdrcontact_law
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
     use mdrcontact_law_evaluate, only: law_point_t, point_at
     use mdrcontact_law_segments, only: compile_segments, fold_margin
-    use mdrcontact_law_table, only: law_table_t, interval_in, segment_for, values_below, values_in
+    use mdrcontact_law_table, only: law_table_t, interval_in, scale_table, segment_for, values_below, values_in
     use mdrcontact_law_verify, only: largest_error
+    use mdrcontact_profile_power_law, only: power_law_t
     implicit none (type, external)
     private
     public :: contact_law_t, new_contact_law, law_options_t, law_point_t
@@ -36,6 +37,8 @@ module mdrcontact_law
     real(wp), parameter :: sample_share = 0.1_wp, fit_share = 0.3_wp
     !> Noise of the contact's states with which it is worth to go on to verification.
     real(wp), parameter :: largest_noise = 1.0e-6_wp
+    !> Of two, beyond which with_radius would come near over- or underflow.
+    integer, parameter :: largest_power = 500
     !> What a law can be asked for.
     type :: law_options_t
         !> Without adhesion: the depth down to which the tolerance holds [length]; 0: 1e-4 of the largest. Nearer to first touch
@@ -55,12 +58,15 @@ module mdrcontact_law
         real(wp) :: tolerance = 0.0_wp, error = 0.0_wp
         !> contact states computed to make and to verify it
         integer :: solutions = 0
+        !> R of the paraboloid it was made for [length]; 0 for any other indenter
+        real(wp) :: radius = 0.0_wp
         !> the problem in words, as given in the options
         character(len=:), allocatable :: description
     contains
         procedure :: at_depth
         procedure :: at_force
         procedure :: follow
+        procedure :: with_radius
     end type contact_law_t
 
 contains
@@ -94,6 +100,10 @@ contains
         end if
         self%tolerance = chosen%tolerance
         self%description = chosen%description
+        select type (profile => contact%equilibrium%profile)
+        type is (power_law_t)
+            self%radius = profile%paraboloid_radius()
+        end select
         call contact%radius_range(end_radius, smallest, largest, breaks)
         call open_table(self%by_depth, .true., contact%is_adhesive(), end_radius)
         call open_table(self%by_force, .false., contact%is_adhesive(), end_radius)
@@ -106,6 +116,40 @@ contains
         call close_table(self%by_depth)
         call close_table(self%by_force)
     end subroutine new_contact_law
+
+    !> The law of the same bodies for a paraboloid of another radius R. At a given contact radius depth and force are proportional
+    !> to 1/R on any linear body, and the stiffness is the same: F(d; R) = (R0/R) F0(d R/R0), up to R0/R times the largest depth.
+    subroutine with_radius(self, radius, law, error)
+        class(contact_law_t), intent(in) :: self
+        !> R > 0 [length]
+        real(wp), intent(in) :: radius
+        type(contact_law_t), intent(out) :: law
+        type(error_t), allocatable, intent(out) :: error
+        integer :: power
+
+        call check_positive(error, "radius", radius)
+        if (allocated(error)) return
+        if (self%by_depth%adhesive) then
+            call raise(error, error_invalid, " = "//to_text(radius)//" is not allowed: with adhesion a law holds for "// &
+                       "other radii only where work of adhesion times R^2 stays the same; make a law for each radius", "radius")
+        else if (.not. self%radius > 0.0_wp) then
+            call raise(error, error_invalid, " = "//to_text(radius)//" is not allowed: the law was not made for a "// &
+                       "paraboloid, or comes from a file that does not hold its radius; make a law for each indenter", "radius")
+        else
+            power = exponent(self%radius) - exponent(radius)
+            if (min(power, power + exponent(min(self%by_depth%lowest, self%by_force%lowest))) < -largest_power .or. &
+                max(power, power + exponent(max(self%by_depth%highest, self%by_force%highest))) > largest_power) then
+                call raise(error, error_invalid, " = "//to_text(radius)//" is not allowed: it is too far from the law's radius "// &
+                           to_text(self%radius), "radius")
+            end if
+        end if
+        if (allocated(error)) return
+        law = self
+        law%radius = radius
+        law%description = self%description//"; with_radius("//to_text(radius)//")"
+        call scale_table(law%by_depth, self%radius/radius)
+        call scale_table(law%by_force, self%radius/radius)
+    end subroutine with_radius
 
     !> A flat punch: one state determines the law.
     subroutine compile_punch(self, contact, largest_depth, smallest_depth, error)

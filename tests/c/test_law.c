@@ -119,6 +119,12 @@ static void test_files(void)
     CHECK_SUCCESS(mdr_law_force(again, MDR_ON_UNLOADING, 0.3, &other, NULL));
     CHECK_CLOSE(other, one, 0.0);
 
+    CHECK_SUCCESS(mdr_law_with_radius(again, 2.0, &copy));
+    CHECK_SUCCESS(mdr_law_free(&copy));
+    CHECK_STATUS(mdr_law_with_radius(again, -2.0, &copy), MDR_EINVALID, "radius");
+    CHECK_STATUS(mdr_law_with_radius(NULL, 2.0, &copy), MDR_ENULL, "law");
+    CHECK_TRUE(copy == NULL);
+
     CHECK_SUCCESS(mdr_law_write(law, NULL, 0, &length));
     CHECK_TRUE(length > 1000);
     char *content = malloc((size_t)length);

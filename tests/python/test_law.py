@@ -12,6 +12,8 @@ import mdrcontact as mdr
 
 CONTACT = mdr.Contact(mdr.Paraboloid(1e-5), mdr.Coated(OXIDE, 5e-7, SILICON, "exact"))
 
+SILICON_BODY = mdr.Homogeneous(SILICON)
+
 
 @pytest.fixture(scope="module")
 def law():
@@ -94,6 +96,29 @@ def test_threads_agree(law):
 def test_refusals(law, call, words):
     with pytest.raises(ValueError, match=words):
         call(law)
+
+
+@pytest.mark.parametrize("radius", [3e-6, 1e-5, 4.4e-5])
+def test_one_law_for_all_radii(radius):
+    medium = mdr.Pair(mdr.Coated(OXIDE, 5e-7, SILICON, "exact"), mdr.Coated(SILICON, 3e-7, OXIDE, "exact"))
+    made = mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(1e-5), medium), 1e-7, tolerance=1e-10)
+    law = pickle.loads(pickle.dumps(made)).with_radius(radius)
+    largest = 1e-7 * 1e-5 / radius
+    direct = mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(radius), medium), largest, tolerance=1e-10)
+    np.testing.assert_allclose(law.depth_range, direct.depth_range, rtol=1e-9)
+    depth = np.geomspace(1e-4, 0.999, 50) * largest
+    found, expected = law.at_depth(depth), direct.at_depth(depth)
+    for name in ("force", "radius", "stiffness"):
+        np.testing.assert_allclose(getattr(found, name), getattr(expected, name), rtol=1e-9)
+    np.testing.assert_allclose(law.at_force(expected.force).depth, depth, rtol=1e-9)
+
+
+def test_other_radius_is_refused_with_the_reason(law):
+    cone = mdr.ContactLaw(mdr.Contact(mdr.Cone(0.1), SILICON_BODY), 1e-7)
+    sticky = mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(1e-5), SILICON_BODY, work_of_adhesion=0.1), 1e-7)
+    for one, radius, words in [(law, 0.0, "radius = 0"), (cone, 1e-5, "not made for a paraboloid"), (sticky, 1e-5, "adhesion")]:
+        with pytest.raises(mdr.InvalidArgumentError, match=words):
+            one.with_radius(radius)
 
 
 def test_branches_are_given_as_to_a_contact(law):

@@ -13,7 +13,8 @@ module mdrcontact_api_law
     use mdrcontact_law_evaluate, only: point_at, value_at
     implicit none (type, external)
     private
-    public :: mdr_law_options_init, mdr_law_new, mdr_law_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_text
+    public :: mdr_law_options_init, mdr_law_new, mdr_law_with_radius, mdr_law_force, mdr_law_follow, mdr_law_info, &
+              mdr_law_description, read_text
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
@@ -63,6 +64,20 @@ contains
         if (.not. allocated(error)) call new_contact_law(law, inside, largest_depth, error, chosen)
         status = deliver(law, out, error)
     end function mdr_law_new
+
+    function mdr_law_with_radius(law, radius, out) result(status) bind(C)
+        type(c_ptr), value :: law
+        real(c_double), value :: radius
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        type(contact_law_t) :: other
+        type(error_t), allocatable :: error
+
+        call open_handle(law, "law", inside, error)
+        if (.not. allocated(error)) call inside%with_radius(radius, other, error)
+        status = deliver(other, out, error)
+    end function mdr_law_with_radius
 
     !> The text at a C pointer; empty for null.
     subroutine read_text(pointer, text, error)

@@ -5,6 +5,7 @@ module mdrcontact_law_file
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_error, only: explain, check_memory, count_text, error_file, error_t, raise
     use mdrcontact_file, only: path_length, read_file, write_file
+    use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_crc32, only: crc32_text
     use mdrcontact_law_sound, only: is_sound
@@ -54,14 +55,17 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer(int64), allocatable :: words(:)
         character(len=:), allocatable :: first_line
-        integer :: i, start, stat
+        integer :: i, start, stat, count
 
-        allocate (words(3 + word_count(law%by_depth) + word_count(law%by_force)), stat=stat)
+        count = 3 + word_count(law%by_depth) + word_count(law%by_force)
+        if (law%radius > 0.0_wp) count = count + 1
+        allocate (words(count), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         words(:3) = [transfer([law%tolerance, law%error], [0_int64]), int(law%solutions, int64)]
         call put_table(law%by_depth, words(4:))
         call put_table(law%by_force, words(4 + word_count(law%by_depth):))
+        if (law%radius > 0.0_wp) words(count) = transfer(law%radius, 0_int64)
         first_line = title//version//new_line_character//count_text(len(law%description))//" characters of description, then "// &
                      count_text(size(words))//" numbers"//new_line_character
         start = len(first_line) + len(law%description) + 1
@@ -97,6 +101,11 @@ contains
         call read_table(reader, law%by_depth, error)
         if (reader%sound .and. .not. allocated(error)) call read_table(reader, law%by_force, error)
         if (allocated(error)) return
+        ! the radius is there for a paraboloid only
+        if (reader%sound .and. reader%next == size(reader%words)) then
+            law%radius = reader%number()
+            reader%sound = reader%sound .and. law%radius > 0.0_wp
+        end if
         if (reader%sound) reader%sound = reader%next == size(reader%words) + 1
         if (reader%sound) reader%sound = is_sound(law)
         if (.not. reader%sound) call raise(error, error_file, "its numbers do not describe a contact law")

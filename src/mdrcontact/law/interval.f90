@@ -11,7 +11,7 @@ module mdrcontact_law_interval
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: interval_t, place_t, new_interval, interval_place, interval_rate, panel_count, u_of_y, panel_ends
+    public :: interval_t, place_t, new_interval, scale_interval, interval_place, interval_rate, panel_count, u_of_y, panel_ends
     public :: polynomial, polynomial_slope
     public :: coefficient_count, column_count, most_bits
 
@@ -83,6 +83,22 @@ contains
         self%offset = 1.0_wp - self%scale*low
         self%smallest_root = 1.0e-9_wp*high
     end function new_interval
+
+    !> The interval of factor*s: each value keeps its panel and its place therein.
+    pure subroutine scale_interval(self, factor)
+        type(interval_t), intent(inout) :: self
+        !> > 0
+        real(wp), intent(in) :: factor
+        real(wp) :: stretch
+
+        stretch = factor
+        if (self%root) stretch = sqrt(factor)
+        self%lowest = factor*self%lowest
+        self%highest = factor*self%highest
+        self%origin = factor*self%origin
+        self%scale = self%scale/stretch
+        self%smallest_root = stretch*self%smallest_root
+    end subroutine scale_interval
 
     !> How many panels an interval has.
     pure function panel_count(self) result(count)

@@ -4,12 +4,12 @@ module mdrcontact_law_table
     use mdrcontact_contact, only: on_loading
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_interval, only: coefficient_count, column_count, place_t, polynomial, polynomial_slope, interval_place, &
-                                      interval_rate, interval_t
+                                      interval_rate, interval_t, scale_interval
     implicit none (type, external)
     private
     public :: law_table_t, table_segment_t
     public :: interval_for, segment_for, interval_in, below_range, no_contact
-    public :: value_in, values_in, values_below
+    public :: value_in, values_in, values_below, scale_table
 
     !> What interval_for says where there is no interval: below the compiled range of a contact without adhesion; open.
     integer, parameter :: below_range = -1, no_contact = 0
@@ -140,5 +140,23 @@ contains
         radius = self%end_radius + part(radius_column)
         stiffness = part(stiffness_column)
     end subroutine values_below
+
+    !> The table in which s and the other quantity are a factor larger at the same radius and stiffness.
+    pure subroutine scale_table(self, factor)
+        type(law_table_t), intent(inout) :: self
+        !> > 0
+        real(wp), intent(in) :: factor
+        integer :: i
+
+        self%lowest = factor*self%lowest
+        self%highest = factor*self%highest
+        self%end_values(other_column) = factor*self%end_values(other_column)
+        self%segments%lowest = factor*self%segments%lowest
+        self%segments%highest = factor*self%segments%highest
+        self%coefficients(:, other_column, :) = factor*self%coefficients(:, other_column, :)
+        do i = 1, size(self%intervals)
+            call scale_interval(self%intervals(i), factor)
+        end do
+    end subroutine scale_table
 
 end module mdrcontact_law_table

@@ -25,6 +25,7 @@ module mdrcontact_profile_power_law
         procedure :: mdr_moment
         procedure :: radius_from_mdr
         procedure :: powers
+        procedure :: paraboloid_radius
     end type power_law_t
 
 contains
@@ -63,6 +64,15 @@ contains
         self%coefficient = 0.5_wp/radius
         self%mdr_coefficient = 1.0_wp/radius
     end subroutine new_paraboloid
+
+    !> R of a paraboloid f(r) = r^2/(2R) [length]; 0 for any other exponent.
+    pure function paraboloid_radius(self) result(radius)
+        class(power_law_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = 0.0_wp
+        if (self%exponent == 2.0_wp) radius = 0.5_wp/self%coefficient
+    end function paraboloid_radius
 
     !> A cone f(r) = r tan(phi).
     subroutine new_cone(self, inclination, error)
