@@ -14,3 +14,4 @@ for package in tamaas ContactMechanics aspher; do
 done
 export OPENBLAS_NUM_THREADS=1 # threads of the library's own are what is measured
 "$build/venv/bin/python" benchmarks/compare.py "$build/benchmarks/law_cost" docs
+"$build/venv/bin/python" benchmarks/stresses.py >> docs/benchmarks.md
