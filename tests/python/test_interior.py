@@ -113,6 +113,38 @@ def test_adhesive_and_flat_edges_are_infinite():
     assert cone.interior(0.0, 0.0, cone.at_radius(1.0)).s_zz == -np.inf
 
 
+@pytest.mark.parametrize("angle", [0.0, 0.5 * np.pi, 0.8, 2.5, np.pi])
+@pytest.mark.parametrize("medium", [mdr.Homogeneous(STEEL), mdr.Coated(TIN, 0.7, STEEL)], ids=["homogeneous", "coated"])
+def test_friction_at_a_flat_edge_has_the_infinities_of_both_sides(medium, angle):
+    punch = mdr.Contact(mdr.FlatPunch(1.0), medium)
+    state = punch.at_depth(0.01)
+    options = {"friction": 0.3, "angle": angle}
+    field = punch.interior(1.0, 0.0, state, **options)
+    inside, outside = (punch.interior([1.0 + s * 1e-6, 1.0 + s * 1e-10], 0.0, state, **options) for s in (-1, 1))
+    for name, value in field._asdict().items():
+        limits = []
+        for near in (inside, outside):
+            values = getattr(near, name)
+            # one over the square root of the distance: a hundred times larger there
+            if abs(values[1]) > 50.0 * abs(values[0]) > 1e-9:
+                limits.append(np.sign(values[1]) * np.inf)
+        assert value == limits[0] if limits else np.isfinite(value), name
+
+
+def test_friction_at_the_apex_of_a_cone_is_infinite():
+    cone = mdr.Contact(mdr.Cone(0.3), mdr.Homogeneous(STEEL))
+    state = cone.at_radius(1.0)
+    field = cone.interior(0.0, 0.0, state, friction=0.3, angle=[0.0, 0.8, np.pi])
+    assert np.array_equal(field.s_rz, [-np.inf, -np.inf, np.inf])
+    assert field.s_tz[1] == np.inf and field.s_tz[[0, 2]] == pytest.approx(0.0, abs=1e-12)
+    for normal in (field.s_rr, field.s_tt, field.s_zz):
+        assert np.all(normal == -np.inf)
+    assert field.s_rt[1] == np.inf and np.all(np.isfinite(field.u_r))
+    # along the surface and along the axis s_rt has different limits: no number is right
+    near = cone.interior([0.0, 1e-9], [1e-9, 0.0], state, friction=0.3, angle=0.8).s_rt
+    assert abs(near[0]) < 1e-9 * abs(near[1])
+
+
 def test_stresses_under_a_models_own_pressure():
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(TIN, 1.0, STEEL, "gao"))
     state = contact.at_radius(1.0)

@@ -48,7 +48,7 @@ contains
     !> The field at points (r, z, angle); a grid of few distinct r and z costs far less than as many scattered points.
     !>
     !> Stresses are infinite where the load is singular on the surface: edge of a flat punch or of an adhesive contact, apex of
-    !> a cone, edge of a flat end.
+    !> a cone, edge of a flat end. With friction so are the shear stresses. Signs are those inside the contact.
     subroutine interior_field(load, layers, r, z, below, field, error, friction, angle, threads)
         class(load_t), intent(in), target :: load
         type(layers_t), intent(in) :: layers
@@ -95,7 +95,7 @@ contains
                 end if
             end if
         end if
-        call mark_singular(load, layers%poisson(1), r, z, field)
+        call mark_singular(load, layers%poisson(1), r, z, field, friction, angle)
     end subroutine interior_field
 
     subroutine check_points(load, layers, r, z, below, error)
@@ -344,11 +344,12 @@ contains
     end subroutine local_constants
 
     !> Infinities where the load is singular on the surface: the quadratures do not see them.
-    subroutine mark_singular(load, poisson, r, z, field)
+    subroutine mark_singular(load, poisson, r, z, field, friction, angle)
         class(load_t), intent(in) :: load
         real(wp), intent(in) :: poisson, r(:), z(:)
         real(wp), intent(inout) :: field(:, :)
-        real(wp) :: pressure, slope(1), place
+        real(wp), intent(in), optional :: friction, angle(:)
+        real(wp) :: pressure, slope(1), place, azimuth
         integer :: i, j
 
         do i = 1, size(r)
@@ -373,7 +374,46 @@ contains
                     if (abs(poisson + 0.5_wp) > 0.0_wp) field(i, j) = -sign(1.0_wp, poisson + 0.5_wp)*pressure
                 end do
             end if
+            if (.not. present(friction)) cycle
+            azimuth = 0.0_wp
+            if (present(angle)) azimuth = angle(i)
+            if (abs(friction) > 0.0_wp) call mark_sliding(friction, azimuth, pressure, r(i) > 0.0_wp, field(i, :))
         end do
     end subroutine mark_singular
+
+    !> What friction adds where p is infinite: the traction -f p, infinite too, and s_rt, which is infinite outside an edge and
+    !> jumps across a logarithm of p, so that no number is right. On the axis s_rr and s_tt jump as well.
+    pure subroutine mark_sliding(friction, angle, pressure, off_axis, field)
+        real(wp), intent(in) :: friction, angle
+        !> +-infinity
+        real(wp), intent(in) :: pressure
+        logical, intent(in) :: off_axis
+        real(wp), intent(inout) :: field(:)
+        real(wp) :: along, across
+
+        along = friction*nonzero(cos(angle))
+        across = friction*nonzero(sin(angle))
+        if (abs(along) > 0.0_wp) then
+            field(s_rz) = -along*pressure
+            if (.not. off_axis) then
+                where (abs(field([s_rr, s_tt])) <= huge(1.0_wp)) field([s_rr, s_tt]) = -along*pressure
+            end if
+        end if
+        if (abs(across) > 0.0_wp) then
+            field(s_tz) = across*pressure
+            field(s_rt) = across*pressure
+        end if
+
+    contains
+
+        !> 0 where a cosine or sine is nothing but the rounding error of the angle.
+        pure function nonzero(value) result(answer)
+            real(wp), intent(in) :: value
+            real(wp) :: answer
+
+            answer = merge(0.0_wp, value, abs(value) <= 4.0_wp*epsilon(1.0_wp)*max(1.0_wp, abs(angle)))
+        end function nonzero
+
+    end subroutine mark_sliding
 
 end module mdrcontact_field_interior
