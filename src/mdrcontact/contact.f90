@@ -490,6 +490,7 @@ contains
         !> (size(r), components): u_r, u_t, u_z [length], s_rr, s_tt, s_zz, s_rz, s_rt, s_tz [modulus]
         real(wp), intent(out) :: field(:, :)
         type(error_t), allocatable, intent(out) :: error
+        !> how many threads may share the work, 0: as many as OpenMP offers
         integer, intent(in) :: threads
         class(load_t), allocatable :: load
         integer :: i
@@ -522,6 +523,7 @@ contains
         type(contact_state_t), intent(in) :: state
         !> whether the upper body is meant
         logical, intent(in) :: upper
+        !> one of each layer, and that of the half-space if there is one [modulus length^3]
         real(wp), allocatable, intent(out) :: energies(:)
         type(error_t), allocatable, intent(out) :: error
         class(load_t), allocatable :: load

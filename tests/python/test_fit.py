@@ -283,14 +283,17 @@ def test_summary_and_json(tmp_path):
 
 @pytest.mark.skipif(not SHARED.is_dir(), reason="the measurements are not here")
 @pytest.mark.parametrize(
-    ("file", "modulus", "film", "nu", "literature"),
+    ("file", "modulus", "film", "nu", "literature", "error"),
     [
-        ("sio2_500nm_on_si_csm.csv", "E_OP_GPa", OXIDE, 0.17, (65e9, 80e9)),
-        ("al_500nm_sio2_500nm_on_si_csm.csv", "E_GPa", mdr.Elastic(70e9, 0.35), 0.35, (55e9, 80e9)),
+        ("sio2_500nm_on_si_csm.csv", "E_OP_GPa", OXIDE, 0.17, (65e9, 80e9), 2.2e9),
+        ("al_500nm_sio2_500nm_on_si_csm.csv", "E_GPa", mdr.Elastic(70e9, 0.35), 0.35, (55e9, 80e9), 7.6e9),
     ],
 )
-def test_measured_films(file, modulus, film, nu, literature):
-    """Thermal oxide and PVD aluminium: E_eff against a/h from printed moduli, between tip rounding (50 nm) and 30 % of the film."""
+def test_measured_films(file, modulus, film, nu, literature, error):
+    """Thermal oxide and PVD aluminium: E_eff against a/h from printed moduli, between tip rounding (50 nm) and 30 % of the film.
+
+    The standard errors are those of docs/fitting.md; residuals that run along the curve are in them.
+    """
     rows = np.genfromtxt(SHARED / file, delimiter=",", names=True)
     rows = rows[(rows["h_nm"] > 50.0) & (rows["h_nm"] < 150.0)]
     tip = mdr.Elastic(1070e9, 0.07).contact_modulus
@@ -302,4 +305,4 @@ def test_measured_films(file, modulus, film, nu, literature):
     result = mdr.fit(data, mdr.Berkovich(), mdr.Layered(layers, SILICON, "exact"), free)
     assert result.converged
     assert literature[0] < result.estimates["layers[0].E"] < literature[1]
-    assert 0.0 < result.standard_errors["layers[0].E"] < 5e9
+    assert result.standard_errors["layers[0].E"] == pytest.approx(error, rel=0.05)

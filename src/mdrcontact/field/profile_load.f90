@@ -9,6 +9,7 @@ module mdrcontact_field_profile_load
     private
     public :: profile_load_t, new_profile_load
 
+    !> q(x) = E0* (d - g(x) - v(x)) and its slope.
     type, extends(load_t) :: profile_load_t
         private
         class(profile_t), allocatable :: profile
