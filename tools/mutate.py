@@ -60,6 +60,10 @@ MUTATIONS = [
     ("profile/transform.f90", "sum(weights*phi/sqrt(2.0_wp*x - s**2))", "sum(weights*phi/sqrt(2.0_wp*x + s**2))", "profile"),
     ("profile/sampled.f90", "if (here < before - rounding) then", "if (here < -huge(here)) then", "profile"),
     ("profile/sampled.f90", "roots(flat_ends + count + 1:) = .true.", "roots(flat_ends + count + 1:) = .false.", "profile"),
+    ("layered/legendre.f90", "real(4*c + 5, wp)*over_odd(j)", "real(4*c + 3, wp)*over_odd(j)", "layered_reference"),
+    ("layered/legendre.f90", "even(0) = even(0) + 4.0_wp*moments%shift", "even(0) = even(0) + 2.0_wp*moments%shift", "layered"),
+    ("layered/solve.f90", "solution%force = a*(beyond*sums(1) - sums(4))", "solution%force = a*beyond*sums(1)", "layered"),
+    ("layered/solve.f90", "solution%modulus = 0.5_wp*sums(1)", "solution%modulus = 0.501_wp*sums(1)", "layered_reference"),
 ]  # fmt: skip
 """file, text, replacement, tests"""
 
