@@ -32,8 +32,8 @@ def stress_figure(problem: Problem, contact: Contact, found: Inside, form: str) 
 
 def _title(problem: Problem, found: Inside) -> str:
     force, radius = (practical(d, [float(v)]) for d, v in ((FORCE, found.state.force), (LENGTH, found.state.radius)))
-    text = f"{problem.title}\nF = {float(force.of(found.state.force)):.3g} {force.symbol}"
-    text += f", a = {float(radius.of(found.state.radius)):.3g} {radius.symbol}"
+    text = f"{problem.title}\nF = {float(force.of(found.state.force)):.4g} {force.symbol}"
+    text += f", a = {float(radius.of(found.state.radius)):.4g} {radius.symbol}"
     if found.friction:
         text += f", sliding to the right with friction {found.friction:g}"
     return text
@@ -81,7 +81,7 @@ def _mark(axis: Any, maximum: Maximum, found: Inside, length: Unit, unit: Unit, 
     point = float(length.of(place)), float(length.of(maximum.z))
     axis.plot(*point, "o", markersize=6, markerfacecolor="none", markeredgecolor=colour, markeredgewidth=1.4, clip_on=False)
     right = place < 0.6 * found.maps[0].x[-1]
-    label = f"{name} {float(unit.of(maximum.value)):.3g}"
+    label = f"{name} {float(unit.of(maximum.value)):.4g}"
     offset = (7 if right else -7, -13 if below else 6)
     axis.annotate(label, point, xytext=offset, textcoords="offset points", color=colour, ha="left" if right else "right")
 
