@@ -43,7 +43,7 @@ module mdrcontact_medium
         procedure :: nonadhesive_depth
         !> d0'(a) [1] where the medium knows it without solving anything; negative if it does not
         procedure :: nonadhesive_slope => unknown_slope
-        !> depth, force, modulus and its slope at one radius; a medium that finds them together overrides it
+        !> depth, force, modulus and the slope of the stiffness at one radius; a medium that finds them together overrides it
         procedure :: response
         !> whether its states are the exact ones of a body: depths need no zeta (9), and an adhesive edge meets the energy balance.
         !> Of a medium with an effective modulus both are choices (theory 4 and 5)
@@ -179,15 +179,15 @@ contains
         call self%depth_and_force(profile, a, value, force, error)
     end subroutine nonadhesive_depth
 
-    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error, adhesive, depth_slope)
+    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope)
         class(medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> contact radius [length]
         real(wp), intent(in) :: a
-        !> without adhesion: d [length], F [modulus length^2], E_eff [modulus] and dE_eff/da [modulus/length]
-        real(wp), intent(out) :: depth, force, modulus, modulus_slope
+        !> without adhesion: d [length], F [modulus length^2], E_eff [modulus] and k'(a) = 2 (E_eff + a E_eff') [modulus]
+        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
         type(error_t), allocatable, intent(out) :: error
-        !> modulus_slope is as exact as the rest: an adhesive edge depends on it; default false
+        !> stiffness_slope is as exact as the rest: an adhesive edge depends on it; default false
         logical, intent(in), optional :: adhesive
         !> d0'(a) [1] where the medium knows it; negative if it does not
         real(wp), intent(out), optional :: depth_slope
@@ -196,13 +196,13 @@ contains
         if (present(adhesive)) continue
         if (present(depth_slope)) depth_slope = self%nonadhesive_slope(profile, a)
         modulus = 0.0_wp
-        modulus_slope = 0.0_wp
+        stiffness_slope = 0.0_wp
         call self%depth_and_force(profile, a, depth, force, error)
         if (.not. allocated(error)) call self%modulus([a], value, error)
         if (.not. allocated(error)) call self%modulus_slope([a], slope, error)
         if (allocated(error)) return
         modulus = value(1)
-        modulus_slope = slope(1)
+        stiffness_slope = 2.0_wp*(modulus + a*slope(1))
     end subroutine response
 
     pure function unknown_slope(self, profile, a) result(slope)

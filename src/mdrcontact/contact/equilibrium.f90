@@ -149,16 +149,16 @@ contains
         real(wp), intent(in) :: radius
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: modulus, modulus_slope
+        real(wp) :: modulus, stiffness_slope
 
         state%radius = radius
-        call self%medium%response(self%profile, radius, state%depth, state%force, modulus, modulus_slope, error, &
+        call self%medium%response(self%profile, radius, state%depth, state%force, modulus, stiffness_slope, error, &
                                   adhesive=self%work_of_adhesion > 0.0_wp)
         if (allocated(error)) return
         state%stiffness = 2.0_wp*radius*modulus
         if (.not. self%work_of_adhesion > 0.0_wp) return
         if (self%rule == adhesion_energy .or. (self%rule == adhesion_automatic .and. self%medium%is_exact())) then
-            modulus = modulus + radius*modulus_slope
+            modulus = 0.5_wp*stiffness_slope
         end if
         if (.not. modulus > 0.0_wp) then
             call raise(error, error_no_convergence, "the contact stiffness of this medium does not grow with the radius at a = "// &

@@ -190,7 +190,7 @@ contains
         class(mismatch_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: radius, depth, depth_slope, force, modulus, modulus_slope, s
+        real(wp) :: radius, depth, depth_slope, force, modulus, stiffness_slope, s
 
         y = 0.0_wp
         radius = self%equilibrium%radius_of(x)
@@ -200,7 +200,7 @@ contains
         ! Where the depth is a formula the force, an integral, is not asked for in vain.
         self%has_state = self%control%force_weight > 0.0_wp .or. depth_slope < 0.0_wp
         if (self%has_state) then
-            call self%equilibrium%medium%response(self%equilibrium%profile, radius, depth, force, modulus, modulus_slope, &
+            call self%equilibrium%medium%response(self%equilibrium%profile, radius, depth, force, modulus, stiffness_slope, &
                                                   self%error, depth_slope=depth_slope)
         else
             call self%equilibrium%medium%nonadhesive_depth(self%equilibrium%profile, radius, depth, self%error)
@@ -211,7 +211,7 @@ contains
             self%state%depth = depth
             self%state%force = force
             self%state%stiffness = 2.0_wp*radius*modulus
-            self%stiffness_slope = 2.0_wp*(modulus + radius*modulus_slope)
+            self%stiffness_slope = stiffness_slope
         end if
         s = max(self%control%of(depth, force), tiny(depth))
         y = log(s/self%target_value)

@@ -222,12 +222,12 @@ contains
         force = self%surface_modulus*solution%force
     end subroutine depth_and_force
 
-    !> All of them from one solution.
-    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error, adhesive, depth_slope)
+    !> All of them from one solution: k'(a) = 2 E0* q_1(a; a)^2, where E_eff + a E_eff' would cancel on a soft film.
+    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force, modulus, modulus_slope
+        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
         real(wp), intent(out), optional :: depth_slope
@@ -236,14 +236,14 @@ contains
         depth = 0.0_wp
         force = 0.0_wp
         modulus = 0.0_wp
-        modulus_slope = 0.0_wp
+        stiffness_slope = 0.0_wp
         if (present(depth_slope)) depth_slope = -1.0_wp
         call solve(self%kernel, self%tolerance, a, solution, error, profile, adhesive)
         if (allocated(error)) return
         depth = solution%depth
         force = self%surface_modulus*solution%force
         modulus = self%surface_modulus*solution%modulus
-        modulus_slope = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a
+        stiffness_slope = 2.0_wp*self%surface_modulus*solution%punch_edge**2
         if (present(depth_slope)) depth_slope = solution%depth_slope
     end subroutine response
 

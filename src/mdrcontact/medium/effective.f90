@@ -139,11 +139,11 @@ contains
                         + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
     end subroutine depth_and_force
 
-    subroutine response(self, profile, a, depth, force, modulus, modulus_slope, error, adhesive, depth_slope)
+    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force, modulus, modulus_slope
+        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
         real(wp), intent(out), optional :: depth_slope
@@ -152,7 +152,7 @@ contains
         if (present(depth_slope)) depth_slope = self%nonadhesive_slope(profile, a)
         call self%depth_and_force(profile, a, depth, force, error)
         modulus = self%effective_modulus(a)
-        modulus_slope = self%effective_modulus_slope(a)
+        stiffness_slope = 2.0_wp*(modulus + a*self%effective_modulus_slope(a))
     end subroutine response
 
     !> The share of a below which the modulus may be taken as constant: what lies there is too little of the force for its
