@@ -1206,9 +1206,11 @@ int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const
  *  @param y        [n] readings; they enter where the frame compliance is not 0, and for MDR_FIT_STIFFNESS_DEPTH
  *  @param force    [n] forces, for MDR_FIT_STIFFNESS_DEPTH; otherwise may be NULL [modulus length^2]
  *  @param fitted   [n] the model, in the unit of y
+ *  @param radius   [n] or NULL: the contact radii, 0 out of contact; for MDR_FIT_STIFFNESS_DEPTH those of the tip at the contact
+ *                  depth of Oliver and Pharr, h_c = h - epsilon P/S, J. Mater. Res. 7 (1992) 1564, with the area factor [length]
  *  @return also what the model answers: MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
-                    double fitted[]);
+                    double fitted[], double radius[]);
 
 /** Profile-likelihood interval of one free parameter: the values at which the
  * weighted sum of squares, minimal over all other free ones, exceeds its minimum by the quantile of that level (chi-square with one

@@ -27,7 +27,7 @@ SIZES = {
     "mdr_fit_solve": dict.fromkeys(
         ("force", "sd", "values", "covariance", "widening", "at_bound", "weakest_direction", "fitted", "residuals"), ""
     ),
-    "mdr_fit_predict": {"force": ""},
+    "mdr_fit_predict": {"force": "", "radius": ""},
     "mdr_fit_interval": {"force": "", "sd": ""},
 }
 # Numbers that go in and come out again.

@@ -26,7 +26,7 @@ static void truth_comes_back(void)
 {
     mdr_fit_problem problem;
     mdr_fit_parameter parameters[NUMBERS];
-    double d[POINTS], F[POINTS], expected[POINTS], values[NUMBERS], covariance[NUMBERS * NUMBERS], direction[NUMBERS];
+    double d[POINTS], F[POINTS], a[POINTS], radii[POINTS], expected[POINTS], values[NUMBERS], covariance[NUMBERS * NUMBERS], direction[NUMBERS];
     double fitted[POINTS], residuals[POINTS], lower, upper;
     int at_bound[NUMBERS], count;
     mdr_fit_summary summary;
@@ -38,14 +38,17 @@ static void truth_comes_back(void)
     CHECK_INT(mdr_fit_parameter_count(&problem, &count), MDR_SUCCESS);
     CHECK_INT(count, NUMBERS);
     for (int i = 0; i < POINTS; i++) d[i] = 2.5e-9 * (i + 1), F[i] = 0.0;
-    CHECK_INT(mdr_fit_predict(&problem, POINTS, d, d, NULL, F), MDR_SUCCESS);
+    CHECK_INT(mdr_fit_predict(&problem, POINTS, d, d, NULL, F, a), MDR_SUCCESS);
 
     /* the same curve by way of a contact */
     CHECK_INT(mdr_profile_paraboloid(10e-6, &profile), MDR_SUCCESS);
     CHECK_INT(mdr_medium_coated(72e9, 0.17, 500e-9, 163e9, 0.22, MDR_MODEL_GAO, NULL, &medium), MDR_SUCCESS);
     CHECK_INT(mdr_contact_new(profile, medium, NULL, &contact), MDR_SUCCESS);
-    CHECK_INT(mdr_contact_from_depth(contact, POINTS, d, NULL, NULL, expected, NULL), MDR_SUCCESS);
-    for (int i = 0; i < POINTS; i++) CHECK_CLOSE(F[i], expected[i], 1e-9);
+    CHECK_INT(mdr_contact_from_depth(contact, POINTS, d, NULL, radii, expected, NULL), MDR_SUCCESS);
+    for (int i = 0; i < POINTS; i++) {
+        CHECK_CLOSE(F[i], expected[i], 1e-9);
+        CHECK_CLOSE(a[i], radii[i], 1e-9);
+    }
 
     parameters[1].value = 100e9;
     parameters[1].is_free = 1;

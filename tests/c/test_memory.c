@@ -80,7 +80,7 @@ int main(void)
     law_options.description = large_text;
     CHECK_STATUS(mdr_law_new(c, 0.1, &law_options, &law), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_medium_table(COUNT, in, in, &table), MDR_ENOMEMORY, "no memory");
-    CHECK_STATUS(mdr_fit_predict(&problem, COUNT, in, in, NULL, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_fit_predict(&problem, COUNT, in, in, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_structure_voxels(size, labels, 1, in + 1, in, in + 1, 1.0, 0.3, NULL, &voxels), MDR_ENOMEMORY, "memory");
     CHECK_TRUE(law == NULL && table == NULL && voxels == NULL);
     /* this needs no memory of the array's size */

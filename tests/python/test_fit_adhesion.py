@@ -106,7 +106,7 @@ def test_the_model_is_apart_beyond_pull_off_and_before_first_touch():
         )
         values = np.array(list(result.values.values()))
         values[list(result.values).index("force_offset")] = 1e-9
-        assert result.problem.predict(values) == pytest.approx(np.array(expected) + 1e-9, rel=1e-6)
+        assert result.problem.predict(values)[0] == pytest.approx(np.array(expected) + 1e-9, rel=1e-6)
 
 
 def test_no_adhesion_is_found_as_none():

@@ -3,16 +3,14 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
 
 import numpy as np
 
 from .. import medium as media
 from .. import profile as profiles
-from ..contact import Contact
 from ..errors import MDRError
-from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
+from .data import ForceDepth, ModulusRadius, StiffnessRadius
 from .result import UNLIKELY, FitResult
 
 _LARGE_ERROR = 0.3
@@ -26,13 +24,18 @@ _SMALL_CONTACT, _LARGE_CONTACT = 0.1, 3.0
 
 def advice(result: FitResult) -> list[str]:
     """All warnings about a result."""
+    try:
+        alone, radius = result.problem.predict(result._values)
+    except MDRError:
+        alone, radius = result.fitted, np.zeros(0)
+    radius = radius[radius > 0.0]
     return [
         *result.data.warnings,
         *_search(result),
-        *_identifiability(result),
+        *_identifiability(result, radius),
         *_pattern(result),
-        *_tip(result),
-        *_branches(result),
+        *_tip(result, radius),
+        *_branches(result, alone),
     ]
 
 
@@ -50,7 +53,7 @@ def _search(result: FitResult) -> list[str]:
     return words
 
 
-def _identifiability(result: FitResult) -> list[str]:
+def _identifiability(result: FitResult, radius: np.ndarray) -> list[str]:
     words = []
     vague = [name for name in result.names if _relative(result, name) > _LARGE_ERROR]
     correlation = result.correlation
@@ -76,7 +79,7 @@ def _identifiability(result: FitResult) -> list[str]:
             f"{name} is hardly determined: its standard error is {100.0 * min(_relative(result, name), 1e6):.3g} % of its value"
         )
     if words:
-        regime = _regime(result)
+        regime = _regime(result, radius)
         weak = ", ".join(f"{name} {100.0 * change:+.0f}" for name, change in result.weakest_direction.items() if abs(change) > 0.02)
         if result.weakest < 0.05 and len(result.names) > 1:
             words.append(f"the change that the data notice least (in proportion): {weak}")
@@ -93,9 +96,9 @@ def _relative(result: FitResult, name: str) -> float:
     return error / abs(value) if value and math.isfinite(error) else math.inf
 
 
-def _regime(result: FitResult) -> str | None:
+def _regime(result: FitResult, radius: np.ndarray) -> str | None:
     """Where the contacts are on the scale of the film, which says what they can feel."""
-    span = ratio_range(result)
+    span = _ratio_range(result, radius)
     if span is None:
         return None
     low, high = span
@@ -111,61 +114,13 @@ def _regime(result: FitResult) -> str | None:
     return f"{reach}: film and substrate are both felt, so the noise limits the estimates"
 
 
-def ratio_range(result: FitResult) -> tuple[float, float] | None:
-    """Smallest and largest a/h of the data under the fitted model; None without a film or where it cannot be said."""
+def _ratio_range(result: FitResult, radius: np.ndarray) -> tuple[float, float] | None:
+    """Smallest and largest a/h of the data under the fitted model; None without a film or contact."""
     medium = result.medium
-    if isinstance(medium, media.Coated):
-        h = medium.thickness
-    elif isinstance(medium, media.Layered):
-        h = medium.layers[0][1]
-    else:
+    if not len(radius) or not isinstance(medium, media.Coated | media.Layered):
         return None
-    data = result.data
-    if isinstance(data, (ModulusRadius, StiffnessRadius)):
-        return float(data.x.min() / h), float(data.x.max() / h)
-    if isinstance(data, ForceDepth):
-        try:
-            radius = _radii(result)
-        except MDRError:
-            return None
-        return (float(radius.min() / h), float(radius.max() / h)) if len(radius) else None
-    # the stiffness of the model gives the radius: S = 2 beta a E_r
-    try:
-        radius = contact_radii(result)
-    except MDRError:
-        return None
+    h = medium.thickness if isinstance(medium, media.Coated) else medium.layers[0][1]
     return float(radius.min() / h), float(radius.max() / h)
-
-
-def _radii(result: FitResult) -> np.ndarray:
-    """Smallest and largest contact radius of force-depth data; none without contact."""
-    data = result.data
-    offset, compliance = result.values["depth_offset"], result.values["frame_compliance"]
-    depths = data.x - offset - compliance * (data.y - result.values["force_offset"])
-    depths = depths[depths > 0.0]
-    if not len(depths):
-        return depths
-    return np.asarray(Contact(result.indenter, result.medium).at_depth([depths.min(), depths.max()]).radius)
-
-
-def contact_radii(result: FitResult) -> np.ndarray:
-    """The contact radii of stiffness-depth data: those of the tip at Oliver and Pharr's contact depth."""
-    data, v = result.data, result.values
-    assert data.force is not None
-    load = data.force - v["force_offset"]
-    compliance = 1.0 / data.y - v["frame_compliance"]
-    h_c = data.x - v["depth_offset"] - v["frame_compliance"] * load - v["contact_depth_factor"] * load * compliance
-    h_c = v["contact_depth_scale"] * h_c
-    low = np.full_like(h_c, 1e-6 * h_c.max())
-    high = np.full_like(h_c, 1e3 * h_c.max())
-    for _ in range(60):
-        middle = np.sqrt(low * high)
-        height = np.full_like(middle, np.inf)
-        for i, r in enumerate(middle):
-            with contextlib.suppress(MDRError):
-                height[i] = result.indenter.height(float(r))
-        low, high = np.where(height < h_c, middle, low), np.where(height < h_c, high, middle)
-    return np.sqrt(low * high * v["area_factor"])
 
 
 def _pattern(result: FitResult) -> list[str]:
@@ -189,18 +144,14 @@ def _pattern(result: FitResult) -> list[str]:
     return words
 
 
-def _tip(result: FitResult) -> list[str]:
+def _tip(result: FitResult, radius: np.ndarray) -> list[str]:
     """An ideal tip is an assumption that no data support: what a usual bluntness would do to the area."""
     tip = result.indenter
     inclination = getattr(tip, "inclination", None)
     is_sharp = isinstance(tip, (profiles.Berkovich, profiles.Vickers, profiles.CubeCorner, profiles.Cone))
     if not is_sharp or inclination is None or isinstance(result.data, (ModulusRadius, StiffnessRadius)):
         return []
-    if "area_factor" in result.names:
-        return []
-    try:
-        radius = contact_radii(result) if isinstance(result.data, StiffnessDepth) else _radii(result)
-    except MDRError:
+    if "area_factor" in result.names or not len(radius):
         return []
     height = math.tan(inclination) * float(np.median(radius))
     # a sphere that is tangent to the cone leaves so much of its tip missing
@@ -215,12 +166,11 @@ def _tip(result: FitResult) -> list[str]:
     ]
 
 
-def _branches(result: FitResult) -> list[str]:
+def _branches(result: FitResult, alone: np.ndarray) -> list[str]:
     """Whether the readings are in contact where the model is not, or the other way round."""
     data = result.data
     if not isinstance(data, ForceDepth) or not result.values["work_of_adhesion"] > 0.0:
         return []
-    alone = result.problem.predict(result._values)
     scale = result.noise * (1.0 if data.sd is None else data.sd)
     differs = int(np.sum(np.abs(alone - result.fitted) > 3.0 * scale))
     if differs <= max(_STRAYS, _STRAY_SHARE * len(data)):

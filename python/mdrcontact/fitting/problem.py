@@ -86,9 +86,11 @@ class Problem(NamedTuple):
         medium, instrument = self.medium.numbers.build(rows[i : i + m]), self.instrument.build(rows[i + m :])
         return self.indenter.build(rows[:i]), Pair(medium, instrument.indenter) if self.is_paired else medium, instrument
 
-    def predict(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What the instrument would read where the parameters are these."""
-        return np.asarray(self.changed(self.data, start=values).call(_native.fit_predict, with_sd=False)[0])
+    def predict(self, values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """What the instrument would read where the parameters are these, and the contact radii, 0 out of contact."""
+        radius = np.zeros(len(self.data.x))
+        (fitted,) = self.changed(self.data, start=values).call(_native.fit_predict, address(radius), with_sd=False)
+        return np.asarray(fitted), radius
 
     def answer(self) -> Any:
         """What the library finds: the arguments of a FitResult after the problem."""

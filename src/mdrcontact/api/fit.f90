@@ -84,17 +84,17 @@ contains
         end if
     end function mdr_fit_solve
 
-    function mdr_fit_predict(problem, n, x, y, force, fitted) result(status) bind(C)
+    function mdr_fit_predict(problem, n, x, y, force, fitted, radius) result(status) bind(C)
         type(c_ptr), value :: problem
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*), y(*), force(*)
-        real(c_double), intent(inout), optional :: fitted(*)
+        real(c_double), intent(inout), optional :: fitted(*), radius(*)
         integer(c_int) :: status
         type(fit_problem_t) :: chosen
         type(c_ptr) :: branch
         type(fit_data_t) :: data
         type(error_t), allocatable :: error
-        real(c_double), allocatable :: model(:)
+        real(c_double), allocatable :: model(:), radii(:)
         integer :: stat
 
         call check_given(error, "fitted", present(fitted))
@@ -103,13 +103,16 @@ contains
         if (.not. allocated(error)) call check_points(data, chosen, error)
         if (.not. allocated(error)) then
             allocate (model(n), stat=stat)
+            if (stat == 0) allocate (radii(n), stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error)) then
-            call predict(chosen, chosen%parameters%value, data, model, error)
+            call predict(chosen, chosen%parameters%value, data, model, error, radius=radii)
         end if
-        if (.not. allocated(error)) fitted(:n) = model
         status = status_of(error)
+        if (allocated(error)) return
+        fitted(:n) = model
+        if (present(radius)) radius(:n) = radii
     end function mdr_fit_predict
 
     function mdr_fit_interval(problem, n, x, y, force, sd, position, level, lower, upper) result(status) bind(C)

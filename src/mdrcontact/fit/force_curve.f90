@@ -109,39 +109,46 @@ contains
         end if
     end function pull_off_depth
 
-    !> F in contact at a depth. Without adhesion 0 for d <= 0; with it the pull-off value below the pull-off depth, where there is
-    !> no contact: whether a point belongs there is for the caller to say. Beyond the end of the curve an error.
-    elemental subroutine at(self, d, force, reached)
+    !> F and a in contact at a depth. Without adhesion 0 for d <= 0; with it those of pull-off below the pull-off depth, where
+    !> there is no contact: whether a point belongs there is for the caller to say. Beyond the end of the curve an error.
+    elemental subroutine at(self, d, force, radius, reached)
         class(force_curve_t), intent(in) :: self
         !> [length]
         real(wp), intent(in) :: d
         !> [modulus length^2]
         real(wp), intent(out) :: force
+        !> [length]
+        real(wp), intent(out) :: radius
         !> false where the indenter or the medium ends before
         logical, intent(out) :: reached
         type(curve_point_t) :: point
+        real(wp) :: power
 
         reached = .true.
         force = 0.0_wp
+        radius = 0.0_wp
         if (.not. self%adhesive .and. d <= 0.0_wp) return
         if (allocated(self%wall)) then
             if (d >= self%wall%depth .or. .not. allocated(self%curve)) then
                 force = self%wall%force + self%wall%stiffness*(max(d, self%pull_off_depth()) - self%wall%depth)
+                radius = self%wall%radius
                 return
             end if
         end if
         reached = d <= self%highest%depth + 1.0e-6_wp*(self%highest%depth - self%lowest%depth)
+        point = self%lowest
         if (d > self%lowest%depth .and. self%adhesive) then
             point = self%curve%find(depth_control, self%lowest%depth, 1.0_wp, .true., d - self%lowest%depth, self%first, self%last)
-            force = point%force
         else if (d > self%lowest%depth) then
             point = self%curve%find(depth_control, 0.0_wp, 1.0_wp, .false., d, self%first, self%last)
-            force = point%force
-        else
-            force = self%lowest%force
-            ! below the traced range both are powers of a, and dF = k dd
-            if (.not. self%adhesive) force = force*(d/self%lowest%depth)**(self%lowest%stiffness*self%lowest%depth/force)
+        else if (.not. self%adhesive) then
+            ! below the traced range force and depth are powers of a, k is proportional to a, and dF = k dd
+            power = point%stiffness*point%depth/point%force
+            point%force = point%force*(d/point%depth)**power
+            point%radius = point%radius*(d/point%depth)**(power - 1.0_wp)
         end if
+        force = point%force
+        radius = point%radius
     end subroutine at
 
 end module mdrcontact_fit_force_curve

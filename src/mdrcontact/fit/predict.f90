@@ -38,8 +38,8 @@ module mdrcontact_fit_predict
 
 contains
 
-    !> The y of each point.
-    subroutine predict(problem, values, data, y, error, shared, order)
+    !> The y of each point, and its contact radius.
+    subroutine predict(problem, values, data, y, error, shared, order, radius)
         type(fit_problem_t), intent(in) :: problem
         !> [indenter, medium, instrument]
         real(wp), intent(in) :: values(:)
@@ -52,27 +52,35 @@ contains
         !> that of ascending_points: the readings y of the data then say which points of an adhesive curve are in contact; without
         !> it the model does: from first touch on approach, until pull-off on retract
         integer, intent(in), optional :: order(:)
+        !> same size as data%x: the contact radii, 0 out of contact; of data of stiffness and depth Oliver and Pharr's [length]
+        real(wp), intent(out), optional :: radius(:)
         type(layered_shared_t) :: own
+        real(wp), allocatable :: a(:)
 
         if (present(shared)) then
-            call predict_sharing(problem, values, data, shared, y, error, order)
+            call predict_sharing(problem, values, data, shared, y, a, error, order)
         else
-            call predict_sharing(problem, values, data, own, y, error, order)
+            call predict_sharing(problem, values, data, own, y, a, error, order)
         end if
+        if (.not. present(radius)) return
+        radius = 0.0_wp
+        if (.not. allocated(error)) radius = a
     end subroutine predict
 
-    subroutine predict_sharing(problem, values, data, shared, y, error, order)
+    subroutine predict_sharing(problem, values, data, shared, y, a, error, order)
         type(fit_problem_t), intent(in) :: problem
         real(wp), intent(in) :: values(:)
         type(fit_data_t), intent(in) :: data
         type(layered_shared_t), intent(inout) :: shared
         real(wp), intent(out) :: y(:)
+        !> the contact radii
+        real(wp), allocatable, intent(out) :: a(:)
         type(error_t), allocatable, intent(out) :: error
         integer, intent(in), optional :: order(:)
         class(profile_t), allocatable :: profile
         class(medium_t), allocatable :: pressed
         class(medium_t), allocatable, target :: medium
-        real(wp), allocatable :: a(:), modulus(:)
+        real(wp), allocatable :: modulus(:)
         integer :: n
 
         y = 0.0_wp
@@ -84,7 +92,7 @@ contains
             if (.not. allocated(error)) call press(pressed, instrument(at_indenter_modulus), medium, error)
             if (allocated(error)) return
             if (problem%data_kind == data_force_depth) then
-                call predict_force(problem, instrument, profile, medium, data, y, error, order)
+                call predict_force(problem, instrument, profile, medium, data, y, a, error, order)
                 return
             end if
             if (problem%data_kind == data_stiffness_depth) then
@@ -139,13 +147,14 @@ contains
     end subroutine check_instrument
 
     !> F + force offset at depths freed of the offset and of the deflection of the frame: d = x - offset - C (y - force offset).
-    subroutine predict_force(problem, instrument, profile, medium, data, y, error, order)
+    subroutine predict_force(problem, instrument, profile, medium, data, y, a, error, order)
         type(fit_problem_t), intent(in) :: problem
         real(wp), intent(in) :: instrument(:)
         class(profile_t), intent(in) :: profile
         class(medium_t), intent(in) :: medium
         type(fit_data_t), intent(in) :: data
         real(wp), intent(out) :: y(:)
+        real(wp), allocatable, intent(out) :: a(:)
         type(error_t), allocatable, intent(out) :: error
         integer, intent(in), optional :: order(:)
         type(equilibrium_t) :: equilibrium
@@ -154,6 +163,7 @@ contains
         logical :: reached(size(y)), approaches(size(y))
         integer :: branch(size(y))
 
+        allocate (a(size(y)), source=0.0_wp)
         d = data%x - instrument(at_depth_offset)
         if (instrument(at_frame_compliance) /= 0.0_wp) then
             d = d - instrument(at_frame_compliance)*(data%y - instrument(at_force_offset))
@@ -166,7 +176,7 @@ contains
         if (.not. instrument(at_work_of_adhesion) > 0.0_wp) smallest = minval(d, mask=d > 0.0_wp)
         call new_force_curve(curve, equilibrium, smallest, maxval(d), error)
         if (allocated(error)) return
-        call curve%at(d, y, reached)
+        call curve%at(d, y, a, reached)
         if (instrument(at_work_of_adhesion) > 0.0_wp) then
             branch = on_unloading
             if (allocated(data%branch)) branch = data%branch
@@ -176,7 +186,10 @@ contains
                 call separate(order, branch, data%y - instrument(at_force_offset), sd, 0.0_wp, y)
             else
                 approaches = branch == on_loading
-                where ((approaches .and. d < 0.0_wp) .or. d < curve%pull_off_depth()) y = 0.0_wp
+                where ((approaches .and. d < 0.0_wp) .or. d < curve%pull_off_depth())
+                    y = 0.0_wp
+                    a = 0.0_wp
+                end where
             end if
         end if
         y = y + instrument(at_force_offset)

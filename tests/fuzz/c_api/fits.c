@@ -25,7 +25,8 @@ static const mdr_fit_parameter *take_parameters(input *in, mdr_fit_parameter par
 void fuzz_fits(world *w)
 {
     input *in = &w->in;
-    double x[MOST_POINTS], y[MOST_POINTS], force[MOST_POINTS], sd[MOST_POINTS], fitted[MOST_POINTS], residuals[MOST_POINTS];
+    double x[MOST_POINTS], y[MOST_POINTS], force[MOST_POINTS], sd[MOST_POINTS];
+    double fitted[MOST_POINTS], residuals[MOST_POINTS], radii[MOST_POINTS];
     double values[MOST_NUMBERS], covariance[MOST_NUMBERS * MOST_NUMBERS], weakest[MOST_NUMBERS], lower, upper;
     mdr_fit_parameter parameters[MOST_NUMBERS];
     mdr_fit_summary summary;
@@ -57,9 +58,10 @@ void fuzz_fits(world *w)
     judge_status("mdr_fit_parameter_count", mdr_fit_parameter_count(&problem, &count));
     problem.parameter_count = take_chance(in) ? take_choice(in, MOST_NUMBERS) : count;
     if (problem.parameter_count > MOST_NUMBERS || !afford(w, PRICE_OF_FIT)) return;
-    fill(fitted), fill(residuals);
-    status = mdr_fit_predict(&problem, n, x, y, take_chance(in) ? NULL : force, fitted);
+    fill(fitted), fill(residuals), fill(radii);
+    status = mdr_fit_predict(&problem, n, x, y, take_chance(in) ? NULL : force, fitted, radii);
     judge("mdr_fit_predict", status, n, fitted, FINITE);
+    judge("mdr_fit_predict", status, n, radii, NOT_NEGATIVE);
     fill(fitted);
     status = mdr_fit_solve(&problem, n, x, y, force, take_chance(in) ? sd : NULL, values, covariance, NULL, at_bound, weakest, fitted,
                            residuals, &summary);
