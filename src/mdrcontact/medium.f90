@@ -189,12 +189,11 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> stiffness_slope is as exact as the rest: an adhesive edge depends on it; default false
         logical, intent(in), optional :: adhesive
-        !> d0'(a) [1] where the medium knows it; negative if it does not
-        real(wp), intent(out), optional :: depth_slope
+        !> d0'(a) [1]: replaced where nonadhesive_slope does not know it and the solution does
+        real(wp), intent(inout), optional :: depth_slope
         real(wp) :: value(1), slope(1)
 
-        if (present(adhesive)) continue
-        if (present(depth_slope)) depth_slope = self%nonadhesive_slope(profile, a)
+        if (present(adhesive) .or. present(depth_slope)) continue
         modulus = 0.0_wp
         stiffness_slope = 0.0_wp
         call self%depth_and_force(profile, a, depth, force, error)

@@ -35,6 +35,9 @@ module mdrcontact_contact_inversion
     real(wp), parameter :: linear = 5.0e-9_wp
     !> Slope of ln s to begin with, where none is known.
     real(wp), parameter :: expected_slope = 2.0_wp
+    !> The radius of a homogeneous body is but a guess: found to this part of itself, and in at most so many steps.
+    real(wp), parameter :: short_step = 0.01_wp
+    integer, parameter :: most_steps = 50
 
 contains
 
@@ -151,31 +154,42 @@ contains
         end associate
     end subroutine find_radius
 
-    !> Where a homogeneous body of the surface's modulus would have s: the indenter's law, which costs no solution.
+    !> Where a homogeneous body of the surface's modulus would have s, by the indenter's law, which costs no solution: Newton's
+    !> method in the coordinates in which it is nearly straight.
     subroutine guess_of_homogeneous(mismatch, first, last, guess, error)
         type(mismatch_t), intent(in) :: mismatch
         real(wp), intent(in) :: first, last
         real(wp), intent(out) :: guess
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: low, high, radius, modulus(1)
+        real(wp) :: low, high, radius, modulus(1), s, rate, step
+        integer :: i
 
-        associate (equilibrium => mismatch%equilibrium)
-            low = min(max(first, first_guess), last - 1.0_wp)
-            high = last
-            call equilibrium%medium%modulus([equilibrium%radius_of(low)], modulus, error)
+        low = first
+        high = last
+        guess = min(max(first, first_guess), last - 1.0_wp)
+        associate (equilibrium => mismatch%equilibrium, profile => mismatch%equilibrium%profile, control => mismatch%control)
+            call equilibrium%medium%modulus([equilibrium%radius_of(guess)], modulus, error)
             if (allocated(error)) return
-            low = first
-            do while (high - low > 0.01_wp)
-                guess = 0.5_wp*(low + high)
+            do i = 1, most_steps
                 radius = equilibrium%radius_of(guess)
-                if (mismatch%control%of(equilibrium%profile%mdr(radius), 2.0_wp*modulus(1)*equilibrium%profile%mdr_moment(radius)) &
-                    < mismatch%target_value) then
+                s = max(control%of(profile%mdr(radius), 2.0_wp*modulus(1)*profile%mdr_moment(radius)), tiny(s))
+                rate = exp(guess)*profile%mdr_slope(radius)*control%of(1.0_wp, 2.0_wp*radius*modulus(1))/s
+                step = -log(s/mismatch%target_value)
+                if (step > 0.0_wp) then
                     low = guess
                 else
                     high = guess
                 end if
+                if (rate > 0.0_wp .and. rate <= huge(rate)) then
+                    step = step/rate
+                else
+                    step = 0.5_wp*(low + high) - guess
+                end if
+                if (.not. (guess + step >= low .and. guess + step <= high)) step = 0.5_wp*(low + high) - guess
+                guess = guess + step
+                ! where a state is a formula too it is as cheap to go on with it
+                if (abs(step) < short_step .or. equilibrium%is_formula) exit
             end do
-            guess = 0.5_wp*(low + high)
         end associate
     end subroutine guess_of_homogeneous
 

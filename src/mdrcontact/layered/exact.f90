@@ -230,14 +230,13 @@ contains
         real(wp), intent(out) :: depth, force, modulus, stiffness_slope
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
-        real(wp), intent(out), optional :: depth_slope
+        real(wp), intent(inout), optional :: depth_slope
         type(solution_t) :: solution
 
         depth = 0.0_wp
         force = 0.0_wp
         modulus = 0.0_wp
         stiffness_slope = 0.0_wp
-        if (present(depth_slope)) depth_slope = -1.0_wp
         call solve(self%kernel, self%tolerance, a, solution, error, profile, adhesive)
         if (allocated(error)) return
         depth = solution%depth

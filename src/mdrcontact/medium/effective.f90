@@ -146,10 +146,9 @@ contains
         real(wp), intent(out) :: depth, force, modulus, stiffness_slope
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
-        real(wp), intent(out), optional :: depth_slope
+        real(wp), intent(inout), optional :: depth_slope
 
-        if (present(adhesive)) continue
-        if (present(depth_slope)) depth_slope = self%nonadhesive_slope(profile, a)
+        if (present(adhesive) .or. present(depth_slope)) continue
         call self%depth_and_force(profile, a, depth, force, error)
         modulus = self%effective_modulus(a)
         stiffness_slope = 2.0_wp*(modulus + a*self%effective_modulus_slope(a))

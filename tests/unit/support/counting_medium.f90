@@ -64,7 +64,7 @@ contains
         real(wp), intent(out) :: depth, force, modulus, stiffness_slope
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
-        real(wp), intent(out), optional :: depth_slope
+        real(wp), intent(inout), optional :: depth_slope
 
         self%counter%solutions = self%counter%solutions + 1
         call self%inside%response(profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope)
