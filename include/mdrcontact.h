@@ -403,13 +403,13 @@ int mdr_medium_rigid(mdr_medium **out);
  *
  *  The profile of a contact with it is the gap before contact, the sum of both shapes (1/R = 1/R1 + 1/R2 for paraboloids), its
  *  depth the approach of distant points. Exact where both bodies are homogeneous or solved exactly (1/E0* = 1/E1* + 1/E2* of the
- *  surface materials, and compliances add at every wavelength); with approximate models 1/E_eff = 1/E_eff,1 + 1/E_eff,2. Bodies
- *  may be freed afterwards.
+ *  surface materials, and compliances add at every wavelength); otherwise 1/E_eff = 1/E_eff,1 + 1/E_eff,2, which is 0 to 1 % too
+ *  stiff, up to 1000 depths of the layers of an exact body, whose E_eff is sampled here. Bodies may be freed afterwards.
  *  @param lower  a medium of one body, or a rigid one
  *  @param upper  likewise; not both rigid
  *  @param out    receives the handle
- *  @return also MDR_EINVALID for pairs, for an exact body with an approximate one other than a homogeneous one, and for a power-law
- *          graded body with another kind or another exponent: their springs do not add */
+ *  @return also MDR_EINVALID for pairs, and for a power-law graded body with another kind or another exponent: their springs do
+ *          not add; MDR_ENOCONVERGENCE */
 int mdr_medium_pair(const mdr_medium *lower, const mdr_medium *upper, mdr_medium **out);
 
 /** Medium whose effective modulus is a table, interpolated in ln a without overshoot. States are offered from a[0] to a[n-1];

@@ -11,10 +11,11 @@ module mdrcontact_medium
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_field_load, only: load_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: medium_t, reason_length, lower_body, upper_body
+    public :: medium_t, modulus_of_radius_t, reason_length, lower_body, upper_body
 
     !> Which body of a contact, enum mdr_body of the C header.
     integer, parameter :: lower_body = 1, upper_body = 2
@@ -78,6 +79,13 @@ module mdrcontact_medium
         procedure :: surface_load => no_surface_load
     end type medium_t
 
+    !> E_eff of a medium as a function of the contact radius.
+    type, extends(scalar_function_t) :: modulus_of_radius_t
+        class(medium_t), pointer :: medium => null()
+    contains
+        procedure :: value => modulus_at
+    end type modulus_of_radius_t
+
     abstract interface
         subroutine radius_function(self, a, values, error)
             import :: error_t, medium_t, wp
@@ -115,6 +123,16 @@ module mdrcontact_medium
     end interface
 
 contains
+
+    function modulus_at(self, x) result(y)
+        class(modulus_of_radius_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: values(1)
+
+        call self%medium%modulus([x], values, self%error)
+        y = values(1)
+    end function modulus_at
 
     !> The same share everywhere; a medium whose bodies differ by more than a factor overrides it.
     subroutine take_share(self, profile, a, excess, body, r, values, error)

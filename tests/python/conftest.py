@@ -67,6 +67,7 @@ def every_medium() -> list[mdr.Medium]:
         mdr.Pair(mdr.Coated(OXIDE, 5e-7, SILICON), mdr.Homogeneous(SILICON)),
         mdr.Pair(mdr.Coated(OXIDE, 5e-7, SILICON), mdr.Layered([(SILICON, 2e-7), (OXIDE, 3e-7)], mdr.RIGID)),
         mdr.Pair(mdr.Coated(OXIDE, 5e-7, SILICON, "bec"), mdr.Coated(SILICON, 2e-7, OXIDE, "gao")),
+        mdr.Pair(mdr.Coated(OXIDE, 5e-7, SILICON, "bec"), mdr.Coated(SILICON, 2e-7, OXIDE)),
         mdr.Pair(mdr.PowerLawGraded(70e9, 1e-6, 0.3, 0.2), mdr.PowerLawGraded(90e9, 1e-6, 0.3, 0.3)),
         mdr.Pair(mdr.RIGID, mdr.Coated(OXIDE, 5e-7, SILICON)),
     ]

@@ -151,7 +151,11 @@ single_exact_layers = st.one_of(
     st.builds(_coated, materials, _between(0.3, 20.0), st.none(), st.just("exact")),
     st.builds(_layered, st.lists(st.tuples(materials, _between(0.2, 20.0)), min_size=1, max_size=2), materials, st.just("exact")),
 )
-exact_layers = st.one_of(single_exact_layers, st.builds(_pair, single_exact_layers, st.one_of(homogeneous, single_exact_layers)))
+exact_layers = st.one_of(
+    single_exact_layers,
+    st.builds(_pair, single_exact_layers, st.one_of(homogeneous, single_exact_layers)),
+    st.builds(_pair, single_exact_layers, one_coating),
+)
 bodies = st.one_of(homogeneous, formulas, power_graded)
 few = settings(max_examples=max(12, settings().max_examples // 5))
 """For bodies whose states cost milliseconds."""

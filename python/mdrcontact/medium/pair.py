@@ -23,8 +23,8 @@ class Pair(Medium):
 
     The indenter of a contact with it is the gap before contact, the sum of both shapes (`SumProfile`, `Paraboloid.between`); its
     depth is the approach of distant points of the two bodies. Bodies that are homogeneous or solved exactly (the default) add
-    exactly. Approximate models add in series, 1/E_eff = 1/E_eff,1 + 1/E_eff,2, at an error far below their own; they do not
-    combine with a coated body solved exactly. Power-law graded bodies combine with their like of the same exponent only.
+    exactly. Otherwise moduli add in series, 1/E_eff = 1/E_eff,1 + 1/E_eff,2, which is 0 to 1 % too stiff, far less than approximate
+    models err. Power-law graded bodies combine with their like of the same exponent only.
     """
 
     lower: Medium | _Rigid

@@ -14,12 +14,11 @@ module mdrcontact_fit_predict
                                       fit_data_t, fit_problem_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium, only: medium_t, modulus_of_radius_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, radius_law_t
-    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: predict
@@ -28,13 +27,6 @@ module mdrcontact_fit_predict
     integer, parameter :: worth_sampling = 400
     real(wp), parameter :: sampling_tolerance = 1.0e-9_wp
     integer, parameter :: most_steps = 200
-
-    !> E_eff as a function of the radius.
-    type, extends(scalar_function_t) :: modulus_t
-        class(medium_t), pointer :: medium => null()
-    contains
-        procedure :: value => modulus_value
-    end type modulus_t
 
 contains
 
@@ -277,7 +269,7 @@ contains
         real(wp), intent(in) :: a(:)
         real(wp), allocatable, intent(out) :: modulus(:)
         type(error_t), allocatable, intent(out) :: error
-        type(modulus_t) :: f
+        type(modulus_of_radius_t) :: f
         type(radius_law_t) :: law
 
         if (maxval(a) > medium%largest_radius() .or. minval(a) < medium%smallest_radius()) then
@@ -295,15 +287,5 @@ contains
         end if
         if (allocated(error)) return
     end subroutine sampled_moduli
-
-    function modulus_value(self, x) result(y)
-        class(modulus_t), intent(inout) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-        real(wp) :: values(1)
-
-        call self%medium%modulus([x], values, self%error)
-        y = values(1)
-    end function modulus_value
 
 end module mdrcontact_fit_predict

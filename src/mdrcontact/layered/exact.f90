@@ -62,6 +62,7 @@ module mdrcontact_layered_exact
         procedure :: largest_radius
         procedure :: zeta
         procedure :: body
+        procedure :: accuracy
         procedure :: is_pair
         procedure :: take_share
         procedure :: energies
@@ -172,6 +173,14 @@ contains
 
         if (allocated(self%pressed)) allocate (copy, source=self%pressed)
     end subroutine body
+
+    !> The relative tolerance of its results.
+    pure function accuracy(self) result(value)
+        class(layered_exact_t), intent(in) :: self
+        real(wp) :: value
+
+        value = self%tolerance
+    end function accuracy
 
     !> E_eff(a), the stiffness of a flat punch over 2 a.
     subroutine modulus(self, a, values, error)

@@ -1,14 +1,16 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Two deformable bodies as one medium (theory 9): the same pressure acts on both, so that their compliances add.
 !>
-!> Homogeneous bodies and bodies solved exactly add exactly. Where a body is known by an effective modulus only, the moduli add in
-!> series. The springs of power-law graded bodies add only if they have the same exponent.
+!> Homogeneous bodies and bodies solved exactly add exactly. Where one of them is known by an effective modulus only, the moduli add
+!> in series. The springs of power-law graded bodies add only if they have the same exponent.
 module mdrcontact_medium_pair
     use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_kinds, only: wp
     use mdrcontact_layered_exact, only: layered_exact_t, new_exact_pair, new_layered_exact
+    use mdrcontact_layered_sampled, only: new_sampled_exact, sampled_exact_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_pair
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus, new_homogeneous_pair
     use mdrcontact_medium_power_graded, only: new_power_graded_pair, power_graded_t
     use mdrcontact_medium_series, only: new_series, series_t
     implicit none (type, external)
@@ -24,11 +26,8 @@ contains
         !> media of one body each; one of them may be rigid. Copied
         class(medium_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
-        type(layered_exact_t) :: first, second, exact
         type(homogeneous_t) :: homogeneous
         type(power_graded_t) :: power_graded
-        type(series_t) :: series
-        logical :: are_exact(2)
 
         if (lower%is_pair()) call raise(error, error_invalid, " is not allowed: it is a pair of bodies already", "lower")
         if (upper%is_pair()) call raise(error, error_invalid, " is not allowed: it is a pair of bodies already", "upper")
@@ -40,7 +39,6 @@ contains
             allocate (medium, source=lower)
             return
         end if
-        are_exact = .false.
         select type (lower)
         class is (homogeneous_t)
             select type (upper)
@@ -49,11 +47,6 @@ contains
                 allocate (medium, source=homogeneous)
                 return
             end select
-            call new_layered_exact(first, lower)
-            are_exact(1) = .true.
-        class is (layered_exact_t)
-            first = lower
-            are_exact(1) = .true.
         class is (power_graded_t)
             select type (upper)
             class is (power_graded_t)
@@ -62,52 +55,92 @@ contains
                 return
             end select
         end select
-        select type (upper)
-        class is (homogeneous_t)
-            call new_layered_exact(second, upper)
-            are_exact(2) = .true.
-        class is (layered_exact_t)
-            second = upper
-            are_exact(2) = .true.
-        end select
-        if (all(are_exact)) then
-            call new_exact_pair(exact, first, second, error)
-            if (.not. allocated(error)) allocate (medium, source=exact)
-            return
+        if (is_solved(lower) .and. is_solved(upper)) then
+            call add_exactly(medium, lower, upper, error)
+        else
+            call add_in_series(medium, lower, upper, error)
         end if
-        select type (lower)
-        class is (effective_medium_t)
-            select type (upper)
-            class is (effective_medium_t)
-                call new_series(series, lower, upper)
-                allocate (medium, source=series)
-                return
-            end select
-        end select
-        call refuse(lower, upper, error)
     end subroutine new_pair
 
-    subroutine refuse(lower, upper, error)
-        class(medium_t), intent(in) :: lower, upper
-        type(error_t), allocatable, intent(inout) :: error
-        logical :: is_power_graded
+    !> Whether its exact solution is known: then the compliances add.
+    pure function is_solved(medium) result(answer)
+        class(medium_t), intent(in) :: medium
+        logical :: answer
 
-        is_power_graded = .false.
-        select type (lower)
-        class is (power_graded_t)
-            is_power_graded = .true.
+        answer = .false.
+        select type (medium)
+        class is (homogeneous_t)
+            answer = .true.
+        class is (layered_exact_t)
+            answer = .true.
         end select
-        select type (upper)
-        class is (power_graded_t)
-            is_power_graded = .true.
+    end function is_solved
+
+    subroutine add_exactly(medium, lower, upper, error)
+        class(medium_t), allocatable, intent(out) :: medium
+        !> solved
+        class(medium_t), intent(in) :: lower, upper
+        type(error_t), allocatable, intent(out) :: error
+        type(layered_exact_t) :: first, second, exact
+
+        call as_exact(lower, first)
+        call as_exact(upper, second)
+        call new_exact_pair(exact, first, second, error)
+        if (.not. allocated(error)) allocate (medium, source=exact)
+    end subroutine add_exactly
+
+    subroutine as_exact(medium, exact)
+        class(medium_t), intent(in) :: medium
+        type(layered_exact_t), intent(out) :: exact
+
+        select type (medium)
+        class is (homogeneous_t)
+            call new_layered_exact(exact, medium)
+        class is (layered_exact_t)
+            exact = medium
         end select
-        if (is_power_graded) then
-            call raise(error, error_invalid, " is not allowed: the springs of a power-law graded body and those of "// &
-                       "another kind do not add; take a graded body for the power law", "upper")
-        else
-            call raise(error, error_invalid, " is not allowed: one body is solved exactly, the other known by an "// &
-                       "effective modulus; take the model exact for both, or an approximate one for both", "upper")
-        end if
-    end subroutine refuse
+    end subroutine as_exact
+
+    subroutine add_in_series(medium, lower, upper, error)
+        class(medium_t), allocatable, intent(out) :: medium
+        class(medium_t), intent(in) :: lower, upper
+        type(error_t), allocatable, intent(out) :: error
+        class(effective_medium_t), allocatable :: first, second
+        type(series_t) :: series
+
+        call as_effective(lower, first, error)
+        if (.not. allocated(error)) call as_effective(upper, second, error)
+        if (allocated(error)) return
+        call new_series(series, first, second)
+        allocate (medium, source=series)
+    end subroutine add_in_series
+
+    !> A body by its effective modulus.
+    subroutine as_effective(medium, effective, error)
+        class(medium_t), intent(in) :: medium
+        class(effective_medium_t), allocatable, intent(out) :: effective
+        type(error_t), allocatable, intent(out) :: error
+        type(sampled_exact_t) :: sampled
+        type(homogeneous_t) :: homogeneous
+
+        select type (medium)
+        class is (effective_medium_t)
+            allocate (effective, source=medium)
+        class is (layered_exact_t)
+            if (medium%pressed%first_depth() > 0.0_wp) then
+                call new_sampled_exact(sampled, medium, error)
+                if (.not. allocated(error)) allocate (effective, source=sampled)
+            else
+                ! layers of one material
+                call new_homogeneous_from_modulus(homogeneous, medium%pressed%surface_modulus(), error)
+                if (allocated(error)) return
+                allocate (homogeneous%pressed, source=medium%pressed)
+                allocate (effective, source=homogeneous)
+            end if
+        class default
+            call raise(error, error_invalid, " is not allowed: the springs of a power-law graded body and those of another "// &
+                       "kind do not add; take a graded body for the power law", "upper")
+        end select
+    end subroutine as_effective
 
 end module mdrcontact_medium_pair

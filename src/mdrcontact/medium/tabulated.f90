@@ -42,16 +42,20 @@ contains
     end subroutine new_tabulated_medium
 
     !> E_eff(a) by a function, which is called here and never again.
-    subroutine new_medium_from_function(self, modulus, smallest_radius, largest_radius, error)
+    subroutine new_medium_from_function(self, modulus, smallest_radius, largest_radius, error, accuracy)
         type(tabulated_medium_t), intent(out) :: self
         !> E_eff(a) > 0, smooth [modulus]
         class(scalar_function_t), intent(inout), target :: modulus
         !> 0 < smallest_radius < largest_radius: between them the function is sampled and states are offered [length]
         real(wp), intent(in) :: smallest_radius, largest_radius
         type(error_t), allocatable, intent(out) :: error
+        !> relative, of the function's values; default 1e-13
+        real(wp), intent(in), optional :: accuracy
+        real(wp) :: tolerance
 
-        call new_radius_law_from_function(self%law, modulus, "the modulus", smallest_radius, largest_radius, &
-                                          sampling_tolerance, error)
+        tolerance = sampling_tolerance
+        if (present(accuracy)) tolerance = accuracy
+        call new_radius_law_from_function(self%law, modulus, "the modulus", smallest_radius, largest_radius, tolerance, error)
     end subroutine new_medium_from_function
 
     elemental function effective_modulus(self, a) result(value)

@@ -1,0 +1,76 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> E_eff(a) of a body solved exactly, sampled once: one body of a pair whose other body is known by an effective modulus only.
+module mdrcontact_layered_sampled
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_exact, only: layered_exact_t
+    use mdrcontact_medium, only: modulus_of_radius_t, reason_length
+    use mdrcontact_medium_tabulated, only: new_medium_from_function, tabulated_medium_t
+    implicit none (type, external)
+    private
+    public :: sampled_exact_t, new_sampled_exact
+
+    !> Sampled up to this many depths of all layers, a tenth of where the exact solution ends: the rest would take most of the time.
+    real(wp), parameter :: largest_ratio = 1.0e3_wp
+    !> The search for the smallest radius begins at this part of the surface layer's thickness.
+    real(wp), parameter :: first_ratio = 1.0e-3_wp
+    !> Below the smallest radius E_eff is constant within this, relative.
+    real(wp), parameter :: negligible = 1.0e-12_wp
+
+    !> The effective modulus of an exact body, to its tolerance.
+    type, extends(tabulated_medium_t) :: sampled_exact_t
+    contains
+        procedure :: smallest_radius
+        procedure :: why_it_ends
+    end type sampled_exact_t
+
+contains
+
+    !> E_eff from radii at which the surface alone is felt to a thousand depths of the layers, or to where the exact solution ends.
+    subroutine new_sampled_exact(self, exact, error)
+        type(sampled_exact_t), intent(out) :: self
+        !> one body, not a homogeneous one
+        type(layered_exact_t), intent(in), target :: exact
+        type(error_t), allocatable, intent(out) :: error
+        type(modulus_of_radius_t) :: modulus
+        type(error_t), allocatable :: beyond
+        real(wp) :: smallest, largest, values(2)
+
+        smallest = first_ratio*exact%pressed%first_depth()
+        do
+            call exact%modulus(smallest*[1.0_wp, 0.1_wp], values, error)
+            if (allocated(error)) return
+            if (abs(values(1) - values(2)) <= negligible*values(2)) exit
+            smallest = 0.1_wp*smallest
+        end do
+        largest = largest_ratio*exact%pressed%last_depth()
+        do
+            call exact%modulus([largest], values(:1), beyond)
+            if (.not. allocated(beyond)) exit
+            largest = 0.5_wp*largest
+        end do
+        modulus%medium => exact
+        call new_medium_from_function(self%tabulated_medium_t, modulus, smallest, largest, error, exact%accuracy())
+        if (.not. allocated(error)) allocate (self%pressed, source=exact%pressed)
+    end subroutine new_sampled_exact
+
+    !> Contacts begin at 0: below the first sample the modulus is that of the surface.
+    pure function smallest_radius(self) result(radius)
+        class(sampled_exact_t), intent(in) :: self
+        real(wp) :: radius
+
+        associate (unused => self)
+        end associate
+        radius = 0.0_wp
+    end function smallest_radius
+
+    pure function why_it_ends(self) result(words)
+        class(sampled_exact_t), intent(in) :: self
+        character(len=reason_length) :: words
+
+        associate (unused => self)
+        end associate
+        words = ", where the sampled modulus of the exact body ends; take the model exact for both bodies"
+    end function why_it_ends
+
+end module mdrcontact_layered_sampled
