@@ -56,7 +56,7 @@ contains
         logical :: solved
 
         reached = huge(reached)
-        n = ceiling(1.5_wp*first_unknowns(kernel, tolerance, a/kernel%unit))
+        n = ceiling(1.5_wp*first_unknowns(kernel, tolerance, a/kernel%unit, .false.))
         do while (n <= most_unknowns)
             call expand(self, kernel, profile, a, excess, n, reached, solved)
             if (.not. solved) exit
@@ -83,7 +83,7 @@ contains
         real(wp) :: mean, beyond
         integer :: i, status
 
-        call new_moments(moments, kernel, a/kernel%unit, n, 4*n)
+        call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n)
         allocate (h(n, n), stat=status)
         solved = status == 0
         if (.not. solved) return
@@ -185,7 +185,7 @@ contains
         v = 0.0_wp
         if (kernel%vanishes) return
         n = size(v)
-        call new_moments(moments, kernel, self%a/kernel%unit, n, 4*n)
+        call new_moments(moments, kernel, self%a/kernel%unit, 4*n + 4, 4*n)
         call interaction_matrix(moments, h)
         s = normalisation(n)
         q = self%q/s
@@ -261,7 +261,7 @@ contains
         logical :: last
 
         a = self%a/kernel%unit
-        call contact_rule(rule, kernel, a, size(self%q), 4*size(self%q))
+        call contact_rule(rule, kernel, a, 4*size(self%q) + 4, 4*size(self%q))
         allocate (load(size(rule%weights)))
         do i = 1, size(load)
             load(i) = a/pi*rule%weights(i)*even_sum(self%q, 1.0_wp - rule%distance(i))

@@ -45,54 +45,63 @@ contains
         end do
     end function normalisation
 
-    !> The rule that resolves the kernel from one end of a contact of radius a [unit], and polynomials to order `last`. Where
-    !> one rule is too short, as many as are needed share the half waves of the polynomials.
-    subroutine contact_rule(rule, kernel, a, n, last)
+    !> The rule that resolves the kernel from one end of a contact of radius a [unit]: of at least `count` nodes for a film, and of
+    !> as many as polynomials to order `last` take under several layers. Where one rule is too short, as many as are needed share
+    !> the half waves of the polynomials.
+    subroutine contact_rule(rule, kernel, a, count, last)
         type(rule_t), intent(out) :: rule
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
-        integer, intent(in) :: n, last
+        integer, intent(in) :: count, last
         type(rule_t) :: panel
         real(wp) :: ends(2)
-        integer :: i, count, panels, first
+        integer :: i, nodes, panels, first
         logical :: layered
 
         layered = kernel%is_layered
-        count = 4*n + 4
-        if (layered) count = max(ceiling(1.5_wp/trusted*real(last, wp)), min(24 + nint(16.0_wp*sqrt(sqrt(a))), 256))
-        panels = 1 + (count - 1)/largest_rule
-        call new_rule(panel, 1 + (count - 1)/panels)
-        count = size(panel%weights)
-        allocate (rule%distance(panels*count), rule%weights(panels*count))
+        nodes = count
+        if (layered) nodes = max(ceiling(1.5_wp/trusted*real(last, wp)), min(24 + nint(16.0_wp*sqrt(sqrt(a))), 256))
+        panels = 1
+        ! nodes lie closest to the ends of a rule of its own, pi/2 times as far apart where panels join
+        if (nodes > largest_rule) panels = ceiling(half_pi*real(nodes, wp)/real(largest_rule, wp))
+        call new_rule(panel, min(nodes, largest_rule))
+        if (panels == 1 .and. .not. layered) then
+            call move_alloc(panel%distance, rule%distance)
+            call move_alloc(panel%weights, rule%weights)
+            return
+        end if
+        nodes = size(panel%weights)
+        allocate (rule%distance(panels*nodes), rule%weights(panels*nodes))
         do i = 1, panels
-            first = (i - 1)*count + 1
+            first = (i - 1)*nodes + 1
             ends = 2.0_wp*sin(half_pi*[real(i - 1, wp), real(i, wp)]/real(panels, wp))**2
             ! fine at the surface: the rule in the cube root of the distance, 1 + u = s^3/4 on 0 < s < 2
             if (layered) ends = (4.0_wp*ends)**(1.0_wp/3.0_wp)
-            rule%distance(first:first + count - 1) = ends(1) + 0.5_wp*(ends(2) - ends(1))*panel%distance
-            rule%weights(first:first + count - 1) = 0.5_wp*(ends(2) - ends(1))*panel%weights
+            rule%distance(first:first + nodes - 1) = ends(1) + 0.5_wp*(ends(2) - ends(1))*panel%distance
+            rule%weights(first:first + nodes - 1) = 0.5_wp*(ends(2) - ends(1))*panel%weights
         end do
         if (.not. layered) return
         rule%weights = 0.75_wp*rule%weights*rule%distance**2
         rule%distance = 0.25_wp*rule%distance**3
     end subroutine contact_rule
 
-    !> The moments T_0 ... T_last at contact radius a [unit] by a rule for n unknowns.
-    subroutine new_moments(self, kernel, a, n, last)
+    !> The moments T_0 ... T_last at contact radius a [unit], for a film by a rule of at least `count` nodes.
+    subroutine new_moments(self, kernel, a, count, last)
         type(moments_t), intent(out) :: self
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
-        integer, intent(in) :: n, last
+        integer, intent(in) :: count, last
         type(rule_t) :: rule
-        real(wp), allocatable :: x(:)
+        real(wp), allocatable :: x(:), even(:), odd(:)
         real(wp) :: base(1)
-        integer :: count
+        integer :: n, half, highest
 
         self%a = a
-        call contact_rule(rule, kernel, a, n, last)
-        count = size(rule%weights) - 1
-        if (kernel%is_layered) count = floor(trusted/1.5_wp*size(rule%weights))
-        allocate (x(size(rule%weights)))
+        call contact_rule(rule, kernel, a, count, last)
+        n = size(rule%weights)
+        highest = n - 1
+        if (kernel%is_layered) highest = floor(trusted/1.5_wp*n)
+        allocate (x(n))
         if (kernel%sigma_zero > 1.0_wp .and. 2.0_wp*a <= scale(1.0_wp, kernel%plateau)) self%shift = kernel%origin
         call kernel%evaluate(a*rule%distance, self%shift, x)
         call kernel%evaluate([2.0_wp*a], kernel%origin, base)
@@ -108,38 +117,63 @@ contains
             self%magnitude = 2.0_wp*a/pi*sum(abs(x)*rule%distance)
         end if
         allocate (self%t(0:last))
-        call sum_moments(size(x), rule%distance, x, base(1), min(count, last), self%t)
+        if (kernel%is_layered) then
+            call sum_moments(n, rule%distance, x, x, base(1), 0.0_wp, min(highest, last), self%t)
+        else
+            ! the rule is symmetric, and P_k(-u) = (-1)^k P_k(u)
+            half = n/2
+            allocate (even, source=x(:half) + x(n:half + 1:-1))
+            allocate (odd, source=x(:half) - x(n:half + 1:-1))
+            call sum_moments(half, rule%distance, even, odd, base(1), 2.0_wp*sum(x(half + 1:)), min(highest, last), self%t)
+        end if
+        if (highest < last) self%t(highest + 1:) = base(1) - sum(x)
+        self%t(1::2) = -self%t(1::2)
     end subroutine new_moments
 
-    !> t_k = (-1)^k (base + sum of x r_k) with P_k(v - 1) = (-1)^k (1 + r_k(v)): r_k keeps its digits towards v = 0.
-    pure subroutine sum_moments(n, v, x, base, count, t)
-        !> a multiple of 4
+    !> t_k = base + sum of x r_k with P_k(v - 1) = (-1)^k (1 + r_k(v)), k = 0 ... count: r_k keeps its digits towards v = 0.
+    pure subroutine sum_moments(n, v, even, odd, base, less, count, t)
+        !> a multiple of 2
         integer, intent(in) :: n
-        real(wp), intent(in) :: v(n), x(n), base
-        !> highest moment that the rule resolves; those beyond are 0 (before `base` is taken in place of the sum of x)
+        !> nodes, x for even k and for odd k, and what is taken off `base` for odd k
+        real(wp), intent(in) :: v(n), even(n), odd(n), base, less
         integer, intent(in) :: count
         real(wp), intent(inout) :: t(0:)
-        real(wp), dimension(n) :: difference, r
-        real(wp) :: keep, turn, part(4)
-        integer :: i, k
+        real(wp) :: difference(n), r(n)
+        integer :: k
 
         difference = 0.0_wp
         r = 0.0_wp
         t(0) = base
-        do k = 0, count - 1
-            keep = real(k, wp)/real(k + 1, wp)
-            turn = real(2*k + 1, wp)/real(k + 1, wp)
-            part = 0.0_wp
-            do i = 1, n, 4
-                difference(i:i + 3) = keep*difference(i:i + 3) - turn*(v(i:i + 3)*(x(i:i + 3) + r(i:i + 3)))
-                r(i:i + 3) = r(i:i + 3) + difference(i:i + 3)
-                part = part + r(i:i + 3)
-            end do
-            t(k + 1) = base + sum(part)
+        do k = 1, count
+            if (modulo(k, 2) == 0) then
+                call add_order(n, k, v, even, difference, r, t(k))
+                t(k) = base + t(k)
+            else
+                call add_order(n, k, v, odd, difference, r, t(k))
+                t(k) = (base - less) + t(k)
+            end if
         end do
-        if (count < ubound(t, 1)) t(count + 1:) = base - sum(x)
-        t(1::2) = -t(1::2)
     end subroutine sum_moments
+
+    !> From r_(k-1) and its difference from the one before to r_k and the sum of x r_k, two nodes at a time.
+    pure subroutine add_order(n, k, v, x, difference, r, total)
+        integer, intent(in) :: n, k
+        real(wp), intent(in) :: v(n), x(n)
+        real(wp), intent(inout) :: difference(n), r(n)
+        real(wp), intent(out) :: total
+        real(wp) :: part(2), keep, turn
+        integer :: i
+
+        keep = real(k - 1, wp)/real(k, wp)
+        turn = real(2*k - 1, wp)/real(k, wp)
+        part = 0.0_wp
+        do i = 1, n, 2
+            difference(i:i + 1) = keep*difference(i:i + 1) - turn*(v(i:i + 1)*(1.0_wp + r(i:i + 1)))
+            r(i:i + 1) = r(i:i + 1) + difference(i:i + 1)
+            part = part + x(i:i + 1)*r(i:i + 1)
+        end do
+        total = sum(part)
+    end subroutine add_order
 
     !> H_ij for i >= j, i < rows, j < columns, without `diagonal`; what lies above the diagonal is not defined.
     pure subroutine interaction_matrix(moments, h)

@@ -56,21 +56,18 @@ contains
         !> q_1 at the edge, slower to converge on a graded body, meets the tolerance too; default false
         logical, intent(in), optional :: edge
         real(wp) :: reached
-        integer :: n
-        logical :: solved, to_edge
+        integer :: n, nodes
+        logical :: solved, to_edge, is_kinked
 
         reached = huge(reached)
         to_edge = .false.
         if (present(edge)) to_edge = edge
-        n = first_unknowns(kernel, tolerance, a/kernel%unit)
-        if (present(profile) .and. .not. kernel%is_layered .and. a > kernel%unit) then
-            ! what cones and flat ends take at a/h of 10 and 100, on a stiff film and on a soft one
-            if (.not. is_smooth(profile)) then
-                n = min(ceiling(n*merge(1.2_wp, 1.0_wp, kernel%sigma_zero > 1.0_wp)*(a/kernel%unit)**0.125_wp), most_unknowns)
-            end if
-        end if
+        is_kinked = .false.
+        if (present(profile)) is_kinked = .not. is_smooth(profile)
+        n = first_unknowns(kernel, tolerance, a/kernel%unit, is_kinked)
+        nodes = ceiling(min(smooth_unknowns(tolerance, a/kernel%unit), real(most_unknowns, wp))*merge(4.5_wp, 3.2_wp, is_kinked))
         do
-            call solve_with(kernel, a, n, solution, solved, profile)
+            call solve_with(kernel, a, n, max(nodes, 2*n), solution, solved, profile)
             if (.not. solved) then
                 call raise(error, error_no_convergence, "the springs of this body nearly cancel at contact radius "//to_text(a)// &
                            ": rounding errors are larger than what is left of them")
@@ -87,17 +84,33 @@ contains
                    to_text(tolerance)//" at contact radius "//to_text(a)//": it reached "//to_text(reached))
     end subroutine solve
 
-    !> n such that the estimate meets the tolerance at the first attempt, for films and smooth profiles.
-    pure function first_unknowns(kernel, tolerance, a) result(n)
+    !> n such that the estimate meets the tolerance at the first attempt, for films.
+    pure function first_unknowns(kernel, tolerance, a, is_kinked) result(n)
         type(kernel_t), intent(in) :: kernel
+        !> relative tolerance, and contact radius [unit]
         real(wp), intent(in) :: tolerance, a
+        !> g is not a polynomial in x^2: what cones and flat ends take, most on a stiff film
+        logical, intent(in) :: is_kinked
         integer :: n
+        real(wp) :: unknowns
 
         n = 4
         if (kernel%vanishes) return
-        if (a >= 0.2_wp) n = ceiling(min((3.7_wp + 0.05_wp*log(1.0e-10_wp/tolerance))*sqrt(a) + 3.0_wp, real(most_unknowns, wp)))
+        unknowns = smooth_unknowns(tolerance, a)
+        if (is_kinked .and. a > 1.0_wp .and. .not. kernel%is_layered) then
+            unknowns = unknowns*a**0.125_wp*(1.0_wp + 0.05_wp*min(log(max(kernel%sigma_zero, 1.0_wp)), 4.6_wp))
+        end if
+        if (a >= 0.2_wp) n = ceiling(min(unknowns, real(most_unknowns, wp)))
         if (kernel%is_layered) n = min(n, first_layered)
     end function first_unknowns
+
+    !> The same for a smooth profile.
+    elemental function smooth_unknowns(tolerance, a) result(unknowns)
+        real(wp), intent(in) :: tolerance, a
+        real(wp) :: unknowns
+
+        unknowns = (3.7_wp + 0.05_wp*log(1.0e-10_wp/tolerance))*sqrt(a) + 3.0_wp
+    end function smooth_unknowns
 
     !> n that makes errors smaller by a factor: they fall as exp(-c n), c from what brought them down so far.
     pure function next_unknowns(n, factor) result(next)
@@ -109,10 +122,11 @@ contains
     end function next_unknowns
 
     !> The solution by n unknowns, with its errors.
-    subroutine solve_with(kernel, a, n, solution, solved, profile)
+    subroutine solve_with(kernel, a, n, nodes, solution, solved, profile)
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
-        integer, intent(in) :: n
+        !> unknowns, and nodes of the rule that resolves the kernel of a film
+        integer, intent(in) :: n, nodes
         type(solution_t), intent(out) :: solution
         !> the matrix was positive definite and there was memory for it
         logical, intent(out) :: solved
@@ -125,7 +139,7 @@ contains
         m = 2*n
         sides = merge(3, 2, present(profile))
         solution%unknowns = n
-        call new_moments(moments, kernel, a/kernel%unit, n, 2*(m + n))
+        call new_moments(moments, kernel, a/kernel%unit, nodes, 2*(m + n))
         allocate (h(m, n), stat=status)
         solved = status == 0
         if (.not. solved) return
