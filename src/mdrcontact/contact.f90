@@ -542,7 +542,7 @@ contains
             return
         end if
         call body%sublayers(load%radius, 1.0_wp, [real(wp) ::], layers)
-        allocate (energies, source=layer_energies(load, layers))
+        allocate (energies, source=layer_energies(load, layers, error))
     end subroutine layer_energy
 
     !> The load of a state on a body that is there.

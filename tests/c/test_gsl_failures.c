@@ -92,10 +92,11 @@ void dpotrf_(const char *uplo, const int *n, double *a, const int *lda, int *inf
 }
 
 static mdr_profile *ball;
-static mdr_medium *film, *exact_film;
-static mdr_contact *contact, *exact_contact;
+static mdr_medium *film, *exact_film, *rising;
+static mdr_contact *contact, *exact_contact, *broken_power;
 static mdr_contact_options sticky;
 static const double x[3] = {0.0, 0.5, 1.0}, y[3] = {0.0, 0.1, 0.4}, E[2] = {3.0, 2.0}, nu[2] = {0.3, 0.2}, h[2] = {0.5, 0.2}, thin[1] = {7e-5};
+static const double E_graded[3] = {1.0, 2.0, 3.0}, nu_graded[3] = {0.3, 0.3, 0.3};
 static double out[3];
 
 static int table(void)
@@ -123,6 +124,30 @@ static int adhesive(void)
 }
 static int states(void) { return mdr_contact_from_depth(contact, 2, y + 1, NULL, NULL, out, NULL); }
 static int exact_states(void) { return mdr_contact_from_depth(exact_contact, 2, y + 1, NULL, NULL, out, NULL); }
+static int layer_energies(void)
+{
+    static const mdr_state state = {0.1, 0.3, 0.05, 0.6, 0.0};
+    double energies[3];
+    int count;
+    return mdr_contact_layer_energies(contact, MDR_BODY_LOWER, &state, 3, energies, &count);
+}
+static int interior(void)
+{
+    static const mdr_state state = {0.1, 0.3, 0.05, 0.6, 0.0};
+    mdr_interior inside;
+    return mdr_contact_interior(contact, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 1, x + 1, x + 1, NULL, &inside);
+}
+static int graded(void)
+{
+    mdr_medium *m = NULL;
+    int status = mdr_medium_graded(3, x, E_graded, nu_graded, MDR_MODEL_EXACT, NULL, &m);
+    mdr_medium_free(&m);
+    return status;
+}
+static int power_graded(void)
+{
+    return field_at(broken_power, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.5, 1, x + 2, out);
+}
 static int fields(void) { return field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, 3, x, out); }
 static int fit(void)
 {
@@ -172,12 +197,19 @@ int main(void)
     CHECK_SUCCESS(mdr_medium_layered(1, E, nu, thin, 1.0, 0.4, MDR_MODEL_EXACT, NULL, &exact_film));
     CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &contact));
     CHECK_SUCCESS(mdr_contact_new(ball, exact_film, NULL, &exact_contact));
+    CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, 0.4, 0.3, &rising));
+    CHECK_SUCCESS(mdr_contact_new(ball, rising, NULL, &broken_power));
 
     check_refusal("table, no spline", SPLINE, table, MDR_ENOMEMORY);
-    check_refusal("table, no rule", RULE, table, MDR_ENOCONVERGENCE);
-    check_refusal("tip, no rule", RULE, tip, MDR_ENOCONVERGENCE);
-    check_refusal("states, no rule", RULE, states, MDR_ENOCONVERGENCE);
-    check_refusal("fields, no rule", RULE, fields, MDR_ENOCONVERGENCE);
+    check_refusal("table, no rule", RULE, table, MDR_ENOMEMORY);
+    check_refusal("tip, no rule", RULE, tip, MDR_ENOMEMORY);
+    check_refusal("states, no rule", RULE, states, MDR_ENOMEMORY);
+    check_refusal("fields, no rule", RULE, fields, MDR_ENOMEMORY);
+    check_refusal("exact, no rule", RULE, exact_states, MDR_ENOMEMORY);
+    check_refusal("layers, no rule", RULE, layer_energies, MDR_ENOMEMORY);
+    check_refusal("interior, no rule", RULE, interior, MDR_ENOMEMORY);
+    check_refusal("graded, no rule", RULE, graded, MDR_ENOMEMORY);
+    check_refusal("power-law graded, no rule", RULE, power_graded, MDR_ENOMEMORY);
     check_refusal("adhesive, no root workspace", ROOT_WORKSPACE, adhesive, MDR_ENOMEMORY);
     check_refusal("adhesive, no start", ROOT_START, adhesive, MDR_ENOCONVERGENCE);
     check_refusal("adhesive, no step", ROOT_STEP, adhesive, MDR_ENOCONVERGENCE);
@@ -185,6 +217,8 @@ int main(void)
     check_refusal("exact, no factors", FACTORS, exact_states, MDR_ENOCONVERGENCE);
     check_refusal("fit, no step", FIT_STEP, fit, MDR_ENOCONVERGENCE);
 
+    CHECK_SUCCESS(mdr_contact_free(&broken_power));
+    CHECK_SUCCESS(mdr_medium_free(&rising));
     CHECK_SUCCESS(mdr_contact_free(&exact_contact));
     CHECK_SUCCESS(mdr_contact_free(&contact));
     CHECK_SUCCESS(mdr_medium_free(&exact_film));

@@ -93,7 +93,7 @@ contains
         call check_given(error, "weights", present(weights))
         if (.not. allocated(error)) then
             n = space_rule_size(int(order))
-            call space_rule(int(order), nu, points(:, :n), weights(:, :n))
+            call space_rule(int(order), nu, points(:, :n), weights(:, :n), error)
         end if
         status = status_of(error)
     end function mdr_lateral_rule

@@ -95,7 +95,7 @@ contains
         self%poisson = poisson
         ! a homogeneous top is one sublayer
         i = count([(all(young(:i) == young(1)) .and. all(poisson(:i) == poisson(1)), i=1, size(z))])
-        call build(self, merge(z(i), scale(z(2), -table_octaves), i > 1))
+        call build(self, merge(z(i), scale(z(2), -table_octaves), i > 1), error)
     end subroutine new_graded_body
 
     !> E(z) and nu(z) as functions on 0 < z <= depth, constant below. They are called here and never again.
@@ -132,7 +132,7 @@ contains
             call check_positive(error, "E at z = "//to_text(depths(i)), 2.0_wp*shear*(1.0_wp + nu))
             call check_poisson(error, "nu at z = "//to_text(depths(i)), nu)
         end do
-        if (.not. allocated(error)) call build(self, edges(1))
+        if (.not. allocated(error)) call build(self, edges(1), error)
     end subroutine new_graded_body_from_functions
 
     function watched_value(self, x) result(y)
@@ -196,16 +196,18 @@ contains
     end subroutine constants
 
     !> Sublayers from a homogeneous one of thickness `first` down to the last knot, split at each.
-    subroutine build(self, first)
+    subroutine build(self, first, error)
         type(graded_body_t), intent(inout) :: self
         real(wp), intent(in) :: first
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: antiderivative(nodes + 1, nodes), surface_shear, surface_nu, t(nodes), shear(nodes), nu(nodes), g, v
         integer :: i, j, n
 
         call sublayer_ends(self, first, self%knots(), self%ends)
         n = size(self%ends) - 1
         allocate (self%series(4, 4, 0:order, n), self%from_surface(4, 4, 0:order, n), self%local(2, 2, n))
-        call new_antiderivative(t, antiderivative)
+        call new_antiderivative(t, antiderivative, error)
+        if (allocated(error)) return
         call self%constants(0.5_wp*first, surface_shear, surface_nu)
         self%top = new_layer_modes(surface_nu)
         self%contact_modulus = 2.0_wp*surface_shear/(1.0_wp - surface_nu)

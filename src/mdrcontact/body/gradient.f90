@@ -5,6 +5,7 @@
 !> the bottom of the layer to its top is a power series in k whose terms are repeated integrals of A over z. They are taken
 !> with spectral accuracy: no staircase.
 module mdrcontact_body_gradient
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
@@ -18,15 +19,16 @@ contains
 
     !> Gauss-Legendre nodes on [0, 1], and the matrix that takes values there to integrals from 0 to each node (rows 1 to n)
     !> and to 1 (row n + 1).
-    subroutine new_antiderivative(nodes, matrix)
+    subroutine new_antiderivative(nodes, matrix, error)
         real(wp), intent(out) :: nodes(:)
         !> (n + 1, n)
         real(wp), intent(out) :: matrix(:, :)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), dimension(size(nodes) + 1) :: ends, u, before, here, next
         real(wp) :: weights(size(nodes))
         integer :: j
 
-        call gauss_legendre(nodes, weights)
+        call gauss_legendre(nodes, weights, error)
         ends = [nodes, 1.0_wp]
         u = 2.0_wp*ends - 1.0_wp
         before = 1.0_wp

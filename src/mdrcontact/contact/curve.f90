@@ -27,6 +27,7 @@ module mdrcontact_contact_curve
     real(wp), parameter :: noisy_length = 0.25_wp
     integer, parameter :: most_panels = 400
     !> Rows of the samples: ln d0, ln F0, ln k, ln dl.
+    integer, parameter :: work_nodes = 20
     integer, parameter :: rows = 4, of_depth = 1, of_force = 2, of_stiffness = 3, of_excess = 4
 
     !> One equilibrium, at coordinate x.
@@ -49,6 +50,8 @@ module mdrcontact_contact_curve
         real(wp), allocatable, private :: coefficients(:, :, :)
         !> d and F at the edges
         real(wp), allocatable, private :: depths(:), forces(:)
+        !> nodes and weights on [0, 1] for the work
+        real(wp), private :: work_rule(work_nodes, 2) = 0.0_wp
     contains
         procedure :: at
         procedure :: slope
@@ -75,7 +78,6 @@ module mdrcontact_contact_curve
     real(wp), parameter :: overlap = 1.0e-6_wp
     !> The slope in x of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t.
     real(wp), parameter :: smallest_root = 1.0e-5_wp
-    integer, parameter :: work_nodes = 20
 
 contains
 
@@ -98,6 +100,8 @@ contains
 
         self%end_radius = equilibrium%profile%end_radius()
         self%adhesive = equilibrium%work_of_adhesion > 0.0_wp
+        call gauss_legendre(self%work_rule(:, 1), self%work_rule(:, 2), error)
+        if (allocated(error)) return
         noise = equilibrium%roughness
         if (present(largest_noise)) noise = largest_noise
         allocate (waiting, source=first_edges(coordinates))
@@ -447,10 +451,9 @@ contains
         real(wp), intent(in) :: from, to
         real(wp) :: work
         type(curve_point_t) :: point
-        real(wp) :: z(work_nodes), dz(work_nodes), low, high, v(rows), dv(rows), s, ds
+        real(wp) :: low, high, v(rows), dv(rows), s, ds
         integer :: panel, i
 
-        call gauss_legendre(z, dz)
         work = 0.0_wp
         do panel = 1, size(self%from_root)
             low = min(max(min(from, to), self%edges(panel)), self%edges(panel + 1))
@@ -459,10 +462,10 @@ contains
             low = local(self, panel, low)
             high = local(self, panel, high)
             do i = 1, work_nodes
-                call series(self%coefficients(:, :, panel), low + (high - low)*z(i), v, dv)
+                call series(self%coefficients(:, :, panel), low + (high - low)*self%work_rule(i, 1), v, dv)
                 call control_of(self, depth_control, v, dv, s, ds)
                 point = point_of(self, panel, low, v)
-                work = work + (high - low)*dz(i)*point%force*ds
+                work = work + (high - low)*self%work_rule(i, 2)*point%force*ds
             end do
         end do
         if (to < from) work = -work

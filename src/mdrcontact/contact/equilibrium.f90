@@ -82,7 +82,8 @@ contains
             if (allocated(zeta)) then
                 call check_zeta(profile, medium, zeta, error)
                 if (allocated(error)) return
-                call new_scaled_profile(scaled, profile, zeta)
+                call new_scaled_profile(scaled, profile, zeta, error)
+                if (allocated(error)) return
                 allocate (self%profile, source=scaled)
                 self%last_radius = min(self%last_radius, zeta%largest_radius())
                 self%is_formula = .false.

@@ -1,6 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> An indenter whose depth is corrected, d = zeta(a) g(a), equation (9): zeta g stands for g in all that follows from it.
 module mdrcontact_contact_scaled_profile
+    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_edges, merged_breaks
     use mdrcontact_numerics_radius_law, only: radius_law_t
@@ -37,16 +39,18 @@ module mdrcontact_contact_scaled_profile
 contains
 
     !> The profile with zeta(x) g(x) in place of g(x).
-    subroutine new_scaled_profile(self, profile, zeta)
+    subroutine new_scaled_profile(self, profile, zeta, error)
         type(scaled_profile_t), intent(out) :: self
         class(profile_t), intent(in) :: profile
         type(radius_law_t), intent(in) :: zeta
+        type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: breaks(:)
         integer :: i
 
         allocate (self%profile, source=profile)
         self%zeta = zeta
-        call gauss_legendre(self%t, self%w)
+        call gauss_legendre(self%t, self%w, error)
+        if (allocated(error)) return
         allocate (breaks, source=self%break_radii())
         self%radii = [zeta%smallest_radius(), pack(breaks, breaks > zeta%smallest_radius())]
         self%radii = pack(self%radii, self%radii <= profile%largest_radius())
@@ -121,12 +125,18 @@ contains
         real(wp), intent(in) :: lower, upper
         real(wp) :: moment
         real(wp), allocatable :: edges(:)
+        type(error_t), allocatable :: error
         real(wp) :: s(nodes), ds(nodes), length
         integer :: i
 
         moment = 0.0_wp
         if (.not. upper > lower) return
-        call graded_edges(lower, upper, [lower], self%profile%singular_radius(), edges)
+        call graded_edges(lower, upper, [lower], self%profile%singular_radius(), edges, error)
+        if (allocated(error)) then
+            ! a moment has no status: the state that it belongs to is refused as not finite
+            moment = ieee_value(moment, ieee_quiet_nan)
+            return
+        end if
         do i = 1, size(edges) - 1
             length = edges(i + 1) - edges(i)
             if (i == 1) then

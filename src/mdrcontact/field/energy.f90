@@ -7,6 +7,7 @@
 module mdrcontact_field_energy
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_field_load, only: load_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, sweep_t
     use mdrcontact_field_waves, only: faded, wave_rule
     use mdrcontact_kinds, only: pi, wp
@@ -17,30 +18,32 @@ module mdrcontact_field_energy
 contains
 
     !> Energy of every layer from the surface down, the half-space last (0 where the base is rigid) [modulus length^3].
-    function layer_energies(load, layers) result(energies)
+    function layer_energies(load, layers, error) result(energies)
         class(load_t), intent(in) :: load
         type(layers_t), intent(in) :: layers
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: energies(size(layers%thickness) + 1)
         real(wp) :: below(size(layers%thickness) + 2)
         integer :: i, n
 
         n = size(layers%thickness)
         associate (modulus => 2.0_wp*layers%shear(1)/(1.0_wp - layers%poisson(1)))
-            below(1) = load%square_integral()/modulus
+            below(1) = load%square_integral(error)/modulus
         end associate
-        if (n > 0) below(1) = below(1) + energy_below(load, layers, 1)
+        if (n > 0) below(1) = below(1) + energy_below(load, layers, 1, error)
         do i = 2, n + 1
-            below(i) = energy_below(load, layers, i)
+            below(i) = energy_below(load, layers, i, error)
         end do
         below(n + 2) = 0.0_wp
         energies = below(:n + 1) - below(2:)
     end function layer_energies
 
     !> W at the upper face of a layer; for the first one what the layers below add to a half-space of its material.
-    function energy_below(load, layers, layer) result(energy)
+    function energy_below(load, layers, layer, error) result(energy)
         class(load_t), intent(in) :: load
         type(layers_t), intent(in) :: layers
         integer, intent(in) :: layer
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: energy
         type(layers_t) :: scaled
         type(sweep_t) :: sweep
@@ -57,9 +60,11 @@ contains
         total = sum(scaled%thickness)
         contrast = maxval(layers%shear(:n))/minval(layers%shear(:n))
         ! p_hat^2 holds waves up to 2 a, and the states e^(-2 k z)
-        call wave_rule(2.0_wp, total*contrast, faded/(2.0_wp*scaled%top(max(layer, 2))), k, weight)
+        call wave_rule(2.0_wp, total*contrast, faded/(2.0_wp*scaled%top(max(layer, 2))), k, weight, error)
+        if (allocated(error)) return
         allocate (transform(size(k)), y(size(k), normal_rows))
-        call load%transform(k/load%radius, transform)
+        call load%transform(k/load%radius, transform, error)
+        if (allocated(error)) return
         call new_sweep(sweep, scaled, k, .false.)
         call layer_state(sweep, scaled, layer, scaled%top(layer), scaled%top(layer), layer == 1, 1, size(k), y)
         if (layer == 1) then

@@ -8,6 +8,7 @@
 !> and I[f] = (1/pi) {q(a) Im P(z + i a) - int_0^a q' Im P dx} with dP/dzeta = f: no factor a/z is lost near the surface.
 module mdrcontact_field_half_space
     use mdrcontact_field_load, only: load_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
@@ -38,10 +39,11 @@ module mdrcontact_field_half_space
 contains
 
     !> The rule that all points share.
-    subroutine new_half_space_rule(self)
+    subroutine new_half_space_rule(self, error)
         type(half_space_rule_t), intent(out) :: self
+        type(error_t), allocatable, intent(inout) :: error
 
-        call gauss_legendre(self%node, self%weight)
+        call gauss_legendre(self%node, self%weight, error)
     end subroutine new_half_space_rule
 
     !> Adds the homogeneous body's part to the five sums of a normal load at one point:

@@ -4,8 +4,8 @@
 !> A prepared integral knows layers and load; points and grids then cost sums over its nodes, on a grid as products of matrices.
 module mdrcontact_field_hankel
     use mdrcontact_batch, only: batch_t, run_batch
-    use mdrcontact_error, only: error_t
     use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_field_half_space, only: shear_sums
     use mdrcontact_field_load, only: load_t
     use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, shear_rows, sweep_t
@@ -57,7 +57,7 @@ module mdrcontact_field_hankel
 contains
 
     !> Nodes and weights of the integrals over wavenumber, for one load on one body.
-    subroutine new_hankel(self, load, layers, along_surface, farthest, last)
+    subroutine new_hankel(self, load, layers, along_surface, farthest, last, error)
         type(hankel_t), intent(out) :: self
         class(load_t), intent(in) :: load
         !> lengths in units of a
@@ -66,6 +66,7 @@ contains
         logical, intent(in) :: along_surface
         !> largest a + r [a] and largest wavenumber [1/a]
         real(wp), intent(in) :: farthest, last
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: weight(:)
         real(wp) :: total, stiffest, softest
         integer :: i, n
@@ -78,9 +79,11 @@ contains
         if (.not. layers%rigid_base) n = n + 1
         stiffest = maxval(layers%shear(:n))
         softest = minval(layers%shear(:n))
-        call wave_rule(farthest, total*stiffest/softest, last, self%k, weight)
+        call wave_rule(farthest, total*stiffest/softest, last, self%k, weight, error)
+        if (allocated(error)) return
         allocate (self%load(size(self%k)))
-        call load%transform(self%k/load%radius, self%load)
+        call load%transform(self%k/load%radius, self%load, error)
+        if (allocated(error)) return
         self%load = self%load*weight/load%radius**2
         call new_sweep(self%sweep, layers, self%k, along_surface)
     end subroutine new_hankel

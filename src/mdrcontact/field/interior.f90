@@ -81,13 +81,15 @@ contains
         is_grid = forms_grid(r, z)
         call set_depths(layers, z, below, load%radius, is_grid, depths)
         allocate (sums(normal_sums, size(r)))
-        call find_sums(load, scaled, .false., is_grid, radii, depths, sums, team)
+        call find_sums(load, scaled, .false., is_grid, radii, depths, sums, team, error)
+        if (allocated(error)) return
         call normal_components(layers, depths, radii, load%radius, sums, field)
         if (present(friction)) then
             if (friction /= 0.0_wp) then
                 deallocate (sums)
                 allocate (sums(shear_sums, size(r)))
-                call find_sums(load, scaled, .true., is_grid, radii, depths, sums, team)
+                call find_sums(load, scaled, .true., is_grid, radii, depths, sums, team, error)
+                if (allocated(error)) return
                 if (present(angle)) then
                     call add_shear_components(layers, depths, radii, load%radius, sums, friction, angle, field)
                 else
@@ -158,7 +160,7 @@ contains
     end subroutine set_depths
 
     !> The sums of all points, for a load across or along the surface.
-    subroutine find_sums(load, layers, along_surface, is_grid, r, depths, sums, threads)
+    subroutine find_sums(load, layers, along_surface, is_grid, r, depths, sums, threads, error)
         class(load_t), intent(in), target :: load
         !> lengths in units of a
         type(layers_t), intent(in) :: layers
@@ -167,9 +169,9 @@ contains
         type(depth_t), intent(in), target :: depths(:)
         real(wp), intent(out), target :: sums(:, :)
         integer, intent(in) :: threads
+        type(error_t), allocatable, intent(out) :: error
         type(points_t) :: points
         type(hankel_t), target :: hankel
-        type(error_t), allocatable :: error
         logical :: open(size(r)), chosen(size(r))
         real(wp) :: reach
         integer :: i
@@ -181,10 +183,12 @@ contains
         points%sums => sums
         points%along_surface = along_surface
         points%poisson = layers%poisson(1)
-        call new_half_space_rule(points%rule)
+        call new_half_space_rule(points%rule, error)
+        if (allocated(error)) return
         points%is_closed = .true.
         points%order = pack([(i, i=1, size(r))], depths%less)
         call run_batch(points, size(points%order), 32, 64, threads, error)
+        if (allocated(error)) return
         if (size(layers%thickness) == 0) return
         points%is_closed = .false.
         open = .true.
@@ -193,13 +197,16 @@ contains
             reach = max(3.0_wp, 2.0_wp*(1.0_wp + minval(r, mask=open)))
             chosen = open .and. 1.0_wp + r <= reach
             open = open .and. .not. chosen
-            call new_hankel(hankel, load, layers, along_surface, 1.0_wp + maxval(r, mask=chosen), maxval(depths%last, mask=chosen))
+            call new_hankel(hankel, load, layers, along_surface, 1.0_wp + maxval(r, mask=chosen), &
+                            maxval(depths%last, mask=chosen), error)
+            if (allocated(error)) return
             points%hankel => hankel
             points%order = pack([(i, i=1, size(r))], chosen)
             if (is_grid) then
                 call add_on_grid(hankel, depths, r, points%order, sums, threads)
             else
                 call run_batch(points, size(points%order), 16, 32, threads, error)
+                if (allocated(error)) return
             end if
         end do
     end subroutine find_sums

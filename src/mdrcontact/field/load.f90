@@ -3,6 +3,7 @@
 !>
 !> p(r) follows from q by equation (6), and its Hankel transform is p_hat(k) = int_0^a p J0(kr) r dr = (1/pi) int_0^a q cos kx dx.
 module mdrcontact_field_load
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemv
     use mdrcontact_numerics_quadrature, only: gauss_legendre
@@ -57,17 +58,19 @@ contains
     !> p_hat(k) by parts: (1/pi) [q(a) sin(ka)/k - int_0^a q' sin(kx)/k dx].
     !>
     !> Wavenumbers in equal panels, one after the other, share the sines of their distances from the panel's first.
-    subroutine transform(self, k, values)
+    subroutine transform(self, k, values, error)
         class(load_t), intent(in) :: self
         !> wavenumbers > 0, ascending [1/length]
         real(wp), intent(in) :: k(:)
         !> same size as k
         real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: x(:), weight(:), cosine(:, :), sine(:, :), here(:)
         real(wp) :: distance(panel)
         integer :: i, j, last
 
-        call self%rule(maxval(k), x, weight)
+        call self%rule(maxval(k), x, weight, error)
+        if (allocated(error)) return
         weight = -weight*self%slope(x)
         allocate (cosine(size(x), panel), sine(size(x), panel), here(size(x)))
         distance = -1.0_wp
@@ -89,15 +92,18 @@ contains
     end subroutine transform
 
     !> int_0^a q^2 dx [modulus^2 length^3], with q(x) = q(a) - int_x^a q' dx.
-    function square_integral(self) result(total)
+    function square_integral(self, error) result(total)
         class(load_t), intent(in) :: self
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: total
         real(wp), allocatable :: x(:), weight(:), q(:)
         real(wp) :: node(nodes), w(nodes), inner(nodes), before
         integer :: first, i
 
-        call gauss_legendre(node, w)
-        call self%rule(0.0_wp, x, weight)
+        total = 0.0_wp
+        call gauss_legendre(node, w, error)
+        call self%rule(0.0_wp, x, weight, error)
+        if (allocated(error)) return
         allocate (q(size(x)))
         before = self%edge
         ! panel by panel from the edge inwards; in a panel q' dx is as smooth in the rule's variable as its nodes say
@@ -135,18 +141,20 @@ contains
 
     !> Positions and weights for integrals over [0, a] with q and waves up to k: Gauss-Legendre panels, none longer than the
     !> shortest wave allows, and x = b + s^2 beyond a kink b.
-    subroutine rule(self, k, x, weight)
+    subroutine rule(self, k, x, weight, error)
         class(load_t), intent(in) :: self
         !> [1/length]
         real(wp), intent(in) :: k
         real(wp), allocatable, intent(out) :: x(:), weight(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: ends(:)
         real(wp) :: node(nodes), w(nodes), low, length
         integer :: i, j, from
         integer, allocatable :: panels(:)
         logical :: from_zero
 
-        call gauss_legendre(node, w)
+        call gauss_legendre(node, w, error)
+        if (allocated(error)) return
         from_zero = size(self%kinks) > 0
         if (from_zero) from_zero = self%kinks(1) <= 0.0_wp
         allocate (ends(size(self%kinks) + merge(1, 2, from_zero)))

@@ -5,6 +5,7 @@
 !> that resolves the waves of a contact of radius a = 1 seen at distance r.
 module mdrcontact_field_waves
     use mdrcontact_gsl, only: gsl_sf_bessel_j0, gsl_sf_bessel_j1
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
@@ -22,7 +23,7 @@ module mdrcontact_field_waves
 contains
 
     !> Nodes k and weights dk on [0, last].
-    subroutine wave_rule(farthest, structure, last, k, weight)
+    subroutine wave_rule(farthest, structure, last, k, weight, error)
         !> a + r at most, in units of a
         real(wp), intent(in) :: farthest
         !> the longest length on which the layers' state varies; 0 if it does not
@@ -30,11 +31,13 @@ contains
         !> largest k > 0
         real(wp), intent(in) :: last
         real(wp), allocatable, intent(out) :: k(:), weight(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: ends(:)
         real(wp) :: node(nodes), w(nodes)
         integer :: i
 
-        call gauss_legendre(node, w)
+        call gauss_legendre(node, w, error)
+        if (allocated(error)) return
         call panel_ends(farthest, min(first_panel/max(farthest, structure), last), last, ends)
         allocate (k(nodes*(size(ends) - 1)), weight(nodes*(size(ends) - 1)))
         do i = 1, size(ends) - 1

@@ -124,7 +124,8 @@ contains
 
         n = space_rule_size(order)
         allocate (points(3, n), weights(2, n), shear(n), poisson(n))
-        call space_rule(order, self%reference_nu, points, weights)
+        call space_rule(order, self%reference_nu, points, weights, error)
+        if (allocated(error)) return
         found = 0.0_wp
         do i = 1, n
             call self%field%material(x + a*points(1, i), y + a*points(2, i), a*points(3, i), shear(i), poisson(i), error)
@@ -161,14 +162,15 @@ contains
     end function space_rule_size
 
     !> Points (3, n) in units of a and their weights (2, n) for G and for nu; each row of weights has sum 1.
-    subroutine space_rule(order, nu, points, weights)
+    subroutine space_rule(order, nu, points, weights, error)
         integer, intent(in) :: order
         real(wp), intent(in) :: nu
         real(wp), intent(out) :: points(:, :), weights(:, :)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: u(order), w(order), s(3), t(3), jacobian(3), shear, poisson, rho, angle
         integer :: i, j, part, k, n
 
-        call gauss_legendre(u, w)
+        call gauss_legendre(u, w, error)
         n = 0
         do j = 1, order
             do i = 1, order

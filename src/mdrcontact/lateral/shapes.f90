@@ -83,11 +83,12 @@ contains
         contrast(1, :) = moduli(1:) - moduli(0)
         contrast(2, :) = self%shapes%material%poisson - poisson
         nodes = fewest_nodes
-        call excess_means(self, contrast, x, y, a, nodes, excess)
+        call excess_means(self, contrast, x, y, a, nodes, excess, error)
         do
             before = excess
             nodes = 2*nodes
-            call excess_means(self, contrast, x, y, a, nodes, excess)
+            call excess_means(self, contrast, x, y, a, nodes, excess, error)
+            if (allocated(error)) return
             scale = [min(mean%relative_unit(moduli(0)), mean%relative_unit(moduli(0) + excess(1))), 1.0_wp - poisson - excess(2)]
             if (all(abs(excess - before) <= self%tolerance*scale)) exit
             if (2*nodes > most_nodes) then
@@ -102,22 +103,24 @@ contains
     end subroutine means
 
     !> What the bodies add to the background's sums for G and nu, with so many nodes in a panel.
-    subroutine excess_means(self, contrast, x, y, a, nodes, excess)
+    subroutine excess_means(self, contrast, x, y, a, nodes, excess, error)
         class(shapes_t), intent(in) :: self
         !> (2, size(shapes)) of each body: its values less the background's
         real(wp), intent(in) :: contrast(:, :)
         real(wp), intent(in) :: x, y, a
         integer, intent(in) :: nodes
         real(wp), intent(out) :: excess(2)
+        type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: depths, radii
         type(section_t), allocatable :: sections(:)
         integer, allocatable :: present_shapes(:)
         real(wp) :: gauss(nodes), weights(nodes), plane(2), shear, poisson
         integer :: i, j
 
-        call gauss_legendre(gauss, weights)
-        call depth_rule(all_depth_breaks(self, x, y, a), gauss, weights, depths)
         excess = 0.0_wp
+        call gauss_legendre(gauss, weights, error)
+        if (allocated(error)) return
+        call depth_rule(all_depth_breaks(self, x, y, a), gauss, weights, depths)
         do i = 1, size(depths%nodes)
             call cut(self, x, y, a, depths%nodes(i), sections, present_shapes)
             if (size(present_shapes) == 0) cycle

@@ -50,7 +50,8 @@ contains
         allocate (self%polynomials(2, 0:order, size(self%edges) - 1), stat=stat)
         if (stat /= 0) call raise(error, error_memory, "not enough memory")
         if (allocated(error)) return
-        call gauss_legendre(x, w)
+        call gauss_legendre(x, w, error)
+        if (allocated(error)) return
         matrix = integration_matrix(x, w)
         running = tail_of(nu, top, bottom, self%edges(ubound(self%edges, 1)), x, w)
         self%tail = running

@@ -351,7 +351,7 @@ contains
         if (allocated(error)) return
         call self%surface%displacement_outside(profile, a, load%depth - profile%mdr(a), r, values, error)
         if (allocated(error) .or. self%kernel%vanishes) return
-        call load%displacement_beyond(self%kernel, r, added)
+        call load%displacement_beyond(self%kernel, r, added, error)
         values = values + added
     end subroutine displacement_outside
 
@@ -378,11 +378,12 @@ contains
         allocate (difference(size(r)), total(size(outside)), added(size(outside)))
         added = 0.0_wp
         associate (part => self%parts(body))
-            call load%part_of(part%kernel, v)
-            call load%displacement_by(v - load%v, r, difference)
+            call load%part_of(part%kernel, v, error)
+            call load%displacement_by(v - load%v, r, difference, error)
+            if (allocated(error)) return
             call self%surface%displacement_outside(profile, a, load%depth - profile%mdr(a), outside, total, error)
             if (allocated(error)) return
-            if (.not. part%kernel%vanishes) call load%displacement_beyond(part%kernel, outside, added)
+            if (.not. part%kernel%vanishes) call load%displacement_beyond(part%kernel, outside, added, error)
             values = unpack(total + added, r > a, values)
             values = part%share*(values + difference)
         end associate
@@ -403,13 +404,14 @@ contains
         call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
         if (allocated(error)) return
         if (.not. allocated(self%parts)) then
-            values(lower_body) = self%surface_modulus*load%work_on(profile, load%v)
+            values(lower_body) = self%surface_modulus*load%work_on(profile, load%v, error)
             return
         end if
         allocate (v, mold=load%q)
         do i = 1, 2
-            call load%part_of(self%parts(i)%kernel, v)
-            values(i) = self%surface_modulus*self%parts(i)%share*load%work_on(profile, v)
+            call load%part_of(self%parts(i)%kernel, v, error)
+            if (allocated(error)) return
+            values(i) = self%surface_modulus*self%parts(i)%share*load%work_on(profile, v, error)
         end do
     end subroutine energies
 

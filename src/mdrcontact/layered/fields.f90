@@ -5,7 +5,7 @@
 !> kernel's width whatever g is. P_2j(x/a) as a line load is the pressure P_2j(sigma)/(P_2j(0) pi sqrt(a^2 - r^2)),
 !> sigma = sqrt(1 - r^2/a^2).
 module mdrcontact_layered_fields
-    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: contact_rule, edge_row, interaction_matrix, moments_t, new_moments, normalisation
@@ -58,7 +58,8 @@ contains
         reached = huge(reached)
         n = ceiling(1.5_wp*first_unknowns(kernel, tolerance, a/kernel%unit, .false.))
         do while (n <= most_unknowns)
-            call expand(self, kernel, profile, a, excess, n, reached, solved)
+            call expand(self, kernel, profile, a, excess, n, reached, solved, error)
+            if (allocated(error)) return
             if (.not. solved) exit
             if (reached <= tolerance) return
             n = next_unknowns(n, reached/tolerance)
@@ -69,7 +70,7 @@ contains
     end subroutine new_line_load
 
     !> With n unknowns.
-    subroutine expand(self, kernel, profile, a, excess, n, reached, solved)
+    subroutine expand(self, kernel, profile, a, excess, n, reached, solved, error)
         type(line_load_t), intent(inout) :: self
         type(kernel_t), intent(in) :: kernel
         class(profile_t), intent(in) :: profile
@@ -78,19 +79,24 @@ contains
         !> how large the last coefficients of v still are in a pressure
         real(wp), intent(out) :: reached
         logical, intent(out) :: solved
+        type(error_t), allocatable, intent(inout) :: error
         type(moments_t) :: moments
         real(wp), allocatable :: h(:, :), x(:, :), row(:), g(:), s(:)
         real(wp) :: mean, beyond
         integer :: i, status
 
-        call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n)
+        solved = .false.
+        reached = 0.0_wp
+        call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n, error)
+        if (allocated(error)) return
         allocate (h(n, n), stat=status)
-        solved = status == 0
-        if (.not. solved) return
+        call check_memory(error, status)
+        if (allocated(error)) return
         allocate (x(n, 2), row(n), g(n), s(n))
         call interaction_matrix(moments, h)
         call edge_row(moments, h(:, 1), row)
-        call profile_moments(profile, a, g)
+        call profile_moments(profile, a, g, error)
+        if (allocated(error)) return
         mean = g(1)*sqrt(0.5_wp)
         g(1) = 0.0_wp
         do i = 1, n
@@ -173,11 +179,12 @@ contains
     end function smooth_pressure
 
     !> (K q)(x)/E0* with the kernel of one of two bodies, as coefficients of P_2j(x/a) [length].
-    subroutine part_of(self, kernel, v)
+    subroutine part_of(self, kernel, v, error)
         class(line_load_t), intent(in) :: self
         type(kernel_t), intent(in) :: kernel
         !> same size as self%q
         real(wp), intent(out) :: v(:)
+        type(error_t), allocatable, intent(inout) :: error
         type(moments_t) :: moments
         real(wp) :: h(size(v), size(v)), s(size(v)), q(size(v))
         integer :: i, n
@@ -185,7 +192,8 @@ contains
         v = 0.0_wp
         if (kernel%vanishes) return
         n = size(v)
-        call new_moments(moments, kernel, self%a/kernel%unit, 4*n + 4, 4*n)
+        call new_moments(moments, kernel, self%a/kernel%unit, 4*n + 4, 4*n, error)
+        if (allocated(error)) return
         call interaction_matrix(moments, h)
         s = normalisation(n)
         q = self%q/s
@@ -197,22 +205,24 @@ contains
     end subroutine part_of
 
     !> (2/pi) int_0^min(r,a) of a series in P_2j(x/a) over sqrt(r^2 - x^2) dx [length].
-    subroutine displacement_by(self, c, r, values)
+    subroutine displacement_by(self, c, r, values, error)
         class(line_load_t), intent(in) :: self
         !> coefficients [length]
         real(wp), intent(in) :: c(:)
         !> >= 0 [length]
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
         real(wp) :: t, range
         integer :: i, j, n
 
         ! x = r sin(t): even polynomials of degree 2 size(c) - 2 in sin(t). Inside equal steps of t take them exactly.
         n = size(c)/2 + 1
-        call new_rule(rule, size(c) + 16)
+        call new_rule(rule, size(c) + 16, error)
+        values = 0.0_wp
+        if (allocated(error)) return
         do j = 1, size(r)
-            values(j) = 0.0_wp
             if (r(j) <= self%a) then
                 do i = 1, n
                     t = half_pi*(real(i, wp) - 0.5_wp)/real(n, wp)
@@ -229,17 +239,20 @@ contains
     end subroutine displacement_by
 
     !> int_0^a q (q + E0* v) dx/E0*^2 with v as coefficients of P_2j(x/a) [length^3].
-    function work_on(self, profile, v) result(work)
+    function work_on(self, profile, v, error) result(work)
         class(line_load_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: v(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: work
         real(wp), allocatable :: x(:), dx(:)
         real(wp) :: q
         integer :: i
 
-        call graded_rule(smallest_panel_ratio*self%a, self%a, profile%break_radii(), profile%singular_radius(), x, dx)
+        call graded_rule(smallest_panel_ratio*self%a, self%a, profile%break_radii(), profile%singular_radius(), x, dx, &
+                         error)
         work = 0.0_wp
+        if (allocated(error)) return
         do i = 1, size(x)
             q = self%at(profile, x(i))
             work = work + dx(i)*q*(q + even_sum(v, x(i)/self%a))
@@ -248,12 +261,13 @@ contains
 
     !> What the layers add to the displacement of the surface beyond the contact:
     !> (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx [length], with w(x) = (1/pi) int_-a^a X(x - s) q(s)/E0* ds.
-    subroutine displacement_beyond(self, kernel, r, values)
+    subroutine displacement_beyond(self, kernel, r, values, error)
         class(line_load_t), intent(in) :: self
         type(kernel_t), intent(in) :: kernel
         !> > a [length]
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule, panel
         real(wp), allocatable :: load(:)
         real(wp) :: a, here, length, far, x
@@ -261,15 +275,16 @@ contains
         logical :: last
 
         a = self%a/kernel%unit
-        call contact_rule(rule, kernel, a, 4*size(self%q) + 4, 4*size(self%q))
+        call contact_rule(rule, kernel, a, 4*size(self%q) + 4, 4*size(self%q), error)
+        call new_rule(panel, panel_nodes, error)
+        values = 0.0_wp
+        if (allocated(error)) return
         allocate (load(size(rule%weights)))
         do i = 1, size(load)
             load(i) = a/pi*rule%weights(i)*even_sum(self%q, 1.0_wp - rule%distance(i))
         end do
-        call new_rule(panel, panel_nodes)
         do j = 1, size(r)
             far = r(j)/kernel%unit
-            values(j) = 0.0_wp
             here = a
             last = .false.
             do while (.not. last)

@@ -6,6 +6,7 @@
 !> contact, and its slope there. Two constants of the kernel that would drown the rest are kept apart: X(0) of a stiff film
 !> (`shift`), and the integral of X over the whole axis for a soft one (`diagonal`, what it leaves of the unit matrix).
 module mdrcontact_layered_legendre
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
@@ -48,11 +49,12 @@ contains
     !> The rule that resolves the kernel from one end of a contact of radius a [unit]: of at least `count` nodes for a film, and of
     !> as many as polynomials to order `last` take under several layers. Where one rule is too short, as many as are needed share
     !> the half waves of the polynomials.
-    subroutine contact_rule(rule, kernel, a, count, last)
+    subroutine contact_rule(rule, kernel, a, count, last, error)
         type(rule_t), intent(out) :: rule
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
         integer, intent(in) :: count, last
+        type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: panel
         real(wp) :: ends(2)
         integer :: i, nodes, panels, first
@@ -64,7 +66,8 @@ contains
         panels = 1
         ! nodes lie closest to the ends of a rule of its own, pi/2 times as far apart where panels join
         if (nodes > largest_rule) panels = ceiling(half_pi*real(nodes, wp)/real(largest_rule, wp))
-        call new_rule(panel, min(nodes, largest_rule))
+        call new_rule(panel, min(nodes, largest_rule), error)
+        if (allocated(error)) return
         if (panels == 1 .and. .not. layered) then
             call move_alloc(panel%distance, rule%distance)
             call move_alloc(panel%weights, rule%weights)
@@ -86,18 +89,20 @@ contains
     end subroutine contact_rule
 
     !> The moments T_0 ... T_last at contact radius a [unit], for a film by a rule of at least `count` nodes.
-    subroutine new_moments(self, kernel, a, count, last)
+    subroutine new_moments(self, kernel, a, count, last, error)
         type(moments_t), intent(out) :: self
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
         integer, intent(in) :: count, last
+        type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
         real(wp), allocatable :: x(:), even(:), odd(:)
         real(wp) :: base(1)
         integer :: n, half, highest
 
         self%a = a
-        call contact_rule(rule, kernel, a, count, last)
+        call contact_rule(rule, kernel, a, count, last, error)
+        if (allocated(error)) return
         n = size(rule%weights)
         highest = n - 1
         if (kernel%is_layered) highest = floor(trusted/1.5_wp*n)

@@ -5,6 +5,7 @@
 !> Powers of x have closed forms. Elsewhere g is integrated between the radii where it is not analytic, with room for the
 !> square roots that start there.
 module mdrcontact_layered_moments
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: normalisation
@@ -24,11 +25,12 @@ module mdrcontact_layered_moments
 contains
 
     !> G_0 ... G_(m-1) [length].
-    subroutine profile_moments(profile, a, g)
+    subroutine profile_moments(profile, a, g, error)
         class(profile_t), intent(in) :: profile
         !> contact radius [length]
         real(wp), intent(in) :: a
         real(wp), intent(out) :: g(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: exponents(:), coefficients(:)
         integer :: i
 
@@ -39,7 +41,7 @@ contains
                 call add_power(exponents(i), coefficients(i)*a**exponents(i), g)
             end do
         else
-            call integrate(profile, a, g)
+            call integrate(profile, a, g, error)
         end if
         g = g*normalisation(size(g))
     end subroutine profile_moments
@@ -68,10 +70,11 @@ contains
         end do
     end subroutine add_power
 
-    subroutine integrate(profile, a, g)
+    subroutine integrate(profile, a, g, error)
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         real(wp), intent(inout) :: g(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: breaks(:)
         real(wp) :: low, high, ends
         integer :: i, k
@@ -93,7 +96,7 @@ contains
                     ends = shrinking*ends
                 end do
                 do k = k - 1, 1, -1
-                    call add_interval(profile, a, shrinking**k*high, shrinking**(k - 1)*high, .false., g)
+                    call add_interval(profile, a, shrinking**k*high, shrinking**(k - 1)*high, .false., g, error)
                 end do
             else
                 do k = 1, most_intervals
@@ -103,17 +106,18 @@ contains
                         ends = low + 0.75_wp*(profile%singular_radius() - low)
                     end if
                     ends = min(ends, high)
-                    call add_interval(profile, a, low, ends, k == 1, g)
+                    call add_interval(profile, a, low, ends, k == 1, g, error)
                     low = ends
                     if (low >= high) exit
                 end do
             end if
+            if (allocated(error)) return
             low = high
         end do
     end subroutine integrate
 
     !> (a/pi) int_-1^1 X(a (1 - u)) (g(a |u|) - mean) du, what g adds to K g at the edge of the contact.
-    subroutine edge_moment(profile, kernel, a, shift, mean, total)
+    subroutine edge_moment(profile, kernel, a, shift, mean, total, error)
         class(profile_t), intent(in) :: profile
         type(kernel_t), intent(in) :: kernel
         !> contact radius [length]
@@ -121,10 +125,13 @@ contains
         !> a constant taken off X [1/unit], which adds nothing where `mean` is that of g [length]
         real(wp), intent(in) :: shift, mean
         real(wp), intent(out) :: total
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable, dimension(:) :: x, weights, near, far
 
         ! X varies at the scale of the distance from the edge, down to the unit
-        call graded_rule(smallest_panel_ratio*a, a, profile%break_radii(), a + 0.1_wp*kernel%unit, x, weights)
+        call graded_rule(smallest_panel_ratio*a, a, profile%break_radii(), a + 0.1_wp*kernel%unit, x, weights, error)
+        total = 0.0_wp
+        if (allocated(error)) return
         allocate (near, far, mold=x)
         call kernel%evaluate(max(a - x, 0.0_wp)/kernel%unit, shift, near)
         call kernel%evaluate((a + x)/kernel%unit, shift, far)
@@ -132,11 +139,12 @@ contains
     end subroutine edge_moment
 
     !> Adds 2 int P_2j(x/a) g(x) dx/a over one interval, x = low + (high - low) t^2 where a root starts at its lower end.
-    subroutine add_interval(profile, a, low, high, has_root, g)
+    subroutine add_interval(profile, a, low, high, has_root, g, error)
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a, low, high
         logical, intent(in) :: has_root
         real(wp), intent(inout) :: g(0:)
+        type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
         real(wp), allocatable, dimension(:) :: t, x, w
         integer :: i, n, parts
@@ -144,7 +152,8 @@ contains
         ! P_2j runs through 2j/pi half waves as acos(x/a) goes through a right angle
         n = 16 + ceiling(real(size(g), wp)*(acos(low/a) - acos(min(high/a, 1.0_wp)))*merge(1.3_wp, 1.0_wp, has_root))
         parts = 1 + (n - 1)/largest_rule
-        call new_rule(rule, 1 + (n - 1)/parts)
+        call new_rule(rule, 1 + (n - 1)/parts, error)
+        if (allocated(error)) return
         do i = 1, parts
             t = (real(i - 1, wp) + 0.5_wp*rule%distance)/real(parts, wp)
             w = rule%weights*((high - low)/(a*parts))

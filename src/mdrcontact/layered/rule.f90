@@ -2,6 +2,7 @@
 !> Gauss-Legendre rules right to the last digit, weights included: a film that nearly cancels its springs shows every error
 !> of theirs.
 module mdrcontact_layered_rule
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
@@ -21,14 +22,15 @@ module mdrcontact_layered_rule
 contains
 
     !> A rule of at least n <= largest_rule nodes, a multiple of 4.
-    subroutine new_rule(self, n)
+    subroutine new_rule(self, n, error)
         type(rule_t), intent(out) :: self
         integer, intent(in) :: n
+        type(error_t), allocatable, intent(inout) :: error
         integer :: count
 
         count = known(findloc(known >= min(n, largest_rule), .true., dim=1))
         allocate (self%distance(count), self%weights(count))
-        call gauss_legendre(self%distance, self%weights)
+        call gauss_legendre(self%distance, self%weights, error)
         self%distance = 2.0_wp*self%distance
         self%weights = 2.0_wp*self%weights
     end subroutine new_rule

@@ -6,7 +6,7 @@
 !> the error of each number. Under a fine surface layer X is nearly singular at the edge, and its series falls slowly there: its
 !> product with g is taken whole, as an integral.
 module mdrcontact_layered_solve
-    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_lapack, only: dpotrf
     use mdrcontact_layered_kernel, only: kernel_t
@@ -67,7 +67,8 @@ contains
         n = first_unknowns(kernel, tolerance, a/kernel%unit, is_kinked)
         nodes = ceiling(min(smooth_unknowns(tolerance, a/kernel%unit), real(most_unknowns, wp))*merge(4.5_wp, 3.2_wp, is_kinked))
         do
-            call solve_with(kernel, a, n, max(nodes, 2*n), solution, solved, profile)
+            call solve_with(kernel, a, n, max(nodes, 2*n), solution, solved, error, profile)
+            if (allocated(error)) return
             if (.not. solved) then
                 call raise(error, error_no_convergence, "the springs of this body nearly cancel at contact radius "//to_text(a)// &
                            ": rounding errors are larger than what is left of them")
@@ -122,14 +123,15 @@ contains
     end function next_unknowns
 
     !> The solution by n unknowns, with its errors.
-    subroutine solve_with(kernel, a, n, nodes, solution, solved, profile)
+    subroutine solve_with(kernel, a, n, nodes, solution, solved, error, profile)
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
         !> unknowns, and nodes of the rule that resolves the kernel of a film
         integer, intent(in) :: n, nodes
         type(solution_t), intent(out) :: solution
-        !> the matrix was positive definite and there was memory for it
+        !> the matrix was positive definite
         logical, intent(out) :: solved
+        type(error_t), allocatable, intent(inout) :: error
         class(profile_t), intent(in), optional :: profile
         type(moments_t) :: moments
         real(wp), allocatable :: h(:, :), rhs(:, :), forward(:, :), rest(:, :), known(:)
@@ -139,10 +141,12 @@ contains
         m = 2*n
         sides = merge(3, 2, present(profile))
         solution%unknowns = n
-        call new_moments(moments, kernel, a/kernel%unit, nodes, 2*(m + n))
+        solved = .false.
+        call new_moments(moments, kernel, a/kernel%unit, nodes, 2*(m + n), error)
+        if (allocated(error)) return
         allocate (h(m, n), stat=status)
-        solved = status == 0
-        if (.not. solved) return
+        call check_memory(error, status)
+        if (allocated(error)) return
         allocate (rhs(m, 3), forward(n, 3), rest(m - n, 3))
         call interaction_matrix(moments, h)
         rhs(:, 1) = 0.0_wp
@@ -155,12 +159,14 @@ contains
         allocate (known(m))
         known = 0.0_wp
         if (present(profile)) then
-            call profile_moments(profile, a, rhs(:, 3))
+            call profile_moments(profile, a, rhs(:, 3), error)
+            if (allocated(error)) return
             mean = rhs(1, 3)*sqrt(0.5_wp)
             rhs(1, 3) = 0.0_wp
             rise = profile%mdr(a) - mean
             if (kernel%is_layered .and. any(abs(rhs(n + 1:, 3)) > 0.0_wp)) then
-                call edge_moment(profile, kernel, a, moments%shift, mean, tail)
+                call edge_moment(profile, kernel, a, moments%shift, mean, tail, error)
+                if (allocated(error)) return
                 known = edge_kernel(moments, m)*rhs(:, 3)
                 tail = sum(known(:n)) - tail
             end if

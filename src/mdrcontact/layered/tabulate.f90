@@ -47,7 +47,8 @@ contains
         kernel%sigma_zero = surface%long_wave_limit()
         do attempt = 1, attempts
             if (.not. tables(attempt)%is_made()) then
-                call new_wave_table(tables(attempt), pi/real(ray_denominator(attempt), wp), ray_panels(attempt))
+                call new_wave_table(tables(attempt), pi/real(ray_denominator(attempt), wp), ray_panels(attempt), error)
+                if (allocated(error)) return
             end if
             call start_ray(ray, surface, kernel%unit, tables(attempt), most_octaves)
             call path_holds(ray, surface, kernel%unit, tables(attempt), holds)

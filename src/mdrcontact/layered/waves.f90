@@ -2,6 +2,7 @@
 !> exp(iky) on a ray of wavenumbers k = t exp(i theta), octave by octave of k y: the part of a kernel's tabulation that is the
 !> same for every body. Bodies that are made one after the other share it.
 module mdrcontact_layered_waves
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_kernel, only: degree
     use mdrcontact_numerics_quadrature, only: gauss_legendre
@@ -48,15 +49,17 @@ contains
     end function is_made
 
     !> The table for a ray at `angle`, with so many panels in an octave of wavenumbers.
-    subroutine new_wave_table(self, angle, panels)
+    subroutine new_wave_table(self, angle, panels, error)
         type(wave_table_t), intent(out) :: self
         real(wp), intent(in) :: angle
         integer, intent(in) :: panels
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: x(panel_nodes), w(panel_nodes), chebyshev(degree + 1)
         integer :: i, n, highest, octave
 
         self%direction = cmplx(cos(angle), sin(angle), wp)
-        call gauss_legendre(x, w)
+        call gauss_legendre(x, w, error)
+        if (allocated(error)) return
         call last_coefficients(x, w, self%last)
         n = panels*panel_nodes
         allocate (self%nodes(n), self%weights(n), self%powers(n, 0:order))

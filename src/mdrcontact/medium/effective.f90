@@ -134,7 +134,8 @@ contains
         force = 0.0_wp
         lowest = max(profile%end_radius(), negligible_part(self, profile, a)*a)
         if (a <= lowest) return
-        call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds)
+        call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds, error)
+        if (allocated(error)) return
         force = 2.0_wp*(self%effective_modulus(lowest)*profile%mdr_moment(lowest) &
                         + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
     end subroutine depth_and_force
@@ -192,7 +193,8 @@ contains
             values(i) = self%effective_modulus(a)*excess
             lowest = max(r(i), profile%end_radius(), smallest_panel_ratio*a)
             if (a <= lowest) cycle
-            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds)
+            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds, error)
+            if (allocated(error)) return
             values(i) = values(i) + self%effective_modulus(lowest) &
                         *(profile%mdr(lowest) - profile%mdr(min(r(i), lowest))) &
                         + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds)
@@ -222,7 +224,8 @@ contains
                 values(i) = ieee_value(values(i), ieee_positive_inf)
             else if (a > lowest) then
                 call graded_rule(lowest, a, merged_breaks([lowest], all_breaks(self, profile)), profile%singular_radius(), &
-                                 s, ds, beyond)
+                                 s, ds, error, beyond)
+                if (allocated(error)) return
                 values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds &
                                             /sqrt((beyond + (lowest - r(i)))*(s + r(i))))
                 if (from_axis) values(i) = values(i) + self%effective_modulus(lowest)*near_axis(profile, lowest)
@@ -248,7 +251,8 @@ contains
         do i = 1, size(r)
             values(i) = excess*asin(a/r(i))
             if (a > lowest) then
-                call graded_rule(lowest, a, all_breaks(self, profile), min(profile%singular_radius(), r(i)), s, ds)
+                call graded_rule(lowest, a, all_breaks(self, profile), min(profile%singular_radius(), r(i)), s, ds, error)
+                if (allocated(error)) return
                 values(i) = values(i) + profile%mdr_moment(lowest)/r(i) &
                             + sum(profile%mdr_slope(s)*asin(s/r(i))*ds)
             end if
@@ -274,21 +278,24 @@ contains
         upper = self%upper_share(a)*total
         lowest = max(profile%end_radius(), smallest_panel_ratio*a)
         if (a > lowest) then
-            rise = self%upper_depth(profile, a)
-            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds)
+            rise = self%upper_depth(profile, a, error)
+            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds, error)
+            if (allocated(error)) return
             ds = 2.0_wp*s*self%effective_modulus(s)*profile%mdr_slope(s)*ds
             total = total + sum((depth - profile%mdr(s))*ds)
-            upper = upper + sum([((rise - self%upper_depth(profile, s(i)))*ds(i), i=1, size(s))])
+            upper = upper + sum([((rise - self%upper_depth(profile, s(i), error))*ds(i), i=1, size(s))])
         end if
         values = [total - upper, upper]
     end subroutine energies
 
-    function upper_depth(self, profile, a) result(depth)
+    function upper_depth(self, profile, a, error) result(depth)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: depth
 
+        if (allocated(error)) continue
         depth = self%upper_share(a)*profile%mdr(a)
     end function upper_depth
 

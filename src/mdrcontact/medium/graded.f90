@@ -59,7 +59,8 @@ contains
         integer :: i
 
         call disable_gsl_abort()
-        call depth_nodes(average, body%knots())
+        call depth_nodes(average, body%knots(), error)
+        if (allocated(error)) return
         allocate (average%shear, mold=average%z)
         allocate (average%poisson, mold=average%z)
         do i = 1, size(average%z)
@@ -96,15 +97,17 @@ contains
     end function effective_modulus_slope
 
     !> Nodes in depth on panels that never cross a knot and grow by 4 from the surface.
-    subroutine depth_nodes(average, knots)
+    subroutine depth_nodes(average, knots, error)
         type(average_t), intent(inout) :: average
         real(wp), intent(in) :: knots(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: t(wide_nodes), w(wide_nodes), t6(narrow_nodes), w6(narrow_nodes), from, to
         real(wp), allocatable :: nodes(:), weights(:)
         integer :: i
 
-        call gauss_legendre(t, w)
-        call gauss_legendre(t6, w6)
+        call gauss_legendre(t, w, error)
+        call gauss_legendre(t6, w6, error)
+        if (allocated(error)) return
         average%top_depth = knots(1)/range_factor
         average%bottom_depth = knots(size(knots))
         allocate (nodes(0), weights(0))

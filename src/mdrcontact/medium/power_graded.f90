@@ -161,7 +161,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: moments(2)
 
-        moments = slope_moments(profile, self%exponent, a)
+        moments = slope_moments(profile, self%exponent, a, error)
         depth = a**(1.0_wp - self%exponent)*moments(1)
         force = 2.0_wp*self%spring/(1.0_wp + self%exponent)*moments(2)
     end subroutine depth_and_force
@@ -177,9 +177,10 @@ contains
         real(wp) :: depth
         integer :: i
 
-        depth = mdr(profile, self%exponent, a) + excess
+        depth = mdr(profile, self%exponent, a, error) + excess
+        if (allocated(error)) return
         do i = 1, size(r)
-            values(i) = depth - mdr(profile, self%exponent, r(i))
+            values(i) = depth - mdr(profile, self%exponent, r(i), error)
             if (r(i) > 0.0_wp .or. self%exponent >= 0.0_wp) then
                 values(i) = values(i)*self%spring*r(i)**self%exponent
             else
@@ -217,7 +218,8 @@ contains
             else if (a > start) then
                 corners = [start, pack(breaks, breaks > start), a]
                 do k = 1, size(corners) - 1
-                    values(i) = values(i) + pressure_between(profile, g, corners(k), corners(k + 1), r(i), self%exponent)
+                    values(i) = values(i) + pressure_between(profile, g, corners(k), corners(k + 1), r(i), &
+                                                             self%exponent, error)
                 end do
             end if
             values(i) = values(i)*self%spring/pi
@@ -240,10 +242,12 @@ contains
         if (size(r) == 0) return
         if (profile%end_radius() < a) call sample_transform(self, profile, a, g, error)
         if (allocated(error)) return
-        depth = mdr(profile, self%exponent, a) + excess
+        depth = mdr(profile, self%exponent, a, error) + excess
+        if (allocated(error)) return
         lowest = smallest_panel_ratio*a
         do i = 1, size(r)
-            call graded_rule(lowest, a, profile%break_radii(), min(r(i), profile%singular_radius()), x, dx)
+            call graded_rule(lowest, a, profile%break_radii(), min(r(i), profile%singular_radius()), x, dx, error)
+            if (allocated(error)) return
             w = spread(depth, 1, size(x))
             if (profile%end_radius() < a) w = depth - merge(g%value(x), 0.0_wp, x > profile%end_radius())
             values(i) = sum(x**self%exponent*w*((r(i) - x)*(r(i) + x))**(-0.5_wp*(1.0_wp + self%exponent))*dx) &
@@ -262,23 +266,25 @@ contains
     end function is_exact
 
     !> g(x) = x^{1-m} int_0^x f'(r) (x^2 - r^2)^{(m-1)/2} dr.
-    function mdr(profile, m, x) result(g)
+    function mdr(profile, m, x, error) result(g)
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: m, x
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: g
         real(wp) :: moments(2)
 
         g = 0.0_wp
         if (x <= profile%end_radius()) return
-        moments = slope_moments(profile, m, x)
+        moments = slope_moments(profile, m, x, error)
         g = x**(1.0_wp - m)*moments(1)
     end function mdr
 
     !> int_0^a f'(r) {1, r^2} (a^2 - r^2)^{(m-1)/2} dr. The half next to a is taken in s = a - r, graded towards s = 0, where the
     !> integrand is a power of s; next to the axis f' is a power of r.
-    function slope_moments(profile, m, a) result(moments)
+    function slope_moments(profile, m, a, error) result(moments)
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: m, a
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: moments(2)
         real(wp), allocatable :: r(:), dr(:), s(:), ds(:), f(:)
         real(wp) :: lowest, edge, power
@@ -290,7 +296,8 @@ contains
         lowest = smallest_panel_ratio*a
         if (profile%end_radius() < 0.5_wp*a) then
             lowest = max(lowest, profile%end_radius())
-            call graded_rule(lowest, 0.5_wp*a, profile%break_radii(), profile%singular_radius(), r, dr)
+            call graded_rule(lowest, 0.5_wp*a, profile%break_radii(), profile%singular_radius(), r, dr, error)
+            if (allocated(error)) return
             f = profile%slope(r)*((a - r)*(a + r))**power*dr
             moments = moments + [sum(f) + profile%height(lowest)*a**(m - 1.0_wp), sum(f*r**2)]
         end if
@@ -298,8 +305,9 @@ contains
         if (a - profile%end_radius() <= edge) return
         associate (breaks => profile%break_radii())
             call graded_rule(edge, min(0.5_wp*a, a - profile%end_radius()), &
-                             [(a - breaks(i), i=size(breaks), 1, -1)], huge(1.0_wp), s, ds)
+                             [(a - breaks(i), i=size(breaks), 1, -1)], huge(1.0_wp), s, ds, error)
         end associate
+        if (allocated(error)) return
         f = profile%slope(a - s)*(s*(2.0_wp*a - s))**power*ds
         moments = moments + [sum(f), sum(f*(a - s)**2)]
     end function slope_moments
@@ -334,15 +342,16 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = mdr(self%profile, self%exponent, x)
+        y = mdr(self%profile, self%exponent, x, self%error)
     end function transform_at
 
     !> int g'(x) (x^2 - r^2)^{(m-1)/2} dx from one corner of the profile to the next, r <= from. Behind a corner g rises as a broken
     !> power of x - from: panels are graded towards it, and what lies within `near` of it is the rise of g there.
-    function pressure_between(profile, g, from, to, r, m) result(integral)
+    function pressure_between(profile, g, from, to, r, m, error) result(integral)
         class(profile_t), intent(in) :: profile
         type(sampled_function_t), intent(in) :: g
         real(wp), intent(in) :: from, to, r, m
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: integral
         real(wp), allocatable :: beyond(:), dx(:)
         real(wp), parameter :: no_breaks(0) = [real(wp) ::]
@@ -354,16 +363,18 @@ contains
         if (r < from) near = max(behind_corner(1)*from, min(behind_corner(2)*from, behind_corner(3)*(from - r)))
         integral = 0.0_wp
         if (near >= to - from) return
-        call graded_rule(near, to - from, no_breaks, huge(1.0_wp), beyond, dx)
+        call graded_rule(near, to - from, no_breaks, huge(1.0_wp), beyond, dx, error)
+        if (allocated(error)) return
         integral = sum(g%slope(from + beyond)*((beyond + (from - r))*((from + r) + beyond))**power*dx) &
-                   + near_start(profile, g, from, near, r, m)
+                   + near_start(profile, g, from, near, r, m, error)
     end function pressure_between
 
     !> The part of the pressure integral within `near` of its singular start, where g' is constant or, at the axis, a power of x.
-    function near_start(profile, g, start, near, r, m) result(integral)
+    function near_start(profile, g, start, near, r, m, error) result(integral)
         class(profile_t), intent(in) :: profile
         type(sampled_function_t), intent(in) :: g
         real(wp), intent(in) :: start, near, r, m
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: integral
         real(wp) :: power, growth
 
@@ -376,7 +387,7 @@ contains
                 integral = ieee_value(integral, ieee_positive_inf)
             end if
         else if (r < start) then
-            integral = (mdr(profile, m, start + near) - mdr(profile, m, start))*((start - r)*(start + r))**power
+            integral = (mdr(profile, m, start + near, error) - mdr(profile, m, start, error))*((start - r)*(start + r))**power
         else
             integral = g%slope(start + near)*(2.0_wp*start)**power*near**(power + 1.0_wp)/(power + 1.0_wp)
         end if

@@ -133,10 +133,11 @@ contains
     end function upper_share
 
     !> int_0^a (share of the upper body) g'(s) ds [length].
-    function upper_depth(self, profile, a) result(depth)
+    function upper_depth(self, profile, a, error) result(depth)
         class(series_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: depth
         real(wp), allocatable :: s(:), ds(:)
         real(wp) :: lowest
@@ -144,7 +145,9 @@ contains
         lowest = max(profile%end_radius(), smallest_panel_ratio*a)
         depth = 0.0_wp
         if (a <= lowest) return
-        call graded_rule(lowest, a, merged_breaks(profile%break_radii(), self%breaks()), profile%singular_radius(), s, ds)
+        call graded_rule(lowest, a, merged_breaks(profile%break_radii(), self%breaks()), profile%singular_radius(), s, ds, &
+                         error)
+        if (allocated(error)) return
         depth = self%upper_share(lowest)*profile%mdr(lowest) + sum(self%upper_share(s)*profile%mdr_slope(s)*ds)
     end function upper_depth
 
@@ -162,10 +165,10 @@ contains
         real(wp) :: lowest, highest, whole, upper
         integer :: i
 
-        whole = self%upper_depth(profile, a)
+        whole = self%upper_depth(profile, a, error)
         do i = 1, size(r)
             if (r(i) < a) then
-                upper = self%upper_share(a)*excess + whole - self%upper_depth(profile, r(i))
+                upper = self%upper_share(a)*excess + whole - self%upper_depth(profile, r(i), error)
             else
                 upper = self%upper_share(a)*excess*asin(a/r(i))/half_pi
             end if
@@ -173,13 +176,13 @@ contains
             lowest = max(profile%end_radius(), smallest_panel_ratio*highest)
             if (highest > lowest) then
                 call graded_rule(lowest, highest, merged_breaks(profile%break_radii(), self%breaks()), &
-                                 min(profile%singular_radius(), r(i)), s, ds)
+                                 min(profile%singular_radius(), r(i)), s, ds, error)
+                if (allocated(error)) return
                 upper = upper + (self%upper_share(lowest)*profile%mdr_moment(lowest)/r(i) &
                                  + sum(self%upper_share(s)*profile%mdr_slope(s)*asin(min(s/r(i), 1.0_wp))*ds))/half_pi
             end if
             values(i) = merge(values(i) - upper, upper, body == lower_body)
         end do
-        if (allocated(error)) deallocate (error)
     end subroutine take_share
 
 end module mdrcontact_medium_series

@@ -8,9 +8,9 @@
 !> are involved.
 module mdrcontact_numerics_quadrature
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr, c_size_t
-    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_gsl, only: gsl_integration_glfixed_point, gsl_integration_glfixed_table_alloc, &
-                              gsl_integration_glfixed_table_free, gsl_success
+                              gsl_integration_glfixed_table_free
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -28,10 +28,11 @@ module mdrcontact_numerics_quadrature
 contains
 
     !> Gauss-Legendre nodes and weights on [0, 1].
-    subroutine gauss_legendre(nodes, weights)
+    subroutine gauss_legendre(nodes, weights, error)
         real(wp), intent(out) :: nodes(:)
         !> same size as nodes
         real(wp), intent(out) :: weights(:)
+        type(error_t), allocatable, intent(inout) :: error
         type(c_ptr) :: table
         integer(c_int) :: status
         integer :: i
@@ -39,35 +40,42 @@ contains
         table = gsl_integration_glfixed_table_alloc(int(size(nodes), c_size_t))
         if (.not. c_associated(table)) then
             nodes = 0.5_wp
-            weights = transfer(-1_int64, 1.0_wp)
+            weights = 0.0_wp
+            call check_memory(error, 1)
             return
         end if
         do i = 1, size(nodes)
+            ! it fails for an index beyond the table only
             status = gsl_integration_glfixed_point(0.0_wp, 1.0_wp, int(i - 1, c_size_t), nodes(i), weights(i), table)
-            if (status /= gsl_success) weights(i) = transfer(-1_int64, 1.0_wp)
         end do
         call gsl_integration_glfixed_table_free(table)
     end subroutine gauss_legendre
 
     !> Nodes s and weights ds of a composite rule over [lower, upper], graded towards 0, away from `breaks`
     !> and towards `singular_end` (the radius above `upper` where the integrand may blow up; huge() if none).
-    subroutine graded_rule(lower, upper, breaks, singular_end, nodes, weights, distances)
+    subroutine graded_rule(lower, upper, breaks, singular_end, nodes, weights, error, distances)
         !> 0 < lower < upper; for an integral from 0 take lower = upper*smallest_panel_ratio
         real(wp), intent(in) :: lower, upper
         !> ascending radii where the integrand is not analytic [length]
         real(wp), intent(in) :: breaks(:)
         real(wp), intent(in) :: singular_end
         real(wp), allocatable, intent(out) :: nodes(:), weights(:)
+        type(error_t), allocatable, intent(inout) :: error
         !> nodes - lower without cancellation, for integrands that are singular there
         real(wp), allocatable, intent(out), optional :: distances(:)
         real(wp), allocatable :: edges(:), offsets(:)
         real(wp) :: t(nodes_per_panel), w(nodes_per_panel), length
-        integer :: panel, first, last
+        integer :: panel, first, last, count, stat
 
-        call gauss_legendre(t, w)
-        call graded_edges(lower, upper, breaks, singular_end, edges)
-        allocate (nodes((size(edges) - 1)*nodes_per_panel))
-        allocate (weights(size(nodes)), offsets(size(nodes)))
+        call gauss_legendre(t, w, error)
+        call graded_edges(lower, upper, breaks, singular_end, edges, error)
+        if (allocated(error)) return
+        count = (size(edges) - 1)*nodes_per_panel
+        allocate (nodes(count), stat=stat)
+        if (stat == 0) allocate (weights(count), stat=stat)
+        if (stat == 0) allocate (offsets(count), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         do panel = 1, size(edges) - 1
             first = (panel - 1)*nodes_per_panel + 1
             last = panel*nodes_per_panel
@@ -119,15 +127,19 @@ contains
     end function count_upto
 
     !> The edges of the panels of graded_rule.
-    pure subroutine graded_edges(lower, upper, breaks, singular_end, edges)
+    pure subroutine graded_edges(lower, upper, breaks, singular_end, edges, error)
         real(wp), intent(in) :: lower, upper, breaks(:), singular_end
         real(wp), allocatable, intent(out) :: edges(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: longer(:)
         real(wp) :: here, next
-        integer :: count, passed
+        integer :: count, passed, stat
 
         passed = 0
-        allocate (edges(64))
+        ! room for the breaks and the growth between two of them
+        allocate (edges(64 + 2*size(breaks)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         count = 1
         edges(1) = lower
         here = lower
@@ -141,14 +153,20 @@ contains
             if (upper - next < shortest_panel*upper .or. next <= here) next = upper
             count = count + 1
             if (count > size(edges)) then
-                allocate (longer(2*size(edges)))
+                allocate (longer(2*size(edges)), stat=stat)
+                call check_memory(error, stat)
+                if (allocated(error)) return
                 longer(:size(edges)) = edges
                 call move_alloc(longer, edges)
             end if
             edges(count) = next
             here = next
         end do
-        edges = edges(:count)
+        allocate (longer(count), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        longer(:) = edges(:count)
+        call move_alloc(longer, edges)
 
     contains
 

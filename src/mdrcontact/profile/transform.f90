@@ -69,8 +69,9 @@ contains
         self%exponent = exponent
         self%lowest_value = f%value(f%lower())
         call cosine_transform(self%cosines)
-        call gauss_legendre(self%many, self%many_weights)
-        call gauss_legendre(self%few, self%few_weights)
+        call gauss_legendre(self%many, self%many_weights, error)
+        call gauss_legendre(self%few, self%few_weights, error)
+        if (allocated(error)) return
         panels = f%panels()
         allocate (self%first(34))
         self%first(1) = 1
