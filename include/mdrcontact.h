@@ -35,8 +35,8 @@
  * was compiled with fewer members than the library has gets the defaults of the rest. MDR_EINVALID for a size that cannot be.
  *
  * @par Handles and who frees them
- * mdr_profile, mdr_medium, mdr_contact, mdr_loop, mdr_structure and mdr_law are made by the functions with an `out` argument,
- * belong to the caller, and are freed by mdr_profile_free() and so on, which also set the caller's pointer to NULL. What a
+ * mdr_profile, mdr_medium, mdr_contact, mdr_friction, mdr_loop, mdr_structure and mdr_law are made by the functions with an `out`
+ * argument, belong to the caller, and are freed by mdr_profile_free() and so on, which also set the caller's pointer to NULL. What a
  * handle was made from may be freed at once: it holds copies (but mdr_structure_callback() keeps the user's function and
  * context). A handle never changes after its creation.
  *
@@ -441,6 +441,18 @@ int mdr_medium_modulus(const mdr_medium *m, int n, const double a[], double out[
  *  mdr_medium_modulus(). */
 int mdr_medium_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
 
+/** G_t(a) = k_t(a)/(2 a), what takes E_eff's place where a contact that sticks all over is displaced along the surface:
+ *  4 G/(2 - nu) of a homogeneous body, 1/G_t adds where two bodies touch. The kernel of a layered body is tabulated in each call:
+ *  ask for all radii at once.
+ *  @param m    homogeneous with E and nu; coated, layered or graded under the model MDR_MODEL_EXACT, exact but for the displacement
+ *              that varies as cos 2 phi around the axis (k_t is low by at most 0.35 %), or by Gao's weights with those of a
+ *              tangential load; pairs of these
+ *  @param n    number of radii
+ *  @param a    [n] contact radii > 0 [length]
+ *  @param out  [n] G_t [modulus]
+ *  @return also MDR_EINVALID for other media, MDR_EDOMAIN where the medium is not defined, MDR_ENOCONVERGENCE */
+int mdr_medium_tangential_modulus(const mdr_medium *m, int n, const double a[], double out[]);
+
 /** Frees a medium and sets *m to NULL. m = NULL and *m = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *m is not a medium */
 int mdr_medium_free(mdr_medium **m);
@@ -664,6 +676,99 @@ int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *
 /** Frees a contact and sets *c to NULL. c = NULL and *c = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *c is not a contact */
 int mdr_contact_free(mdr_contact **c);
+
+/* ---- friction: partial slip at constant normal force -------------------------------------------------------------- */
+
+/** A contact under Coulomb's law of friction. Made by mdr_friction_new(), freed by mdr_friction_free(). */
+typedef struct mdr_friction mdr_friction;
+
+/** A tangential state: a disc of stick inside an annulus of slip. The shift s of the indenter along the surface and the tangential
+ *  force T have one sign. */
+typedef struct mdr_tangential_state {
+    double shift;             /**< s, displacement of the indenter along the surface, of distant points of two bodies [length]. */
+    double tangential_force;  /**< T, |T| <= coefficient F [modulus length^2]. */
+    double stick_radius;      /**< c, 0 where the contact slides [length]. */
+    double stiffness;         /**< dT/ds = k_t(c), that of a contact of radius c that sticks; 0 where it slides [modulus length]. */
+    double dissipated_energy; /**< Since s = 0 [modulus length^3]. */
+    double sliding;           /**< 1 if the whole contact slides, else 0. */
+} mdr_tangential_state;
+
+/** Which number determines a tangential state. */
+enum mdr_tangential_given {
+    MDR_GIVEN_SHIFT = 1,           /**< The shift s, of either sign [length]. */
+    MDR_GIVEN_TANGENTIAL_FORCE = 2 /**< The tangential force T, |T| <= coefficient F; at that bound the state in which sliding
+                                        begins [modulus length^2]. */
+};
+
+/** Fields of a tangential state. */
+enum mdr_tangential_field {
+    MDR_FIELD_TRACTION = 1,            /**< tau(r), the shear traction along the shift, of one direction, 0 <= r <= a [modulus]. */
+    MDR_FIELD_TANGENTIAL_LINE_LOAD = 2 /**< q_t(x), the line load of the springs along the shift, 0 <= x <= a [modulus length]. */
+};
+
+/** Coulomb's law in a contact: slip where the traction reaches coefficient times pressure, stick where it is less.
+ *
+ *  The normal force is constant; the shear does not change the pressure (as with Cattaneo and Mindlin; T would be 1 to 6 % higher),
+ *  and the displacement that varies as cos 2 phi around the axis is left out (at most 0.25 % of T). Else exact on homogeneous and
+ *  exact layered media; media with Gao's weights superpose punches.
+ *  @param c            contact without adhesion, on a medium of mdr_medium_tangential_modulus()
+ *  @param coefficient  of friction, > 0 [1]
+ *  @param out          receives the handle
+ *  @return also MDR_EINVALID with adhesion (Coulomb's law knows no tension) and for media whose tangential stiffness is not known,
+ *          MDR_ENOCONVERGENCE */
+int mdr_friction_new(const mdr_contact *c, double coefficient, mdr_friction **out);
+
+/** Tangential states of a normal one, from shifts or tangential forces, each reached from s = 0 in one go.
+ *  @param f      contact with friction
+ *  @param state  a state of its contact, with a radius > 0
+ *  @param given  one of enum mdr_tangential_given: what `in` holds
+ *  @param n      number of tangential states
+ *  @param in     [n] shifts or tangential forces
+ *  @param out    [n] tangential states
+ *  @return also MDR_EUNREACHABLE beyond the force of sliding, MDR_EDOMAIN if the pressure would be negative somewhere (see
+ *          mdr_contact_lowest_pressure()) or slip would begin inside the contact (a flat punch on a stiff coating),
+ *          MDR_ENOCONVERGENCE */
+int mdr_friction_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
+                        mdr_tangential_state out[]);
+
+/** Where sliding begins. Outputs that are NULL are skipped.
+ *  @param f      contact with friction
+ *  @param state  a state of its contact, with a radius > 0
+ *  @param shift  or NULL: s at which the last point begins to slip [length]
+ *  @param force  or NULL: coefficient F [modulus length^2]
+ *  @return as mdr_friction_states() */
+int mdr_friction_sliding(const mdr_friction *f, const mdr_state *state, double *shift, double *force);
+
+/** A field of a tangential state.
+ *  @param f      contact with friction
+ *  @param state  the normal state, with a radius > 0
+ *  @param shear  a tangential state of it
+ *  @param field  one of enum mdr_tangential_field
+ *  @param n      number of positions
+ *  @param r      [n] r or x, 0 <= r <= a [length]
+ *  @param out    [n] values
+ *  @return also MDR_EDOMAIN for a position outside the contact, and as mdr_friction_states() */
+int mdr_friction_field(const mdr_friction *f, const mdr_state *state, const mdr_tangential_state *shear, int field, int n,
+                       const double r[], double out[]);
+
+/** The loop of a cycle between +amplitude and -amplitude, by Masing's rule, which is exact here: from each turn the force changes as
+ *  twice the first loading of half the way.
+ *  @param f           contact with friction
+ *  @param state       the normal state, with a radius > 0
+ *  @param given       one of enum mdr_tangential_given: what the amplitude is
+ *  @param amplitude   > 0, a force below that of sliding [length, or modulus length^2]
+ *  @param n           number of points, at least 3: from +amplitude to -amplitude and back, in equal steps of the shift
+ *  @param shift       [n] shifts [length]
+ *  @param force       [n] tangential forces [modulus length^2]
+ *  @param dissipated  energy dissipated in the cycle, the area of the loop, without loss of digits at small amplitudes
+ *                     [modulus length^3]
+ *  @return as mdr_friction_states() */
+int mdr_friction_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double shift[],
+                      double force[], double *dissipated);
+
+/** Frees a contact with friction and sets *f to NULL. f = NULL and *f = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *f is not a contact with friction */
+int mdr_friction_free(mdr_friction **f);
 
 /* ---- adhesion: pull-off and loops, (28)-(32) --------------------------------------------------------------------- */
 

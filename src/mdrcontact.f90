@@ -30,6 +30,7 @@ module mdrcontact
                                       at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_force_depth, &
                                       data_modulus_radius, data_stiffness_depth, data_stiffness_radius, fit_data_t, &
                                       fit_parameter_t, fit_problem_t, instrument_numbers, loss_cauchy, loss_huber, loss_linear
+    use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_density, only: deviatoric_weight, lateral_density, volumetric_weight
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure

@@ -73,6 +73,17 @@ interior = np.dtype(
     ],
     align=True,
 )
+tangential_state = np.dtype(
+    [
+        ("shift", np.float64),
+        ("tangential_force", np.float64),
+        ("stick_radius", np.float64),
+        ("stiffness", np.float64),
+        ("dissipated_energy", np.float64),
+        ("sliding", np.float64),
+    ],
+    align=True,
+)
 structure_options = np.dtype(
     [
         ("size", np.uintp),
@@ -223,6 +234,12 @@ BODY_UPPER = 2
 
 SIDE_BELOW = 1
 SIDE_ABOVE = 2
+
+GIVEN_SHIFT = 1
+GIVEN_TANGENTIAL_FORCE = 2
+
+FIELD_TRACTION = 1
+FIELD_TANGENTIAL_LINE_LOAD = 2
 
 SHAPE_LAYER = 0
 SHAPE_HALF_SPACE = 1

@@ -3,11 +3,13 @@
 !>
 !> A body answers with its surface compliance in Hankel space: u(k) = C(k) p(k), k C(k) = (2/E0*) sigma(k), sigma = 1 + chi.
 !> sigma is the compliance relative to a half-space of the surface material; chi vanishes for short waves, which
-!> do not reach beyond that material. Both are analytic in a sector around the positive k axis and are needed there.
+!> do not reach beyond that material. Both are analytic in a sector around the positive k axis and are needed there. The same holds
+!> for its compliances under shear, in the plane of the wave and across it.
 !> Concrete bodies are made by their `new_...` procedures, keep their materials and never change afterwards.
 module mdrcontact_body
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_material, only: material_t
     implicit none (type, external)
     private
     public :: body_t
@@ -17,6 +19,13 @@ module mdrcontact_body
     contains
         !> sigma(k) and chi(k) = sigma(k) - 1, each to full relative precision as far as it is known
         procedure(response_at), deferred :: response
+        !> the same two for the compliance under shear in the plane of the wave, k C_L = ((1 - nu0)/G0) sigma, and across it,
+        !> k C_T = (1/G0) sigma
+        procedure(response_at), deferred :: in_plane_response, anti_plane_response
+        !> the surface material
+        procedure(material_of), deferred :: surface_material
+        !> sigma(0) in the plane and across it; 0 on a rigid base [1]
+        procedure(shear_limits_of), deferred :: shear_limits
         !> E0*, the contact modulus of the surface material [modulus]
         procedure(number), deferred :: surface_modulus
         !> sigma(0) = E0*/E1* with the contact modulus E1* of the substrate; 0 on a rigid base [1]
@@ -41,6 +50,18 @@ module mdrcontact_body
             complex(wp), intent(in) :: k
             complex(wp), intent(out) :: sigma, chi
         end subroutine response_at
+
+        pure function material_of(self) result(material)
+            import :: body_t, material_t
+            class(body_t), intent(in) :: self
+            type(material_t) :: material
+        end function material_of
+
+        pure subroutine shear_limits_of(self, in_plane, anti_plane)
+            import :: body_t, wp
+            class(body_t), intent(in) :: self
+            real(wp), intent(out) :: in_plane, anti_plane
+        end subroutine shear_limits_of
 
         pure function number(self) result(value)
             import :: body_t, wp

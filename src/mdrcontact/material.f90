@@ -16,6 +16,7 @@ module mdrcontact_material
     contains
         procedure :: shear
         procedure :: contact
+        procedure :: tangential
     end type material_t
 
 contains
@@ -54,6 +55,14 @@ contains
 
         modulus = self%young/((1.0_wp - self%poisson)*(1.0_wp + self%poisson))
     end function contact
+
+    !> G* = 4 G/(2 - nu), which takes the place of E* where a contact is sheared: k_t = 2 a G* [modulus]
+    elemental function tangential(self) result(modulus)
+        class(material_t), intent(in) :: self
+        real(wp) :: modulus
+
+        modulus = 4.0_wp*self%shear()/(2.0_wp - self%poisson)
+    end function tangential
 
     !> The modulus of two bodies under the same pressure, 1/E* = 1/E1* + 1/E2*. An infinite one is a rigid body and leaves the other
     !> as it is, to the last digit.

@@ -10,6 +10,7 @@ module mdrcontact_medium
     use mdrcontact_body, only: body_t
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_field_load, only: load_t
+    use mdrcontact_field_slip, only: slip_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_profile, only: profile_t
@@ -77,6 +78,10 @@ module mdrcontact_medium
         procedure :: energies => no_energies
         !> the line load of a state as stresses inside need it
         procedure :: surface_load => no_surface_load
+        !> the medium that answers to a shift along the surface as this one does to a depth: its modulus is G_t(a) = k_t(a)/(2 a)
+        procedure :: new_tangential => no_tangential
+        !> first shear of a state, with that medium
+        procedure :: new_slip => no_slip
     end type medium_t
 
     !> E_eff of a medium as a function of the contact radius.
@@ -301,5 +306,34 @@ contains
         call raise(error, error_invalid, "stresses inside are not known for this medium: use a homogeneous, coated, layered or "// &
                    "graded one")
     end subroutine no_surface_load
+
+    subroutine no_tangential(self, tangential, error)
+        class(medium_t), intent(in) :: self
+        class(medium_t), allocatable, intent(out) :: tangential
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self)
+        end associate
+        call raise(error, error_invalid, "the tangential stiffness of this medium is not known: use a homogeneous one with E "// &
+                   "and nu, or a coated, layered or graded one with the model exact or one of the weighted means (gao, "// &
+                   "gao-series, gao-power)")
+        if (.not. allocated(error)) allocate (tangential, source=self)
+    end subroutine no_tangential
+
+    subroutine no_slip(self, tangential, profile, a, excess, slip, error)
+        class(medium_t), intent(in) :: self
+        !> as new_tangential makes it
+        class(medium_t), intent(in) :: tangential
+        class(profile_t), intent(in) :: profile
+        !> contact radius [length] and depth beyond the non-adhesive one [length], >= 0
+        real(wp), intent(in) :: a, excess
+        class(slip_t), allocatable, intent(out) :: slip
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self, also_unused => tangential, unused_too => profile, and_this => a, this_too => excess)
+        end associate
+        if (allocated(slip)) return
+        call raise(error, error_invalid, "friction is not known for this medium")
+    end subroutine no_slip
 
 end module mdrcontact_medium

@@ -9,6 +9,7 @@ module mdrcontact_api_handles
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_loop, only: loop_t
     use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_history_friction, only: friction_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_medium, only: medium_t
@@ -16,7 +17,8 @@ module mdrcontact_api_handles
     implicit none (type, external)
     private
     public :: deliver, open_handle
-    public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free
+    public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free, &
+              mdr_friction_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
 
@@ -26,13 +28,14 @@ module mdrcontact_api_handles
         class(*), allocatable :: object
     end type handle_t
 
-    integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6
+    integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6, &
+                          is_friction = 7
     character(len=*), parameter :: kinds(*) = [character(len=13) :: "mdr_profile", "mdr_medium", "mdr_contact", "mdr_loop", &
-                                               "mdr_structure", "mdr_law"]
+                                               "mdr_structure", "mdr_law", "mdr_friction"]
 
     !> The object behind a handle, by the type of the pointer that is to hold it; null after an error. `name` is the argument's.
     interface open_handle
-        module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law
+        module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction
     end interface open_handle
 
 contains
@@ -157,6 +160,22 @@ contains
         end select
     end subroutine open_law
 
+    subroutine open_friction(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(friction_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, is_friction, inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (friction_t)
+            object => inside
+        end select
+    end subroutine open_friction
+
     function mdr_profile_free(p) result(status) bind(C)
         type(c_ptr), intent(inout), optional :: p
         integer(c_int) :: status
@@ -198,6 +217,13 @@ contains
 
         status = free(law, is_law)
     end function mdr_law_free
+
+    function mdr_friction_free(f) result(status) bind(C)
+        type(c_ptr), intent(inout), optional :: f
+        integer(c_int) :: status
+
+        status = free(f, is_friction)
+    end function mdr_friction_free
 
     !> Frees what is of the right kind, if there is anything, and sets the caller's pointer to NULL.
     function free(handle, kind) result(status)
@@ -252,6 +278,8 @@ contains
             kind = is_contact
         type is (loop_t)
             kind = is_loop
+        type is (friction_t)
+            kind = is_friction
         class is (profile_t)
             kind = is_profile
         class is (medium_t)

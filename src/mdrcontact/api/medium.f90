@@ -15,6 +15,7 @@ module mdrcontact_api_medium
     private
     public :: mdr_medium_rigid, mdr_medium_pair
     public :: mdr_medium_homogeneous, mdr_medium_contact_modulus, mdr_medium_modulus, mdr_medium_stiffness
+    public :: mdr_medium_tangential_modulus
 
 contains
 
@@ -104,6 +105,25 @@ contains
         status = status_of(error)
     end function mdr_medium_stiffness
 
+    function mdr_medium_tangential_modulus(m, n, a, out) result(status) bind(C)
+        type(c_ptr), value :: m
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: a(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        class(medium_t), pointer :: medium
+        class(medium_t), allocatable, target :: tangential
+        real(c_double), allocatable :: modulus(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(m, "m", medium, error)
+        if (.not. allocated(error)) call check_deformable(medium, error)
+        if (.not. allocated(error)) call medium%new_tangential(tangential, error)
+        if (.not. allocated(error)) call evaluate_medium(tangential, n, a, present(out), modulus, error)
+        if (.not. allocated(error) .and. n > 0) out(:n) = modulus
+        status = status_of(error)
+    end function mdr_medium_tangential_modulus
+
     !> E_eff(a) at checked radii.
     subroutine evaluate(m, n, a, has_out, modulus, error)
         type(c_ptr), intent(in) :: m
@@ -113,15 +133,31 @@ contains
         real(c_double), allocatable, intent(out) :: modulus(:)
         type(error_t), allocatable, intent(out) :: error
         class(medium_t), pointer :: medium
-        integer :: stat
 
         call open_handle(m, "m", medium, error)
+        if (.not. allocated(error)) call check_deformable(medium, error)
+        if (.not. allocated(error)) call evaluate_medium(medium, n, a, has_out, modulus, error)
+    end subroutine evaluate
+
+    subroutine check_deformable(medium, error)
+        class(medium_t), intent(in) :: medium
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (.not. medium%is_rigid()) return
+        call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable body", "m")
+    end subroutine check_deformable
+
+    subroutine evaluate_medium(medium, n, a, has_out, modulus, error)
+        class(medium_t), intent(in), target :: medium
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in), optional :: a(*)
+        logical, intent(in) :: has_out
+        real(c_double), allocatable, intent(out) :: modulus(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
+
         call check_in_out(error, n, "a", present(a), has_out)
         if (allocated(error) .or. n == 0) return
-        if (medium%is_rigid()) then
-            call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable body", "m")
-            return
-        end if
         call check_each_positive(error, "a", a(:n))
         call check_each_within(error, "a", a(:n), medium%smallest_radius(), medium%largest_radius(), "the medium", &
                                trim(medium%why_it_ends()))
@@ -131,6 +167,6 @@ contains
         if (allocated(error)) return
         call modulus_values(medium, a(:n), modulus, wanted_threads(), error)
         if (.not. allocated(error)) call check_positive_results(error, modulus)
-    end subroutine evaluate
+    end subroutine evaluate_medium
 
 end module mdrcontact_api_medium

@@ -9,13 +9,14 @@ module mdrcontact_body_graded
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_body_gradient, only: gradient_series, multiply_series, new_antiderivative, order, series_value
+    use mdrcontact_body_gradient, only: anti_plane_rate, gradient_series, in_plane_rate, multiply_series, order, series_value
     use mdrcontact_body_modes, only: half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, transferred
     use mdrcontact_error, only: check_poisson, check_positive, check_table, error_callback, error_invalid, error_t, &
                                 raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_quadrature, only: merged_breaks
+    use mdrcontact_material, only: material_t
+    use mdrcontact_numerics_quadrature, only: merged_breaks, new_antiderivative
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -43,14 +44,23 @@ module mdrcontact_body_graded
         real(wp), allocatable :: ends(:)
         !> series of each sublayer's transfer matrix, and of all from the surface to its end (4, 4, 0:order, sublayer)
         real(wp), allocatable :: series(:, :, :, :), from_surface(:, :, :, :)
+        !> the same across the plane of the wave (2, 2, 0:order, sublayer)
+        real(wp), allocatable :: anti_plane(:, :, :, :), anti_plane_from_surface(:, :, :, :)
         !> compliance of a half-space of the material at each end, relative to 1/(2 G) of the surface (2, 2, end)
         real(wp), allocatable :: local(:, :, :)
         type(layer_modes_t) :: top
+        type(material_t) :: surface
         real(wp) :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
+        !> sigma(0) under shear, in the plane and across it
+        real(wp) :: in_plane_zero = 0.0_wp, anti_plane_zero = 0.0_wp
     contains
         procedure :: constants
         procedure :: knots
         procedure :: response
+        procedure :: in_plane_response
+        procedure :: anti_plane_response
+        procedure :: surface_material
+        procedure :: shear_limits
         procedure :: surface_modulus
         procedure :: long_wave_limit
         procedure :: first_depth
@@ -201,15 +211,19 @@ contains
         real(wp), intent(in) :: first
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: antiderivative(nodes + 1, nodes), surface_shear, surface_nu, t(nodes), shear(nodes), nu(nodes), g, v
+        real(wp) :: in_plane(4, 4, nodes), anti_plane(2, 2, nodes)
         integer :: i, j, n
 
         call sublayer_ends(self, first, self%knots(), self%ends)
         n = size(self%ends) - 1
         allocate (self%series(4, 4, 0:order, n), self%from_surface(4, 4, 0:order, n), self%local(2, 2, n))
+        allocate (self%anti_plane(2, 2, 0:order, n), self%anti_plane_from_surface(2, 2, 0:order, n))
         call new_antiderivative(t, antiderivative, error)
         if (allocated(error)) return
         call self%constants(0.5_wp*first, surface_shear, surface_nu)
         self%top = new_layer_modes(surface_nu)
+        self%surface%young = 2.0_wp*surface_shear*(1.0_wp + surface_nu)
+        self%surface%poisson = surface_nu
         self%contact_modulus = 2.0_wp*surface_shear/(1.0_wp - surface_nu)
         do i = 1, n
             do j = 1, nodes
@@ -217,16 +231,26 @@ contains
             end do
             if (i == 1) shear = surface_shear
             if (i == 1) nu = surface_nu
-            call gradient_series(antiderivative, self%ends(i + 1) - self%ends(i), shear/surface_shear, nu, self%series(:, :, :, i))
+            do j = 1, nodes
+                in_plane(:, :, j) = in_plane_rate(shear(j)/surface_shear, nu(j))
+                anti_plane(:, :, j) = anti_plane_rate(shear(j)/surface_shear)
+            end do
+            call gradient_series(antiderivative, self%ends(i + 1) - self%ends(i), in_plane, self%series(:, :, :, i))
+            call gradient_series(antiderivative, self%ends(i + 1) - self%ends(i), anti_plane, self%anti_plane(:, :, :, i))
             self%from_surface(:, :, :, i) = self%series(:, :, :, i)
+            self%anti_plane_from_surface(:, :, :, i) = self%anti_plane(:, :, :, i)
             if (i > 1) then
                 self%from_surface(:, :, :, i) = self%from_surface(:, :, :, i - 1)
                 call multiply_series(self%from_surface(:, :, :, i), self%series(:, :, :, i))
+                self%anti_plane_from_surface(:, :, :, i) = self%anti_plane_from_surface(:, :, :, i - 1)
+                call multiply_series(self%anti_plane_from_surface(:, :, :, i), self%anti_plane(:, :, :, i))
             end if
             call self%constants(self%ends(i + 1), g, v)
             self%local(:, :, i) = half_space_compliance(v)*(surface_shear/g)
         end do
         self%sigma_zero = self%contact_modulus*(1.0_wp - v)/(2.0_wp*g)
+        self%anti_plane_zero = surface_shear/g
+        self%in_plane_zero = self%anti_plane_zero*(1.0_wp - v)/(1.0_wp - surface_nu)
     end subroutine build
 
     subroutine sublayer_ends(self, first, knots, ends)
@@ -256,32 +280,112 @@ contains
         end do
     end subroutine sublayer_ends
 
-    !> The compliance carried up from where waves end, or from the homogeneous body below.
+    !> Under normal load.
     pure subroutine response(self, k, sigma, chi)
         class(graded_body_t), intent(in) :: self
         complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: sigma, chi
+
+        call carry(self, k, 2, sigma, chi)
+    end subroutine response
+
+    !> Under shear in the plane of the wave.
+    pure subroutine in_plane_response(self, k, sigma, chi)
+        class(graded_body_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: sigma, chi
+
+        call carry(self, k, 1, sigma, chi)
+    end subroutine in_plane_response
+
+    !> The sublayers that a wave sees: from `start` up one by one, those down to `seen` together.
+    pure subroutine find_sublayers(self, k, start, seen)
+        class(graded_body_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        integer, intent(out) :: start, seen
+
+        start = min(count(self%ends(2:)*real(k, wp) <= deepest) + 1, size(self%ends) - 1)
+        seen = min(count(self%ends(2:)*abs(k) <= longest), start)
+    end subroutine find_sublayers
+
+    !> Under shear across the plane of the wave.
+    pure subroutine anti_plane_response(self, k, sigma, chi)
+        class(graded_body_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: sigma, chi
+        complex(wp) :: compliance, fall, rise
+        integer :: i, start, seen
+
+        call find_sublayers(self, k, start, seen)
+        ! (1, 1) + (1, 2) of a half-space in the plane is -1/G, what it is across it
+        compliance = self%local(1, 1, start) + self%local(1, 2, start)
+        do i = start, max(seen, 1) + 1, -1
+            compliance = carried(series_value(self%anti_plane(:, :, :, i), k), compliance)
+        end do
+        if (seen > 0) then
+            sigma = -carried(series_value(self%anti_plane_from_surface(:, :, :, seen), k), compliance)
+            chi = sigma - 1.0_wp
+        else
+            fall = exp(-2.0_wp*k*self%ends(2))
+            fall = 2.0_wp*fall/(1.0_wp + fall)
+            rise = tanh(k*self%ends(2))
+            sigma = (rise - compliance)/(1.0_wp - compliance*rise)
+            chi = -(1.0_wp + compliance)*fall/(1.0_wp - compliance*rise)
+        end if
+
+    contains
+
+        pure function carried(p, below) result(above)
+            complex(wp), intent(in) :: p(2, 2), below
+            complex(wp) :: above
+
+            above = (p(1, 1)*below + p(1, 2))/(p(2, 1)*below + p(2, 2))
+        end function carried
+
+    end subroutine anti_plane_response
+
+    !> The compliance carried up from where waves end, or from the homogeneous body below.
+    pure subroutine carry(self, k, load, sigma, chi)
+        class(graded_body_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        !> the traction and its displacement: 1 in the plane, 2 normal to the surface
+        integer, intent(in) :: load
         complex(wp), intent(out) :: sigma, chi
         complex(wp) :: compliance(2, 2)
         real(wp) :: scale
         integer :: i, start, seen
 
-        start = min(count(self%ends(2:)*real(k, wp) <= deepest) + 1, size(self%ends) - 1)
-        seen = min(count(self%ends(2:)*abs(k) <= longest), start)
+        call find_sublayers(self, k, start, seen)
         compliance = self%local(:, :, start)
         do i = start, max(seen, 1) + 1, -1
             compliance = transferred(series_value(self%series(:, :, :, i), k), compliance)
         end do
-        scale = real(self%top%half_space(2, 2), wp)
+        scale = real(self%top%half_space(load, load), wp)
         if (seen > 0) then
             compliance = transferred(series_value(self%from_surface(:, :, :, seen), k), compliance)
-            sigma = compliance(2, 2)/scale
+            sigma = compliance(load, load)/scale
             chi = sigma - 1.0_wp
         else
             compliance = reflected_part(self%top, k*self%ends(2), compliance)
-            chi = compliance(2, 2)/scale
+            chi = compliance(load, load)/scale
             sigma = 1.0_wp + chi
         end if
-    end subroutine response
+    end subroutine carry
+
+    pure function surface_material(self) result(material)
+        class(graded_body_t), intent(in) :: self
+        type(material_t) :: material
+
+        material = self%surface
+    end function surface_material
+
+    pure subroutine shear_limits(self, in_plane, anti_plane)
+        class(graded_body_t), intent(in) :: self
+        real(wp), intent(out) :: in_plane, anti_plane
+
+        in_plane = self%in_plane_zero
+        anti_plane = self%anti_plane_zero
+    end subroutine shear_limits
 
     pure function surface_modulus(self) result(value)
         class(graded_body_t), intent(in) :: self

@@ -3,76 +3,59 @@
 !>
 !> The state y = (u, w, tau/(2 G k), sigma/(2 G k)), G that of the surface, obeys dy/dz = k A(z) y, so that the matrix from
 !> the bottom of the layer to its top is a power series in k whose terms are repeated integrals of A over z. They are taken
-!> with spectral accuracy: no staircase.
+!> with spectral accuracy: no staircase. Across the plane of the wave the state is (v, tau/(G k)).
 module mdrcontact_body_gradient
-    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: order, gradient_series, multiply_series, series_value, new_antiderivative
+    public :: order, gradient_series, in_plane_rate, anti_plane_rate, multiply_series, series_value
 
     !> Order of the series: exact to rounding for k times thickness up to 1/2.
     integer, parameter :: order = 20
 
 contains
 
-    !> Gauss-Legendre nodes on [0, 1], and the matrix that takes values there to integrals from 0 to each node (rows 1 to n)
-    !> and to 1 (row n + 1).
-    subroutine new_antiderivative(nodes, matrix, error)
-        real(wp), intent(out) :: nodes(:)
-        !> (n + 1, n)
-        real(wp), intent(out) :: matrix(:, :)
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp), dimension(size(nodes) + 1) :: ends, u, before, here, next
-        real(wp) :: weights(size(nodes))
-        integer :: j
-
-        call gauss_legendre(nodes, weights, error)
-        ends = [nodes, 1.0_wp]
-        u = 2.0_wp*ends - 1.0_wp
-        before = 1.0_wp
-        here = u
-        matrix = spread(ends, 2, size(nodes))*spread(weights, 1, size(ends))
-        do j = 1, size(nodes) - 1
-            ! (2 j + 1) int_0^t P_j(2 s - 1) ds = (P_(j+1) - P_(j-1))/2, times what takes values to the coefficient of P_j
-            next = (real(2*j + 1, wp)*u*here - real(j, wp)*before)/real(j + 1, wp)
-            matrix = matrix + spread(0.5_wp*(next - before), 2, size(nodes))*spread(weights*here(:size(nodes)), 1, size(ends))
-            before = here
-            here = next
-        end do
-    end subroutine new_antiderivative
-
-    !> The series (4, 4, 0:order) of the transfer matrix from the bottom to the top of a layer.
-    subroutine gradient_series(antiderivative, thickness, shear, poisson, series)
+    !> The series (m, m, 0:order) of the transfer matrix from the bottom to the top of a layer.
+    subroutine gradient_series(antiderivative, thickness, rate, series)
         real(wp), intent(in) :: antiderivative(:, :)
         real(wp), intent(in) :: thickness
-        !> G relative to the surface, and nu, at the nodes
-        real(wp), intent(in) :: shear(:), poisson(:)
-        real(wp), intent(out) :: series(4, 4, 0:order)
-        real(wp) :: rate(4, 4, size(shear)), term(4, 4, size(shear)), product(16, size(shear)), integral(16, size(shear) + 1)
-        integer :: i, n
+        !> A at the nodes (m, m, nodes)
+        real(wp), intent(in) :: rate(:, :, :)
+        real(wp), intent(out) :: series(:, :, 0:)
+        real(wp) :: term(size(rate, 1), size(rate, 1), size(rate, 3))
+        real(wp) :: product(size(rate, 1)**2, size(rate, 3)), integral(size(rate, 1)**2, size(rate, 3) + 1)
+        integer :: i, m, n, count
 
-        do i = 1, size(shear)
-            rate(:, :, i) = rate_at(shear(i), poisson(i))
-        end do
+        m = size(rate, 1)
+        count = size(rate, 3)
         term = 0.0_wp
         series = 0.0_wp
-        do i = 1, 4
+        do i = 1, m
             term(i, i, :) = 1.0_wp
             series(i, i, 0) = 1.0_wp
         end do
         do n = 1, order
-            do i = 1, size(shear)
-                product(:, i) = reshape(matmul(term(:, :, i), rate(:, :, i)), [16])
+            do i = 1, count
+                product(:, i) = reshape(matmul(term(:, :, i), rate(:, :, i)), [m*m])
             end do
             integral = -thickness*matmul(product, transpose(antiderivative))
-            term = reshape(integral(:, :size(shear)), shape(term))
-            series(:, :, n) = reshape(integral(:, size(shear) + 1), [4, 4])
+            term = reshape(integral(:, :count), shape(term))
+            series(:, :, n) = reshape(integral(:, count + 1), [m, m])
         end do
     end subroutine gradient_series
 
-    pure function rate_at(shear, poisson) result(rate)
+    !> A across the plane of the wave.
+    pure function anti_plane_rate(shear) result(rate)
+        !> G relative to the surface
+        real(wp), intent(in) :: shear
+        real(wp) :: rate(2, 2)
+
+        rate = reshape([0.0_wp, shear, 1.0_wp/shear, 0.0_wp], [2, 2])
+    end function anti_plane_rate
+
+    !> A in the plane of the wave.
+    pure function in_plane_rate(shear, poisson) result(rate)
+        !> G relative to the surface, and nu
         real(wp), intent(in) :: shear, poisson
         real(wp) :: rate(4, 4)
         real(wp) :: ratio
@@ -86,13 +69,13 @@ contains
         rate(3, 1) = shear/(1.0_wp - poisson)
         rate(3, 4) = ratio
         rate(4, 3) = -1.0_wp
-    end function rate_at
+    end function in_plane_rate
 
     !> product = product times factor.
     pure subroutine multiply_series(product, factor)
-        real(wp), intent(inout) :: product(4, 4, 0:order)
-        real(wp), intent(in) :: factor(4, 4, 0:order)
-        real(wp) :: result(4, 4, 0:order)
+        real(wp), contiguous, intent(inout) :: product(:, :, 0:)
+        real(wp), contiguous, intent(in) :: factor(:, :, 0:)
+        real(wp) :: result(size(product, 1), size(product, 1), 0:order)
         integer :: i, n
 
         result = 0.0_wp
@@ -106,9 +89,9 @@ contains
 
     !> The series at k.
     pure function series_value(series, k) result(value)
-        real(wp), intent(in) :: series(4, 4, 0:order)
+        real(wp), contiguous, intent(in) :: series(:, :, 0:)
         complex(wp), intent(in) :: k
-        complex(wp) :: value(4, 4)
+        complex(wp) :: value(size(series, 1), size(series, 1))
         integer :: n
 
         value = series(:, :, order)

@@ -41,10 +41,16 @@ module mdrcontact_body_stack
         !> total thickness [length]
         real(wp), private :: total_thickness = 0.0_wp
         !> the power series in k of all layers' transfer matrix with the base below them, what the surface compliance takes of
-        !> it: (2, 1) and (2, 2) of the displacements, then (1, 1), (1, 2), (2, 1), (2, 2) of the tractions
-        real(wp), private :: series(6, 0:series_order) = 0.0_wp
+        !> it: (1, 1), (1, 2), (2, 1), (2, 2) of the displacements, then the same of the tractions
+        real(wp), private :: series(8, 0:series_order) = 0.0_wp
+        !> sigma(0) under shear across the plane, G of the first layer over that of the base, and in the plane; 0 if rigid
+        real(wp), private :: base_compliance = 0.0_wp, in_plane_zero = 0.0_wp
     contains
         procedure :: response
+        procedure :: in_plane_response
+        procedure :: anti_plane_response
+        procedure :: surface_material
+        procedure :: shear_limits
         procedure :: surface_modulus
         procedure :: long_wave_limit
         procedure :: first_depth
@@ -127,6 +133,8 @@ contains
         if (.not. rigid) then
             self%base = half_space_compliance(substrate%poisson)*(surface%shear()/substrate%shear())
             self%sigma_zero = surface%contact()/substrate%contact()
+            self%base_compliance = surface%shear()/substrate%shear()
+            self%in_plane_zero = self%base_compliance*(1.0_wp - substrate%poisson)/(1.0_wp - surface%poisson)
         end if
         self%series = with_base(series, real(self%base, wp))
         if (count == 1) self%film = new_film(surface%poisson, substrate%poisson, &
@@ -136,13 +144,13 @@ contains
     !> What the surface compliance takes of a series of transfer matrices above a base.
     pure function with_base(transfer, base) result(series)
         real(wp), intent(in) :: transfer(4, 4, 0:series_order), base(2, 2)
-        real(wp) :: series(6, 0:series_order)
-        real(wp) :: rows(2:4, 2)
+        real(wp) :: series(8, 0:series_order)
+        real(wp) :: rows(4, 2)
         integer :: n
 
         do n = 0, series_order
-            rows = matmul(transfer(2:4, 1:2, n), base) + transfer(2:4, 3:4, n)
-            series(:, n) = [rows(2, :), rows(3, :), rows(4, :)]
+            rows = matmul(transfer(:, 1:2, n), base) + transfer(:, 3:4, n)
+            series(:, n) = [rows(1, :), rows(2, :), rows(3, :), rows(4, :)]
         end do
     end function with_base
 
@@ -153,66 +161,146 @@ contains
         answer = one%young == other%young .and. one%poisson == other%poisson
     end function same
 
-    !> Carries the compliance from the deepest layer that matters at this k up to the surface.
+    !> Under normal load.
     pure subroutine response(self, k, sigma, chi)
         class(stack_t), intent(in) :: self
         complex(wp), intent(in) :: k
         complex(wp), intent(out) :: sigma, chi
+
+        if (size(self%h) == 1) then
+            call self%film%response(k*self%h(1), sigma, chi)
+        else
+            call carry(self, k, 2, sigma, chi)
+        end if
+    end subroutine response
+
+    !> Under shear in the plane of the wave.
+    pure subroutine in_plane_response(self, k, sigma, chi)
+        class(stack_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: sigma, chi
+
+        if (size(self%h) == 1) then
+            call self%film%in_plane_response(k*self%h(1), sigma, chi)
+        else
+            call carry(self, k, 1, sigma, chi)
+        end if
+    end subroutine in_plane_response
+
+    !> Carries the compliance from the deepest layer that matters at this k up to the surface.
+    pure subroutine carry(self, k, load, sigma, chi)
+        class(stack_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        !> the traction and its displacement: 1 in the plane, 2 normal to the surface
+        integer, intent(in) :: load
+        complex(wp), intent(out) :: sigma, chi
         complex(wp) :: compliance(2, 2), t
-        real(wp) :: depth, scale
-        integer :: i, last
+        real(wp) :: scale
+        integer :: i, seen
 
         sigma = 1.0_wp
         chi = 0.0_wp
         if (size(self%h) == 0) return
-        if (size(self%h) == 1) then
-            call self%film%response(k*self%h(1), sigma, chi)
-            return
-        end if
-        scale = real(self%modes(1)%half_space(2, 2), wp)
+        scale = real(self%modes(1)%half_space(load, load), wp)
         if (abs(k)*self%total_thickness < longest) then
-            sigma = long_wave_compliance(self%series, k)/scale
+            sigma = long_wave_compliance(self%series, k, load)/scale
             chi = sigma - 1.0_wp
             return
         end if
         compliance = self%base
-        depth = 0.0_wp
-        do last = 1, size(self%h)
-            if (last > 1) depth = depth + self%h(last)*real(k, wp)
-            if (depth > deepest .and. last < size(self%h)) then
-                compliance = self%modes(last)%half_space/self%shear(last)
-                exit
-            end if
-        end do
-        do i = min(last, size(self%h) + 1) - 1, 2, -1
+        seen = layers_seen(self, k)
+        if (seen < size(self%h)) compliance = self%modes(seen + 1)%half_space/self%shear(seen + 1)
+        do i = seen, 2, -1
             compliance = compliance_above(self%modes(i), k*self%h(i), self%shear(i)*compliance)/self%shear(i)
         end do
         t = k*self%h(1)
         if (abs(t) < 1.0_wp) then
             compliance = compliance_above(self%modes(1), t, compliance)
-            sigma = compliance(2, 2)/scale
+            sigma = compliance(load, load)/scale
             chi = sigma - 1.0_wp
         else
             compliance = reflected_part(self%modes(1), t, compliance)
-            chi = compliance(2, 2)/scale
+            chi = compliance(load, load)/scale
             sigma = 1.0_wp + chi
         end if
-    end subroutine response
+    end subroutine carry
 
-    !> Entry (2, 2) of displacements times the inverse of tractions.
-    pure function long_wave_compliance(series, k) result(compliance)
-        real(wp), intent(in) :: series(6, 0:series_order)
+    !> How many layers matter at this k; the one below them may be taken for a half-space.
+    pure function layers_seen(self, k) result(count)
+        class(stack_t), intent(in) :: self
         complex(wp), intent(in) :: k
+        integer :: count
+        real(wp) :: depth
+
+        depth = 0.0_wp
+        do count = 1, size(self%h) - 2
+            depth = depth + self%h(count + 1)*real(k, wp)
+            if (depth > deepest) return
+        end do
+        count = size(self%h)
+    end function layers_seen
+
+    !> Entry (load, load) of displacements times the inverse of tractions.
+    pure function long_wave_compliance(series, k, load) result(compliance)
+        real(wp), intent(in) :: series(8, 0:series_order)
+        complex(wp), intent(in) :: k
+        integer, intent(in) :: load
         complex(wp) :: compliance
-        complex(wp) :: rows(6)
+        complex(wp) :: rows(8)
         integer :: n
 
         rows = series(:, series_order)
         do n = series_order - 1, 0, -1
             rows = series(:, n) + k*rows
         end do
-        compliance = (rows(2)*rows(3) - rows(1)*rows(4))/(rows(3)*rows(6) - rows(4)*rows(5))
+        if (load == 1) then
+            compliance = rows(1)*rows(8) - rows(2)*rows(7)
+        else
+            compliance = rows(4)*rows(5) - rows(3)*rows(6)
+        end if
+        compliance = compliance/(rows(5)*rows(8) - rows(6)*rows(7))
     end function long_wave_compliance
+
+    !> Under shear across the plane: y = k C_T G of a layer goes from its bottom to its top as (y + tanh kh)/(1 + y tanh kh).
+    pure subroutine anti_plane_response(self, k, sigma, chi)
+        class(stack_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: sigma, chi
+        complex(wp) :: below, fall, rise
+        integer :: i, seen
+
+        sigma = 1.0_wp
+        chi = 0.0_wp
+        below = self%base_compliance
+        seen = layers_seen(self, k)
+        if (seen < size(self%h)) below = 1.0_wp/self%shear(seen + 1)
+        do i = seen, 1, -1
+            below = self%shear(i)*below
+            ! 1 - tanh, and tanh
+            fall = exp(-2.0_wp*k*self%h(i))
+            fall = 2.0_wp*fall/(1.0_wp + fall)
+            rise = tanh(k*self%h(i))
+            sigma = (below + rise)/(1.0_wp + below*rise)
+            chi = (below - 1.0_wp)*fall/(1.0_wp + below*rise)
+            below = sigma/self%shear(i)
+        end do
+    end subroutine anti_plane_response
+
+    pure function surface_material(self) result(material)
+        class(stack_t), intent(in) :: self
+        type(material_t) :: material
+
+        material = self%substrate
+        if (size(self%layers) > 0) material = self%layers(1)
+    end function surface_material
+
+    pure subroutine shear_limits(self, in_plane, anti_plane)
+        class(stack_t), intent(in) :: self
+        real(wp), intent(out) :: in_plane, anti_plane
+
+        in_plane = self%in_plane_zero
+        anti_plane = self%base_compliance
+    end subroutine shear_limits
 
     pure function surface_modulus(self) result(value)
         class(stack_t), intent(in) :: self

@@ -6,16 +6,19 @@
 module mdrcontact_layered_exact
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_body, only: body_t
+    use mdrcontact_body_sheared, only: new_sheared_body, sheared_body_t
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_field_load, only: load_t
     use mdrcontact_field_profile_load, only: new_profile_load, profile_load_t
+    use mdrcontact_field_slip, only: slip_t
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_combine, only: add_kernels
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
+    use mdrcontact_layered_slip, only: layered_slip_t, new_layered_slip
     use mdrcontact_layered_solve, only: solution_t, solve
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium, only: lower_body, medium_t, upper_body
@@ -67,6 +70,8 @@ module mdrcontact_layered_exact
         procedure :: take_share
         procedure :: energies
         procedure :: surface_load
+        procedure :: new_tangential
+        procedure :: new_slip
     end type layered_exact_t
 
     !> The exact medium of a body, or of layers on a substrate.
@@ -432,5 +437,72 @@ contains
                               self%pressed%first_depth())
         call move_alloc(own, load)
     end subroutine surface_load
+
+    !> The same body under shear; of two, their compliances add.
+    subroutine new_tangential(self, tangential, error)
+        class(layered_exact_t), intent(in) :: self
+        class(medium_t), allocatable, intent(out) :: tangential
+        type(error_t), allocatable, intent(out) :: error
+        type(layered_exact_t) :: own, lower, upper
+
+        if (allocated(self%parts)) then
+            call new_under_shear(lower, self, self%pressed, self%parts(lower_body)%share, error)
+            if (.not. allocated(error)) call new_under_shear(upper, self, self%counterbody, self%parts(upper_body)%share, error)
+            if (.not. allocated(error)) call new_exact_pair(own, lower, upper, error)
+        else
+            call new_under_shear(own, self, self%pressed, 1.0_wp, error)
+        end if
+        if (.not. allocated(error)) allocate (tangential, source=own)
+    end subroutine new_tangential
+
+    !> One body under shear.
+    subroutine new_under_shear(medium, normal, body, share, error)
+        type(layered_exact_t), intent(out) :: medium
+        type(layered_exact_t), intent(in) :: normal
+        class(body_t), allocatable, intent(in) :: body
+        !> its part of the compliance, 0 if it is rigid
+        real(wp), intent(in) :: share
+        type(error_t), allocatable, intent(out) :: error
+        type(sheared_body_t) :: sheared
+
+        if (allocated(body)) then
+            call new_sheared_body(sheared, body)
+            call new_exact_from_body(medium, sheared, error, normal%tolerance)
+        else if (share > 0.0_wp) then
+            call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
+                       "not known: give E and nu")
+        else
+            medium%surface_modulus = ieee_value(1.0_wp, ieee_positive_inf)
+            medium%tolerance = largest_tolerance
+        end if
+    end subroutine new_under_shear
+
+    subroutine new_slip(self, tangential, profile, a, excess, slip, error)
+        class(layered_exact_t), intent(in) :: self
+        class(medium_t), intent(in) :: tangential
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        class(slip_t), allocatable, intent(out) :: slip
+        type(error_t), allocatable, intent(out) :: error
+        type(layered_slip_t), allocatable :: own
+        type(line_load_t) :: springs
+        real(wp), allocatable :: sheared(:)
+
+        call new_line_load(springs, self%kernel, self%tolerance, profile, a, excess, error)
+        if (allocated(error)) return
+        allocate (sheared, mold=springs%q)
+        select type (tangential)
+        class is (layered_exact_t)
+            call springs%part_of(tangential%kernel, sheared, error)
+            if (allocated(error)) return
+            allocate (own)
+            call new_layered_slip(own, self, tangential, profile, springs, sheared, excess, &
+                                  merge(0.0_wp, tangential%kernel%unit, tangential%kernel%vanishes), &
+                                  self%surface_modulus/tangential%surface_modulus, error)
+        class default
+            call raise(error, error_invalid, "the medium under shear must be that of new_tangential")
+        end select
+        if (.not. allocated(error)) call move_alloc(own, slip)
+    end subroutine new_slip
 
 end module mdrcontact_layered_exact

@@ -10,6 +10,7 @@ module mdrcontact_layered_moments
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: normalisation
     use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
+    use mdrcontact_layered_slip_profile, only: slip_profile_t
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -25,7 +26,7 @@ module mdrcontact_layered_moments
 contains
 
     !> G_0 ... G_(m-1) [length].
-    subroutine profile_moments(profile, a, g, error)
+    recursive subroutine profile_moments(profile, a, g, error)
         class(profile_t), intent(in) :: profile
         !> contact radius [length]
         real(wp), intent(in) :: a
@@ -34,6 +35,12 @@ contains
         real(wp), allocatable :: exponents(:), coefficients(:)
         integer :: i
 
+        select type (profile)
+        type is (slip_profile_t)
+            call profile_moments(profile%base, a, g, error)
+            if (.not. allocated(error)) call profile%moments(a, g, error)
+            return
+        end select
         call profile%powers(exponents, coefficients)
         g = 0.0_wp
         if (size(exponents) > 0) then
@@ -47,11 +54,16 @@ contains
     end subroutine profile_moments
 
     !> Whether g is a polynomial in x^2, with few coefficients.
-    pure function is_smooth(profile) result(answer)
+    pure recursive function is_smooth(profile) result(answer)
         class(profile_t), intent(in) :: profile
         logical :: answer
         real(wp), allocatable :: exponents(:), coefficients(:)
 
+        select type (profile)
+        type is (slip_profile_t)
+            answer = is_smooth(profile%base)
+            return
+        end select
         call profile%powers(exponents, coefficients)
         answer = size(exponents) > 0 .and. all(modulo(exponents, 2.0_wp) == 0.0_wp)
     end function is_smooth

@@ -6,8 +6,10 @@ module mdrcontact_medium_effective
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_error, only: error_t
     use mdrcontact_field_load, only: load_t
+    use mdrcontact_field_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_superposed_slip, only: new_superposed_slip, superposed_slip_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
     implicit none (type, external)
@@ -35,6 +37,7 @@ module mdrcontact_medium_effective
         !> what the upper body takes of the depth of the non-adhesive contact [length]
         procedure :: upper_depth
         procedure :: surface_load
+        procedure :: new_slip
     end type effective_medium_t
 
     !> q' = -E_eff(x) g'(x), equation (21); an adhesive edge adds the constant E_eff(a) excess.
@@ -350,6 +353,20 @@ contains
         call own%mark_axis()
         call move_alloc(own, load)
     end subroutine surface_load
+
+    subroutine new_slip(self, tangential, profile, a, excess, slip, error)
+        class(effective_medium_t), intent(in) :: self
+        class(medium_t), intent(in) :: tangential
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        class(slip_t), allocatable, intent(out) :: slip
+        type(error_t), allocatable, intent(out) :: error
+        type(superposed_slip_t), allocatable :: own
+
+        allocate (own)
+        call new_superposed_slip(own, self, tangential, profile, a, excess, error)
+        if (.not. allocated(error)) call move_alloc(own, slip)
+    end subroutine new_slip
 
     pure function slope(self, x) result(y)
         class(effective_load_t), intent(in) :: self

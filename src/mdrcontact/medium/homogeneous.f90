@@ -3,9 +3,10 @@
 module mdrcontact_medium_homogeneous
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_positive, error_t
+    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: in_series, material_t
+    use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -27,6 +28,7 @@ module mdrcontact_medium_homogeneous
         procedure :: is_rigid
         procedure :: upper_share
         procedure :: half_space_modulus
+        procedure :: new_tangential
     end type homogeneous_t
 
 contains
@@ -147,5 +149,33 @@ contains
         end associate
         answer = .true.
     end function is_cheap
+
+    !> The half-space of modulus G*; of two, 1/G* = 1/G1* + 1/G2*.
+    subroutine new_tangential(self, tangential, error)
+        class(homogeneous_t), intent(in) :: self
+        class(medium_t), allocatable, intent(out) :: tangential
+        type(error_t), allocatable, intent(out) :: error
+        type(homogeneous_t) :: own
+        type(material_t) :: material
+        real(wp) :: moduli(2)
+
+        moduli = ieee_value(1.0_wp, ieee_positive_inf)
+        if (allocated(self%pressed)) then
+            material = self%pressed%surface_material()
+            moduli(1) = material%tangential()
+        end if
+        if (allocated(self%counterbody)) then
+            material = self%counterbody%surface_material()
+            moduli(2) = material%tangential()
+        end if
+        if ((.not. allocated(self%pressed) .and. self%share_of_upper < 1.0_wp) .or. &
+            (.not. allocated(self%counterbody) .and. self%share_of_upper > 0.0_wp)) then
+            call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
+                       "not known: give E and nu")
+            return
+        end if
+        own%contact_modulus = in_series(moduli(1), moduli(2))
+        allocate (tangential, source=own)
+    end subroutine new_tangential
 
 end module mdrcontact_medium_homogeneous

@@ -14,7 +14,7 @@ module mdrcontact_numerics_quadrature
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: gauss_legendre, graded_rule, graded_edges, merged_breaks, smallest_panel_ratio
+    public :: gauss_legendre, graded_rule, graded_edges, merged_breaks, new_antiderivative, smallest_panel_ratio
 
     !> Nodes in a panel: a panel's nearest singularity lies at least a third of its length away, where 20 nodes give 1e-16.
     integer, parameter :: nodes_per_panel = 20
@@ -50,6 +50,32 @@ contains
         end do
         call gsl_integration_glfixed_table_free(table)
     end subroutine gauss_legendre
+
+    !> Gauss-Legendre nodes on [0, 1], and the matrix that takes values there to integrals from 0 to each node (rows 1 to n)
+    !> and to 1 (row n + 1).
+    subroutine new_antiderivative(nodes, matrix, error)
+        real(wp), intent(out) :: nodes(:)
+        !> (n + 1, n)
+        real(wp), intent(out) :: matrix(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), dimension(size(nodes) + 1) :: ends, u, before, here, next
+        real(wp) :: weights(size(nodes))
+        integer :: j
+
+        call gauss_legendre(nodes, weights, error)
+        ends = [nodes, 1.0_wp]
+        u = 2.0_wp*ends - 1.0_wp
+        before = 1.0_wp
+        here = u
+        matrix = spread(ends, 2, size(nodes))*spread(weights, 1, size(ends))
+        do j = 1, size(nodes) - 1
+            ! (2 j + 1) int_0^t P_j(2 s - 1) ds = (P_(j+1) - P_(j-1))/2, times what takes values to the coefficient of P_j
+            next = (real(2*j + 1, wp)*u*here - real(j, wp)*before)/real(j + 1, wp)
+            matrix = matrix + spread(0.5_wp*(next - before), 2, size(nodes))*spread(weights*here(:size(nodes)), 1, size(ends))
+            before = here
+            here = next
+        end do
+    end subroutine new_antiderivative
 
     !> Nodes s and weights ds of a composite rule over [lower, upper], graded towards 0, away from `breaks`
     !> and towards `singular_end` (the radius above `upper` where the integrand may blow up; huge() if none).

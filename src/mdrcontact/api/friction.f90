@@ -1,0 +1,188 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Contacts with friction, for C.
+module mdrcontact_api_friction
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, check_results_or_infinity
+    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_positive, count_text, error_invalid, error_t, raise, raise_at
+    use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
+    implicit none (type, external)
+    private
+    public :: mdr_friction_new, mdr_friction_states, mdr_friction_sliding, mdr_friction_field, mdr_friction_loop
+
+    !> enum mdr_tangential_given, enum mdr_tangential_field
+    integer(c_int), parameter :: given_shift = 1_c_int, given_tangential_force = 2_c_int
+    integer(c_int), parameter :: field_traction = 1_c_int, field_line_load = 2_c_int
+
+contains
+
+    function mdr_friction_new(c, coefficient, out) result(status) bind(C)
+        type(c_ptr), value :: c
+        real(c_double), value :: coefficient
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        type(friction_t) :: friction
+        type(error_t), allocatable :: error
+
+        call open_handle(c, "c", contact, error)
+        if (.not. allocated(error)) call new_friction(friction, contact, coefficient, error)
+        status = deliver(friction, out, error)
+    end function mdr_friction_new
+
+    !> First shear of a normal state.
+    subroutine shear_of(f, state, shear, error)
+        type(c_ptr), intent(in) :: f
+        type(contact_state_t), intent(in), optional :: state
+        type(first_shear_t), intent(out) :: shear
+        type(error_t), allocatable, intent(inout) :: error
+        type(friction_t), pointer :: friction
+
+        call open_handle(f, "f", friction, error)
+        call check_given(error, "state", present(state))
+        if (.not. allocated(error)) call friction%first_shear(state, shear, error)
+    end subroutine shear_of
+
+    subroutine solve(shear, given, value, state, error)
+        type(first_shear_t), intent(in) :: shear
+        integer(c_int), intent(in) :: given
+        real(c_double), intent(in) :: value
+        type(tangential_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+
+        select case (given)
+        case (given_shift)
+            call shear%at_shift(value, state, error)
+        case (given_tangential_force)
+            call shear%at_tangential_force(value, state, error)
+        case default
+            call raise(error, error_invalid, "given = "//count_text(int(given))//" is not allowed: it must be 1 (shift) or "// &
+                       "2 (tangential force)")
+        end select
+    end subroutine solve
+
+    function mdr_friction_states(f, state, given, n, in, out) result(status) bind(C)
+        type(c_ptr), value :: f
+        type(contact_state_t), intent(in), optional :: state
+        integer(c_int), value :: given, n
+        real(c_double), intent(in), optional :: in(*)
+        type(tangential_state_t), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(first_shear_t) :: shear
+        type(tangential_state_t), allocatable :: states(:)
+        type(error_t), allocatable :: error
+        integer :: i, stat
+
+        call check_in_out(error, n, "in", present(in), present(out))
+        if (.not. allocated(error)) call shear_of(f, state, shear, error)
+        if (.not. allocated(error)) then
+            allocate (states(n), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) then
+            do i = 1, n
+                call solve(shear, given, in(i), states(i), error)
+                if (.not. allocated(error)) cycle
+                call raise_at(error, i)
+                exit
+            end do
+        end if
+        if (.not. allocated(error) .and. n > 0) then
+            call check_results(error, states%tangential_force)
+            call check_results(error, states%shift)
+            if (.not. allocated(error)) out(:n) = states
+        end if
+        status = status_of(error)
+    end function mdr_friction_states
+
+    function mdr_friction_sliding(f, state, shift, force) result(status) bind(C)
+        type(c_ptr), value :: f
+        type(contact_state_t), intent(in), optional :: state
+        real(c_double), intent(inout), optional :: shift, force
+        integer(c_int) :: status
+        type(first_shear_t) :: shear
+        type(error_t), allocatable :: error
+
+        call shear_of(f, state, shear, error)
+        if (.not. allocated(error)) call check_results(error, [shear%sliding_shift, shear%sliding_force])
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(shift)) shift = shear%sliding_shift
+        if (present(force)) force = shear%sliding_force
+    end function mdr_friction_sliding
+
+    function mdr_friction_field(f, state, shear, field, n, r, out) result(status) bind(C)
+        type(c_ptr), value :: f
+        type(contact_state_t), intent(in), optional :: state
+        type(tangential_state_t), intent(in), optional :: shear
+        integer(c_int), value :: field, n
+        real(c_double), intent(in), optional :: r(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(first_shear_t) :: sheared
+        real(c_double), allocatable :: values(:)
+        type(error_t), allocatable :: error
+        integer :: stat
+
+        call check_given(error, "shear", present(shear))
+        call check_in_out(error, n, "r", present(r), present(out))
+        if (all(field /= [field_traction, field_line_load])) then
+            call raise(error, error_invalid, "field = "//count_text(int(field))//" is not allowed: it must be 1 (traction) or "// &
+                       "2 (line load)")
+        end if
+        if (.not. allocated(error)) call shear_of(f, state, sheared, error)
+        if (.not. allocated(error)) then
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error) .and. n > 0) then
+            if (field == field_traction) then
+                call sheared%traction(shear, r(:n), values, error)
+            else
+                call sheared%line_load(shear, r(:n), values, error)
+            end if
+            if (.not. allocated(error)) call check_results_or_infinity(error, values)
+            if (.not. allocated(error)) out(:n) = values
+        end if
+        status = status_of(error)
+    end function mdr_friction_field
+
+    function mdr_friction_loop(f, state, given, amplitude, n, shift, force, dissipated) result(status) bind(C)
+        type(c_ptr), value :: f
+        type(contact_state_t), intent(in), optional :: state
+        integer(c_int), value :: given, n
+        real(c_double), value :: amplitude
+        real(c_double), intent(inout), optional :: shift(*), force(*), dissipated
+        integer(c_int) :: status
+        type(first_shear_t) :: shear
+        type(tangential_state_t) :: turn
+        real(c_double), allocatable :: shifts(:), forces(:)
+        type(error_t), allocatable :: error
+        integer :: stat
+        integer(c_int), parameter :: fewest = 3_c_int
+
+        call check_count(error, n)
+        if (n < fewest) call raise(error, error_invalid, "n = "//count_text(int(n))//" is not allowed: it must be at least 3")
+        call check_array(error, "shift", n, present(shift))
+        call check_array(error, "force", n, present(force))
+        call check_given(error, "dissipated", present(dissipated))
+        call check_positive(error, "amplitude", amplitude)
+        if (.not. allocated(error)) call shear_of(f, state, shear, error)
+        if (.not. allocated(error)) call solve(shear, given, amplitude, turn, error)
+        if (.not. allocated(error)) then
+            allocate (shifts(n), forces(n), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) call shear%loop(turn, shifts, forces, error)
+        if (.not. allocated(error)) call check_results(error, [shifts, forces])
+        status = status_of(error)
+        if (allocated(error)) return
+        shift(:n) = shifts
+        force(:n) = forces
+        dissipated = 4.0_c_double*turn%dissipated_energy
+    end function mdr_friction_loop
+
+end module mdrcontact_api_friction

@@ -1,0 +1,154 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> First shear of a contact under constant normal force, for a coefficient of friction of 1: the disc of stick shrinks from the
+!> contact radius a while the indenter is displaced by s along the surface, and the tangential force T rises.
+!>
+!> In terms of the stick radius c everything follows from two functions, sigma(c) = -ds/dc and the stiffness of a full contact of
+!> that radius, k_t(c), because dT/ds = k_t(c):
+!>     s = int_c^a sigma db,    T = int_c^a k_t sigma db,    D = int_c^a (s - s(b)) s(b) k_t'(b) db,
+!> D the energy dissipated. All integrands are positive: nothing cancels, however little slips. With a coefficient of friction mu,
+!> s and T are mu times, D is mu^2 times as large at the same stick radius.
+module mdrcontact_field_slip
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: new_antiderivative
+    implicit none (type, external)
+    private
+    public :: beside, slip_t, thin
+
+    !> Nodes in a panel of stick radii.
+    integer, parameter :: nodes = 12
+    !> Annuli of slip thinner than this part of the radius: s and T, differences where they are known, are integrated.
+    real(wp), parameter :: thin = 0.01_wp
+    !> How close to a singular point of the pressure the traction is taken, relative.
+    real(wp), parameter :: close = 1.0e-9_wp
+
+    !> First shear of one normal state. Media give what fits them.
+    type, abstract :: slip_t
+        !> contact radius a [length] and normal force F [modulus length^2]
+        real(wp) :: radius = 0.0_wp, force = 0.0_wp
+        !> shift at which sliding begins [length], and the stick radius just before it: the indenter's flat end, if it has one
+        real(wp) :: sliding_shift = 0.0_wp, smallest_stick = 0.0_wp
+        !> shift up to which nothing slips [length], greater than 0 under an indenter with a vertical wall, and k_t(a)
+        real(wp) :: first_shift = 0.0_wp, stiffness = 0.0_wp
+    contains
+        !> s where the medium knows it directly, sigma, k_t and k_t' at stick radii
+        procedure(rates_at), deferred :: rates
+        !> radii between which these are integrated, and whether a square root starts at the lower end of each interval
+        procedure(panels_from), deferred :: panels
+        !> s and T of a stick radius
+        procedure(state_at), deferred :: at
+        !> q_t(x) [modulus length] and tau(r) [modulus] of a stick radius, 0 <= x, r <= a
+        procedure(field_at), deferred :: line_load, traction
+        procedure, non_overridable :: integrate
+    end type slip_t
+
+    abstract interface
+        subroutine rates_at(self, c, shift, shift_rate, stiffness, stiffness_slope, error)
+            import :: error_t, slip_t, wp
+            class(slip_t), intent(in) :: self
+            !> stick radii, smallest_stick < c <= a [length]
+            real(wp), intent(in) :: c(:)
+            !> s [length], -ds/dc [1], k_t [modulus length], dk_t/dc [modulus]; same size as c. A shift of 0 is not known
+            real(wp), intent(out) :: shift(:), shift_rate(:), stiffness(:), stiffness_slope(:)
+            type(error_t), allocatable, intent(out) :: error
+        end subroutine rates_at
+
+        subroutine panels_from(self, c, edges, has_root, error)
+            import :: error_t, slip_t, wp
+            class(slip_t), intent(in) :: self
+            real(wp), intent(in) :: c
+            !> ascending from c to a
+            real(wp), allocatable, intent(out) :: edges(:)
+            !> one entry less
+            logical, allocatable, intent(out) :: has_root(:)
+            type(error_t), allocatable, intent(inout) :: error
+        end subroutine panels_from
+
+        subroutine state_at(self, c, width, shift, force, stiffness, shift_rate, error)
+            import :: error_t, slip_t, wp
+            class(slip_t), intent(in) :: self
+            !> stick radius, and a - c without cancellation [length]
+            real(wp), intent(in) :: c, width
+            !> s [length], T [modulus length^2], k_t(c) [modulus length] and -ds/dc [1]
+            real(wp), intent(out) :: shift, force, stiffness, shift_rate
+            type(error_t), allocatable, intent(out) :: error
+        end subroutine state_at
+
+        subroutine field_at(self, c, r, values, error)
+            import :: error_t, slip_t, wp
+            class(slip_t), intent(in) :: self
+            !> stick radius, smallest_stick <= c <= a [length]
+            real(wp), intent(in) :: c
+            !> positions [length]
+            real(wp), intent(in) :: r(:)
+            real(wp), intent(out) :: values(:)
+            type(error_t), allocatable, intent(out) :: error
+        end subroutine field_at
+    end interface
+
+contains
+
+    !> s, T and D of a stick radius by integration; D alone needs it where s and T are known and no small differences.
+    subroutine integrate(self, c, width, shift, force, dissipated, error, known_shift)
+        class(slip_t), intent(in) :: self
+        !> stick radius, and a - c without cancellation [length]
+        real(wp), intent(in) :: c, width
+        !> s [length], T [modulus length^2], D [modulus length^3]
+        real(wp), intent(out) :: shift, force, dissipated
+        type(error_t), allocatable, intent(out) :: error
+        !> s where it is known already; D is that of this shift
+        real(wp), intent(in), optional :: known_shift
+        real(wp), allocatable :: edges(:)
+        logical, allocatable :: has_root(:)
+        real(wp) :: t(nodes), antiderivative(nodes + 1, nodes), b(nodes), db(nodes), rate(nodes), stiffness(nodes), slope(nodes)
+        real(wp) :: within(nodes + 1), here(nodes), known(nodes), length
+        !> int s k_t' db and int s^2 k_t' db over the panels passed
+        real(wp) :: first, second
+        integer :: i
+
+        shift = self%first_shift
+        force = self%stiffness*self%first_shift
+        dissipated = 0.0_wp
+        if (.not. width > 0.0_wp) return
+        call new_antiderivative(t, antiderivative, error)
+        if (.not. allocated(error)) call self%panels(c, edges, has_root, error)
+        if (allocated(error)) return
+        first = 0.0_wp
+        second = 0.0_wp
+        do i = size(edges) - 1, 1, -1
+            length = edges(i + 1) - edges(i)
+            if (size(edges) == 2) length = width
+            if (has_root(i)) then
+                b = edges(i) + length*t**2
+                db = 2.0_wp*length*t
+            else
+                b = edges(i) + length*t
+                db = length
+            end if
+            call self%rates(b, known, rate, stiffness, slope, error)
+            if (allocated(error)) return
+            ! from the lower end of the panel to each node, and to its upper end
+            within = matmul(antiderivative, rate*db)
+            here = shift + (within(nodes + 1) - within(:nodes))
+            if (width > thin*self%radius) here = merge(known, here, known > 0.0_wp)
+            shift = shift + within(nodes + 1)
+            force = force + dot_product(antiderivative(nodes + 1, :), rate*stiffness*db)
+            first = first + dot_product(antiderivative(nodes + 1, :), here*slope*db)
+            second = second + dot_product(antiderivative(nodes + 1, :), here**2*slope*db)
+        end do
+        if (present(known_shift)) shift = known_shift
+        dissipated = shift*first - second
+    end subroutine integrate
+
+    !> Where a traction that is the difference of two pressures is taken in the disc of stick: beside the apex and the edge of a
+    !> flat end, where both may be infinite.
+    elemental function beside(r, c, end_radius) result(near)
+        !> position, stick radius and radius of the flat end [length]
+        real(wp), intent(in) :: r, c, end_radius
+        real(wp) :: near
+
+        near = r
+        if (r < c .and. (r <= 0.0_wp .or. r == end_radius)) near = max((1.0_wp + close)*r, close*c)
+    end function beside
+
+end module mdrcontact_field_slip

@@ -1,0 +1,379 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A contact under Coulomb's law of friction: partial slip at constant normal force (theory 10).
+!>
+!> The indenter is displaced by the shift s along the surface. A disc of stick shrinks from the contact radius to 0, where sliding
+!> begins. Neglected are the displacement that varies as cos 2 phi around the axis and the effect of the shear on the pressure.
+module mdrcontact_history_friction
+    use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
+                                error_unreachable, raise, to_text
+    use mdrcontact_field_slip, only: slip_t
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_numerics_roots, only: solve_increasing
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    implicit none (type, external)
+    private
+    public :: friction_t, new_friction, tangential_state_t, first_shear_t
+
+    !> A negative pressure of this part of the mean pressure is more than the solver's error.
+    real(wp), parameter :: noticeable = 1.0e-4_wp
+    !> ln(1 - c^2/a^2) at least: what slips less does not change a double.
+    real(wp), parameter :: least = -700.0_wp
+    !> And at most: c = 1e-6 a. Below c = 0.01 a the shift of a cone rises too steeply with it for its slope to tell the way.
+    real(wp), parameter :: most = -1.0e-12_wp, steep = 0.01_wp
+
+    !> A state of partial slip, C's struct mdr_tangential_state.
+    type, bind(C) :: tangential_state_t
+        !> s, of the indenter along the surface [length]
+        real(c_double) :: shift = 0.0_c_double
+        !> T [modulus length^2]
+        real(c_double) :: tangential_force = 0.0_c_double
+        !> c, 0 where the contact slides [length]
+        real(c_double) :: stick_radius = 0.0_c_double
+        !> dT/ds = k_t(c) [modulus length]
+        real(c_double) :: stiffness = 0.0_c_double
+        !> energy dissipated since s = 0 [modulus length^3]
+        real(c_double) :: dissipated_energy = 0.0_c_double
+        !> 1 if the whole contact slides, else 0
+        real(c_double) :: sliding = 0.0_c_double
+    end type tangential_state_t
+
+    !> A contact and its coefficient of friction. It never changes; any number of threads may share it.
+    type :: friction_t
+        !> to be read only
+        type(contact_t) :: contact
+        real(wp) :: coefficient = 0.0_wp
+        !> what answers to a shift as the contact's medium does to a depth: its modulus is G_t(a) = k_t(a)/(2 a)
+        class(medium_t), allocatable :: tangential
+    contains
+        procedure :: first_shear
+    end type friction_t
+
+    !> One normal state of it, sheared for the first time.
+    type :: first_shear_t
+        private
+        class(slip_t), allocatable :: slip
+        real(wp) :: coefficient = 0.0_wp
+        !> contact radius a [length], mu F [modulus length^2] and the shift at which sliding begins [length]
+        real(wp), public :: radius = 0.0_wp, sliding_force = 0.0_wp, sliding_shift = 0.0_wp
+    contains
+        procedure :: at_shift
+        procedure :: at_tangential_force
+        procedure :: loop
+        procedure :: line_load
+        procedure :: traction
+    end type first_shear_t
+
+    !> ln of s or T over what is asked for, of x = ln(1 - c^2/a^2).
+    type, extends(scalar_function_t) :: shear_equation_t
+        class(slip_t), pointer :: slip => null()
+        real(wp) :: target = 0.0_wp
+        logical :: of_force = .false.
+    contains
+        procedure :: value => shear_value
+    end type shear_equation_t
+
+contains
+
+    !> Coulomb's law in a contact.
+    subroutine new_friction(self, contact, coefficient, error)
+        type(friction_t), intent(out) :: self
+        !> without adhesion, with a medium whose tangential stiffness is known. Copied
+        type(contact_t), intent(in) :: contact
+        !> mu > 0 [1]
+        real(wp), intent(in) :: coefficient
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_positive(error, "coefficient", coefficient)
+        if (contact%is_adhesive()) then
+            call raise(error, error_invalid, "friction is not allowed with adhesion: Coulomb's law knows no tension, and the "// &
+                       "rim of an adhesive contact is under tension; set work_of_adhesion = 0")
+        end if
+        if (allocated(error)) return
+        self%contact = contact
+        self%coefficient = coefficient
+        call contact%equilibrium%medium%new_tangential(self%tangential, error)
+    end subroutine new_friction
+
+    !> What happens to a normal state as its indenter is displaced along the surface.
+    subroutine first_shear(self, state, shear, error)
+        class(friction_t), intent(in) :: self
+        !> a state of the contact, a > 0
+        type(contact_state_t), intent(in) :: state
+        type(first_shear_t), intent(out) :: shear
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: pressure, radius
+
+        associate (equilibrium => self%contact%equilibrium)
+            call check_positive(error, "contact radius of the state", state%radius)
+            call check_not_negative(error, "excess of the state", state%excess)
+            if (.not. allocated(error) .and. state%radius > equilibrium%last_radius) then
+                call raise(error, error_invalid, "the contact radius of the state, "//to_text(state%radius)//", is not one of "// &
+                           "this contact: indenter and medium are defined up to "//to_text(equilibrium%last_radius))
+            end if
+            if (allocated(error)) return
+            if (equilibrium%medium%is_exact() .and. .not. equilibrium%profile%is_spherical()) then
+                call self%contact%lowest_pressure(state, pressure, radius, error)
+                if (allocated(error)) return
+                if (pressure < -noticeable*state%force/(pi*state%radius**2)) then
+                    call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
+                               to_text(pressure)//" at r = "//to_text(radius)//" (contact radius "//to_text(state%radius)// &
+                               "); friction needs a pressure that is nowhere negative")
+                    return
+                end if
+            end if
+            call equilibrium%medium%new_slip(self%tangential, equilibrium%profile, state%radius, state%excess, shear%slip, error)
+        end associate
+        if (allocated(error)) return
+        shear%radius = state%radius
+        shear%coefficient = self%coefficient
+        shear%sliding_force = self%coefficient*shear%slip%force
+        shear%sliding_shift = self%coefficient*shear%slip%sliding_shift
+    end subroutine first_shear
+
+    !> The state at a shift.
+    subroutine at_shift(self, shift, state, error)
+        class(first_shear_t), intent(in), target :: self
+        !> s, of either sign [length]
+        real(wp), intent(in) :: shift
+        type(tangential_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_finite(error, "shift", shift)
+        if (allocated(error)) return
+        if (abs(shift) >= self%sliding_shift) then
+            call slide(self, state, error)
+            state%dissipated_energy = state%dissipated_energy + self%sliding_force*(abs(shift) - self%sliding_shift)
+        else
+            call partial_slip(self, abs(shift)/self%coefficient, .false., state, error)
+        end if
+        state%shift = shift
+        state%tangential_force = sign(state%tangential_force, shift)
+    end subroutine at_shift
+
+    !> The state under a tangential force; at |T| = mu F that in which sliding begins.
+    subroutine at_tangential_force(self, force, state, error)
+        class(first_shear_t), intent(in), target :: self
+        !> T, |T| <= mu F [modulus length^2]
+        real(wp), intent(in) :: force
+        type(tangential_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_finite(error, "tangential_force", force)
+        if (allocated(error)) return
+        if (abs(force) > self%sliding_force) then
+            call raise(error, error_unreachable, " = "//to_text(force)//" cannot be reached: the contact slides at coefficient "// &
+                       "times normal force, "//to_text(self%sliding_force), "tangential_force")
+        else if (abs(force) >= self%sliding_force) then
+            call slide(self, state, error)
+        else
+            call partial_slip(self, abs(force)/self%coefficient, .true., state, error)
+        end if
+        state%shift = sign(state%shift, force)
+        state%tangential_force = force
+    end subroutine at_tangential_force
+
+    !> A cycle between +amplitude and -amplitude, by Masing's rule: from each turn the force changes as twice the first loading of
+    !> half the way, because the limits of both senses lie symmetrically.
+    subroutine loop(self, turn, shift, force, error)
+        class(first_shear_t), intent(in) :: self
+        !> the state of the amplitude, s > 0
+        type(tangential_state_t), intent(in) :: turn
+        !> s [length] and T [modulus length^2] in equal steps from +s to -s and back; same size, at least 3
+        real(wp), intent(out) :: shift(:), force(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(tangential_state_t) :: half
+        real(wp) :: way
+        integer :: i
+
+        do i = 1, size(shift)
+            ! part of the way there, or back
+            way = 2.0_wp*real(i - 1, wp)/real(size(shift) - 1, wp)
+            if (way <= 1.0_wp) then
+                call self%at_shift(turn%shift*way, half, error)
+                shift(i) = turn%shift*(1.0_wp - 2.0_wp*way)
+                force(i) = turn%tangential_force - 2.0_wp*half%tangential_force
+            else
+                call self%at_shift(turn%shift*(way - 1.0_wp), half, error)
+                shift(i) = turn%shift*(2.0_wp*way - 3.0_wp)
+                force(i) = 2.0_wp*half%tangential_force - turn%tangential_force
+            end if
+            if (allocated(error)) return
+        end do
+    end subroutine loop
+
+    !> The whole contact at its bound, just when that is reached.
+    subroutine slide(self, state, error)
+        class(first_shear_t), intent(in) :: self
+        type(tangential_state_t), intent(inout) :: state
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: shift, force, dissipated, lowest
+
+        lowest = max(self%slip%smallest_stick, tiny(1.0_wp))
+        call self%slip%integrate(lowest, self%radius - lowest, shift, force, dissipated, error, self%slip%sliding_shift)
+        state%shift = self%sliding_shift
+        state%tangential_force = self%sliding_force
+        state%dissipated_energy = self%coefficient**2*dissipated
+        state%sliding = 1.0_wp
+    end subroutine slide
+
+    !> The state with a given s or T of friction coefficient 1, below that of sliding.
+    subroutine partial_slip(self, given, of_force, state, error)
+        type(first_shear_t), intent(in), target :: self
+        real(wp), intent(in) :: given
+        logical, intent(in) :: of_force
+        type(tangential_state_t), intent(inout) :: state
+        type(error_t), allocatable, intent(inout) :: error
+        type(shear_equation_t) :: equation
+        real(wp) :: x, c, width, shift, force, dissipated, rate, part
+        logical :: found
+
+        associate (slip => self%slip)
+            if (given <= slip%first_shift*merge(slip%stiffness, 1.0_wp, of_force)) then
+                state%stick_radius = slip%radius
+                state%stiffness = slip%stiffness
+                state%shift = self%coefficient*given*merge(1.0_wp/slip%stiffness, 1.0_wp, of_force)
+                state%tangential_force = state%stiffness*state%shift
+                return
+            end if
+            equation%slip => self%slip
+            equation%target = given
+            equation%of_force = of_force
+            ! that of a paraboloid on a homogeneous body
+            if (of_force) then
+                part = given/slip%force
+                x = log(-expm1_of(2.0_wp/3.0_wp*log(1.0_wp - part), part))
+            else
+                x = log(given/slip%sliding_shift)
+            end if
+            call solve_increasing(equation, min(x, -1.0e-6_wp), 1.0_wp, least, most, x, found, error)
+            if (allocated(error)) return
+            call annulus(slip%radius, x, c, width)
+            call slip%at(c, width, shift, force, state%stiffness, rate, error)
+            if (.not. allocated(error)) call slip%integrate(c, width, part, rate, dissipated, error, shift)
+            if (allocated(error)) return
+            state%stick_radius = c
+            state%shift = self%coefficient*shift
+            state%tangential_force = self%coefficient*force
+            state%dissipated_energy = self%coefficient**2*dissipated
+        end associate
+    end subroutine partial_slip
+
+    !> exp(y) - 1 for y = (2/3) ln(1 - part) without cancellation for small parts.
+    pure function expm1_of(y, part) result(value)
+        real(wp), intent(in) :: y, part
+        real(wp) :: value
+
+        if (part < 1.0e-4_wp) then
+            value = -2.0_wp/3.0_wp*part
+        else
+            value = exp(y) - 1.0_wp
+        end if
+    end function expm1_of
+
+    !> Stick radius and width of the annulus of slip at x = ln(1 - c^2/a^2).
+    pure subroutine annulus(a, x, c, width)
+        real(wp), intent(in) :: a, x
+        real(wp), intent(out) :: c, width
+        real(wp) :: slipping, sticking
+
+        slipping = exp(x)
+        sticking = 1.0_wp - slipping
+        if (x > -0.5_wp) sticking = -2.0_wp*exp(0.5_wp*x)*sinh(0.5_wp*x)
+        c = a*sqrt(sticking)
+        width = a*slipping/(1.0_wp + sqrt(sticking))
+    end subroutine annulus
+
+    function shear_value(self, x) result(y)
+        class(shear_equation_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: c, width, shift, force, stiffness, rate
+
+        call annulus(self%slip%radius, x, c, width)
+        c = max(c, self%slip%smallest_stick, tiny(1.0_wp))
+        call self%slip%at(c, width, shift, force, stiffness, rate, self%error)
+        y = 0.0_wp
+        if (allocated(self%error)) return
+        if (.not. (shift > 0.0_wp .and. force > 0.0_wp)) then
+            y = least - x
+            return
+        end if
+        ! dc/dx = -(a^2 - c^2)/(2 c)
+        rate = rate*width*(self%slip%radius + c)/(2.0_wp*c)
+        if (self%of_force) then
+            y = log(force/self%target)
+            self%known_slope = rate*stiffness/force
+        else
+            y = log(shift/self%target)
+            self%known_slope = rate/shift
+        end if
+        if (c < steep*self%slip%radius) self%known_slope = 0.0_wp
+    end function shear_value
+
+    !> q_t(x), the line load of the springs under shear [modulus length].
+    subroutine line_load(self, state, x, values, error)
+        class(first_shear_t), intent(in) :: self
+        type(tangential_state_t), intent(in) :: state
+        !> 0 <= x <= a [length]
+        real(wp), intent(in) :: x(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_inside(self, state, "x", x, error)
+        if (.not. allocated(error)) call self%slip%line_load(min(state%stick_radius, self%radius), x, values, error)
+        if (.not. allocated(error)) values = load_factor(self, state)*values
+    end subroutine line_load
+
+    !> tau(r), the shear traction on the surface, of one direction [modulus].
+    subroutine traction(self, state, r, values, error)
+        class(first_shear_t), intent(in) :: self
+        type(tangential_state_t), intent(in) :: state
+        !> 0 <= r <= a [length]
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_inside(self, state, "r", r, error)
+        if (.not. allocated(error)) call self%slip%traction(min(state%stick_radius, self%radius), r, values, error)
+        if (.not. allocated(error)) values = load_factor(self, state)*values
+    end subroutine traction
+
+    !> The sign of the shear times the coefficient; where nothing slips yet the load is in proportion to the shift.
+    pure function load_factor(self, state) result(factor)
+        type(first_shear_t), intent(in) :: self
+        type(tangential_state_t), intent(in) :: state
+        real(wp) :: factor
+        real(wp) :: first
+
+        factor = sign(self%coefficient, state%shift)
+        first = self%coefficient*self%slip%first_shift
+        if (abs(state%shift) < first) factor = self%coefficient*state%shift/first
+        if (state%shift == 0.0_wp) factor = 0.0_wp
+    end function load_factor
+
+    pure subroutine check_inside(self, state, name, positions, error)
+        type(first_shear_t), intent(in) :: self
+        type(tangential_state_t), intent(in) :: state
+        character(len=*), intent(in) :: name
+        real(wp), intent(in) :: positions(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        call check_finite(error, "shift of the tangential state", state%shift)
+        call check_not_negative(error, "stick_radius of the tangential state", state%stick_radius)
+        do i = 1, size(positions)
+            call check_not_negative(error, name, positions(i), i)
+            if (allocated(error)) return
+            if (positions(i) > self%radius) then
+                call raise(error, error_domain, " = "//to_text(positions(i))//" is not allowed: it must be at most the contact "// &
+                           "radius, "//to_text(self%radius), name, i)
+                return
+            end if
+        end do
+    end subroutine check_inside
+
+end module mdrcontact_history_friction

@@ -1,0 +1,191 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> First shear of a layered body, exactly in the axisymmetric part (theory 10): with a disc of stick of radius c the load
+!> q* = q_n - q_t is that of a contact of radius c without adhesion, with the kernel of shear and the profile
+!> [R(0) - R(x)]/G0*. Its depth is R(0)/G0* - s, its force F - T.
+module mdrcontact_layered_slip
+    use mdrcontact_error, only: error_domain, error_t, raise
+    use mdrcontact_field_slip, only: beside, slip_t, thin
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_fields, only: line_load_t
+    use mdrcontact_layered_slip_profile, only: slip_profile_t
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_numerics_quadrature, only: graded_edges, smallest_panel_ratio
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: layered_slip_t, new_layered_slip
+
+    !> Panels of stick radii in units of their distance from the axis and from the edge, where R varies as fast as the kernel.
+    real(wp), parameter :: growth = 2.0_wp, edge_growth = 1.5_wp
+    !> The shortest in units of the kernel's.
+    real(wp), parameter :: shortest = 1.0_wp
+
+    !> By how much the first shift may seem to exceed that of sliding where they are equal, as under a punch on a homogeneous body.
+    real(wp), parameter :: largest_excess = 1.0e-9_wp
+
+    !> One normal state, the medium that answers to shear, and the profile above.
+    type, extends(slip_t) :: layered_slip_t
+        private
+        class(medium_t), allocatable :: normal, tangential
+        type(slip_profile_t) :: profile
+        !> depth beyond the non-adhesive one [length], length of the kernel's variation [length]
+        real(wp) :: excess = 0.0_wp, unit = 0.0_wp
+    contains
+        procedure :: rates
+        procedure :: panels
+        procedure :: at
+        procedure :: line_load
+        procedure :: traction
+    end type layered_slip_t
+
+contains
+
+    !> From the springs' line load.
+    subroutine new_layered_slip(self, normal, tangential, profile, springs, sheared, excess, unit, ratio, error)
+        type(layered_slip_t), intent(out) :: self
+        !> the medium under normal load and under shear
+        class(medium_t), intent(in) :: normal, tangential
+        class(profile_t), intent(in) :: profile
+        !> q_n/E0*, and (K_t q_n)/E0* as coefficients of P_2j(x/a) [length]
+        type(line_load_t), intent(in) :: springs
+        real(wp), intent(in) :: sheared(:)
+        !> depth beyond the non-adhesive one, thickness of the first layer [length], E0*/G0* [1]
+        real(wp), intent(in) :: excess, unit, ratio
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: even, modulus, rise, depth, force, rate
+        integer :: j
+
+        allocate (self%normal, source=normal)
+        allocate (self%tangential, source=tangential)
+        allocate (self%profile%base, source=profile)
+        self%radius = springs%a
+        call normal%response(profile, springs%a, depth, force, modulus, rise, error)
+        if (allocated(error)) return
+        self%force = force + 2.0_wp*springs%a*modulus*excess
+        self%excess = excess
+        self%unit = unit
+        self%profile%radius = springs%a
+        self%profile%ratio = ratio
+        self%profile%c = springs%v - sheared
+        even = 1.0_wp
+        do j = 1, size(self%profile%c)
+            self%profile%at_axis = self%profile%at_axis + self%profile%c(j)*even
+            even = -even*real(2*j - 1, wp)/real(2*j, wp)
+        end do
+        self%sliding_shift = ratio*(depth + excess - self%profile%at_axis)
+        call solve(self, self%radius, depth, force, self%stiffness, rate, error)
+        ! without a load at the edge something slips with the slightest shift
+        if (allocated(error) .or. excess <= 0.0_wp) return
+        self%first_shift = self%sliding_shift - depth
+        if (self%first_shift > self%sliding_shift*(1.0_wp + largest_excess)) then
+            call raise(error, error_domain, "slip would begin inside this contact and not at its edge, as under a flat punch "// &
+                       "on a stiff coating: partial slip is known only where it is an annulus at the edge")
+        end if
+    end subroutine new_layered_slip
+
+    !> Depth, force, stiffness and slope of the depth of the contact that q* is.
+    subroutine solve(self, c, depth, force, stiffness, slope, error, stiffness_slope)
+        class(layered_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c
+        real(wp), intent(out) :: depth, force, stiffness, slope
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), intent(out), optional :: stiffness_slope
+        real(wp) :: modulus, rise
+
+        call self%tangential%response(self%profile, c, depth, force, modulus, rise, error, &
+                                      adhesive=present(stiffness_slope), depth_slope=slope)
+        stiffness = 2.0_wp*c*modulus
+        if (present(stiffness_slope)) stiffness_slope = rise
+    end subroutine solve
+
+    subroutine rates(self, c, shift, shift_rate, stiffness, stiffness_slope, error)
+        class(layered_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c(:)
+        real(wp), intent(out) :: shift(:), shift_rate(:), stiffness(:), stiffness_slope(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: depth, force
+        integer :: i
+
+        do i = 1, size(c)
+            call solve(self, c(i), depth, force, stiffness(i), shift_rate(i), error, stiffness_slope(i))
+            if (allocated(error)) return
+            shift(i) = self%sliding_shift - depth
+        end do
+    end subroutine rates
+
+    !> In c the state varies at the length of the kernel, and where a power of x that is not whole goes on to the axis.
+    subroutine panels(self, c, edges, has_root, error)
+        class(layered_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c
+        real(wp), allocatable, intent(out) :: edges(:)
+        logical, allocatable, intent(out) :: has_root(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: breaks(:), exponents(:), coefficients(:)
+        real(wp) :: here, next, length
+        integer :: i
+
+        allocate (breaks, source=self%profile%break_radii())
+        call self%profile%base%powers(exponents, coefficients)
+        if (size(exponents) == 0 .or. any(modulo(exponents, 1.0_wp) > 0.0_wp)) then
+            call graded_edges(max(c, smallest_panel_ratio*self%radius), self%radius, breaks, self%profile%singular_radius(), &
+                              edges, error)
+        else
+            edges = [c]
+            here = c
+            do while (here < self%radius)
+                length = max(min(growth*here, edge_growth*(self%radius - here)/(1.0_wp + edge_growth)), shortest*self%unit)
+                next = here + length
+                if (self%radius - next < 0.5_wp*length .or. .not. self%unit > 0.0_wp) next = self%radius
+                edges = [edges, next]
+                here = next
+            end do
+        end if
+        has_root = [(any(breaks == edges(i)), i=1, size(edges) - 1)]
+    end subroutine panels
+
+    subroutine at(self, c, width, shift, force, stiffness, shift_rate, error)
+        class(layered_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c, width
+        real(wp), intent(out) :: shift, force, stiffness, shift_rate
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: dissipated
+
+        call solve(self, c, shift, force, stiffness, shift_rate, error)
+        if (allocated(error)) return
+        shift = self%sliding_shift - shift
+        force = self%force - force
+        if (width < thin*self%radius) call self%integrate(c, width, shift, force, dissipated, error)
+    end subroutine at
+
+    !> q_n - q*.
+    subroutine line_load(self, c, r, values, error)
+        class(layered_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: inner(count(r < c))
+
+        call self%normal%line_load(self%profile%base, self%radius, self%excess, r, values, error)
+        if (allocated(error) .or. size(inner) == 0) return
+        call self%tangential%line_load(self%profile, c, 0.0_wp, pack(r, r < c), inner, error)
+        if (.not. allocated(error)) values = values - unpack(inner, r < c, 0.0_wp*r)
+    end subroutine line_load
+
+    !> p - p*.
+    subroutine traction(self, c, r, values, error)
+        class(layered_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: inner(count(r < c)), near(size(r))
+
+        near = beside(r, c, self%profile%base%end_radius())
+        call self%normal%pressure(self%profile%base, self%radius, self%excess, near, values, error)
+        if (allocated(error) .or. size(inner) == 0) return
+        call self%tangential%pressure(self%profile, c, 0.0_wp, pack(near, r < c), inner, error)
+        if (.not. allocated(error)) values = values - unpack(inner, r < c, 0.0_wp*r)
+    end subroutine traction
+
+end module mdrcontact_layered_slip

@@ -1,0 +1,164 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The profile against which first shear is a contact without adhesion: [R(0) - R(x)]/G0* with R = q_n + K_t q_n, q_n the normal
+!> line load and K_t the springs' interaction under shear (theory 10). On a homogeneous body it is (E*/G*) g(x).
+module mdrcontact_layered_slip_profile
+    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_legendre, only: normalisation
+    use mdrcontact_layered_rule, only: new_rule, rule_t
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: slip_profile_t
+
+    !> ratio [g(x) + sum of c_j (P_2j(x/a) - P_2j(0))], for 0 <= x <= a.
+    type, extends(profile_t) :: slip_profile_t
+        !> g
+        class(profile_t), allocatable :: base
+        !> a [length]
+        real(wp) :: radius = 0.0_wp
+        !> E0*/G0* [1]
+        real(wp) :: ratio = 1.0_wp
+        !> c_j, j = 0, 1, ... [length]
+        real(wp), allocatable :: c(:)
+        !> sum of c_j P_2j(0) [length]
+        real(wp) :: at_axis = 0.0_wp
+    contains
+        procedure :: height => no_height
+        procedure :: slope => no_height
+        procedure :: mdr
+        procedure :: mdr_slope
+        procedure :: mdr_moment
+        procedure :: largest_radius
+        procedure :: singular_radius
+        procedure :: break_radii
+        procedure :: moments
+    end type slip_profile_t
+
+contains
+
+    !> Not asked for: only the springs press against this profile.
+    elemental function no_height(self, x) result(y)
+        class(slip_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        associate (unused => self)
+        end associate
+        y = ieee_value(x, ieee_quiet_nan)
+    end function no_height
+
+    elemental function mdr(self, x) result(y)
+        class(slip_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: total, slope, integral
+
+        call sums(self%c, x/self%radius, total, slope, integral)
+        y = self%ratio*(self%base%mdr(x) + (total - self%at_axis))
+    end function mdr
+
+    elemental function mdr_slope(self, x) result(y)
+        class(slip_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: total, slope, integral
+
+        call sums(self%c, x/self%radius, total, slope, integral)
+        y = self%ratio*(self%base%mdr_slope(x) + slope/self%radius)
+    end function mdr_slope
+
+    !> int_0^x s g' ds = x g(x) - int_0^x g ds.
+    elemental function mdr_moment(self, x) result(y)
+        class(slip_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: total, slope, integral
+
+        call sums(self%c, x/self%radius, total, slope, integral)
+        y = self%ratio*(self%base%mdr_moment(x) + x*total - self%radius*integral)
+    end function mdr_moment
+
+    !> sum of c_j P_2j(u), its derivative, and its integral from 0.
+    pure subroutine sums(c, u, total, slope, integral)
+        real(wp), intent(in) :: c(0:), u
+        real(wp), intent(out) :: total, slope, integral
+        real(wp) :: even, odd, even_slope, odd_slope, odd_before
+        integer :: j
+
+        even = 1.0_wp
+        odd = u
+        even_slope = 0.0_wp
+        odd_slope = 1.0_wp
+        total = c(0)
+        slope = 0.0_wp
+        integral = c(0)*u
+        do j = 1, ubound(c, 1)
+            odd_before = odd
+            even = (real(4*j - 1, wp)*u*odd - real(2*j - 1, wp)*even)/real(2*j, wp)
+            odd = (real(4*j + 1, wp)*u*even - real(2*j, wp)*odd)/real(2*j + 1, wp)
+            even_slope = even_slope + real(4*j - 1, wp)*odd_before
+            odd_slope = odd_slope + real(4*j + 1, wp)*even
+            total = total + c(j)*even
+            slope = slope + c(j)*even_slope
+            integral = integral + c(j)*(odd - odd_before)/real(4*j + 1, wp)
+        end do
+    end subroutine sums
+
+    pure function largest_radius(self) result(radius)
+        class(slip_profile_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%radius
+    end function largest_radius
+
+    pure function singular_radius(self) result(radius)
+        class(slip_profile_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%base%singular_radius()
+    end function singular_radius
+
+    pure function break_radii(self) result(radii)
+        class(slip_profile_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        radii = self%base%break_radii()
+    end function break_radii
+
+    !> Adds the Legendre coefficients of the sum on a smaller contact to those of g, times the ratio. Beyond its own degree they
+    !> are 0.
+    subroutine moments(self, a, g, error)
+        class(slip_profile_t), intent(in) :: self
+        !> a smaller contact radius [length]
+        real(wp), intent(in) :: a
+        !> G_j = int_-1^1 g(a |u|) s_j P_2j(u) du; those of g at first
+        real(wp), intent(inout) :: g(0:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(rule_t) :: rule
+        real(wp), allocatable, dimension(:) :: u, w, even, odd
+        real(wp) :: s(0:ubound(g, 1)), total, slope, integral
+        integer :: i, j, last
+
+        last = min(ubound(g, 1), size(self%c) - 1)
+        call new_rule(rule, size(self%c) + last, error)
+        if (allocated(error)) return
+        allocate (u, source=0.5_wp*rule%distance)
+        allocate (w, source=rule%weights)
+        do i = 1, size(u)
+            call sums(self%c, a/self%radius*u(i), total, slope, integral)
+            w(i) = w(i)*(total - self%at_axis)
+        end do
+        s = normalisation(size(g))
+        allocate (even, source=w)
+        allocate (odd, source=u*w)
+        do j = 0, last
+            g(j) = g(j) + s(j)*sum(even)
+            even = (real(4*j + 3, wp)*u*odd - real(2*j + 1, wp)*even)/real(2*j + 2, wp)
+            odd = (real(4*j + 5, wp)*u*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
+        end do
+        g = self%ratio*g
+    end subroutine moments
+
+end module mdrcontact_layered_slip_profile

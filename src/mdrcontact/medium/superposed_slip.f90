@@ -1,0 +1,143 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> First shear of media with effective moduli: each increment of depth adds a flat punch's pressure, each increment of the shift a
+!> flat punch's shear, both with the modulus that belongs to their radius.
+!>
+!>     sigma(c) = (E_eff/G_t)(c) d'(c),    T(c) = F(a) - F(c),    q_t(x) = q(max(x, c)),    tau(r) = p(r; a) - p(r; c)
+!> (mu = 1). On a homogeneous body these are exact: s = (E*/G*) [d - g(c)] (Ciavarella, Int. J. Solids Struct. 35 (1998) 2349;
+!> Jaeger, Arch. Appl. Mech. 65 (1995) 478).
+module mdrcontact_medium_superposed_slip
+    use mdrcontact_error, only: error_t
+    use mdrcontact_field_slip, only: beside, slip_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_numerics_quadrature, only: graded_edges, merged_breaks, smallest_panel_ratio
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: superposed_slip_t, new_superposed_slip
+
+    !> One normal state and the media that answer to its parts.
+    type, extends(slip_t) :: superposed_slip_t
+        private
+        class(medium_t), allocatable :: normal, tangential
+        class(profile_t), allocatable :: profile
+        real(wp), allocatable :: breaks(:)
+        !> depth beyond the non-adhesive one [length]
+        real(wp) :: excess = 0.0_wp
+    contains
+        procedure :: rates
+        procedure :: panels
+        procedure :: at
+        procedure :: line_load
+        procedure :: traction
+    end type superposed_slip_t
+
+contains
+
+    !> The state of contact radius a under a profile.
+    subroutine new_superposed_slip(self, normal, tangential, profile, a, excess, error)
+        type(superposed_slip_t), intent(out) :: self
+        !> with effective moduli E_eff and G_t, whose depth is that of the profile
+        class(medium_t), intent(in) :: normal, tangential
+        class(profile_t), intent(in) :: profile
+        !> [length]
+        real(wp), intent(in) :: a, excess
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: depth, modulus(1), shear(1), dissipated, tangential_force, lowest
+
+        allocate (self%normal, source=normal)
+        allocate (self%tangential, source=tangential)
+        allocate (self%profile, source=profile)
+        self%breaks = merged_breaks(profile%break_radii(), normal%breaks())
+        self%radius = a
+        self%excess = excess
+        self%smallest_stick = profile%end_radius()
+        call normal%depth_and_force(profile, a, depth, self%force, error)
+        if (.not. allocated(error)) call normal%modulus([a], modulus, error)
+        if (.not. allocated(error)) call tangential%modulus([a], shear, error)
+        if (allocated(error)) return
+        self%force = self%force + 2.0_wp*a*modulus(1)*excess
+        self%first_shift = modulus(1)/shear(1)*excess
+        self%stiffness = 2.0_wp*a*shear(1)
+        lowest = max(self%smallest_stick, smallest_panel_ratio*a)
+        self%sliding_shift = self%first_shift
+        if (.not. a > lowest) return
+        call self%integrate(lowest, a - lowest, self%sliding_shift, tangential_force, dissipated, error)
+        if (allocated(error) .or. self%smallest_stick > 0.0_wp) return
+        ! below, the moduli are those of the surface
+        call normal%modulus([lowest], modulus, error)
+        if (.not. allocated(error)) call tangential%modulus([lowest], shear, error)
+        self%sliding_shift = self%sliding_shift + modulus(1)/shear(1)*profile%mdr(lowest)
+    end subroutine new_superposed_slip
+
+    subroutine rates(self, c, shift, shift_rate, stiffness, stiffness_slope, error)
+        class(superposed_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c(:)
+        real(wp), intent(out) :: shift(:), shift_rate(:), stiffness(:), stiffness_slope(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), dimension(size(c)) :: modulus, shear, slope
+
+        call self%normal%modulus(c, modulus, error)
+        if (.not. allocated(error)) call self%tangential%modulus(c, shear, error)
+        if (.not. allocated(error)) call self%tangential%modulus_slope(c, slope, error)
+        if (allocated(error)) return
+        shift = 0.0_wp
+        shift_rate = modulus/shear*self%profile%mdr_slope(c)
+        stiffness = 2.0_wp*c*shear
+        stiffness_slope = 2.0_wp*(shear + c*slope)
+    end subroutine rates
+
+    subroutine panels(self, c, edges, has_root, error)
+        class(superposed_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c
+        real(wp), allocatable, intent(out) :: edges(:)
+        logical, allocatable, intent(out) :: has_root(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        call graded_edges(max(c, smallest_panel_ratio*self%radius), self%radius, self%breaks, self%profile%singular_radius(), &
+                          edges, error)
+        has_root = [(any(self%breaks == edges(i)), i=1, size(edges) - 1)]
+    end subroutine panels
+
+    subroutine at(self, c, width, shift, force, stiffness, shift_rate, error)
+        class(superposed_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c, width
+        real(wp), intent(out) :: shift, force, stiffness, shift_rate
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: dissipated, known(1), rate(1), k(1), slope(1)
+
+        call self%integrate(c, width, shift, force, dissipated, error)
+        if (.not. allocated(error)) call self%rates([max(c, smallest_panel_ratio*self%radius)], known, rate, k, slope, error)
+        if (allocated(error)) return
+        shift_rate = rate(1)
+        stiffness = k(1)
+    end subroutine at
+
+    subroutine line_load(self, c, r, values, error)
+        class(superposed_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        call self%normal%line_load(self%profile, self%radius, self%excess, max(r, c), values, error)
+    end subroutine line_load
+
+    subroutine traction(self, c, r, values, error)
+        class(superposed_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: inner(count(r < c)), near(size(r))
+
+        near = beside(r, c, self%smallest_stick)
+        call self%normal%pressure(self%profile, self%radius, self%excess, near, values, error)
+        if (allocated(error) .or. size(inner) == 0) return
+        call self%normal%pressure(self%profile, c, 0.0_wp, pack(near, r < c), inner, error)
+        if (allocated(error)) return
+        values = values - unpack(inner, r < c, 0.0_wp*r)
+    end subroutine traction
+
+end module mdrcontact_medium_superposed_slip

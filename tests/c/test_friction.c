@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Friction: Cattaneo and Mindlin, loops, fields, refusals. */
+#include "check.h"
+
+enum { POINTS = 9 };
+
+static const double mu = 0.3, E = 210.0, nu = 0.3;
+
+static mdr_contact *ball_on(mdr_medium *m)
+{
+    mdr_profile *p = NULL;
+    mdr_contact *c = NULL;
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &p));
+    CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    return c;
+}
+
+static mdr_contact *on_half_space(void)
+{
+    mdr_medium *m = NULL;
+
+    CHECK_SUCCESS(mdr_medium_homogeneous(E, nu, &m));
+    return ball_on(m);
+}
+
+static void partial_slip(void)
+{
+    mdr_contact *c = on_half_space();
+    mdr_friction *f = NULL;
+    mdr_state state;
+    mdr_tangential_state out[3], by_force;
+    double limit, sliding, tau, p, q, line, x = 0.99, shifts[3], shift[POINTS], force[POINTS], dissipated;
+
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
+    CHECK_SUCCESS(mdr_friction_sliding(f, &state, &sliding, &limit));
+    CHECK_SUCCESS(mdr_friction_sliding(f, &state, NULL, NULL));
+    CHECK_CLOSE(limit, mu * state.force, 1e-15);
+    CHECK_CLOSE(sliding, mu * state.depth * (2.0 - nu) / (2.0 - 2.0 * nu), 1e-13);
+    for (int i = 0; i < 3; i++) shifts[i] = i < 2 ? (0.5 - i) * sliding : 2.0 * sliding;
+    CHECK_SUCCESS(mdr_friction_states(f, &state, MDR_GIVEN_SHIFT, 3, shifts, out));
+    CHECK_CLOSE(out[0].tangential_force, limit * (1.0 - pow(0.5, 1.5)), 1e-12);
+    CHECK_CLOSE(out[1].tangential_force, -out[0].tangential_force, 0.0);
+    CHECK_CLOSE(out[0].stick_radius, sqrt(0.5), 1e-12);
+    CHECK_CLOSE(out[2].tangential_force, limit, 1e-15);
+    CHECK_CLOSE(out[0].sliding + 1.0, out[2].sliding, 0.0);
+    CHECK_SUCCESS(mdr_friction_states(f, &state, MDR_GIVEN_TANGENTIAL_FORCE, 1, &out[0].tangential_force, &by_force));
+    CHECK_CLOSE(by_force.shift, 0.5 * sliding, 1e-12);
+    CHECK_CLOSE(by_force.dissipated_energy, out[0].dissipated_energy, 1e-11);
+    /* in the annulus of slip the traction is mu p, the line load mu q */
+    CHECK_SUCCESS(mdr_friction_field(f, &state, &out[0], MDR_FIELD_TRACTION, 1, &x, &tau));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, 1, &x, &p));
+    CHECK_CLOSE(tau, mu * p, 1e-12);
+    CHECK_SUCCESS(mdr_friction_field(f, &state, &out[0], MDR_FIELD_TANGENTIAL_LINE_LOAD, 1, &x, &line));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_LINE_LOAD, &state, 1, &x, &q));
+    CHECK_CLOSE(line, mu * q, 1e-12);
+    CHECK_SUCCESS(mdr_friction_loop(f, &state, MDR_GIVEN_SHIFT, 0.5 * sliding, POINTS, shift, force, &dissipated));
+    CHECK_CLOSE(dissipated, 4.0 * out[0].dissipated_energy, 1e-12);
+    CHECK_CLOSE(shift[0], 0.5 * sliding, 1e-15);
+    CHECK_CLOSE(shift[POINTS / 2], -0.5 * sliding, 1e-15);
+    CHECK_CLOSE(force[POINTS / 2], -out[0].tangential_force, 1e-12);
+    CHECK_CLOSE(force[POINTS - 1], out[0].tangential_force, 1e-12);
+    for (int i = 0; i < POINTS / 2; i++) CHECK_CLOSE(force[i], -force[i + POINTS / 2], 1e-12);
+    CHECK_SUCCESS(mdr_friction_free(&f));
+    CHECK_TRUE(f == NULL);
+    CHECK_SUCCESS(mdr_friction_free(&f));
+    CHECK_SUCCESS(mdr_friction_free(NULL));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
+static void refusals(void)
+{
+    mdr_medium *film = NULL, *modulus = NULL, *rigid = NULL;
+    mdr_contact *c, *unknown;
+    mdr_friction *f = NULL, *none = NULL;
+    mdr_state state, nowhere = {0.0, 0.0, 0.0, 0.0, 0.0};
+    mdr_tangential_state out[2];
+    double a[2] = {0.5, 1.0}, bad[2] = {0.5, NAN}, G[2], shift[POINTS], force[POINTS], dissipated;
+
+    CHECK_SUCCESS(mdr_medium_coated(700.0, 0.2, 1.0, E, nu, MDR_MODEL_EXACT, NULL, &film));
+    CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &modulus));
+    CHECK_SUCCESS(mdr_medium_rigid(&rigid));
+    fill_untouched(2, G);
+    CHECK_STATUS(mdr_medium_tangential_modulus(NULL, 2, a, G), MDR_ENULL, "m is NULL");
+    CHECK_STATUS(mdr_medium_tangential_modulus(film, -1, a, G), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_medium_tangential_modulus(film, 2, bad, G), MDR_EINVALID, "entry 2 of a");
+    CHECK_STATUS(mdr_medium_tangential_modulus(film, 2, NULL, G), MDR_ENULL, "a is NULL");
+    CHECK_STATUS(mdr_medium_tangential_modulus(film, 2, a, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_tangential_modulus(modulus, 2, a, G), MDR_EINVALID, "give E and nu");
+    CHECK_STATUS(mdr_medium_tangential_modulus(rigid, 2, a, G), MDR_EINVALID, "rigid");
+    CHECK_UNTOUCHED(2, G);
+    CHECK_SUCCESS(mdr_medium_tangential_modulus(film, 0, NULL, NULL));
+    CHECK_SUCCESS(mdr_medium_tangential_modulus(film, 2, a, a));
+    CHECK_TRUE(a[0] > a[1]);
+    CHECK_SUCCESS(mdr_medium_free(&rigid));
+    c = ball_on(film);
+    unknown = ball_on(modulus);
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &(double){1.0}, &state));
+    CHECK_STATUS(mdr_friction_new(NULL, mu, &f), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_friction_new(c, 0.0, &f), MDR_EINVALID, "coefficient = 0");
+    CHECK_STATUS(mdr_friction_new(c, NAN, &f), MDR_EINVALID, "coefficient");
+    CHECK_STATUS(mdr_friction_new(c, mu, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_friction_new(unknown, mu, &f), MDR_EINVALID, "give E and nu");
+    CHECK_TRUE(f == NULL);
+    CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
+    fill_untouched(12, &out[0].shift);
+    a[0] = 0.0;
+    CHECK_STATUS(mdr_friction_states(NULL, &state, 1, 2, a, out), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(mdr_friction_states((mdr_friction *)c, &state, 1, 2, a, out), MDR_EINVALID, "not an mdr_friction");
+    CHECK_STATUS(mdr_friction_states(f, NULL, 1, 2, a, out), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_friction_states(f, &nowhere, 1, 2, a, out), MDR_EINVALID, "contact radius");
+    CHECK_STATUS(mdr_friction_states(f, &state, 3, 2, a, out), MDR_EINVALID, "given = 3");
+    CHECK_STATUS(mdr_friction_states(f, &state, 1, 2, bad, out), MDR_EINVALID, "entry 2 of shift");
+    CHECK_STATUS(mdr_friction_states(f, &state, 2, 2, (const double[]){0.0, 1e9}, out), MDR_EUNREACHABLE, "slides");
+    CHECK_STATUS(mdr_friction_states(f, &state, 1, -1, a, out), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_friction_states(f, &state, 1, 2, NULL, out), MDR_ENULL, "in is NULL");
+    CHECK_STATUS(mdr_friction_states(f, &state, 1, 2, a, NULL), MDR_ENULL, "out is NULL");
+    CHECK_SUCCESS(mdr_friction_states(f, &state, 1, 0, NULL, NULL));
+    CHECK_UNTOUCHED(12, &out[0].shift);
+    CHECK_SUCCESS(mdr_friction_states(f, &state, 1, 2, (const double[]){0.0, 1e-3}, out));
+    CHECK_CLOSE(out[0].stick_radius, 1.0, 0.0);
+    fill_untouched(2, G);
+    CHECK_STATUS(mdr_friction_sliding(NULL, &state, G, G), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(mdr_friction_sliding(f, NULL, G, G), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_friction_field(f, &state, NULL, 1, 2, a, G), MDR_ENULL, "shear is NULL");
+    CHECK_STATUS(mdr_friction_field(f, NULL, out, 1, 2, a, G), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_friction_field(NULL, &state, out, 1, 2, a, G), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(mdr_friction_field(f, &state, out, 0, 2, a, G), MDR_EINVALID, "field = 0");
+    CHECK_STATUS(mdr_friction_field(f, &state, &out[1], 1, 2, bad, G), MDR_EINVALID, "entry 2 of r");
+    CHECK_STATUS(mdr_friction_field(f, &state, &out[1], 1, 1, &(double){1.1}, G), MDR_EDOMAIN, "at most the contact radius");
+    CHECK_STATUS(mdr_friction_field(f, &state, &out[1], 1, 2, NULL, G), MDR_ENULL, "r is NULL");
+    CHECK_STATUS(mdr_friction_field(f, &state, &out[1], 1, 2, a, NULL), MDR_ENULL, "out is NULL");
+    CHECK_SUCCESS(mdr_friction_field(f, &state, &out[1], 1, 0, NULL, NULL));
+    CHECK_UNTOUCHED(2, G);
+    fill_untouched(POINTS, shift);
+    CHECK_STATUS(mdr_friction_loop(NULL, &state, 1, 1e-3, POINTS, shift, force, &dissipated), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(mdr_friction_loop(f, NULL, 1, 1e-3, POINTS, shift, force, &dissipated), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_friction_loop(f, &state, 0, 1e-3, POINTS, shift, force, &dissipated), MDR_EINVALID, "given = 0");
+    CHECK_STATUS(mdr_friction_loop(f, &state, 1, 0.0, POINTS, shift, force, &dissipated), MDR_EINVALID, "amplitude = 0");
+    CHECK_STATUS(mdr_friction_loop(f, &state, 2, 1e9, POINTS, shift, force, &dissipated), MDR_EUNREACHABLE, "slides");
+    CHECK_STATUS(mdr_friction_loop(f, &state, 1, 1e-3, 2, shift, force, &dissipated), MDR_EINVALID, "n = 2");
+    CHECK_STATUS(mdr_friction_loop(f, &state, 1, 1e-3, POINTS, NULL, force, &dissipated), MDR_ENULL, "shift is NULL");
+    CHECK_STATUS(mdr_friction_loop(f, &state, 1, 1e-3, POINTS, shift, NULL, &dissipated), MDR_ENULL, "force is NULL");
+    CHECK_STATUS(mdr_friction_loop(f, &state, 1, 1e-3, POINTS, shift, force, NULL), MDR_ENULL, "dissipated is NULL");
+    CHECK_UNTOUCHED(POINTS, shift);
+    none = (mdr_friction *)c;
+    CHECK_STATUS(mdr_friction_free(&none), MDR_EINVALID, "not an mdr_friction");
+    CHECK_SUCCESS(mdr_friction_free(&f));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_contact_free(&unknown));
+}
+
+int main(void)
+{
+    partial_slip();
+    refusals();
+    return check_report("friction");
+}
