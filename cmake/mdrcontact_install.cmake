@@ -9,7 +9,7 @@ install(TARGETS mdrcontact_static mdrcontact_shared EXPORT mdrcontact_targets
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-install(FILES "${PROJECT_SOURCE_DIR}/include/mdrcontact.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(FILES "${PROJECT_SOURCE_DIR}/include/mdrcontact.h" "${PROJECT_SOURCE_DIR}/include/mdrcontact_law.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 # Module files belong to one compiler; those of the C layer are nobody's business.
 install(DIRECTORY "${CMAKE_BINARY_DIR}/modules/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/mdrcontact/modules"
   FILES_MATCHING PATTERN "*.mod" PATTERN "mdrcontact_api_*" EXCLUDE)

@@ -1032,7 +1032,22 @@ typedef struct mdr_law_options {
     double tolerance;        /**< Of F, a and k, relative, 1e-12 to 1e-2; with adhesion relative to |F| + |d dF/dd|;
                                   default 1e-9. */
     const char *description; /**< The problem in words, kept in the file; default NULL: none. */
+    int continue_beyond;     /**< Not 0: beyond the largest depth and force the law answers too, along the tangent there, and says
+                                  so in mdr_law_point.beyond: one hard collision does not end a run. Default 0: it refuses. */
 } mdr_law_options;
+
+/** A state of a law. */
+typedef struct mdr_law_point {
+    double depth;     /**< d [length]. All others are 0 where the bodies are apart. */
+    double force;     /**< F [modulus length^2]. */
+    double slope;     /**< dF/dd along the branch, which implicit codes need; k without adhesion [modulus length]. */
+    double radius;    /**< a [length]. */
+    double stiffness; /**< k, dF/dd at constant a [modulus length]. */
+    double energy;    /**< U = int F dd along the branch, from first touch on (elastic energy), with adhesion from pull-off on
+                           [modulus length^3]. */
+    double beyond;    /**< How far d lies beyond the largest depth, where the numbers are those of a tangent and no longer those of
+                           the contact; 0 within the range [length]. */
+} mdr_law_point;
 
 /** Sets all options to their defaults. options = NULL is allowed. Never fails. */
 void mdr_law_options_init(mdr_law_options *options);
@@ -1054,26 +1069,39 @@ int mdr_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_
  *          for indenters other than paraboloids, and for laws of files that do not hold the radius */
 int mdr_law_with_radius(const mdr_law *law, double radius, mdr_law **out);
 
-/** The force at one depth. Outputs that are NULL are skipped.
+/** The force at one depth. In inner loops see mdrcontact_law.h, which has the same inline.
  *  @param law     law
  *  @param branch  one of enum mdr_branch
  *  @param d       indentation depth up to the largest one; F and slope are 0 where the bodies are apart [length]
  *  @param F       or NULL: normal force [modulus length^2]
- *  @param slope   or NULL: dF/dd along the branch, which implicit codes need; k without adhesion [modulus length]
+ *  @param slope   or NULL: dF/dd along the branch [modulus length]
  *  @return also MDR_EDOMAIN beyond the largest depth */
 int mdr_law_force(const mdr_law *law, int branch, double d, double *F, double *slope);
 
+/** The state at one depth.
+ *  @param law     law
+ *  @param branch  one of enum mdr_branch
+ *  @param d       indentation depth up to the largest one [length]
+ *  @param point   receives the state
+ *  @return also MDR_EDOMAIN beyond the largest depth */
+int mdr_law_at_depth(const mdr_law *law, int branch, double d, mdr_law_point *point);
+
+/** The state under one normal force.
+ *  @param law     law
+ *  @param branch  one of enum mdr_branch
+ *  @param F       force >= 0, with adhesion on unloading down to the pull-off force [modulus length^2]
+ *  @param point   receives the state
+ *  @return also MDR_EUNREACHABLE below the lowest force, MDR_EDOMAIN beyond the largest */
+int mdr_law_at_force(const mdr_law *law, int branch, double F, mdr_law_point *point);
+
 /** The state at one depth of a contact with a history: an open contact closes at d >= 0, a closed one stays on its stable
- *  segment until that ends, by pull-off or by a jump to another one. Outputs that are NULL are skipped.
+ *  segment until that ends, by pull-off or by a jump to another one.
  *  @param law      law
  *  @param d        indentation depth up to the largest one [length]
  *  @param segment  where the contact is: 0 for open before the first call, then what the last call left there
- *  @param F        or NULL: normal force [modulus length^2]
- *  @param slope    or NULL: dF/dd along the segment [modulus length]
- *  @param a        or NULL: contact radius [length]
- *  @param k        or NULL: stiffness dF/dd at constant a [modulus length]
+ *  @param point    receives the state
  *  @return also MDR_EDOMAIN beyond the largest depth */
-int mdr_law_follow(const mdr_law *law, double d, int *segment, double *F, double *slope, double *a, double *k);
+int mdr_law_follow(const mdr_law *law, double d, int *segment, mdr_law_point *point);
 
 /** States from indentation depths. Outputs that are NULL are skipped.
  *  @param law      law
@@ -1101,6 +1129,15 @@ int mdr_law_from_depth(const mdr_law *law, int branch, int n, const double d[], 
 int mdr_law_from_force(const mdr_law *law, int branch, int n, const double F[], double d[], double compliance[], double a[],
                        double k[]);
 
+/** Energies U = int F dd along the branch, as in mdr_law_point.
+ *  @param law     law
+ *  @param branch  one of enum mdr_branch
+ *  @param n       number of states
+ *  @param d       [n] depths up to the largest one [length]
+ *  @param U       [n] energies; 0 where the bodies are apart [modulus length^3]
+ *  @return also MDR_EDOMAIN beyond the largest depth */
+int mdr_law_energy(const mdr_law *law, int branch, int n, const double d[], double U[]);
+
 /** What a law is. */
 typedef struct mdr_law_facts {
     double lowest_depth;    /**< The compiled range begins here: at pull-off with adhesion [length]. */
@@ -1111,8 +1148,9 @@ typedef struct mdr_law_facts {
     double error;           /**< The largest relative error found when the law was verified against the contact. */
     int solutions;          /**< Contact states computed to make and verify the law. */
     int adhesive;           /**< 1 with adhesion, else 0. */
-    int segments;          /**< Number of stable segments under depth control. */
+    int segments;           /**< Number of stable segments under depth control. */
     int description_length; /**< Of the description, without its closing zero. */
+    int continue_beyond;    /**< 1 if it answers beyond its range too, else 0. */
 } mdr_law_facts;
 
 /** What a law is.

@@ -104,6 +104,19 @@ law_options = np.dtype(
         ("smallest_depth", np.float64),
         ("tolerance", np.float64),
         ("description", np.uintp),
+        ("continue_beyond", np.intc),
+    ],
+    align=True,
+)
+law_point = np.dtype(
+    [
+        ("depth", np.float64),
+        ("force", np.float64),
+        ("slope", np.float64),
+        ("radius", np.float64),
+        ("stiffness", np.float64),
+        ("energy", np.float64),
+        ("beyond", np.float64),
     ],
     align=True,
 )
@@ -119,6 +132,7 @@ law_facts = np.dtype(
         ("adhesive", np.intc),
         ("segments", np.intc),
         ("description_length", np.intc),
+        ("continue_beyond", np.intc),
     ],
     align=True,
 )

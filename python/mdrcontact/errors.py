@@ -14,6 +14,7 @@ __all__ = [
     "CallbackError",
     "FileError",
     "NotOneDiscWarning",
+    "BeyondRangeWarning",
 ]
 
 
@@ -56,6 +57,10 @@ class FileError(MDRError, OSError):
 class NotOneDiscWarning(UserWarning):
     """The pressure of a contact without adhesion is negative somewhere: on this stiff coating the contact is not one disc. Its
     pressure is not that of the true contact; F(d) is off by at most a few per cent."""
+
+
+class BeyondRangeWarning(UserWarning):
+    """A compiled law that continues beyond its range was asked there: the numbers are those of its tangent."""
 
 
 _BY_STATUS: dict[int, type[MDRError]] = {

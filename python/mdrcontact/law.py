@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -16,9 +17,12 @@ from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_a
 from ._files import replace
 from .adhesion import BRANCHES
 from .contact import Contact
-from .errors import ArgumentTypeError, FileError, InvalidArgumentError
+from .errors import ArgumentTypeError, BeyondRangeWarning, FileError, InvalidArgumentError
 
 __all__ = ["ContactLaw", "LawState"]
+
+_UNLOADING = BRANCHES["unloading"]
+_state: Any = tuple.__new__
 
 
 class LawState(NamedTuple):
@@ -47,11 +51,13 @@ class ContactLaw:
         touch the law follows a power of d. With adhesion the law begins at pull-off
     tolerance : relative, of F, a and k; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|
     description : the problem in words, kept in files; None: the contact's repr
+    continue_beyond : whether the law answers beyond its largest depth and force too, along the tangent there, with a warning
+        (BeyondRangeWarning): one hard collision then does not end a run. Else it refuses
 
     Unlike the contact, the law has an answer for bodies that are apart: zero.
     """
 
-    __slots__ = ("_handle", "_facts")
+    __slots__ = ("_handle", "_address", "_facts", "_highest")
 
     def __init__(
         self,
@@ -61,6 +67,7 @@ class ContactLaw:
         smallest_depth: float | None = None,
         tolerance: float = 1e-9,
         description: str | None = None,
+        continue_beyond: bool = False,
     ) -> None:
         if not isinstance(contact, Contact):
             raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
@@ -72,25 +79,36 @@ class ContactLaw:
             raise InvalidArgumentError("smallest_depth = 0.0 is not allowed: it must be greater than 0")
         text = np.frombuffer(words.encode() + b"\0", np.uint8)
         options = record(_layout.law_options, _native.law_options_init, smallest_depth=smallest,
-                         tolerance=number("tolerance", tolerance), description=address(text))  # fmt: skip
+                         tolerance=number("tolerance", tolerance), description=address(text),
+                         continue_beyond=bool(continue_beyond))  # fmt: skip
         self._own(_native.law_new(contact._handle.address, number("largest_depth", largest_depth), address(options)))
 
     def _own(self, created: tuple[int, int]) -> None:
         self._handle = Handle(created, _native.law_free)
+        self._address = self._handle.address
         facts = record(_layout.law_facts)
-        call(_native.law_info, self._handle.address, address(facts))
+        call(_native.law_info, self._address, address(facts))
         self._facts = facts[0]
+        self._highest = float(self._facts["highest_depth"])
 
     def force(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
         """F [modulus length^2] at depths d up to the largest one [length], any shape.
 
         branch : "loading" or "unloading", as in `Contact.at_depth`
         """
+        if isinstance(depth, float) and branch == "unloading" and depth <= self._highest:
+            F = _native.law_force_scalar(self._address, _UNLOADING, depth)
+            if F is not None:
+                return F
         chosen = adhesion.code("branch", branch, BRANCHES)
         return evaluate("depth", depth, lambda d: self._from_depth(chosen, d, 1))
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> LawState:
         """The states at depths d up to the largest one [length], any shape. Further arguments as in `force`."""
+        if isinstance(depth, float) and branch == "unloading" and depth <= self._highest:
+            state = _native.law_state_scalar(self._address, _UNLOADING, depth)
+            if state is not None:
+                return _state(LawState, state)
         chosen = adhesion.code("branch", branch, BRANCHES)
         F, slope, a, k = evaluate_all("depth", depth, lambda d: self._from_depth(chosen, d, 4))
         return LawState(_as_given(depth), a, F, k, slope)
@@ -99,12 +117,33 @@ class ContactLaw:
         """Status, and the first of F, slope, a and k: F alone is cheapest."""
         columns = [np.empty(depth.shape) for _ in range(wanted)]
         places = [address(column) for column in columns] + [0] * (4 - wanted)
-        return _native.law_from_depth(self._handle.address, branch, depth, *places), *columns
+        status = _native.law_from_depth(self._address, branch, depth, *places)
+        return self._warn("depth", depth, (status, *columns))
+
+    def energy(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
+        """U = int F dd along the branch [modulus length^3] at depths d [length], any shape: without adhesion the elastic energy,
+        counted from first touch; with adhesion counted from pull-off. Further arguments as in `force`."""
+        chosen = adhesion.code("branch", branch, BRANCHES)
+        return evaluate("depth", depth, lambda d: self._warn("depth", d, _native.law_energy(self._address, chosen, d)))
+
+    def _warn(self, name: str, values: NDArray[np.float64], answer: tuple[Any, ...]) -> tuple[Any, ...]:
+        """`answer`, with a warning where values lie beyond the range of a law that is continued."""
+        largest = self._highest if name == "depth" else self.force_range[1]
+        if answer[0] == 0 and self._facts["continue_beyond"] and values.max() > largest:
+            beyond = np.count_nonzero(values > largest)
+            warnings.warn(
+                f"{beyond} of {values.size} values of {name} lie beyond {largest:.4g}: the law goes on along its tangent",
+                BeyondRangeWarning,
+                stacklevel=5,
+            )
+        return answer
 
     def at_force(self, force: ArrayLike, branch: str = "unloading") -> LawState:
         """The states under forces F of the compiled range [modulus length^2], any shape. Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
-        d, compliance, a, k = evaluate_all("force", force, lambda F: _native.law_from_force(self._handle.address, chosen, F))
+        d, compliance, a, k = evaluate_all(
+            "force", force, lambda F: self._warn("force", F, _native.law_from_force(self._address, chosen, F))
+        )
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) > 0.0)
         return LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
 
@@ -116,7 +155,7 @@ class ContactLaw:
         indenters other than paraboloids; and for laws of files that do not hold the radius.
         """
         law = type(self).__new__(type(self))
-        law._own(_native.law_with_radius(self._handle.address, number("radius", radius)))
+        law._own(_native.law_with_radius(self._address, number("radius", radius)))
         return law
 
     @property
@@ -149,14 +188,14 @@ class ContactLaw:
         """The problem the law was made from."""
         length = int(self._facts["description_length"])
         buffer = np.zeros(length + 1, np.uint8)
-        call(_native.law_description, self._handle.address, address(buffer), length + 1)
+        call(_native.law_description, self._address, address(buffer), length + 1)
         return str(bytes(buffer[:length]), "utf-8")
 
     def to_bytes(self) -> bytes:
         """The content of a law's file: version, description, numbers, checksum."""
-        length = call(_native.law_write, self._handle.address, 0, 0)
+        length = call(_native.law_write, self._address, 0, 0)
         buffer = np.zeros(length, np.uint8)
-        call(_native.law_write, self._handle.address, address(buffer), length)
+        call(_native.law_write, self._address, address(buffer), length)
         return bytes(buffer)
 
     @classmethod

@@ -14,6 +14,11 @@ import re
 import sys
 from pathlib import Path
 
+# Functions of law_force.c beside those of the header: name, and what they take and give.
+SCALARS = {
+    "law_force_scalar": "law: int, branch: int, d: float, /) -> float | None",
+    "law_state_scalar": "law: int, branch: int, d: float, /) -> tuple[float, float, float, float, float] | None",
+}
 # Arrays whose size is not n; an empty text: as an address. In C order, as in the header.
 POINTS_OF_RULE = "6*order*order*order"
 SIZES = {
@@ -170,7 +175,13 @@ def main(header, pyf, pyi, layout_file):
     prototypes = re.findall(r"^(int|void) (mdr_\w+)\(([^)]*)\);", text, flags=re.MULTILINE)
     functions = [Function(result, name, " ".join(words.split()), rows) for result, name, words in prototypes]
     signatures = [f"    {line}" for function in functions for line in function.signature()]
-    write(Path(pyf), ["python module _native", "  interface", *signatures, "  end interface", "end python module _native"])
+    scalars = [f"PyObject *{name}(PyObject *, PyObject *const *, Py_ssize_t);" for name in SCALARS]
+    methods = [f'{{"{name}", (PyCFunction)(void (*)(void)){name}, METH_FASTCALL, NULL}},' for name in SCALARS]
+    write(
+        Path(pyf),
+        ["python module _native", "  usercode '''", *scalars, "'''", "  pymethoddef '''", *methods, "'''"]
+        + ["  interface", *signatures, "  end interface", "end python module _native"],
+    )
     write(
         Path(pyi),
         [
@@ -183,6 +194,7 @@ def main(header, pyf, pyi, layout_file):
             "Reals = NDArray[np.float64]",
             "",
             *(function.stub() for function in functions),
+            *(f"def {name}({words}: ..." for name, words in SCALARS.items()),
         ],
     )
     write(Path(layout_file), layout(text, found))

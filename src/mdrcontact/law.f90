@@ -6,7 +6,9 @@
 !> of threads may share it. Unlike the contact it is made from, the law has an answer for bodies that are apart: force,
 !> radius, stiffness and slope are 0 below first touch, and with adhesion below pull-off (on loading: below d = 0).
 module mdrcontact_law
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
+    use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_batch, only: check_threads
     use mdrcontact_contact_branch, only: stable_segment_t
     use mdrcontact_contact_control, only: depth_control, force_control
     use mdrcontact_contact_curve, only: curve_t, new_curve
@@ -14,18 +16,20 @@ module mdrcontact_law
     use mdrcontact_contact, only: check_branch, contact_t, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, check_positive, count_text, error_domain, error_invalid, error_no_convergence, &
-                                error_t, error_unreachable, raise, to_text
+                                error_t, error_unreachable, raise, raise_at, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
-    use mdrcontact_law_evaluate, only: law_point_t, point_at
+    use mdrcontact_law_evaluate, only: count_within, energy_at, point_at, run_points
+    use mdrcontact_law_interval, only: interval_place, place_t, polynomial, polynomial_with_slope
     use mdrcontact_law_segments, only: compile_segments, fold_margin
-    use mdrcontact_law_table, only: law_table_t, interval_in, scale_table, segment_for, values_below, values_in
+    use mdrcontact_law_table, only: below_range, interval_for, interval_in, law_table_t, no_contact, scale_table, segment_for, &
+                                    values_below, values_in
     use mdrcontact_law_verify, only: largest_error
     use mdrcontact_profile_power_law, only: power_law_t
     implicit none (type, external)
     private
     public :: contact_law_t, new_contact_law, law_options_t, law_point_t
-    public :: check_below, lowest_force
+    public :: check_depths
     public :: default_law_tolerance
 
     !> Relative tolerance of a law for which none is asked for.
@@ -46,9 +50,32 @@ module mdrcontact_law
         real(wp) :: smallest_depth = 0.0_wp
         !> of F, a and k, relative; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|: at pull-off the slope is infinite.
         real(wp) :: tolerance = default_law_tolerance
+        !> whether the law answers beyond its largest depth and force too, along the tangent there, and says so in `beyond`: one
+        !> hard collision then does not end a run. Else it refuses
+        logical :: continue_beyond = .false.
         !> the problem the law is made from, in words
         character(len=:), allocatable :: description
     end type law_options_t
+
+    !> A state of the law; struct mdr_law_point of the header.
+    type, bind(C) :: law_point_t
+        !> d [length]
+        real(c_double) :: depth = 0.0_c_double
+        !> F [modulus length^2]
+        real(c_double) :: force = 0.0_c_double
+        !> dF/dd along the branch [modulus length]; infinite slopes at pull-off are cut off at a large number
+        real(c_double) :: slope = 0.0_c_double
+        !> a [length]
+        real(c_double) :: radius = 0.0_c_double
+        !> k = 2 a E_eff(a), the stiffness at constant radius [modulus length]; without adhesion it equals the slope
+        real(c_double) :: stiffness = 0.0_c_double
+        !> U = int F dd along the branch from first touch on, without adhesion the elastic energy; with adhesion from pull-off on
+        !> [modulus length^3]
+        real(c_double) :: energy = 0.0_c_double
+        !> how far d lies beyond the largest depth, where the law is continued along its tangent: the numbers are then no longer
+        !> those of the contact; 0 within the range [length]
+        real(c_double) :: beyond = 0.0_c_double
+    end type law_point_t
 
     !> A compiled law. It never changes.
     type :: contact_law_t
@@ -66,6 +93,11 @@ module mdrcontact_law
         procedure :: at_depth
         procedure :: at_force
         procedure :: follow
+        procedure :: force
+        procedure :: force_and_slope
+        procedure :: energy
+        procedure :: from_depths
+        procedure :: from_forces
         procedure :: with_radius
     end type contact_law_t
 
@@ -115,6 +147,8 @@ contains
         if (allocated(error)) return
         call close_table(self%by_depth)
         call close_table(self%by_force)
+        self%by_depth%continued = chosen%continue_beyond
+        self%by_force%continued = chosen%continue_beyond
     end subroutine new_contact_law
 
     !> The law of the same bodies for a paraboloid of another radius R. At a given contact radius depth and force are proportional
@@ -181,6 +215,7 @@ contains
         type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
         real(wp), allocatable :: coordinates(:)
         real(wp) :: first, last, found
+        integer :: i
 
         call coordinate_beyond(contact%equilibrium, largest_depth, largest_depth, last, found, self%solutions, error)
         if (allocated(error)) return
@@ -222,6 +257,10 @@ contains
         self%solutions = self%solutions + curve%solutions
         coordinates = coordinates(2:size(coordinates) - 1)
         call compile_segments(self%by_depth, curve, of_depth, coordinates, fit_share*self%tolerance, error)
+        if (allocated(error)) return
+        do i = 2, size(of_depth)
+            self%by_depth%segments(i)%energy = curve%work_between(of_depth(1)%first, of_depth(i)%first)
+        end do
         if (.not. allocated(error)) then
             call compile_segments(self%by_force, curve, of_force, coordinates, fit_share*self%tolerance, error)
         end if
@@ -237,7 +276,7 @@ contains
     !> The state at depth d; all but d is 0 where the bodies are apart.
     pure subroutine at_depth(self, depth, point, error, branch)
         class(contact_law_t), intent(in) :: self
-        !> at most the largest depth; any value below [length]
+        !> at most the largest depth, unless the law continues beyond; any value below [length]
         real(wp), intent(in) :: depth
         type(law_point_t), intent(out) :: point
         type(error_t), allocatable, intent(out) :: error
@@ -248,10 +287,11 @@ contains
         way = on_unloading
         if (present(branch)) way = branch
         call check_branch(error, way)
-        call check_below(error, "depth", depth, self%by_depth%highest)
+        call check_below(error, "depth", depth, self%by_depth)
         if (allocated(error)) return
         point%depth = depth
         call point_at(self%by_depth, way, depth, point%force, point%slope, point%radius, point%stiffness)
+        call add_energy(self, interval_for(self%by_depth, way, min(depth, self%by_depth%highest)), point)
     end subroutine at_depth
 
     !> The state under force F: there is one at every force down to 0, with adhesion down to pull-off on unloading.
@@ -269,16 +309,224 @@ contains
         way = on_unloading
         if (present(branch)) way = branch
         call check_branch(error, way)
-        call check_below(error, "force", force, self%by_force%highest)
-        if (.not. allocated(error) .and. force < lowest_force(self, way)) then
-            call raise(error, error_unreachable, " = "//to_text(force)//" cannot be reached: no contact carries less than "// &
-                       to_text(lowest_force(self, way)), "force")
-        end if
+        call check_force(error, self, way, force)
         if (allocated(error)) return
         point%force = force
         call point_at(self%by_force, way, force, point%depth, compliance, point%radius, point%stiffness)
         if (compliance > 0.0_wp) point%slope = 1.0_wp/compliance
+        call add_energy(self, interval_at_radius(self%by_depth, point), point)
     end subroutine at_force
+
+    !> Energy, and how far beyond the range, of a state on an interval of the depths.
+    pure subroutine add_energy(self, interval, point)
+        type(contact_law_t), intent(in) :: self
+        integer, intent(in) :: interval
+        type(law_point_t), intent(inout) :: point
+
+        point%energy = energy_at(self%by_depth, interval, point%depth)
+        point%beyond = max(point%depth - self%by_depth%highest, 0.0_wp)
+    end subroutine add_energy
+
+    !> The interval of the depths on which a state lies: of several at its depth the one with its contact radius.
+    pure function interval_at_radius(table, point) result(interval)
+        type(law_table_t), intent(in) :: table
+        type(law_point_t), intent(in) :: point
+        integer :: interval
+        real(wp) :: unused(2), depth, radius, stiffness, nearest
+        integer :: i, candidate
+
+        ! rounding may put a state at an end of the range a little outside
+        depth = min(max(point%depth, table%lowest), table%highest)
+        interval = no_contact
+        if (.not. table%adhesive) interval = interval_for(table, on_unloading, min(point%depth, table%highest))
+        if (.not. table%adhesive .or. point%radius <= 0.0_wp) return
+        nearest = huge(1.0_wp)
+        do i = 1, size(table%segments)
+            if (depth < table%segments(i)%lowest .or. depth > table%segments(i)%highest) cycle
+            candidate = interval_in(table, i, depth)
+            call values_in(table, candidate, depth, unused(1), unused(2), radius, stiffness)
+            if (abs(radius - point%radius) > nearest) cycle
+            nearest = abs(radius - point%radius)
+            interval = candidate
+        end do
+    end function interval_at_radius
+
+    !> F at depth d, for inner loops and arrays: as at_depth, but NaN where that has an error.
+    elemental function force(self, depth, branch) result(value)
+        class(contact_law_t), intent(in) :: self
+        !> [length]
+        real(wp), intent(in) :: depth
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        real(wp) :: value
+        type(place_t) :: place
+        real(wp) :: unused
+
+        if (depth >= self%by_depth%direct%lowest .and. depth <= self%by_depth%direct%highest) then
+            place = interval_place(self%by_depth%direct, depth)
+            value = polynomial(self%by_depth%other(place%panel)%c, place%t)
+        else
+            call force_elsewhere(self, depth, branch, value, unused)
+        end if
+    end function force
+
+    !> F and dF/dd at depth d, for inner loops and arrays: as at_depth, but NaN where that has an error.
+    elemental subroutine force_and_slope(self, depth, force, slope, branch)
+        class(contact_law_t), intent(in) :: self
+        !> [length]
+        real(wp), intent(in) :: depth
+        !> [modulus length^2], [modulus length]
+        real(wp), intent(out) :: force, slope
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        type(place_t) :: place
+
+        if (depth >= self%by_depth%direct%lowest .and. depth <= self%by_depth%direct%highest) then
+            place = interval_place(self%by_depth%direct, depth)
+            call polynomial_with_slope(self%by_depth%other(place%panel)%c, place%t, force, slope)
+            slope = self%by_depth%direct%scale*slope
+        else
+            call force_elsewhere(self, depth, branch, force, slope)
+        end if
+    end subroutine force_and_slope
+
+    !> U = int F dd at depth d, as in law_point_t; NaN where at_depth has an error.
+    elemental function energy(self, depth, branch) result(value)
+        class(contact_law_t), intent(in) :: self
+        !> [length]
+        real(wp), intent(in) :: depth
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        !> [modulus length^3]
+        real(wp) :: value
+        type(law_point_t) :: point
+        type(error_t), allocatable :: error
+
+        call self%at_depth(depth, point, error, branch)
+        value = point%energy
+        if (allocated(error)) value = ieee_value(value, ieee_quiet_nan)
+    end function energy
+
+    pure subroutine force_elsewhere(self, depth, branch, force, slope)
+        class(contact_law_t), intent(in) :: self
+        real(wp), intent(in) :: depth
+        integer, intent(in), optional :: branch
+        real(wp), intent(out) :: force, slope
+        real(wp) :: radius, stiffness
+        type(error_t), allocatable :: error
+        integer :: way
+
+        way = on_unloading
+        if (present(branch)) way = branch
+        call check_branch(error, way)
+        call check_below(error, "depth", depth, self%by_depth)
+        if (allocated(error)) then
+            force = ieee_value(force, ieee_quiet_nan)
+            slope = force
+        else
+            call point_at(self%by_depth, way, depth, force, slope, radius, stiffness)
+        end if
+    end subroutine force_elsewhere
+
+    !> The states at many depths: at_depth for arrays. Where one is refused the error is that of the first, and nothing is written.
+    subroutine from_depths(self, depths, error, force, slope, radius, stiffness, branch, threads)
+        class(contact_law_t), intent(in) :: self
+        !> [length]
+        real(wp), intent(in), contiguous :: depths(:)
+        type(error_t), allocatable, intent(out) :: error
+        !> same size as depths: F [modulus length^2], dF/dd [modulus length], a [length], k [modulus length]; what is not given is
+        !> not computed
+        real(wp), intent(inout), optional, contiguous :: force(:), slope(:), radius(:), stiffness(:)
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        !> at least 1 (default), or 0 for as many as OpenMP offers; few points stay on one
+        integer, intent(in), optional :: threads
+        integer :: way, team
+        logical :: all_direct
+
+        call check_arrays(error, size(depths), force, slope, radius, stiffness, branch, threads, way, team)
+        all_direct = count_within(depths, self%by_depth%direct%lowest, self%by_depth%direct%highest) == size(depths)
+        if (.not. all_direct) call check_depths(error, self, depths)
+        if (allocated(error)) return
+        call run_points(self%by_depth, way, depths, all_direct, team, force, slope, radius, stiffness)
+    end subroutine from_depths
+
+    !> The states under many forces: at_force for arrays, as from_depths.
+    subroutine from_forces(self, forces, error, depth, compliance, radius, stiffness, branch, threads)
+        class(contact_law_t), intent(in) :: self
+        !> [modulus length^2]
+        real(wp), intent(in), contiguous :: forces(:)
+        type(error_t), allocatable, intent(out) :: error
+        !> same size as forces: d [length], dd/dF [1/(modulus length)], a [length], k [modulus length]; what is not given is not
+        !> computed
+        real(wp), intent(inout), optional, contiguous :: depth(:), compliance(:), radius(:), stiffness(:)
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        !> at least 1 (default), or 0 for as many as OpenMP offers; few points stay on one
+        integer, intent(in), optional :: threads
+        integer :: way, team, i
+        logical :: all_direct
+
+        call check_arrays(error, size(forces), depth, compliance, radius, stiffness, branch, threads, way, team)
+        if (allocated(error)) return
+        all_direct = count_within(forces, self%by_force%direct%lowest, self%by_force%direct%highest) == size(forces)
+        if (.not. all_direct) then
+            do i = 1, size(forces)
+                call check_force(error, self, way, forces(i))
+                if (.not. allocated(error)) cycle
+                call raise_at(error, i)
+                return
+            end do
+        end if
+        call run_points(self%by_force, way, forces, all_direct, team, depth, compliance, radius, stiffness)
+    end subroutine from_forces
+
+    !> Raises unless the law has a state at each depth.
+    pure subroutine check_depths(error, self, depths)
+        type(error_t), allocatable, intent(inout) :: error
+        class(contact_law_t), intent(in) :: self
+        real(wp), intent(in) :: depths(:)
+        integer :: i
+
+        if (allocated(error)) return
+        do i = 1, size(depths)
+            call check_below(error, "depth", depths(i), self%by_depth)
+            if (.not. allocated(error)) cycle
+            call raise_at(error, i)
+            return
+        end do
+    end subroutine check_depths
+
+    !> What from_depths and from_forces take beside the points.
+    pure subroutine check_arrays(error, n, other, slope, radius, stiffness, branch, threads, way, team)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: n
+        real(wp), intent(in), optional :: other(:), slope(:), radius(:), stiffness(:)
+        integer, intent(in), optional :: branch, threads
+        integer, intent(out) :: way, team
+
+        way = on_unloading
+        if (present(branch)) way = branch
+        team = 1
+        if (present(threads)) team = threads
+        call check_branch(error, way)
+        call check_threads(error, team)
+        call check_size(error, n, other)
+        call check_size(error, n, slope)
+        call check_size(error, n, radius)
+        call check_size(error, n, stiffness)
+    end subroutine check_arrays
+
+    pure subroutine check_size(error, n, array)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: n
+        real(wp), intent(in), optional :: array(:)
+
+        if (.not. present(array)) return
+        if (size(array) == n) return
+        call raise(error, error_invalid, "the arrays have "//count_text(n)//" and "//count_text(size(array))// &
+                   " entries: they must have the same number")
+    end subroutine check_size
 
     !> The lowest force under which a branch has a state.
     pure function lowest_force(self, branch) result(force)
@@ -294,27 +542,34 @@ contains
     !> nearest one. Open bodies come into contact at d >= 0.
     pure subroutine follow(self, depth, segment, point, error)
         class(contact_law_t), intent(in) :: self
-        !> at most the largest depth; any value below [length]
+        !> at most the largest depth, unless the law continues beyond; any value below [length]
         real(wp), intent(in) :: depth
         !> where the contact is: 0 for open at the beginning, then what the last call returned
         integer, intent(inout) :: segment
         type(law_point_t), intent(out) :: point
         type(error_t), allocatable, intent(out) :: error
+        real(wp) :: within
+        integer :: interval
 
         if (segment < 0 .or. segment > size(self%by_depth%segments)) then
             call raise(error, error_invalid, "segment = "//count_text(segment)//" is not allowed: it must be 0 (open) "// &
                        "or what the last call returned")
         end if
-        call check_below(error, "depth", depth, self%by_depth%highest)
+        call check_below(error, "depth", depth, self%by_depth)
         if (allocated(error)) return
-        call move_segment(self%by_depth, depth, segment)
+        within = min(depth, self%by_depth%highest)
+        call move_segment(self%by_depth, within, segment)
         point%depth = depth
-        if (segment > 0 .and. depth >= self%by_depth%lowest) then
-            call values_in(self%by_depth, interval_in(self%by_depth, segment, depth), depth, point%force, point%slope, &
-                           point%radius, point%stiffness)
-        else if (segment > 0) then
+        if (segment == 0) return
+        interval = below_range
+        if (within >= self%by_depth%lowest) then
+            interval = interval_in(self%by_depth, segment, within)
+            call values_in(self%by_depth, interval, within, point%force, point%slope, point%radius, point%stiffness)
+            point%force = point%force + point%slope*(depth - within)
+        else
             call values_below(self%by_depth, depth, point%force, point%slope, point%radius, point%stiffness)
         end if
+        call add_energy(self, interval, point)
     end subroutine follow
 
     pure subroutine move_segment(table, depth, segment)
@@ -337,19 +592,34 @@ contains
         end if
     end subroutine move_segment
 
-    !> Raises unless s is finite and at most the end of the compiled range.
-    pure subroutine check_below(error, name, s, highest)
+    !> Raises unless s is finite and, unless the table is continued, at most the end of the compiled range.
+    pure subroutine check_below(error, name, s, table)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name
-        real(wp), intent(in) :: s, highest
+        real(wp), intent(in) :: s
+        type(law_table_t), intent(in) :: table
 
         ! a comparison with NaN would signal an invalid operation
         if (.not. ieee_is_finite(s)) then
             call check_finite(error, name, s)
-        else if (s > highest) then
+        else if (s > table%highest .and. .not. table%continued) then
             call raise(error, error_domain, " = "//to_text(s)//" is not allowed: the law was compiled up to "// &
-                       to_text(highest), name)
+                       to_text(table%highest), name)
         end if
     end subroutine check_below
+
+    !> Raises unless a branch has a state under the force.
+    pure subroutine check_force(error, self, branch, force)
+        type(error_t), allocatable, intent(inout) :: error
+        class(contact_law_t), intent(in) :: self
+        integer, intent(in) :: branch
+        real(wp), intent(in) :: force
+
+        call check_below(error, "force", force, self%by_force)
+        if (.not. allocated(error) .and. force < lowest_force(self, branch)) then
+            call raise(error, error_unreachable, " = "//to_text(force)//" cannot be reached: no contact carries less than "// &
+                       to_text(lowest_force(self, branch)), "force")
+        end if
+    end subroutine check_force
 
 end module mdrcontact_law

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The header compiles as C++ and its functions link.
-#include "mdrcontact.h"
+// The headers compile as C++ and their functions link.
+#include "mdrcontact_law.h"
 
 int main()
 {
     mdr_profile *p = nullptr;
     if (mdr_profile_paraboloid(1.0, &p) != MDR_SUCCESS || mdr_profile_free(&p) != MDR_SUCCESS) return 1;
+    mdr_law_view view = {1.0, -1.0, 0.0, 0.0, 0, 0, nullptr, nullptr, nullptr, MDR_ON_UNLOADING, 0};
+    double F, slope;
+    if (mdr_law_view_force(&view, 0.5, &F) != MDR_ENULL || mdr_law_view_force_slope(&view, 0.5, &F, &slope) != MDR_ENULL) return 1;
     return p == nullptr ? 0 : 1;
 }

@@ -67,6 +67,7 @@ static void test_history(void)
     mdr_law_facts facts;
     int segment = 0;
     double F = 1.0, pull_off_depth, below;
+    mdr_law_point point;
 
     CHECK_SUCCESS(mdr_law_new(contact, 1.0, NULL, &law));
     CHECK_SUCCESS(mdr_law_info(law, &facts));
@@ -76,14 +77,14 @@ static void test_history(void)
     CHECK_SUCCESS(mdr_contact_pull_off(contact, MDR_CONTROL_DEPTH, 1, &pull_off_depth, NULL, NULL, NULL));
     CHECK_CLOSE(facts.lowest_depth, pull_off_depth, 1e-9);
     below = 1.001 * pull_off_depth;
-    CHECK_SUCCESS(mdr_law_follow(law, -1e-9, &segment, &F, NULL, NULL, NULL));
-    CHECK_TRUE(segment == 0 && F == 0.0);
-    CHECK_SUCCESS(mdr_law_follow(law, 0.1, &segment, &F, NULL, NULL, NULL));
-    CHECK_TRUE(segment >= 1 && F > 0.0);
-    CHECK_SUCCESS(mdr_law_follow(law, 0.9 * pull_off_depth, &segment, &F, NULL, NULL, NULL));
-    CHECK_TRUE(segment >= 1 && F < 0.0);
-    CHECK_SUCCESS(mdr_law_follow(law, below, &segment, &F, NULL, NULL, NULL));
-    CHECK_TRUE(segment == 0 && F == 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, -1e-9, &segment, &point));
+    CHECK_TRUE(segment == 0 && point.force == 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, 0.1, &segment, &point));
+    CHECK_TRUE(segment >= 1 && point.force > 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, 0.9 * pull_off_depth, &segment, &point));
+    CHECK_TRUE(segment >= 1 && point.force < 0.0);
+    CHECK_SUCCESS(mdr_law_follow(law, below, &segment, &point));
+    CHECK_TRUE(segment == 0 && point.force == 0.0);
     CHECK_SUCCESS(mdr_law_force(law, MDR_ON_LOADING, -1e-9, &F, NULL));
     CHECK_TRUE(F == 0.0);
     CHECK_STATUS(mdr_law_from_force(law, MDR_ON_UNLOADING, 1, &(double){2.0 * facts.lowest_force}, &F, NULL, NULL, NULL),
@@ -160,6 +161,7 @@ static void test_refusals(void)
     mdr_law *law = NULL;
     double in[3] = {0.1, NAN, 0.2}, out[3];
     int segment = 7;
+    mdr_law_point point;
 
     fill_untouched(3, out);
     CHECK_STATUS(mdr_law_new(NULL, 1.0, NULL, &law), MDR_ENULL, "contact");
@@ -175,8 +177,8 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, in, out, NULL, NULL, NULL), MDR_EINVALID, "entry 2 of depth = ");
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, -1, in, out, NULL, NULL, NULL), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 3, NULL, out, NULL, NULL, NULL), MDR_ENULL, "d is NULL");
-    CHECK_STATUS(mdr_law_follow(law, 0.1, &segment, out, NULL, NULL, NULL), MDR_EINVALID, "segment");
-    CHECK_STATUS(mdr_law_follow(law, 0.1, NULL, out, NULL, NULL, NULL), MDR_ENULL, "segment");
+    CHECK_STATUS(mdr_law_follow(law, 0.1, &segment, &point), MDR_EINVALID, "segment");
+    CHECK_STATUS(mdr_law_follow(law, 0.1, NULL, &point), MDR_ENULL, "segment");
     CHECK_STATUS(mdr_law_load(NULL, &law), MDR_ENULL, "path");
     CHECK_UNTOUCHED(3, out);
     CHECK_SUCCESS(mdr_law_free(&law));

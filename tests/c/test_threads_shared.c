@@ -76,7 +76,7 @@ static void *evaluate(void *argument)
     tell(t, mdr_contact_pull_off(s->adhesive, MDR_CONTROL_FORCE, 1, next(t, 1), NULL, NULL, NULL));
     tell(t, mdr_loop_path(s->loop, POINTS, NULL, NULL, NULL, next(t, POINTS)));
     tell(t, mdr_law_force(s->law, MDR_ON_UNLOADING, 0.1, next(t, 1), NULL));
-    tell(t, mdr_law_follow(s->law, 0.1, &segment, next(t, 1), NULL, NULL, NULL));
+    tell(t, mdr_law_follow(s->law, 0.1, &segment, (mdr_law_point *)next(t, sizeof(mdr_law_point) / sizeof(double))));
     tell(t, mdr_law_from_depth(s->law, MDR_ON_UNLOADING, POINTS, radii, next(t, POINTS), NULL, NULL, NULL));
     tell(t, mdr_structure_modulus(s->shapes, 1, zero, zero, radii, next(t, 1)));
     tell(t, mdr_structure_modulus(s->voxels, 1, zero, zero, radii, next(t, 1)));

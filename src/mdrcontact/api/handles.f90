@@ -12,6 +12,7 @@ module mdrcontact_api_handles
     use mdrcontact_history_friction, only: friction_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
+    use mdrcontact_law_evaluate, only: law_view_t, view_of
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -22,9 +23,11 @@ module mdrcontact_api_handles
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
 
-    ! The tag comes first: it is read before it is known that there is anything else.
+    ! The tag comes first: it is read before it is known that there is anything else. It and the view of a law, empty for all
+    ! others, are read by law_force.c too.
     type :: handle_t
         integer(c_int64_t) :: tag = live_tag
+        type(law_view_t) :: view
         class(*), allocatable :: object
     end type handle_t
 
@@ -58,6 +61,11 @@ contains
         end if
         if (.not. allocated(error)) then
             out = c_loc(inside)
+            select type (law => inside%object)
+            type is (contact_law_t)
+                inside%view = view_of(law%by_depth)
+                inside%view%law = out
+            end select
         else if (associated(inside)) then
             deallocate (inside)
         end if
@@ -242,6 +250,7 @@ contains
         if (allocated(error)) return
         call c_f_pointer(handle, inside)
         inside%tag = no_tag
+        inside%view = law_view_t()
         deallocate (inside)
         handle = c_null_ptr
     end function free

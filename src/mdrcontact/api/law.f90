@@ -8,13 +8,12 @@ module mdrcontact_api_law
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_contact, only: check_branch, contact_t
     use mdrcontact_error, only: error_t
-    use mdrcontact_law, only: check_below, contact_law_t, default_law_tolerance, law_options_t, law_point_t, &
-                              new_contact_law
-    use mdrcontact_law_evaluate, only: point_at, value_at
+    use mdrcontact_law, only: contact_law_t, default_law_tolerance, law_options_t, law_point_t, new_contact_law
+    use mdrcontact_law_evaluate, only: law_view_t, view_of
     implicit none (type, external)
     private
-    public :: mdr_law_options_init, mdr_law_new, mdr_law_with_radius, mdr_law_force, mdr_law_follow, mdr_law_info, &
-              mdr_law_description, read_text
+    public :: mdr_law_options_init, mdr_law_new, mdr_law_with_radius, mdrcontact_law_force, mdr_law_view_of, mdr_law_at_depth, &
+              mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_text
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
@@ -22,6 +21,7 @@ module mdrcontact_api_law
         real(c_double) :: smallest_depth = 0.0_c_double
         real(c_double) :: tolerance = default_law_tolerance
         type(c_ptr) :: description = c_null_ptr
+        integer(c_int) :: continue_beyond = 0_c_int
     end type c_law_options_t
 
     !> struct mdr_law_facts
@@ -33,6 +33,7 @@ module mdrcontact_api_law
         integer(c_int) :: adhesive = 0_c_int
         integer(c_int) :: segments = 0_c_int
         integer(c_int) :: description_length = 0_c_int
+        integer(c_int) :: continue_beyond = 0_c_int
     end type c_law_facts_t
 
 contains
@@ -60,6 +61,7 @@ contains
         call open_handle(contact, "contact", inside, error)
         chosen%smallest_depth = given%smallest_depth
         chosen%tolerance = given%tolerance
+        chosen%continue_beyond = given%continue_beyond /= 0_c_int
         if (.not. allocated(error)) call read_text(given%description, chosen%description, error)
         if (.not. allocated(error)) call new_contact_law(law, inside, largest_depth, error, chosen)
         status = deliver(law, out, error)
@@ -103,59 +105,99 @@ contains
         end do
     end subroutine read_text
 
-    !> The inner loop's call: no allocation, no lock, one polynomial.
-    function mdr_law_force(law, branch, d, f, slope) result(status) bind(C)
+    !> What law_force.c does not do by itself.
+    function mdrcontact_law_force(law, branch, d, f, slope) result(status) bind(C)
         type(c_ptr), value :: law
         integer(c_int), value :: branch
         real(c_double), value :: d
         real(c_double), intent(inout), optional :: f, slope
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
-        real(c_double) :: force, rise, radius, stiffness
+        type(law_point_t) :: point
+        type(error_t), allocatable :: error
+
+        call open_handle(law, "law", inside, error)
+        if (.not. allocated(error)) call inside%at_depth(d, point, error, int(branch))
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(f)) f = point%force
+        if (present(slope)) slope = point%slope
+    end function mdrcontact_law_force
+
+    function mdr_law_view_of(law, branch, view) result(status) bind(C)
+        type(c_ptr), value :: law
+        integer(c_int), value :: branch
+        type(law_view_t), intent(inout), optional :: view
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
         type(error_t), allocatable :: error
 
         call open_handle(law, "law", inside, error)
         call check_branch(error, int(branch))
-        if (.not. allocated(error)) call check_below(error, "depth", d, inside%by_depth%highest)
-        status = 0_c_int
-        if (allocated(error)) then
-            status = status_of(error)
-        else if (present(slope)) then
-            call point_at(inside%by_depth, int(branch), d, force, rise, radius, stiffness)
-            if (present(f)) f = force
-            slope = rise
-        else if (present(f)) then
-            f = value_at(inside%by_depth, int(branch), d)
-        end if
-    end function mdr_law_force
+        call check_given(error, "view", present(view))
+        status = status_of(error)
+        if (allocated(error)) return
+        view = view_of(inside%by_depth)
+        view%law = law
+        view%branch = branch
+    end function mdr_law_view_of
 
-    function mdr_law_follow(law, d, segment, f, slope, a, k) result(status) bind(C)
+    function mdr_law_at_depth(law, branch, d, point) result(status) bind(C)
+        type(c_ptr), value :: law
+        integer(c_int), value :: branch
+        real(c_double), value :: d
+        type(law_point_t), intent(inout), optional :: point
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        type(law_point_t) :: found
+        type(error_t), allocatable :: error
+
+        call open_handle(law, "law", inside, error)
+        call check_given(error, "point", present(point))
+        if (.not. allocated(error)) call inside%at_depth(d, found, error, int(branch))
+        status = status_of(error)
+        if (.not. allocated(error)) point = found
+    end function mdr_law_at_depth
+
+    function mdr_law_at_force(law, branch, f, point) result(status) bind(C)
+        type(c_ptr), value :: law
+        integer(c_int), value :: branch
+        real(c_double), value :: f
+        type(law_point_t), intent(inout), optional :: point
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        type(law_point_t) :: found
+        type(error_t), allocatable :: error
+
+        call open_handle(law, "law", inside, error)
+        call check_given(error, "point", present(point))
+        if (.not. allocated(error)) call inside%at_force(f, found, error, int(branch))
+        status = status_of(error)
+        if (.not. allocated(error)) point = found
+    end function mdr_law_at_force
+
+    function mdr_law_follow(law, d, segment, point) result(status) bind(C)
         type(c_ptr), value :: law
         real(c_double), value :: d
         integer(c_int), intent(inout), optional :: segment
-        real(c_double), intent(inout), optional :: f, slope, a, k
+        type(law_point_t), intent(inout), optional :: point
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
-        type(law_point_t) :: point
+        type(law_point_t) :: found
         type(error_t), allocatable :: error
         integer :: place
 
         call open_handle(law, "law", inside, error)
         call check_given(error, "segment", present(segment))
-        status = 0_c_int
+        call check_given(error, "point", present(point))
         if (.not. allocated(error)) then
             place = segment
-            call inside%follow(d, place, point, error)
+            call inside%follow(d, place, found, error)
         end if
-        if (allocated(error)) then
-            status = status_of(error)
-            return
-        end if
+        status = status_of(error)
+        if (allocated(error)) return
         segment = int(place, c_int)
-        if (present(f)) f = point%force
-        if (present(slope)) slope = point%slope
-        if (present(a)) a = point%radius
-        if (present(k)) k = point%stiffness
+        point = found
     end function mdr_law_follow
 
     function mdr_law_info(law, facts) result(status) bind(C)
@@ -172,7 +214,7 @@ contains
         facts = c_law_facts_t(inside%by_depth%lowest, inside%by_depth%highest, inside%by_force%lowest, inside%by_force%highest, &
                               inside%tolerance, inside%error, int(inside%solutions, c_int), &
                               merge(1_c_int, 0_c_int, inside%by_depth%adhesive), size(inside%by_depth%segments, kind=c_int), &
-                              len(inside%description, kind=c_int))
+                              len(inside%description, kind=c_int), merge(1_c_int, 0_c_int, inside%by_depth%continued))
     end function mdr_law_info
 
     function mdr_law_description(law, buffer, length) result(status) bind(C)

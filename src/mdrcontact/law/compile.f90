@@ -5,9 +5,9 @@ module mdrcontact_law_compile
     use mdrcontact_contact_curve, only: curve_point_t, curve_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_law_interval, only: coefficient_count, column_count, most_bits, new_interval, panel_count, panel_ends, &
-                                      polynomial, interval_t, u_of_y
-    use mdrcontact_law_table, only: law_table_t, table_segment_t, values_in
+    use mdrcontact_law_interval, only: coefficient_count, column_count, in_units_of, interval_t, most_bits, new_interval, &
+                                      panel_count, panel_ends, polynomial, row_t, u_of_y
+    use mdrcontact_law_table, only: add_energies, contact_rows_t, find_direct, law_table_t, table_segment_t, values_in
     implicit none (type, external)
     private
     public :: piece_t, compile_pieces, compile_straight, control_of, open_table, close_table
@@ -35,7 +35,7 @@ contains
         table%end_radius = end_radius
         table%lowest = huge(1.0_wp)
         table%highest = -huge(1.0_wp)
-        allocate (table%segments(0), table%intervals(0), table%coefficients(coefficient_count, column_count, 0))
+        allocate (table%segments(0), table%intervals(0), table%other(0), table%contact(0))
     end subroutine open_table
 
     !> Adds one segment, given as its pieces by ascending radius.
@@ -78,11 +78,11 @@ contains
 
         first = size(table%intervals) + 1
         interval = new_interval(low, 1.0_wp, .false., 0.0_wp, high - low, 1.0_wp, 0)
-        interval%first_panel = size(table%coefficients, 3)
+        interval%first_panel = size(table%other)
         allocate (coefficients(coefficient_count, column_count, panel_count(interval)), source=0.0_wp)
         do panel = 1, size(coefficients, 3)
             ends = panel_ends(interval, panel)
-            s = low + [u_of_y(interval, ends(1)), u_of_y(interval, ends(2))]
+            s = [u_of_y(interval, ends(1)), u_of_y(interval, ends(2))]
             other = s*merge(stiffness, 1.0_wp/stiffness, table%by_depth)
             coefficients(1, :, panel) = [0.5_wp*(other(1) + other(2)), radius, stiffness]
             coefficients(2, 1, panel) = 0.5_wp*(other(2) - other(1))
@@ -98,17 +98,25 @@ contains
 
         last = size(table%intervals)
         table%segments = [table%segments, &
-                           table_segment_t(table%intervals(first)%lowest, table%intervals(last)%highest, first, last)]
+                          table_segment_t(table%intervals(first)%lowest, table%intervals(last)%highest, first, last)]
         table%lowest = min(table%lowest, table%intervals(first)%lowest)
         table%highest = max(table%highest, table%intervals(last)%highest)
     end subroutine add_segment
 
-    !> The powers of s that continue a table without adhesion below its range with the same value and slope.
+    !> What follows from the polynomials.
     subroutine close_table(table)
+        type(law_table_t), intent(inout) :: table
+
+        if (.not. table%adhesive) call continue_below(table)
+        if (table%by_depth) call add_energies(table)
+        call find_direct(table)
+    end subroutine close_table
+
+    !> The powers of s that continue a table without adhesion below its range with the same value and slope.
+    subroutine continue_below(table)
         type(law_table_t), intent(inout) :: table
         real(wp) :: other, slope, radius, stiffness, above(4), near
 
-        if (table%adhesive) return
         near = table%lowest*(1.0_wp + 1.0e-4_wp)
         call values_in(table, 1, table%lowest, other, slope, radius, stiffness)
         call values_in(table, 1, near, above(1), above(2), above(3), above(4))
@@ -125,7 +133,7 @@ contains
             table%end_values(3) = 1.0_wp/slope
             table%powers(3) = 1.0_wp - table%powers(1)
         end if
-    end subroutine close_table
+    end subroutine continue_below
 
     !> What the table's argument s is.
     pure function control_of(table) result(control)
@@ -166,7 +174,7 @@ contains
         if (root) margin = singular_scale*sqrt(max(abs(origin), 1.0e-12_wp*u(2))/u(2))
         do bits = 2, most_bits
             interval = new_interval(origin, side, root, u(1), u(2), margin, bits)
-            interval%first_panel = size(table%coefficients, 3)
+            interval%first_panel = size(table%other)
             if (allocated(coefficients)) deallocate (coefficients)
             allocate (coefficients(coefficient_count, column_count, panel_count(interval)))
             do panel = 1, size(coefficients, 3)
@@ -184,14 +192,26 @@ contains
         end if
     end subroutine compile_interval
 
+    !> Adds an interval and its polynomials over -1 <= t <= 1, from now on over panels of their true length.
     subroutine append(table, interval, coefficients)
         type(law_table_t), intent(inout) :: table
         type(interval_t), intent(in) :: interval
         real(wp), intent(in) :: coefficients(:, :, :)
+        type(row_t) :: other(size(coefficients, 3))
+        type(contact_rows_t) :: contact(size(coefficients, 3))
+        real(wp) :: ends(2), unit
+        integer :: i
 
+        do i = 1, size(other)
+            ends = panel_ends(interval, i)
+            unit = 0.5_wp*(ends(2) - ends(1))
+            other(i)%c = in_units_of(coefficients(:, 1, i), unit)
+            contact(i)%radius%c = in_units_of(coefficients(:, 2, i), unit)
+            contact(i)%stiffness%c = in_units_of(coefficients(:, 3, i), unit)
+        end do
         table%intervals = [table%intervals, interval]
-        table%coefficients = reshape([table%coefficients, coefficients], &
-                                     [coefficient_count, column_count, size(table%coefficients, 3) + size(coefficients, 3)])
+        table%other = [table%other, other]
+        table%contact = [table%contact, contact]
     end subroutine append
 
     !> Interpolates the columns at Chebyshev's extrema, ends included: the law is continuous from panel to panel.

@@ -1,35 +1,78 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Values of one direction of a compiled law, one by one and in batches.
 module mdrcontact_law_evaluate
-    use mdrcontact_batch, only: team_size
-    use mdrcontact_contact, only: on_loading
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
+    use mdrcontact_batch, only: batch_t, run_batch
+    use mdrcontact_contact, only: on_unloading
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_interval, only: polynomial, interval_place, place_t
-    use mdrcontact_law_table, only: below_range, law_table_t, no_contact, interval_for, value_in, values_below, values_in
+    use mdrcontact_law_interval, only: shift_of
+    use mdrcontact_law_table, only: below_range, energy_below, energy_in, interval_for, law_table_t, no_contact, value_in, &
+                                    values_below, values_in
     implicit none (type, external)
     private
-    public :: law_point_t, value_at, point_at, values_of, all_of
+    public :: law_view_t, view_of, value_at, point_at, energy_at, run_points, count_within
 
-    !> A state of the law.
-    type :: law_point_t
-        !> d [length]
-        real(wp) :: depth = 0.0_wp
-        !> F [modulus length^2]
-        real(wp) :: force = 0.0_wp
-        !> dF/dd along the branch [modulus length]; infinite slopes at pull-off are cut off at a large number
-        real(wp) :: slope = 0.0_wp
-        !> a [length]
-        real(wp) :: radius = 0.0_wp
-        !> k = 2 a E_eff(a), the stiffness at constant radius [modulus length]; without adhesion it equals the slope
-        real(wp) :: stiffness = 0.0_wp
-    end type law_point_t
+    !> struct mdr_law_view of include/mdrcontact_law.h: the interval of a table in which nothing has to be looked for.
+    type, bind(C) :: law_view_t
+        !> s at its ends; lowest > highest if there is no such interval
+        real(c_double) :: lowest = 1.0_c_double, highest = -1.0_c_double
+        real(c_double) :: scale = 0.0_c_double, offset = 0.0_c_double
+        !> bits of y that number the panel, and the bit of its middle
+        integer(c_int64_t) :: mask = 0_c_int64_t, half = 0_c_int64_t
+        !> first coefficients of F or d, and of a and k
+        type(c_ptr) :: force = c_null_ptr, contact = c_null_ptr
+        !> whom to ask outside
+        type(c_ptr) :: law = c_null_ptr
+        integer(c_int) :: branch = on_unloading, shift = 0_c_int
+    end type law_view_t
+
+    !> Points of a table and where their values go; null: not wanted.
+    type, extends(batch_t) :: points_t
+        type(law_table_t), pointer :: table => null()
+        type(law_view_t) :: view
+        integer :: branch = on_unloading
+        !> whether all points lie within the view
+        logical :: all_direct = .false.
+        real(wp), pointer, contiguous :: s(:) => null(), other(:) => null(), slope(:) => null(), radius(:) => null(), &
+                                         stiffness(:) => null()
+    contains
+        procedure :: work
+    end type points_t
 
     !> Points that a thread takes at a time, and the number of points below which one thread does them all.
-    integer, parameter :: block_size = 512, smallest_parallel = 128*block_size
+    integer, parameter :: block_size = 4096, smallest_parallel = 16*block_size
+
+    interface
+        !> Points within the view, the others moved to its ends: src/mdrcontact/law/kernel.c.
+        pure subroutine mdrcontact_law_points(view, n, s, other, slope, radius, stiffness) bind(C)
+            import :: c_int, c_ptr, law_view_t
+            type(law_view_t), intent(in) :: view
+            integer(c_int), intent(in), value :: n
+            type(c_ptr), intent(in), value :: s, other, slope, radius, stiffness
+        end subroutine mdrcontact_law_points
+    end interface
 
 contains
 
-    !> F(d) or d(F) at s <= highest; 0 where the bodies are apart.
+    !> The view of a table, which must outlive it.
+    function view_of(table) result(view)
+        type(law_table_t), intent(in), target :: table
+        type(law_view_t) :: view
+
+        if (table%direct%lowest > table%direct%highest) return
+        view%lowest = table%direct%lowest
+        view%highest = table%direct%highest
+        view%scale = table%direct%scale
+        view%offset = table%direct%offset
+        view%shift = int(shift_of(table%direct), c_int)
+        view%half = shiftl(1_c_int64_t, shift_of(table%direct) - 1)
+        view%mask = not(2_c_int64_t*view%half - 1_c_int64_t)
+        view%force = c_loc(table%other(1)%c)
+        view%contact = c_loc(table%contact(1)%radius%c)
+    end function view_of
+
+    !> F(d) or d(F) at finite s, which is at most the highest unless the table is continued; 0 where the bodies are apart.
     pure function value_at(table, branch, s) result(value)
         type(law_table_t), intent(in) :: table
         integer, intent(in) :: branch
@@ -41,24 +84,25 @@ contains
         interval = interval_for(table, branch, s)
         if (interval > 0) then
             value = value_in(table, interval, s)
-        else if (interval == below_range) then
-            call values_below(table, s, value, slope, radius, stiffness)
         else
-            value = 0.0_wp
+            call point_at(table, branch, s, value, slope, radius, stiffness)
         end if
     end function value_at
 
-    !> F or d, its slope, a and k at s <= highest; all 0 where the bodies are apart.
+    !> F or d, its slope, a and k; all 0 where the bodies are apart. Beyond the range a and k are those at its end.
     pure subroutine point_at(table, branch, s, other, slope, radius, stiffness)
         type(law_table_t), intent(in) :: table
         integer, intent(in) :: branch
         real(wp), intent(in) :: s
         real(wp), intent(out) :: other, slope, radius, stiffness
+        real(wp) :: within
         integer :: interval
 
-        interval = interval_for(table, branch, s)
+        within = min(s, table%highest)
+        interval = interval_for(table, branch, within)
         if (interval > 0) then
-            call values_in(table, interval, s, other, slope, radius, stiffness)
+            call values_in(table, interval, within, other, slope, radius, stiffness)
+            if (s > within) other = other + slope*(s - within)
         else if (interval == below_range) then
             call values_below(table, s, other, slope, radius, stiffness)
         else
@@ -69,71 +113,95 @@ contains
         end if
     end subroutine point_at
 
-    !> value_at for many points, on `threads` threads (0: as many as the runtime offers). Called from within a parallel region it
-    !> stays on the calling thread.
-    subroutine values_of(table, branch, s, values, threads)
+    !> int F dd along the branch, from first touch or, with adhesion, from pull-off; 0 where the bodies are apart.
+    pure function energy_at(table, interval, s) result(energy)
+        !> by depth
         type(law_table_t), intent(in) :: table
+        !> as interval_for says at the lesser of s and the highest depth
+        integer, intent(in) :: interval
+        real(wp), intent(in) :: s
+        real(wp) :: energy
+        real(wp) :: within, force, slope, radius, stiffness
+
+        energy = 0.0_wp
+        if (interval == below_range) energy = energy_below(table, s)
+        if (interval <= no_contact) return
+        within = min(s, table%highest)
+        energy = energy_in(table, interval, within)
+        if (s <= within) return
+        call values_in(table, interval, within, force, slope, radius, stiffness)
+        energy = energy + (force + 0.5_wp*slope*(s - within))*(s - within)
+    end function energy_at
+
+    !> point_at for many points, on `threads` threads (0: as many as the runtime offers); what is not given is not computed.
+    subroutine run_points(table, branch, s, all_direct, threads, other, slope, radius, stiffness)
+        type(law_table_t), intent(in), target :: table
         integer, intent(in) :: branch
-        real(wp), intent(in) :: s(:)
-        !> same size as s
-        real(wp), intent(out) :: values(:)
+        real(wp), intent(in), target, contiguous :: s(:)
+        !> whether all points lie in the table's direct interval
+        logical, intent(in) :: all_direct
         integer, intent(in) :: threads
-        integer :: first, last, team
-
-        team = team_size(size(s), smallest_parallel, threads)
-        !$omp parallel do schedule(static) num_threads(team) private(last) default(shared)
-        do first = 1, size(s), block_size
-            last = min(first + block_size - 1, size(s))
-            call block_of_values(table, branch, last - first + 1, s(first:last), values(first:last))
-        end do
-        !$omp end parallel do
-    end subroutine values_of
-
-    !> point_at for many points.
-    subroutine all_of(table, branch, s, other, slope, radius, stiffness, threads)
-        type(law_table_t), intent(in) :: table
-        integer, intent(in) :: branch
-        real(wp), intent(in) :: s(:)
         !> same size as s
-        real(wp), intent(out) :: other(:), slope(:), radius(:), stiffness(:)
-        integer, intent(in) :: threads
-        integer :: i, team
+        real(wp), intent(inout), optional, target, contiguous :: other(:), slope(:), radius(:), stiffness(:)
+        type(points_t) :: points
+        type(error_t), allocatable :: unused
 
-        team = team_size(size(s), smallest_parallel, threads)
-        !$omp parallel do schedule(static) num_threads(team) default(shared)
-        do i = 1, size(s)
-            call point_at(table, branch, s(i), other(i), slope(i), radius(i), stiffness(i))
-        end do
-        !$omp end parallel do
-    end subroutine all_of
+        points%table => table
+        points%view = view_of(table)
+        points%branch = branch
+        points%all_direct = all_direct
+        points%s => s
+        if (present(other)) points%other => other
+        if (present(slope)) points%slope => slope
+        if (present(radius)) points%radius => radius
+        if (present(stiffness)) points%stiffness => stiffness
+        call run_batch(points, size(s), block_size, smallest_parallel, threads, unused)
+    end subroutine run_points
 
-    !> A block of points, most of which lie on one interval in the usual case.
-    pure subroutine block_of_values(table, branch, n, s, values)
-        type(law_table_t), intent(in) :: table
-        integer, intent(in) :: branch, n
-        real(wp), intent(in) :: s(n)
-        real(wp), intent(out) :: values(n)
-        type(place_t) :: place
-        real(wp) :: least
+    !> How many values lie between two limits: a loop that is vectorized; no NaN does.
+    pure function count_within(s, lowest, highest) result(inside)
+        real(wp), intent(in) :: s(:), lowest, highest
+        integer :: inside
         integer :: i
 
-        least = table%lowest
-        if (branch == on_loading) least = max(least, 0.0_wp)
-        if (size(table%intervals) == 1) then
-            associate (interval => table%intervals(1), c => table%coefficients)
-                do i = 1, n
-                    place = interval_place(interval, s(i))
-                    values(i) = polynomial(c(:, 1, place%panel), place%t)
-                end do
-                do i = 1, n
-                    if (s(i) < least) values(i) = value_at(table, branch, s(i))
-                end do
-            end associate
-        else
-            do i = 1, n
-                values(i) = value_at(table, branch, s(i))
+        inside = 0
+        do i = 1, size(s)
+            inside = inside + merge(1, 0, s(i) >= lowest .and. s(i) <= highest)
+        end do
+    end function count_within
+
+    subroutine work(self, first, last, error)
+        class(points_t), intent(inout) :: self
+        integer, intent(in) :: first, last
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: other, slope, radius, stiffness
+        integer :: i
+
+        associate (view => self%view)
+            if (view%lowest <= view%highest) then
+                call mdrcontact_law_points(view, last - first + 1, c_loc(self%s(first)), place(self%other, first), &
+                                           place(self%slope, first), place(self%radius, first), place(self%stiffness, first))
+            end if
+            if (self%all_direct) return
+            do i = first, last
+                if (self%s(i) >= view%lowest .and. self%s(i) <= view%highest) cycle
+                call point_at(self%table, self%branch, self%s(i), other, slope, radius, stiffness)
+                if (associated(self%other)) self%other(i) = other
+                if (associated(self%slope)) self%slope(i) = slope
+                if (associated(self%radius)) self%radius(i) = radius
+                if (associated(self%stiffness)) self%stiffness(i) = stiffness
             end do
-        end if
-    end subroutine block_of_values
+        end associate
+    end subroutine work
+
+    !> Where entry i of an array lies; null for no array.
+    function place(array, i) result(pointer)
+        real(wp), pointer, contiguous, intent(in) :: array(:)
+        integer, intent(in) :: i
+        type(c_ptr) :: pointer
+
+        pointer = c_null_ptr
+        if (associated(array)) pointer = c_loc(array(i))
+    end function place
 
 end module mdrcontact_law_evaluate

@@ -9,6 +9,7 @@ module mdrcontact_law_file
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_crc32, only: crc32_text
     use mdrcontact_law_sound, only: is_sound
+    use mdrcontact_law_table, only: add_energies, find_direct
     use mdrcontact_law_words, only: put_table, read_table, reader_t, word_count
     implicit none (type, external)
     private
@@ -16,7 +17,7 @@ module mdrcontact_law_file
 
     character(len=*), parameter :: new_line_character = achar(10)
     character(len=*), parameter :: title = "mdrcontact compiled contact law, format "
-    character(len=*), parameter :: version = "1"
+    character(len=*), parameter :: version = "2"
     character(len=*), parameter :: checksum_name = "crc32 "
     integer, parameter :: word_length = 17, checksum_line = len(checksum_name) + 8 + 1
 
@@ -108,7 +109,13 @@ contains
         end if
         if (reader%sound) reader%sound = reader%next == size(reader%words) + 1
         if (reader%sound) reader%sound = is_sound(law)
-        if (.not. reader%sound) call raise(error, error_file, "its numbers do not describe a contact law")
+        if (reader%sound) then
+            call add_energies(law%by_depth)
+            call find_direct(law%by_depth)
+            call find_direct(law%by_force)
+        else
+            call raise(error, error_file, "its numbers do not describe a contact law")
+        end if
     end subroutine law_from_text
 
     !> Title, version and checksum.

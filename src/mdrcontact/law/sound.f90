@@ -3,14 +3,12 @@
 module mdrcontact_law_sound
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
-    use mdrcontact_law_interval, only: coefficient_count, column_count, panel_count, polynomial, interval_t
+    use mdrcontact_law_interval, only: coefficient_count, in_units_of, interval_t, panel_count, panel_ends, polynomial, row_t
     use mdrcontact_law_table, only: law_table_t, table_segment_t
     implicit none (type, external)
     private
     public :: is_sound
 
-    !> Columns whose values are never negative: a and k.
-    integer, parameter :: radius_column = 2, stiffness_column = 3
     !> What a value may lack where two panels or two intervals meet, in shares of it.
     real(wp), parameter :: rounding = 1.0e-6_wp
 
@@ -30,18 +28,13 @@ contains
     pure function is_sound_table(table) result(sound)
         type(law_table_t), intent(in) :: table
         logical :: sound
-        integer :: i, column
+        integer :: i
 
         sound = table%end_radius >= 0.0_wp .and. table%lowest < table%highest
         if (.not. table%adhesive) then
             ! below the range: end_values (s/lowest)^powers
             sound = sound .and. table%lowest > 0.0_wp .and. all(table%end_values >= 0.0_wp) .and. all(table%powers >= -rounding)
         end if
-        do i = 1, size(table%coefficients, 3)
-            do column = radius_column, stiffness_column
-                if (sound) sound = is_positive(table%coefficients(:, column, i))
-            end do
-        end do
         do i = 1, size(table%segments)
             if (sound) sound = is_sound_segment(table, table%segments(i))
         end do
@@ -65,7 +58,7 @@ contains
                 s = interval%highest
                 count = panel_count(interval)
                 do panel = 1, count
-                    call radius_ends(table, interval, merge(panel, count + 1 - panel, interval%side > 0.0_wp), low, high)
+                    call check_panel(table, interval, merge(panel, count + 1 - panel, interval%side > 0.0_wp), low, high, sound)
                     sound = sound .and. low >= radius*(1.0_wp - rounding) .and. high >= low*(1.0_wp - rounding)
                     radius = high
                 end do
@@ -74,18 +67,24 @@ contains
         sound = sound .and. abs(segment%highest - s) <= rounding*span
     end function is_sound_segment
 
-    !> a at both ends of a panel, by ascending s.
-    pure subroutine radius_ends(table, interval, panel, low, high)
+    !> a at both ends of a panel, by ascending s, and whether a and k are nowhere negative in between.
+    pure subroutine check_panel(table, interval, panel, low, high, sound)
         type(law_table_t), intent(in) :: table
         type(interval_t), intent(in) :: interval
         integer, intent(in) :: panel
         real(wp), intent(out) :: low, high
+        logical, intent(inout) :: sound
+        real(wp) :: ends(2), radius(coefficient_count), unit
 
-        associate (c => table%coefficients(:, radius_column, interval%first_panel + panel))
-            low = polynomial(c, -sign(1.0_wp, interval%side))
-            high = polynomial(c, sign(1.0_wp, interval%side))
+        ends = panel_ends(interval, panel)
+        unit = 2.0_wp/(ends(2) - ends(1))
+        associate (rows => table%contact(interval%first_panel + panel))
+            radius = in_units_of(rows%radius%c, unit)
+            if (sound) sound = is_positive(radius) .and. is_positive(in_units_of(rows%stiffness%c, unit))
         end associate
-    end subroutine radius_ends
+        low = polynomial(radius, -sign(1.0_wp, interval%side))
+        high = polynomial(radius, sign(1.0_wp, interval%side))
+    end subroutine check_panel
 
     !> Whether a polynomial is nowhere negative on -1 <= t <= 1: its Bernstein coefficients, whose hull contains it, are not.
     pure function is_positive(c) result(positive)

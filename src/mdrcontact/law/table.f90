@@ -3,13 +3,14 @@
 module mdrcontact_law_table
     use mdrcontact_contact, only: on_loading
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_interval, only: coefficient_count, column_count, place_t, polynomial, polynomial_slope, interval_place, &
-                                      interval_rate, interval_t, scale_interval
+    use mdrcontact_law_interval, only: column_count, contains_ends, interval_place, interval_rate, interval_t, panel_count, &
+                                      panel_ends, place_t, polynomial, polynomial_moments, polynomial_with_slope, row_t, &
+                                      scale_interval
     implicit none (type, external)
     private
-    public :: law_table_t, table_segment_t
+    public :: contact_rows_t, law_table_t, table_segment_t
     public :: interval_for, segment_for, interval_in, below_range, no_contact
-    public :: value_in, values_in, values_below, scale_table
+    public :: value_in, values_in, values_below, energy_in, energy_below, find_direct, add_energies, scale_table
 
     !> What interval_for says where there is no interval: below the compiled range of a contact without adhesion; open.
     integer, parameter :: below_range = -1, no_contact = 0
@@ -20,13 +21,22 @@ module mdrcontact_law_table
     type :: table_segment_t
         real(wp) :: lowest = 0.0_wp, highest = 0.0_wp
         integer :: first = 1, last = 1
+        !> int F dd along the branch from the lowest depth of the first segment to that of this one
+        real(wp) :: energy = 0.0_wp
     end type table_segment_t
+
+    !> What is seldom asked for with F or d: the polynomials of a and k of one panel.
+    type :: contact_rows_t
+        type(row_t) :: radius, stiffness
+    end type contact_rows_t
 
     !> One direction of a law: intervals, panels and their polynomials.
     type :: law_table_t
         !> whether s is the depth and the other quantity the force, or the reverse
         logical :: by_depth = .true.
         logical :: adhesive = .false.
+        !> whether s beyond the highest is answered, along the tangent there
+        logical :: continued = .false.
         !> radius of the indenter's flat end [length]
         real(wp) :: end_radius = 0.0_wp
         !> ends of the compiled range of s
@@ -36,8 +46,13 @@ module mdrcontact_law_table
         real(wp) :: powers(column_count) = 0.0_wp
         type(table_segment_t), allocatable :: segments(:)
         type(interval_t), allocatable :: intervals(:)
-        !> (coefficient_count, column_count, panels)
-        real(wp), allocatable :: coefficients(:, :, :)
+        !> of each panel: F or d, in a table of its own, so that many laws stay in cache; a and k
+        type(row_t), allocatable :: other(:)
+        type(contact_rows_t), allocatable :: contact(:)
+        !> by depth: int F dd from the beginning of the branch to the middle of each panel
+        real(wp), allocatable :: energy(:)
+        !> the interval in which nothing has to be looked for: no root, one segment, the first panels; empty if there is none
+        type(interval_t) :: direct = interval_t(lowest=1.0_wp, highest=-1.0_wp)
     end type law_table_t
 
 contains
@@ -108,7 +123,7 @@ contains
         type(place_t) :: place
 
         place = interval_place(self%intervals(interval), s)
-        value = polynomial(self%coefficients(:, other_column, place%panel), place%t)
+        value = polynomial(self%other(place%panel)%c, place%t)
     end function value_in
 
     !> F or d, its derivative with respect to s along the branch, a and k in an interval.
@@ -120,12 +135,94 @@ contains
         type(place_t) :: place
 
         place = interval_place(self%intervals(interval), s)
-        other = polynomial(self%coefficients(:, other_column, place%panel), place%t)
-        slope = polynomial_slope(self%coefficients(:, other_column, place%panel), place%t) &
-                *interval_rate(self%intervals(interval), s)
-        radius = polynomial(self%coefficients(:, radius_column, place%panel), place%t)
-        stiffness = polynomial(self%coefficients(:, stiffness_column, place%panel), place%t)
+        call polynomial_with_slope(self%other(place%panel)%c, place%t, other, slope)
+        slope = interval_rate(self%intervals(interval), s)*slope
+        radius = polynomial(self%contact(place%panel)%radius%c, place%t)
+        stiffness = polynomial(self%contact(place%panel)%stiffness%c, place%t)
     end subroutine values_in
+
+    !> int F dd from the beginning of the branch to depth s in an interval.
+    pure function energy_in(self, interval, s) result(energy)
+        type(law_table_t), intent(in) :: self
+        integer, intent(in) :: interval
+        real(wp), intent(in) :: s
+        real(wp) :: energy
+        type(place_t) :: place
+
+        place = interval_place(self%intervals(interval), s)
+        energy = self%energy(place%panel) + energy_from_middle(self, self%intervals(interval), place)
+    end function energy_in
+
+    !> int F dd from the middle of a panel: dd is dy/scale, with a root 2 side (y - offset) dy/scale^2.
+    pure function energy_from_middle(self, interval, place) result(energy)
+        type(law_table_t), intent(in) :: self
+        type(interval_t), intent(in) :: interval
+        type(place_t), intent(in) :: place
+        real(wp) :: energy
+        real(wp) :: moments(2), ends(2)
+
+        moments = polynomial_moments(self%other(place%panel)%c, place%t)
+        if (interval%root) then
+            ends = panel_ends(interval, place%panel - interval%first_panel)
+            energy = 2.0_wp*interval%side*((0.5_wp*(ends(1) + ends(2)) - interval%offset)*moments(1) + moments(2))/interval%scale**2
+        else
+            energy = moments(1)/interval%scale
+        end if
+    end function energy_from_middle
+
+    !> The energies of a table by depth whose other parts are complete.
+    pure subroutine add_energies(self)
+        type(law_table_t), intent(inout) :: self
+        real(wp) :: energy
+        integer :: i, j, k, panel, count
+
+        allocate (self%energy(size(self%other)), source=0.0_wp)
+        do i = 1, size(self%segments)
+            energy = self%segments(i)%energy
+            if (.not. self%adhesive) energy = energy_below(self, self%lowest)
+            do j = self%segments(i)%first, self%segments(i)%last
+                associate (interval => self%intervals(j))
+                    count = panel_count(interval)
+                    do k = 1, count
+                        panel = merge(k, count + 1 - k, interval%side > 0.0_wp)
+                        call add_energy(self, interval, panel, energy)
+                    end do
+                end associate
+            end do
+        end do
+    end subroutine add_energies
+
+    !> The energy in the middle of a panel, from that at its lower end, which becomes that at its upper end; both within the
+    !> interval.
+    pure subroutine add_energy(self, interval, panel, energy)
+        type(law_table_t), intent(inout) :: self
+        type(interval_t), intent(in) :: interval
+        integer, intent(in) :: panel
+        real(wp), intent(inout) :: energy
+        real(wp) :: ends(2), y(2), t(2)
+        type(place_t) :: place
+        integer :: number
+
+        number = interval%first_panel + panel
+        ends = panel_ends(interval, panel)
+        place = interval_place(interval, interval%lowest)
+        y = merge(ends, ends(2:1:-1), interval%side > 0.0_wp)
+        t = y - 0.5_wp*(ends(1) + ends(2))
+        if (place%panel == number) t(1) = place%t
+        place = interval_place(interval, interval%highest)
+        if (place%panel == number) t(2) = place%t
+        self%energy(number) = energy - energy_from_middle(self, interval, place_t(number, t(1)))
+        energy = self%energy(number) + energy_from_middle(self, interval, place_t(number, t(2)))
+    end subroutine add_energy
+
+    !> The interval that callers may evaluate by themselves.
+    pure subroutine find_direct(self)
+        type(law_table_t), intent(inout) :: self
+
+        self%direct = interval_t(lowest=1.0_wp, highest=-1.0_wp)
+        if (self%adhesive .or. size(self%segments) /= 1) return
+        if (self%intervals(1)%first_panel == 0 .and. contains_ends(self%intervals(1))) self%direct = self%intervals(1)
+    end subroutine find_direct
 
     !> The same between first touch and the compiled range: powers of s that continue value and slope.
     pure subroutine values_below(self, s, other, slope, radius, stiffness)
@@ -141,6 +238,17 @@ contains
         stiffness = part(stiffness_column)
     end subroutine values_below
 
+    !> int F dd from first touch to a depth below the compiled range.
+    pure function energy_below(self, s) result(energy)
+        type(law_table_t), intent(in) :: self
+        real(wp), intent(in) :: s
+        real(wp) :: energy
+        real(wp) :: force
+
+        force = self%end_values(other_column)*(s/self%lowest)**self%powers(other_column)
+        energy = force*s/(1.0_wp + self%powers(other_column))
+    end function energy_below
+
     !> The table in which s and the other quantity are a factor larger at the same radius and stiffness.
     pure subroutine scale_table(self, factor)
         type(law_table_t), intent(inout) :: self
@@ -153,10 +261,14 @@ contains
         self%end_values(other_column) = factor*self%end_values(other_column)
         self%segments%lowest = factor*self%segments%lowest
         self%segments%highest = factor*self%segments%highest
-        self%coefficients(:, other_column, :) = factor*self%coefficients(:, other_column, :)
+        do i = 1, size(self%other)
+            self%other(i)%c = factor*self%other(i)%c
+        end do
         do i = 1, size(self%intervals)
             call scale_interval(self%intervals(i), factor)
         end do
+        if (allocated(self%energy)) self%energy = factor**2*self%energy
+        call find_direct(self)
     end subroutine scale_table
 
 end module mdrcontact_law_table

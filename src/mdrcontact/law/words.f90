@@ -5,7 +5,7 @@ module mdrcontact_law_words
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_interval, only: coefficient_count, column_count, most_bits, panel_count, interval_t
+    use mdrcontact_law_interval, only: coefficient_count, column_count, interval_t, most_bits, panel_count, row_t
     use mdrcontact_law_table, only: law_table_t, table_segment_t
     implicit none (type, external)
     private
@@ -22,8 +22,8 @@ module mdrcontact_law_words
     end type reader_t
 
     integer, parameter :: most_entries = 10000000
-    !> Words of a segment and of an interval.
-    integer, parameter :: segment_words = 4, interval_words = 11
+    !> Words of a segment, of an interval, and of the polynomials of a panel.
+    integer, parameter :: segment_words = 5, interval_words = 11, row_words = coefficient_count*column_count
     real(wp), parameter :: largest_y = 1.0e12_wp
 
 contains
@@ -33,8 +33,8 @@ contains
         type(law_table_t), intent(in) :: table
         integer :: count
 
-        count = 8 + 2*column_count + segment_words*size(table%segments) + interval_words*size(table%intervals) + &
-                size(table%coefficients)
+        count = 9 + 2*column_count + segment_words*size(table%segments) + interval_words*size(table%intervals) + &
+                row_words*size(table%other)
     end function word_count
 
     !> All of a table.
@@ -42,18 +42,18 @@ contains
         type(law_table_t), intent(in) :: table
         !> word_count(table) of them or more
         integer(int64), intent(inout) :: words(:)
-        integer :: i, j, k, next
+        integer :: i, next
 
-        words(:2) = int([merge(1, 0, table%by_depth), merge(1, 0, table%adhesive)], int64)
-        words(3:5 + 2*column_count) = transfer([table%end_radius, table%lowest, table%highest, table%end_values, table%powers], &
+        words(:3) = int([merge(1, 0, table%by_depth), merge(1, 0, table%adhesive), merge(1, 0, table%continued)], int64)
+        words(4:6 + 2*column_count) = transfer([table%end_radius, table%lowest, table%highest, table%end_values, table%powers], &
                                                [0_int64])
-        next = 6 + 2*column_count
-        words(next:next + 2) = int([size(table%segments), size(table%intervals), size(table%coefficients, 3)], int64)
+        next = 7 + 2*column_count
+        words(next:next + 2) = int([size(table%segments), size(table%intervals), size(table%other)], int64)
         next = next + 3
         do i = 1, size(table%segments)
             associate (s => table%segments(i))
-                words(next:next + 1) = transfer([s%lowest, s%highest], [0_int64])
-                words(next + 2:next + 3) = int([s%first, s%last], int64)
+                words(next:next + 2) = transfer([s%lowest, s%highest, s%energy], [0_int64])
+                words(next + 3:next + 4) = int([s%first, s%last], int64)
             end associate
             next = next + segment_words
         end do
@@ -65,13 +65,10 @@ contains
             end associate
             next = next + interval_words
         end do
-        do k = 1, size(table%coefficients, 3)
-            do j = 1, column_count
-                do i = 1, coefficient_count
-                    words(next) = transfer(table%coefficients(i, j, k), 0_int64)
-                    next = next + 1
-                end do
-            end do
+        do i = 1, size(table%other)
+            words(next:next + row_words - 1) = transfer([table%other(i)%c, table%contact(i)%radius%c, &
+                                                         table%contact(i)%stiffness%c], [0_int64])
+            next = next + row_words
         end do
     end subroutine put_table
 
@@ -108,10 +105,11 @@ contains
         type(reader_t), intent(inout) :: reader
         type(law_table_t), intent(out) :: table
         type(error_t), allocatable, intent(inout) :: error
-        integer :: i, j, k, segments, intervals, panels, stat
+        integer :: i, segments, intervals, panels, stat
 
         table%by_depth = reader%whole(0, 1) == 1
         table%adhesive = reader%whole(0, 1) == 1
+        table%continued = reader%whole(0, 1) == 1
         table%end_radius = reader%number()
         table%lowest = reader%number()
         table%highest = reader%number()
@@ -125,30 +123,40 @@ contains
         intervals = reader%whole(1, most_entries)
         panels = reader%whole(1, most_entries)
         if (size(reader%words) - reader%next + 1 < segment_words*segments + interval_words*intervals + &
-            coefficient_count*column_count*panels) reader%sound = .false.
+            row_words*panels) reader%sound = .false.
         if (.not. reader%sound) return
         allocate (table%segments(segments), stat=stat)
         if (stat == 0) allocate (table%intervals(intervals), stat=stat)
-        if (stat == 0) allocate (table%coefficients(coefficient_count, column_count, panels), stat=stat)
+        if (stat == 0) allocate (table%other(panels), stat=stat)
+        if (stat == 0) allocate (table%contact(panels), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         do i = 1, segments
             table%segments(i)%lowest = reader%number()
             table%segments(i)%highest = reader%number()
+            table%segments(i)%energy = reader%number()
             table%segments(i)%first = reader%whole(1, intervals)
             table%segments(i)%last = reader%whole(table%segments(i)%first, intervals)
         end do
         do i = 1, intervals
             call read_interval(reader, panels, table%intervals(i))
         end do
-        do k = 1, panels
-            do j = 1, column_count
-                do i = 1, coefficient_count
-                    table%coefficients(i, j, k) = reader%number()
-                end do
-            end do
+        do i = 1, panels
+            call read_row(reader, table%other(i))
+            call read_row(reader, table%contact(i)%radius)
+            call read_row(reader, table%contact(i)%stiffness)
         end do
     end subroutine read_table
+
+    subroutine read_row(reader, row)
+        type(reader_t), intent(inout) :: reader
+        type(row_t), intent(out) :: row
+        integer :: i
+
+        do i = 1, coefficient_count
+            row%c(i) = reader%number()
+        end do
+    end subroutine read_row
 
     subroutine read_interval(reader, panels, interval)
         type(reader_t), intent(inout) :: reader

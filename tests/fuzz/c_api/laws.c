@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "world.h"
 
+#include "mdrcontact_law.h"
+
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 
-enum { PRICE_OF_LAW = 40 };
+/* mdr_law_point has doubles only, more than the others */
+enum { PRICE_OF_LAW = 40, POINT = sizeof(mdr_law_point) / sizeof(double) };
 
 static void make(world *w)
 {
@@ -35,8 +38,9 @@ static void evaluate(world *w)
 {
     const int n = take_count(&w->in), branch = take_code(&w->in, 2), threads = take_chance(&w->in) ? take_choice(&w->in, 3) : 1;
     const mdr_law *law = some_law(w);
-    double x[MOST_POINTS], p[MOST_POINTS], q[MOST_POINTS], r[MOST_POINTS], s[MOST_POINTS];
+    double point[POINT], x[MOST_POINTS], p[MOST_POINTS], q[MOST_POINTS], r[MOST_POINTS], s[MOST_POINTS];
     int status, segment = take_choice(&w->in, 4);
+    mdr_law_view view;
 
     take_numbers(&w->in, x);
     fill(p), fill(q);
@@ -45,9 +49,16 @@ static void evaluate(world *w)
     judge("mdr_law_force", status, 1, p, FINITE);
     judge("mdr_law_force", status, 1, q, NOT_NAN);
     fill(p), fill(q), fill(r), fill(s);
-    status = mdr_law_follow(law, x[1], &segment, p, q, r, s);
-    judge("mdr_law_follow", status, 1, p, FINITE);
-    judge("mdr_law_follow", status, 1, r, NOT_NEGATIVE);
+    fill(point);
+    status = mdr_law_follow(law, x[1], &segment, (mdr_law_point *)point);
+    judge("mdr_law_follow", status, MOST_POINTS, point, NOT_NAN);
+    fill(point);
+    status = mdr_law_at_depth(law, branch, x[1], (mdr_law_point *)point);
+    judge("mdr_law_at_depth", status, MOST_POINTS, point, NOT_NAN);
+    fill(point);
+    status = mdr_law_at_force(law, branch, x[2], (mdr_law_point *)point);
+    judge("mdr_law_at_force", status, MOST_POINTS, point, NOT_NAN);
+    judge_status("mdr_law_view_of", mdr_law_view_of(law, branch, &view));
     fill(p), fill(q), fill(r), fill(s);
     status = mdr_law_from_depth(law, branch, n, x, p, q, r, s);
     judge("mdr_law_from_depth", status, n, p, FINITE);

@@ -44,6 +44,7 @@ static void finding(const char *what)
 static void evaluate(const mdr_law *law)
 {
     mdr_law_facts facts;
+    mdr_law_point point;
     double x[DEPTHS], v[4][DEPTHS];
     char words[16];
     int segment = 0, length = 0;
@@ -54,8 +55,11 @@ static void evaluate(const mdr_law *law)
         for (int i = 0; i < DEPTHS; i++) {
             const double t = (i - 1) / (DEPTHS - 3.0);
             x[i] = facts.lowest_depth + t * (facts.highest_depth - facts.lowest_depth);
-            if (mdr_law_follow(law, x[i], &segment, v[0], v[1], v[2], v[3]) == MDR_SUCCESS) {
-                if (isnan(v[0][0]) || isnan(v[2][0])) finding("mdr_law_follow gives NaN");
+            if (mdr_law_follow(law, x[i], &segment, &point) == MDR_SUCCESS) {
+                if (isnan(point.force) || isnan(point.radius)) finding("mdr_law_follow gives NaN");
+            }
+            if (mdr_law_force(law, branch, x[i], &v[0][0], &v[1][0]) == MDR_SUCCESS && isnan(v[0][0])) {
+                finding("mdr_law_force gives NaN");
             }
         }
         for (int i = 0; i < DEPTHS; i++) {
@@ -75,7 +79,7 @@ static void evaluate(const mdr_law *law)
 static size_t text_of_numbers(const uint8_t *data, size_t size, char *text)
 {
     const size_t count = size / 8;
-    int length = sprintf(text, "mdrcontact compiled contact law, format 1\n1 characters of description, then %d numbers\nx\n",
+    int length = sprintf(text, "mdrcontact compiled contact law, format 2\n1 characters of description, then %d numbers\nx\n",
                          (int)count);
     for (size_t i = 0; i < count; i++) {
         for (int j = 7; j >= 0; j--) length += sprintf(text + length, "%02X", data[8 * i + (size_t)j]);

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A law at one depth for Python, or None where there is more to be said than numbers: f2py's way through arrays costs a hundred times
+ * the force itself. wrap_header.py puts these functions into the module that f2py writes.
+ */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+#include "mdrcontact.h"
+
+PyObject *law_force_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count);
+PyObject *law_state_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count);
+
+/* law_force_scalar(address, branch, d): F. */
+
+PyObject *law_force_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count)
+{
+    double F;
+    (void)self;
+    if (count == 3 && PyLong_Check(given[0]) && PyLong_Check(given[1]) && PyFloat_Check(given[2])) {
+        const mdr_law *law = (const mdr_law *)PyLong_AsVoidPtr(given[0]);
+        if (mdr_law_force(law, (int)PyLong_AsLong(given[1]), PyFloat_AS_DOUBLE(given[2]), &F, NULL) == MDR_SUCCESS) {
+            return PyFloat_FromDouble(F);
+        }
+    }
+    if (PyErr_Occurred()) return NULL;
+    Py_RETURN_NONE;
+}
+
+/* law_state_scalar(address, branch, d): d, a, F, k, slope. */
+PyObject *law_state_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count)
+{
+    mdr_law_point p;
+    (void)self;
+    if (count == 3 && PyLong_Check(given[0]) && PyLong_Check(given[1]) && PyFloat_Check(given[2])) {
+        const mdr_law *law = (const mdr_law *)PyLong_AsVoidPtr(given[0]);
+        if (mdr_law_at_depth(law, (int)PyLong_AsLong(given[1]), PyFloat_AS_DOUBLE(given[2]), &p) == MDR_SUCCESS) {
+            return Py_BuildValue("(ddddd)", p.depth, p.radius, p.force, p.stiffness, p.slope);
+        }
+    }
+    if (PyErr_Occurred()) return NULL;
+    Py_RETURN_NONE;
+}

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The ways through a law give the same bits: inline, library, and batches of one, two and four points at a time. */
+#include "check.h"
+
+#define mdrcontact_law_points points_of_test
+#include "../../src/mdrcontact/law/kernel.c"
+
+enum { N = 4003 };
+
+static mdr_law *law_with(double work_of_adhesion, double flat, int continue_beyond)
+{
+    mdr_profile *tip = NULL;
+    mdr_medium *film = NULL;
+    mdr_contact *contact = NULL;
+    mdr_law *law = NULL;
+    mdr_contact_options options;
+    mdr_law_options law_options;
+
+    mdr_contact_options_init(&options);
+    mdr_law_options_init(&law_options);
+    options.work_of_adhesion = work_of_adhesion;
+    law_options.continue_beyond = continue_beyond;
+    if (flat > 0.0) {
+        CHECK_SUCCESS(mdr_profile_rounded_cone(0.5, flat, &tip));
+    } else {
+        CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &tip));
+    }
+    CHECK_SUCCESS(mdr_medium_coated(3.0, 0.3, 0.5, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(mdr_contact_new(tip, film, &options, &contact));
+    CHECK_SUCCESS(mdr_law_new(contact, 1.0, &law_options, &law));
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+    CHECK_SUCCESS(mdr_medium_free(&film));
+    CHECK_SUCCESS(mdr_profile_free(&tip));
+    return law;
+}
+
+static int same(double a, double b) { return memcmp(&a, &b, sizeof a) == 0; }
+
+/* How many outputs of a batch differ from those of points one by one. */
+static int differences(const mdr_law *law, int branch, const double d[], const double F[], const double slope[], const double a[],
+                       const double k[])
+{
+    int count = 0;
+    for (int i = 0; i < N; ++i) {
+        mdr_law_point point;
+        CHECK_SUCCESS(mdr_law_at_depth(law, branch, d[i], &point));
+        count += !same(F[i], point.force) + !same(slope[i], point.slope) + !same(a[i], point.radius) + !same(k[i], point.stiffness);
+    }
+    return count;
+}
+
+static void test_bits(double work_of_adhesion, double flat, int branch)
+{
+    static double d[N], F[N], slope[N], a[N], k[N], only_F[N], also_F[N], also_slope[N];
+    mdr_law *law = law_with(work_of_adhesion, flat, 0);
+    mdr_law_view view;
+    int inside = 0;
+
+    CHECK_SUCCESS(mdr_law_view_of(law, branch, &view));
+    for (int i = 0; i < N; ++i) d[i] = pow((i - 100.0) / (N - 101.0), 3.0);
+    CHECK_SUCCESS(mdr_law_from_depth(law, branch, N, d, F, slope, a, k));
+    CHECK_SUCCESS(mdr_law_from_depth(law, branch, N, d, only_F, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_law_from_depth(law, branch, N, d, also_F, also_slope, NULL, NULL));
+    CHECK_INT(differences(law, branch, d, F, slope, a, k), 0);
+    CHECK_INT(memcmp(F, only_F, sizeof F) + memcmp(F, also_F, sizeof F) + memcmp(slope, also_slope, sizeof F), 0);
+    for (int i = 0; i < N; ++i) {
+        double one, other, rise, external;
+        CHECK_SUCCESS(mdr_law_view_force(&view, d[i], &one));
+        CHECK_SUCCESS(mdr_law_view_force_slope(&view, d[i], &other, &rise));
+        CHECK_SUCCESS(mdr_law_force(law, branch, d[i], &external, NULL));
+        CHECK_TRUE(same(one, F[i]) && same(other, F[i]) && same(rise, slope[i]) && same(external, F[i]));
+        inside += d[i] >= view.lowest && d[i] <= view.highest;
+    }
+    CHECK_TRUE(work_of_adhesion > 0.0 ? inside == 0 : inside > N / 3);
+    CHECK_INT(mdr_law_view_force(&view, 2.0, &F[0]), MDR_EDOMAIN);
+    CHECK_INT(mdr_law_view_force_slope(&view, NAN, &F[0], &slope[0]), MDR_EINVALID);
+    CHECK_SUCCESS(mdr_law_free(&law));
+}
+
+typedef void points(const mdr_law_view *view, int n, const double s[], double F[], double slope[], double a[], double k[]);
+
+/* All lanes and the rest that they leave, for every choice of outputs. */
+static void test_lanes(points *some)
+{
+    mdr_law *law = law_with(0.0, 0.0, 0);
+    mdr_law_view view;
+
+    CHECK_SUCCESS(mdr_law_view_of(law, MDR_ON_UNLOADING, &view));
+    for (int n = 1; n < 11; ++n) {
+        double d[11], one[4][11], other[4][11];
+        for (int i = 0; i < n; ++i) d[i] = pow(10.0, -0.35 * (i + 1) - 0.01 * n);
+        d[n / 2] = 0.0; /* moved to the end of the view */
+        for (int wanted = 1; wanted < 16; ++wanted) {
+            for (int j = 0; j < 4; ++j) {
+                for (int i = 0; i < 11; ++i) one[j][i] = other[j][i] = -7.0;
+            }
+            double *to[4], *again[4];
+            for (int j = 0; j < 4; ++j) to[j] = wanted >> j & 1 ? one[j] : NULL, again[j] = wanted >> j & 1 ? other[j] : NULL;
+            some(&view, n, d, to[0], to[1], to[2], to[3]);
+            one_by_one(&view, 0, n, d, again[0], again[1], again[2], again[3]);
+            CHECK_INT(memcmp(one, other, sizeof one), 0);
+            CHECK_TRUE(!(wanted & 1) || (one[0][n - 1] > 0.0 && one[0][n] == -7.0));
+        }
+    }
+    CHECK_SUCCESS(mdr_law_free(&law));
+}
+
+/* One hard collision does not end a run, and the state says so. */
+static void test_beyond(void)
+{
+    mdr_law *law = law_with(0.0, 0.0, 1);
+    mdr_law_point last, point;
+    mdr_law_view view;
+    mdr_law_facts facts;
+    double F, U, d;
+
+    CHECK_SUCCESS(mdr_law_info(law, &facts));
+    d = facts.highest_depth + 0.5;
+    CHECK_SUCCESS(mdr_law_at_depth(law, MDR_ON_UNLOADING, facts.highest_depth, &last));
+    CHECK_SUCCESS(mdr_law_at_depth(law, MDR_ON_UNLOADING, d, &point));
+    CHECK_CLOSE(point.beyond, 0.5, 1e-12);
+    CHECK_CLOSE(point.force, last.force + 0.5 * last.slope, 1e-12);
+    CHECK_SUCCESS(mdr_law_view_of(law, MDR_ON_UNLOADING, &view));
+    CHECK_SUCCESS(mdr_law_view_force(&view, d, &F));
+    CHECK_TRUE(same(F, point.force));
+    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 1, &d, &F, NULL, NULL, NULL));
+    CHECK_TRUE(same(F, point.force));
+    CHECK_SUCCESS(mdr_law_energy(law, MDR_ON_UNLOADING, 1, &d, &U));
+    CHECK_CLOSE(U, point.energy, 0.0);
+    CHECK_SUCCESS(mdr_law_at_force(law, MDR_ON_UNLOADING, point.force, &last));
+    CHECK_CLOSE(last.depth, d, 1e-7);
+    CHECK_SUCCESS(mdr_law_free(&law));
+}
+
+static void test_refusals(void)
+{
+    mdr_law *law = law_with(0.0, 0.0, 0);
+    mdr_law_point point;
+    mdr_law_view view;
+    double d[2] = {0.5, 2.0}, U[2];
+
+    CHECK_STATUS(mdr_law_view_of(NULL, MDR_ON_UNLOADING, &view), MDR_ENULL, "law");
+    CHECK_STATUS(mdr_law_view_of(law, 5, &view), MDR_EINVALID, "branch");
+    CHECK_STATUS(mdr_law_view_of(law, MDR_ON_UNLOADING, NULL), MDR_ENULL, "view");
+    CHECK_STATUS(mdr_law_at_depth(law, MDR_ON_UNLOADING, NAN, &point), MDR_EINVALID, "depth = NaN");
+    CHECK_STATUS(mdr_law_at_depth(law, MDR_ON_UNLOADING, 0.5, NULL), MDR_ENULL, "point");
+    CHECK_STATUS(mdr_law_at_force(law, MDR_ON_UNLOADING, -1.0, &point), MDR_EUNREACHABLE, "cannot be reached");
+    CHECK_STATUS(mdr_law_at_force(law, MDR_ON_UNLOADING, 1.0, NULL), MDR_ENULL, "point");
+    CHECK_STATUS(mdr_law_energy(law, MDR_ON_UNLOADING, 2, d, U), MDR_EDOMAIN, "entry 2 of depth = 2");
+    CHECK_STATUS(mdr_law_energy(law, MDR_ON_UNLOADING, 2, d, NULL), MDR_ENULL, "out");
+    CHECK_SUCCESS(mdr_law_free(&law));
+}
+
+int main(void)
+{
+    test_bits(0.0, 0.0, MDR_ON_UNLOADING);
+    test_bits(0.0, 0.2, MDR_ON_LOADING);
+    test_bits(0.05, 0.0, MDR_ON_UNLOADING);
+    test_bits(0.05, 0.0, MDR_ON_LOADING);
+    test_lanes(points_of_test);
+#ifdef HAS_VECTORS
+    test_lanes(by_two);
+#endif
+    test_beyond();
+    test_refusals();
+    return check_report("law_view");
+}
