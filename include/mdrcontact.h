@@ -35,10 +35,10 @@
  * was compiled with fewer members than the library has gets the defaults of the rest. MDR_EINVALID for a size that cannot be.
  *
  * @par Handles and who frees them
- * mdr_profile, mdr_medium, mdr_contact, mdr_friction, mdr_loop, mdr_structure and mdr_law are made by the functions with an `out`
- * argument, belong to the caller, and are freed by mdr_profile_free() and so on, which also set the caller's pointer to NULL. What a
- * handle was made from may be freed at once: it holds copies (but mdr_structure_callback() keeps the user's function and
- * context). A handle never changes after its creation.
+ * mdr_profile, mdr_medium, mdr_material, mdr_contact, mdr_friction, mdr_loop, mdr_structure and mdr_law are made by the functions with
+ * an `out` argument, belong to the caller, and are freed by mdr_profile_free() and so on, which also set the caller's pointer to
+ * NULL. What a handle was made from may be freed at once: it holds copies (but mdr_structure_callback() keeps the user's function
+ * and context). A handle never changes after its creation.
  *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
@@ -124,6 +124,8 @@ typedef struct mdr_profile mdr_profile;
 typedef struct mdr_medium mdr_medium;
 /** An indenter on a medium. Made by mdr_contact_new(), freed by mdr_contact_free(). */
 typedef struct mdr_contact mdr_contact;
+/** A viscoelastic material. Made by mdr_material_..., freed by mdr_material_free(). */
+typedef struct mdr_material mdr_material;
 /** A cycle of approach and retraction. Made by mdr_loop_new(), freed by mdr_loop_free(). */
 typedef struct mdr_loop mdr_loop;
 
@@ -412,6 +414,83 @@ int mdr_medium_rigid(mdr_medium **out);
  *          not add; MDR_ENOCONVERGENCE */
 int mdr_medium_pair(const mdr_medium *lower, const mdr_medium *upper, mdr_medium **out);
 
+/* ---- viscoelastic materials and media: time ----------------------------------------------------------------------- */
+
+/** An elastic material, as a part of a viscoelastic body.
+ *  @param E    Young's modulus > 0 [modulus]
+ *  @param nu   -1 < nu <= 1/2 [1]
+ *  @param out  receives the handle */
+int mdr_material_elastic(double E, double nu, mdr_material **out);
+
+/** A linear viscoelastic material whose shear modulus relaxes as G(t) = relaxed_shear_modulus + sum moduli_i exp(-t/times_i) (Prony
+ *  series), with a dashpot in parallel (Kelvin-Voigt) where viscosity > 0. Without a relaxed modulus it flows without end.
+ *  @param relaxed_shear_modulus  G(infinity) >= 0 [modulus]
+ *  @param n                      number of terms; 0 is allowed with a relaxed modulus
+ *  @param moduli                 [n] > 0 [modulus]
+ *  @param times                  [n] relaxation times > 0 [time]
+ *  @param viscosity              >= 0 [modulus time]; 0 with a bulk modulus
+ *  @param nu                     Poisson's ratio, constant, -1 < nu <= 1/2; not used with a bulk modulus
+ *  @param bulk_modulus           K > 0, elastic: Poisson's ratio then grows in time [modulus]; 0: nu is constant
+ *  @param out                    receives the handle */
+int mdr_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[], double viscosity,
+                              double nu, double bulk_modulus, mdr_material **out);
+
+/** A material whose shear modulus relaxes as a power of time, G(t) = modulus (t/time)^(-exponent).
+ *  @param modulus   G at `time`, > 0 [modulus]
+ *  @param time      > 0 [time]
+ *  @param exponent  > 0 (elastic) and < 1 (viscous) [1]
+ *  @param nu        Poisson's ratio, constant, -1 < nu <= 1/2 [1]
+ *  @param out       receives the handle */
+int mdr_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out);
+
+/** The shear relaxation modulus G(t) [modulus]; a dashpot bears nothing at t > 0.
+ *  @param m    material
+ *  @param n    number of times
+ *  @param t    [n] > 0 [time]
+ *  @param out  [n] [modulus] */
+int mdr_material_relaxation(const mdr_material *m, int n, const double t[], double out[]);
+
+/** The shear compliance J(t), the strain under a constant stress of 1 [1/modulus]. Arguments as of mdr_material_relaxation(). */
+int mdr_material_creep(const mdr_material *m, int n, const double t[], double out[]);
+
+/** The complex shear modulus at angular frequencies: storage and loss modulus.
+ *  @param m        material
+ *  @param n        number of frequencies
+ *  @param omega    [n] > 0 [1/time]
+ *  @param storage  [n] [modulus]
+ *  @param loss     [n] [modulus] */
+int mdr_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[]);
+
+/** The elastic materials that a viscoelastic one is like under sudden and under lasting loads. */
+enum mdr_limit {
+    MDR_LIMIT_GLASSY = 1, /**< At once. */
+    MDR_LIMIT_RELAXED = 2 /**< In the end. */
+};
+
+/** E and nu of a limit.
+ *  @param m      material
+ *  @param limit  one of enum mdr_limit
+ *  @param E      or NULL: receives Young's modulus [modulus]
+ *  @param nu     or NULL: receives Poisson's ratio [1]
+ *  @return also MDR_EINVALID where there is no such limit: power laws, dashpots, liquids */
+int mdr_material_limit(const mdr_material *m, int limit, double *E, double *nu);
+
+/** Frees a material and sets *m to NULL. m = NULL and *m = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *m is not a material */
+int mdr_material_free(mdr_material **m);
+
+/** A viscoelastic half-space: bonded layers on a substrate or a rigid base, or a homogeneous one. Its contacts answer
+ *  mdr_contact_history(); everything else returns MDR_EINVALID and says so, work of adhesion included.
+ *  @param n          number of layers; 0: homogeneous
+ *  @param materials  [n] from the surface down; may be freed afterwards
+ *  @param thickness  [n] > 0 [length]
+ *  @param substrate  the half-space's material; NULL: a rigid base
+ *  @param model      one of enum mdr_model, by which elastic bodies of this shape are solved
+ *  @param options    or NULL: as of mdr_medium_layered()
+ *  @param out        receives the handle */
+int mdr_medium_viscoelastic(int n, const mdr_material *const materials[], const double thickness[], const mdr_material *substrate,
+                            int model, const mdr_medium_options *options, mdr_medium **out);
+
 /** Medium whose effective modulus is a table, interpolated in ln a without overshoot. States are offered from a[0] to a[n-1];
  *  below a[0] the modulus is taken as constant when forces are integrated.
  *  @param n        number of radii, at least 3
@@ -583,6 +662,24 @@ int mdr_contact_from_force(const mdr_contact *c, int n, const double in[], doubl
 
 /** States from contact radii [length]. Otherwise as mdr_contact_from_depth(). */
 int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+
+/** The history of a contact with a viscoelastic body: depth, radius and force along a path in time, of which one is prescribed.
+ *
+ *  Before the first time the bodies are apart and at rest; what is prescribed then is reached in a jump, and is linear in time in
+ *  between. Exact for materials that all relax in proportion, each at a constant Poisson's ratio (a homogeneous body, layers on a
+ *  rigid base), and for any homogeneous one: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest depth.
+ *  @param c      contact
+ *  @param given  one of enum mdr_given
+ *  @param n      number of times
+ *  @param time   [n] strictly ascending [time]
+ *  @param in     [n] depths, < 0 where the bodies are apart [length], forces >= 0 [modulus length^2] or radii >= 0 [length]
+ *  @param d      [n] or NULL: depths [length]
+ *  @param a      [n] or NULL: contact radii, 0 where the bodies are apart [length]
+ *  @param F      [n] or NULL: forces [modulus length^2]
+ *  @return MDR_EINVALID also for elastic bodies, and for histories that are not covered: a contact that shrinks under a prescribed
+ *          force or radius, or that shrinks and grows again; MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_contact_history(const mdr_contact *c, int given, int n, const double time[], const double in[], double d[], double a[],
+                        double F[]);
 
 /** Elastic energy of either body: together int F dd from first touch, with adhesion int F dd + pi a^2 work_of_adhesion along the
  *  branch [modulus length^3].

@@ -31,6 +31,7 @@ module mdrcontact
                                       data_modulus_radius, data_stiffness_depth, data_stiffness_radius, fit_data_t, &
                                       fit_parameter_t, fit_problem_t, instrument_numbers, loss_cauchy, loss_huber, loss_linear
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
+    use mdrcontact_history_relaxation, only: contact_history
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_density, only: deviatoric_weight, lateral_density, volumetric_weight
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
@@ -47,6 +48,7 @@ module mdrcontact
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
     use mdrcontact_medium, only: lower_body, medium_t, upper_body
     use mdrcontact_medium_values, only: modulus_values
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_nu_given, gao_nu_substrate, gao_nu_surface, gao_options_t, gao_t, &
@@ -61,6 +63,7 @@ module mdrcontact
     use mdrcontact_medium_perriot_barthel, only: new_perriot_barthel, perriot_barthel_t
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
+    use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium, viscoelastic_t
     use mdrcontact_medium_wave, only: new_wave, wave_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
     use mdrcontact_model, only: find_model, model_options_t, models, new_medium

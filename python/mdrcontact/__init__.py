@@ -23,6 +23,7 @@ from . import (
     critical,
     errors,
     fitting,
+    history,
     interior,
     law,
     material,
@@ -39,6 +40,7 @@ from .contact import *  # noqa: F403
 from .critical import *  # noqa: F403
 from .errors import *  # noqa: F403
 from .fitting import *  # noqa: F403
+from .history import *  # noqa: F403
 from .interior import *  # noqa: F403
 from .law import *  # noqa: F403
 from .material import *  # noqa: F403
@@ -55,6 +57,7 @@ __all__ = [
     *critical.__all__,
     *errors.__all__,
     *fitting.__all__,
+    *history.__all__,
     *interior.__all__,
     *law.__all__,
     *material.__all__,

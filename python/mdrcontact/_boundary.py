@@ -16,6 +16,9 @@ from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, error_cla
 FloatOrArray = float | NDArray[np.float64]
 """What an evaluation returns: a float for a number, an array of the same shape for an array."""
 
+ComplexOrArray = complex | NDArray[np.complex128]
+"""The same where it is complex."""
+
 _ONE_POINT = np.ones(1)
 
 
@@ -113,6 +116,16 @@ def evaluate_all(name: str, values: ArrayLike, function: Callable[[NDArray[np.fl
         return [np.empty(points.shape) for _ in results]
     check(status, single=not points.shape)
     return [result.reshape(points.shape) if points.shape else float(result[0]) for result in results]
+
+
+def complex_values(name: str, values: ArrayLike, function: Callable[[NDArray[np.float64]], Any]) -> ComplexOrArray:
+    """`evaluate` for a function that gives real and imaginary parts."""
+    real, imaginary = evaluate_all(name, values, function)
+    if isinstance(real, float):
+        return complex(real, float(imaginary))
+    both = np.empty(real.shape, np.complex128)
+    both.real, both.imag = real, imaginary
+    return both
 
 
 def record(layout: np.dtype[Any], init: Callable[[int], None] | None = None, **members: Any) -> NDArray[Any]:

@@ -12,12 +12,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native, adhesion, critical, interior
+from . import _layout, _native, adhesion, critical, history, interior
 from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record, row
 from ._value import Value
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code
 from .critical import Critical, Failure
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, NotOneDiscWarning
+from .history import History
 from .interior import Interior
 from .medium import Medium
 from .profile import Paraboloid, Profile
@@ -122,6 +123,26 @@ class Contact(Value):
         A radius at a vertical wall (flat punch) determines no state.
         """
         return self._states("radius", _layout.GIVEN_RADIUS, radius, "unloading")
+
+    def history(
+        self,
+        time: ArrayLike,
+        *,
+        depth: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+        radius: ArrayLike | None = None,
+    ) -> History:
+        """The path of a contact with a viscoelastic body in time, of which one of depth, force and radius is prescribed.
+
+        time : strictly ascending, one dimension [time]; before the first the bodies are apart and at rest
+        depth, force, radius : one of them, as many values; linear in time in between, the first value is reached in a jump.
+            Depths may be negative where the bodies are apart
+
+        Exact for bodies whose materials relax in proportion, each at a constant Poisson's ratio (a layer on a rigid base), and for
+        homogeneous ones: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest depth. Refused
+        (InvalidArgumentError): contacts that shrink and grow again, or shrink under a prescribed force or radius.
+        """
+        return history.history(self._handle.address, time, depth, force, radius)
 
     def pull_off(self, control: str = "force") -> PullOff:
         """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "depth".

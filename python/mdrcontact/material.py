@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Materials: an isotropic elastic body, and the rigid one."""
+"""Materials: an isotropic elastic body, viscoelastic ones, and the rigid one."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
-from . import _native
-from ._boundary import Handle, evaluate
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _layout, _native
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, complex_values, evaluate, number, numbers
 from ._value import Value
+from .errors import ArgumentTypeError, InvalidArgumentError
 
-__all__ = ["Elastic", "RIGID"]
+__all__ = ["Elastic", "Viscoelastic", "PowerLawRheology", "RIGID"]
 
 
 @dataclass(frozen=True)
@@ -31,6 +37,175 @@ class Elastic(Value):
     def contact_modulus(self) -> float:
         """E* = E/(1 - nu^2), equation (2) [modulus]."""
         return float(evaluate("a", 1.0, lambda radii: _native.medium_modulus(self._handle.address, radii)))
+
+    def _rheology(self) -> Handle:
+        """The material as a part of a viscoelastic body."""
+        return Handle(_native.material_elastic(self.E, self.nu), _native.material_free)
+
+
+class _Rheology(Value):
+    """What viscoelastic materials have in common."""
+
+    def relaxation(self, t: ArrayLike) -> FloatOrArray:
+        """The shear relaxation modulus G(t) [modulus] at times t > 0, any shape; a dashpot bears nothing at t > 0."""
+        return evaluate("t", t, lambda values: _native.material_relaxation(self._handle.address, values))
+
+    def creep(self, t: ArrayLike) -> FloatOrArray:
+        """The shear compliance J(t), the strain under a constant stress of 1 [1/modulus], at times t > 0, any shape."""
+        return evaluate("t", t, lambda values: _native.material_creep(self._handle.address, values))
+
+    def complex_modulus(self, omega: ArrayLike) -> ComplexOrArray:
+        """The complex shear modulus [modulus] at angular frequencies omega > 0 [1/time], any shape: its real part stores, its
+        imaginary part loses energy."""
+        return complex_values("omega", omega, lambda values: _native.material_complex_modulus(self._handle.address, values))
+
+    @property
+    def glassy(self) -> Elastic:
+        """The elastic material of a sudden load; InvalidArgumentError for power laws and dashpots, which have none."""
+        return Elastic(*call(_native.material_limit, self._handle.address, _layout.LIMIT_GLASSY))
+
+    @property
+    def relaxed(self) -> Elastic:
+        """The elastic material of a load that has lasted; InvalidArgumentError for what flows without end."""
+        return Elastic(*call(_native.material_limit, self._handle.address, _layout.LIMIT_RELAXED))
+
+    def _rheology(self) -> Handle:
+        return self._handle
+
+
+@dataclass(frozen=True)
+class Viscoelastic(_Rheology):
+    """A linear viscoelastic material whose shear modulus relaxes as G(t) = relaxed_shear_modulus + sum g_i exp(-t/tau_i).
+
+    relaxed_shear_modulus : G(infinity) >= 0 [modulus]; 0: it flows without end
+    terms : [(g_i, tau_i), ...] moduli > 0 [modulus] and relaxation times > 0 [time] of a Prony series; may be none
+    nu : Poisson's ratio, -1 < nu <= 0.5, constant; or
+    bulk_modulus : K > 0, elastic, the physical choice for polymers: Poisson's ratio grows as the shear modulus relaxes [modulus]
+    viscosity : of a dashpot in parallel, >= 0 [modulus time], with nu only; with no terms a Kelvin-Voigt material
+    """
+
+    relaxed_shear_modulus: float
+    terms: tuple[tuple[float, float], ...]
+    nu: float | None
+    bulk_modulus: float | None
+    viscosity: float
+
+    def __init__(
+        self,
+        relaxed_shear_modulus: float,
+        terms: Iterable[tuple[float, float]],
+        nu: float | None = None,
+        bulk_modulus: float | None = None,
+        viscosity: float = 0.0,
+    ) -> None:
+        if (nu is None) == (bulk_modulus is None):
+            raise InvalidArgumentError("give either nu or bulk_modulus")
+        ratio = 0.0 if nu is None else number("nu", nu)
+        bulk = 0.0 if bulk_modulus is None else number("bulk_modulus", bulk_modulus)
+        if bulk_modulus is not None and bulk == 0.0:
+            raise InvalidArgumentError("bulk_modulus = 0.0 is not allowed: it must be greater than 0")
+        pairs = _pairs("terms", terms)
+        moduli, times = (np.ascontiguousarray(pairs[:, i]) for i in (0, 1))
+        relaxed, dashpot = number("relaxed_shear_modulus", relaxed_shear_modulus), number("viscosity", viscosity)
+        created = _native.material_viscoelastic(relaxed, len(pairs), address(moduli), address(times), dashpot, ratio, bulk)
+        self._set(_handle=Handle(created, _native.material_free), relaxed_shear_modulus=relaxed, viscosity=dashpot)
+        self._set(terms=tuple((g, tau) for g, tau in pairs.tolist()), nu=None if nu is None else ratio)
+        self._set(bulk_modulus=None if bulk_modulus is None else bulk)
+
+    @classmethod
+    def from_fractions(
+        cls,
+        instant_modulus: float,
+        rows: Iterable[Iterable[float]],
+        nu: float,
+        *,
+        modulus: str = "young",
+        elastic_bulk: bool = True,
+    ) -> Viscoelastic:
+        """The material of a Prony table as finite-element programs write it.
+
+        instant_modulus : of a sudden load, > 0 [modulus]: Young's modulus, or the shear modulus with modulus="shear"
+        rows : [(g_i, tau_i), ...] or [(g_i, k_i, tau_i), ...]: fractions of the instant shear (and bulk) modulus that relax, and
+            times. k_i, if given, must be 0 throughout (elastic bulk), or equal g_i throughout (constant Poisson's ratio)
+        nu : Poisson's ratio of a sudden load, -1 < nu <= 0.5
+        elastic_bulk : where the rows have no k_i: the bulk modulus does not relax; False: it relaxes as the shear modulus does
+        """
+        table = [[number("rows", value) for value in row] for row in rows]
+        if not table or {len(row) for row in table} not in ({2}, {3}):
+            raise InvalidArgumentError("rows is not allowed: it must hold rows (g, tau), or rows (g, k, tau)")
+        fractions, times = np.array([row[0] for row in table]), np.array([row[-1] for row in table])
+        if len(table[0]) == 3:
+            bulk_fractions = np.array([row[1] for row in table])
+            elastic_bulk = not bulk_fractions.any()
+            if not elastic_bulk and not np.allclose(bulk_fractions, fractions, rtol=1e-9, atol=0.0):
+                raise InvalidArgumentError("the fractions k are not allowed: they must all be 0, or all equal the fractions g")
+        if fractions.sum() > 1.0 + 1e-12:
+            raise InvalidArgumentError(f"the fractions g are not allowed: their sum {fractions.sum():.7g} is greater than 1")
+        stiff, ratio = number("instant_modulus", instant_modulus), number("nu", nu)
+        if modulus not in ("young", "shear"):
+            raise InvalidArgumentError(f"modulus = {modulus!r} is not allowed: it must be 'young' or 'shear'")
+        shear = stiff if modulus == "shear" else 0.5 * stiff / (1.0 + ratio)
+        Elastic(2.0 * shear * (1.0 + ratio), ratio)  # checks both
+        relaxed = max(shear * (1.0 - fractions.sum()), 0.0)
+        terms = list(zip(shear * fractions, times, strict=True))
+        if elastic_bulk and ratio < 0.5:
+            return cls(relaxed, terms, bulk_modulus=2.0 * shear * (1.0 + ratio) / (3.0 * (1.0 - 2.0 * ratio)))
+        return cls(relaxed, terms, nu=ratio)
+
+    @classmethod
+    def from_prony_text(cls, text: str, instant_modulus: float, nu: float, *, modulus: str = "young") -> Viscoelastic:
+        """The same from the text of a table: lines "g, k, tau" or "g, tau", separated by commas or blanks. Comment lines (*, #, !)
+        and words are passed over."""
+        rows = []
+        for line in text.splitlines():
+            words = line.replace(",", " ").split()
+            try:
+                row = [float(word.replace("d", "e").replace("D", "e")) for word in words]
+            except ValueError:
+                continue
+            if row:
+                rows.append(row)
+        return cls.from_fractions(instant_modulus, rows, nu, modulus=modulus)
+
+
+@dataclass(frozen=True)
+class PowerLawRheology(_Rheology):
+    """A material whose shear modulus relaxes as a power of time, G(t) = modulus (t/time)^(-exponent): cells, gels, soft glasses.
+
+    modulus : G at `time`, > 0 [modulus]
+    time : > 0 [time]
+    exponent : > 0 (elastic) and < 1 (viscous)
+    nu : Poisson's ratio, -1 < nu <= 0.5, constant
+    """
+
+    modulus: float
+    time: float
+    exponent: float
+    nu: float
+
+    def __post_init__(self) -> None:
+        self._set(_handle=Handle(_native.material_power_law(*self._numbers()), _native.material_free))
+
+
+Material = Elastic | Viscoelastic | PowerLawRheology
+"""What a body can be made of."""
+
+
+def material(name: str, value: object) -> Any:
+    """`value` if it is a material; an exception if it is anything else."""
+    if not isinstance(value, Material):
+        words = "it must be an Elastic(E, nu), a Viscoelastic(...) or a PowerLawRheology(...)"
+        raise ArgumentTypeError(f"{name} = {value!r} is not allowed: {words}")
+    return value
+
+
+def _pairs(name: str, values: Iterable[tuple[float, float]]) -> NDArray[np.float64]:
+    array = numbers(name, list(values))
+    if not array.size:
+        return np.empty((0, 2))
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise ArgumentTypeError(f"{name} is not allowed: it must be a list of pairs (modulus, time)")
+    return array
 
 
 class _Rigid:

@@ -24,6 +24,8 @@ POINTS_OF_RULE = "6*order*order*order"
 SIZES = {
     "mdr_contact_layer_energies": {"out": "capacity"},
     "mdr_contact_pull_off": {"d": "capacity", "a": "capacity", "F": "capacity"},
+    "mdr_material_viscoelastic": {"moduli": "", "times": ""},
+    "mdr_medium_viscoelastic": {"materials": "", "thickness": ""},
     "mdr_structure_shapes": {"parameters": "n, 7"},
     "mdr_structure_voxels": {"labels": "", "E": "phases", "nu": "phases"},
     "mdr_lateral_cells": {"x": "nx + 1", "y": "ny + 1", "shear": "ny, nx", "poisson": "ny, nx"},
@@ -62,7 +64,8 @@ class Argument:
             # a handle, a function, a structure, a text; ** is a handle that is made or freed
             self.by_value = len(stars) < 2 and not brackets
             if brackets:
-                self.size = "n"
+                self.size = SIZES.get(function, {}).get(name, "n") or None
+                self.by_value = not self.size
             elif len(stars) == 2 and name == "out":
                 self.way = "out"
         elif brackets or stars:

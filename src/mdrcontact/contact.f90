@@ -110,6 +110,11 @@ contains
             call raise(error, error_invalid, "adhesion_rule = "//count_text(rule)//" is not allowed: it must be 0 (automatic), "// &
                        "1 (paper) or 2 (energy)")
         end if
+        if (.not. allocated(error) .and. work_of_adhesion > 0.0_wp .and. self%equilibrium%medium%is_viscoelastic()) then
+            call raise(error, error_invalid, " = "//to_text(work_of_adhesion)//" is not allowed with a viscoelastic body: how "// &
+                       "much its edge holds depends on how fast it moves, on a scale that this theory does not have", &
+                       "work_of_adhesion")
+        end if
         if (allocated(error) .or. work_of_adhesion <= 0.0_wp) return
         self%equilibrium%work_of_adhesion = work_of_adhesion
         self%equilibrium%rule = rule

@@ -14,7 +14,7 @@ module mdrcontact_gsl
     public :: gsl_root_fsolver_brent, gsl_root_fsolver_alloc, gsl_root_fsolver_free, gsl_root_fsolver_set, &
               gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, &
               gsl_root_test_interval
-    public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1
+    public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1, gsl_sf_bessel_il_scaled_array
     public :: gsl_sort_index
     public :: gsl_interp_steffen, gsl_spline_alloc, gsl_spline_init, gsl_spline_free, gsl_spline_eval_deriv
 
@@ -147,6 +147,15 @@ module mdrcontact_gsl
             type(c_ptr), value :: accelerator
             real(c_double) :: slope
         end function gsl_spline_eval_deriv
+
+        !> exp(-|x|) i_l(x), l = 0 ... lmax, modified spherical Bessel functions.
+        function gsl_sf_bessel_il_scaled_array(lmax, x, values) result(status) bind(C)
+            import :: c_double, c_int
+            integer(c_int), value :: lmax
+            real(c_double), value :: x
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int) :: status
+        end function gsl_sf_bessel_il_scaled_array
 
         !> Bessel function J0(x).
         pure function gsl_sf_bessel_j0(x) result(y) bind(C, name="gsl_sf_bessel_J0")

@@ -68,6 +68,8 @@ module mdrcontact_medium
         procedure :: roughness => zero
         !> whether the medium stands for two deformable bodies
         procedure :: is_pair => no
+        !> whether its states depend on time: it has no elastic ones
+        procedure :: is_viscoelastic => no
         !> whether it does not deform: one body of a pair, no medium by itself
         procedure :: is_rigid => no
         !> what the upper body takes of a small change of depth at radius a: 0 if the indenter is rigid [1]

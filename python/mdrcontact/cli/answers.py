@@ -13,6 +13,7 @@ from ..errors import MDRError
 from ..material import RIGID, Elastic
 from ..medium import Coated, Graded, Homogeneous, Layered, Medium, Pair
 from ..medium.models import MODELS
+from ..medium.viscoelastic import is_viscoelastic
 from ..problem import Problem, ProblemError
 from ..problem.units import FORCE, LENGTH, Dimension
 from .solve import Array, Curve, progress, solve
@@ -55,12 +56,13 @@ def candidates(medium: object) -> list[tuple[str, str, object]]:
         return candidates(medium.lower) if same else []
     if isinstance(medium, (Layered, Graded)):
         return [(name, name, None) for name, model in MODELS.items() if model.layers]
-    if not isinstance(medium, Coated):
+    if not isinstance(medium, Coated) or is_viscoelastic(medium):
         return []
+    coating: Any = medium.coating
     if not isinstance(medium.substrate, Elastic):
         return [(name, name, None) for name, model in MODELS.items() if model.needs_rigid_base or name == "exact"]
     found: list[tuple[str, str, object]] = [(name, name, None) for name, m in MODELS.items() if not m.needs_rigid_base]
-    if medium.substrate.contact_modulus >= NEARLY_RIGID * medium.coating.contact_modulus:
+    if medium.substrate.contact_modulus >= NEARLY_RIGID * coating.contact_modulus:
         found += [(f"{name} (rigid base)", name, RIGID) for name, model in MODELS.items() if model.needs_rigid_base]
     return found
 

@@ -19,6 +19,7 @@ from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Elastic
 from ..medium.coated import base
 from ..medium.models import MODELS, settings
+from ..medium.viscoelastic import is_viscoelastic
 
 
 @dataclass(frozen=True)
@@ -197,13 +198,18 @@ def of_medium(medium: Any) -> MediumNumbers:
     """A medium's parameters; tables and functions are fixed as they are."""
     if not isinstance(medium, media.Medium):
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
+    if is_viscoelastic(medium):
+        raise InvalidArgumentError(
+            "medium is not allowed: it is viscoelastic, and this fit is of elastic bodies"
+        )
     if isinstance(medium, media.Pair) and has_homogeneous_indenter(medium):
         return of_medium(medium.lower)
     if isinstance(medium, (media.Coated, media.Layered)):
         return _stack(medium)
     plain = (0, None, 1)
     if isinstance(medium, media.Homogeneous):
-        names, values = ["E", "nu"], [medium.material.E, medium.material.nu]
+        material: Any = medium.material
+        names, values = ["E", "nu"], [material.E, material.nu]
         return MediumNumbers(Numbers(1, names, values, lambda v: media.Homogeneous(Elastic(v[0], v[1]))), *plain)
     if isinstance(medium, media.PowerLawGraded):
         names = ["E0", "z0", "exponent", "nu"]

@@ -5,31 +5,38 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from .. import _native
 from .._boundary import number
 from ..errors import ArgumentTypeError
-from ..material import RIGID, Elastic, _Rigid
-from .homogeneous import elastic
+from ..material import RIGID, Material, _Rigid, material
 from .models import MODELS, UnderModel, settings
+from .viscoelastic import is_elastic, viscoelastic
 
 
-def base(substrate: object) -> tuple[float, float]:
-    """E and nu of a substrate as the library takes them: an infinite E is a rigid base."""
+def substrate_material(substrate: object) -> Any:
+    """`substrate` if it is a material or RIGID; an exception if it is anything else."""
     if substrate is RIGID:
-        return math.inf, 0.0
-    if not isinstance(substrate, Elastic):
-        raise ArgumentTypeError(f"substrate = {substrate!r} is not allowed: it must be an Elastic(E, nu) or RIGID")
-    return substrate.E, substrate.nu
+        return substrate
+    if not isinstance(substrate, Material):
+        words = "it must be an Elastic(E, nu), a Viscoelastic(...), a PowerLawRheology(...) or RIGID"
+        raise ArgumentTypeError(f"substrate = {substrate!r} is not allowed: {words}")
+    return substrate
+
+
+def base(substrate: Any) -> tuple[float, float]:
+    """E and nu of an elastic substrate as the library takes them: an infinite E is a rigid base."""
+    return (math.inf, 0.0) if substrate is RIGID else (substrate.E, substrate.nu)
 
 
 @dataclass(frozen=True, repr=False)
 class Coated(UnderModel):
     """A half-space with one bonded coating.
 
-    coating : Elastic(E, nu)
+    coating : Elastic(E, nu), Viscoelastic(...) or PowerLawRheology(...)
     thickness : h > 0 [length]
-    substrate : Elastic(E, nu); RIGID for the models "exact", "dimitriadis", "garcia"
+    substrate : likewise; RIGID for the models "exact", "dimitriadis", "garcia"
     model : how E_eff(a) is found; the default is the exact solution
         "gao" (12)-(15), "gao-series"           options: weight_nu = "surface" (default), "substrate", "effective" or a number
         "gao-power"                             options: exponent = -0.65, of the mean: 1 is "gao", -1 "gao-series"; weight_nu
@@ -46,17 +53,21 @@ class Coated(UnderModel):
     The indenter is rigid; for a deformable one see `Pair`.
     """
 
-    coating: Elastic
+    coating: Material
     thickness: float
-    substrate: Elastic | _Rigid
+    substrate: Material | _Rigid
     model: str
     options: tuple[tuple[str, float | str], ...]
 
     def __init__(
-        self, coating: Elastic, thickness: float, substrate: Elastic | _Rigid, model: str = "exact", **options: float | str
+        self, coating: Material, thickness: float, substrate: Material | _Rigid, model: str = "exact", **options: float | str
     ) -> None:
-        film, thickness, chosen = elastic("coating", coating), number("thickness", thickness), settings(model, options)
-        created = _native.medium_coated(film.E, film.nu, thickness, *base(substrate), *chosen.native)
+        film, thickness, chosen = material("coating", coating), number("thickness", thickness), settings(model, options)
+        below = substrate_material(substrate)
+        if is_elastic(film, below):
+            created = _native.medium_coated(film.E, film.nu, thickness, *base(below), *chosen.native)
+        else:
+            created = viscoelastic([film], [thickness], below, chosen.native)
         self._own_with(created, chosen.given, coating=film, thickness=thickness, substrate=substrate, model=model)
 
     @staticmethod

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 from .. import _native
 from ..errors import ArgumentTypeError
-from ..material import Elastic
+from ..material import Elastic, Material, material
 from .base import Medium
+from .viscoelastic import is_elastic, viscoelastic
 
 
 def elastic(name: str, value: object) -> Elastic:
@@ -20,10 +21,12 @@ def elastic(name: str, value: object) -> Elastic:
 
 @dataclass(frozen=True)
 class Homogeneous(Medium):
-    """A homogeneous half-space of one material, Elastic(E, nu). The indenter is rigid; for a deformable one see `Pair`."""
+    """A homogeneous half-space of one material: Elastic(E, nu), Viscoelastic(...) or PowerLawRheology(...). The indenter is rigid;
+    for a deformable one see `Pair`. A contact with a viscoelastic body answers `history` only.
+    """
 
-    material: Elastic
+    material: Material
 
     def __post_init__(self) -> None:
-        material = elastic("material", self.material)
-        self._own(_native.medium_homogeneous(material.E, material.nu))
+        body = material("material", self.material)
+        self._own(_native.medium_homogeneous(body.E, body.nu) if is_elastic(body) else viscoelastic([], [], body))

@@ -5,51 +5,59 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 from .. import _native
 from .._boundary import number
 from ..errors import ArgumentTypeError, InvalidArgumentError
-from ..material import Elastic, _Rigid
-from .coated import base
-from .homogeneous import elastic
+from ..material import Material, _Rigid, material
+from .coated import base, substrate_material
 from .models import UnderModel, settings
+from .viscoelastic import is_elastic, viscoelastic
 
 
 @dataclass(frozen=True, repr=False)
 class Layered(UnderModel):
     """A half-space under any number of bonded layers.
 
-    layers : [(material, thickness), ...] from the surface down; material an Elastic(E, nu), thickness > 0 [length]
-    substrate : Elastic(E, nu); RIGID for the model "exact"
+    layers : [(material, thickness), ...] from the surface down; material an Elastic(E, nu), Viscoelastic(...) or
+        PowerLawRheology(...), thickness > 0 [length]
+    substrate : likewise a material; RIGID for the model "exact"
     model : "exact" (default), "gao", "gao-series" or "gao-power"; options as for `Coated`
     """
 
-    layers: tuple[tuple[Elastic, float], ...]
-    substrate: Elastic | _Rigid
+    layers: tuple[tuple[Material, float], ...]
+    substrate: Material | _Rigid
     model: str
     options: tuple[tuple[str, float | str], ...]
 
     def __init__(
         self,
-        layers: Iterable[tuple[Elastic, float]],
-        substrate: Elastic | _Rigid,
+        layers: Iterable[tuple[Material, float]],
+        substrate: Material | _Rigid,
         model: str = "exact",
         **options: float | str,
     ) -> None:
         stack, chosen = _stack(layers), settings(model, options, layers=True)
-        E, nu, h = [m.E for m, _ in stack], [m.nu for m, _ in stack], [t for _, t in stack]
-        created = _native.medium_layered(E, nu, h, *base(substrate), *chosen.native)
+        below = substrate_material(substrate)
+        materials: list[Any] = [m for m, _ in stack]
+        h = [t for _, t in stack]
+        if is_elastic(*materials, below):
+            E, nu = [m.E for m in materials], [m.nu for m in materials]
+            created = _native.medium_layered(E, nu, h, *base(below), *chosen.native)
+        else:
+            created = viscoelastic(materials, h, below, chosen.native)
         self._own_with(created, chosen.given, layers=stack, substrate=substrate, model=model)
 
 
-def _stack(layers: Iterable[tuple[Elastic, float]]) -> tuple[tuple[Elastic, float], ...]:
+def _stack(layers: Iterable[tuple[Material, float]]) -> tuple[tuple[Material, float], ...]:
     stack = []
     for i, layer in enumerate(layers, start=1):
         try:
-            material, thickness = layer
+            body, thickness = layer
         except (TypeError, ValueError) as problem:
             raise ArgumentTypeError(f"layer {i} = {layer!r} is not allowed: it must be a pair (material, thickness)") from problem
-        stack.append((elastic(f"material of layer {i}", material), number(f"thickness of layer {i}", thickness)))
+        stack.append((material(f"material of layer {i}", body), number(f"thickness of layer {i}", thickness)))
     if not stack:
         raise InvalidArgumentError("layers is not allowed: it is empty; a body without layers is Homogeneous(material)")
     return tuple(stack)

@@ -13,13 +13,14 @@ module mdrcontact_api_handles
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_evaluate, only: law_view_t, view_of
+    use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
     public :: deliver, open_handle
     public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free, &
-              mdr_friction_free
+              mdr_friction_free, mdr_material_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
 
@@ -32,13 +33,14 @@ module mdrcontact_api_handles
     end type handle_t
 
     integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6, &
-                          is_friction = 7
+                          is_friction = 7, is_material = 8
     character(len=*), parameter :: kinds(*) = [character(len=13) :: "mdr_profile", "mdr_medium", "mdr_contact", "mdr_loop", &
-                                               "mdr_structure", "mdr_law", "mdr_friction"]
+                                               "mdr_structure", "mdr_law", "mdr_friction", "mdr_material"]
 
     !> The object behind a handle, by the type of the pointer that is to hold it; null after an error. `name` is the argument's.
     interface open_handle
-        module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction
+        module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction, &
+                         open_material
     end interface open_handle
 
 contains
@@ -184,6 +186,22 @@ contains
         end select
     end subroutine open_friction
 
+    subroutine open_material(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(rheology_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, is_material, inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (rheology_t)
+            object => inside
+        end select
+    end subroutine open_material
+
     function mdr_profile_free(p) result(status) bind(C)
         type(c_ptr), intent(inout), optional :: p
         integer(c_int) :: status
@@ -232,6 +250,13 @@ contains
 
         status = free(f, is_friction)
     end function mdr_friction_free
+
+    function mdr_material_free(m) result(status) bind(C)
+        type(c_ptr), intent(inout), optional :: m
+        integer(c_int) :: status
+
+        status = free(m, is_material)
+    end function mdr_material_free
 
     !> Frees what is of the right kind, if there is anything, and sets the caller's pointer to NULL.
     function free(handle, kind) result(status)
@@ -289,6 +314,8 @@ contains
             kind = is_loop
         type is (friction_t)
             kind = is_friction
+        type is (rheology_t)
+            kind = is_material
         class is (profile_t)
             kind = is_profile
         class is (medium_t)

@@ -39,6 +39,11 @@ contains
             allocate (medium, source=lower)
             return
         end if
+        if (lower%is_viscoelastic() .or. upper%is_viscoelastic()) then
+            call raise(error, error_invalid, " is not allowed: one of the bodies is viscoelastic; press it with a rigid one", &
+                       "upper")
+            return
+        end if
         select type (lower)
         class is (homogeneous_t)
             select type (upper)

@@ -1,0 +1,231 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Viscoelastic materials and the media made of them, for C.
+module mdrcontact_api_material
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results
+    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_medium_options, only: read_medium_options
+    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
+    use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium, viscoelastic_t
+    use mdrcontact_model, only: model_options_t
+    implicit none (type, external)
+    private
+    public :: mdr_material_elastic, mdr_material_viscoelastic, mdr_material_power_law
+    public :: mdr_material_relaxation, mdr_material_creep, mdr_material_complex_modulus, mdr_material_limit
+    public :: mdr_medium_viscoelastic
+
+    !> enum mdr_limit
+    integer, parameter :: glassy = 1, relaxed = 2
+
+contains
+
+    function mdr_material_elastic(e, nu, out) result(status) bind(C)
+        real(c_double), value :: e, nu
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(material_t) :: material
+        type(rheology_t) :: rheology
+        type(error_t), allocatable :: error
+
+        call new_material(material, e, nu, error)
+        if (.not. allocated(error)) rheology = new_elastic_rheology(material)
+        status = deliver(rheology, out, error)
+    end function mdr_material_elastic
+
+    function mdr_material_viscoelastic(relaxed_shear_modulus, n, moduli, times, viscosity, nu, bulk_modulus, out) &
+        result(status) bind(C)
+        real(c_double), value :: relaxed_shear_modulus, viscosity, nu, bulk_modulus
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: moduli(*), times(*)
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(rheology_t) :: rheology
+        real(c_double) :: none(0)
+        type(error_t), allocatable :: error
+
+        call check_count(error, n)
+        call check_array(error, "moduli", n, present(moduli))
+        call check_array(error, "times", n, present(times))
+        if (.not. allocated(error)) then
+            if (n == 0) then
+                call new_viscoelastic(rheology, relaxed_shear_modulus, none, none, viscosity, nu, bulk_modulus, error)
+            else
+                call new_viscoelastic(rheology, relaxed_shear_modulus, moduli(:n), times(:n), viscosity, nu, bulk_modulus, error)
+            end if
+        end if
+        status = deliver(rheology, out, error)
+    end function mdr_material_viscoelastic
+
+    function mdr_material_power_law(modulus, time, exponent, nu, out) result(status) bind(C)
+        real(c_double), value :: modulus, time, exponent, nu
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(rheology_t) :: rheology
+        type(error_t), allocatable :: error
+
+        call new_power_law_rheology(rheology, modulus, time, exponent, nu, error)
+        status = deliver(rheology, out, error)
+    end function mdr_material_power_law
+
+    function mdr_material_relaxation(m, n, t, out) result(status) bind(C)
+        type(c_ptr), value :: m
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: t(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+
+        status = in_time(m, n, t, out, .false.)
+    end function mdr_material_relaxation
+
+    function mdr_material_creep(m, n, t, out) result(status) bind(C)
+        type(c_ptr), value :: m
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: t(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+
+        status = in_time(m, n, t, out, .true.)
+    end function mdr_material_creep
+
+    function in_time(m, n, t, out, is_creep) result(status)
+        type(c_ptr), intent(in) :: m
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in), optional :: t(*)
+        real(c_double), intent(inout), optional :: out(*)
+        logical, intent(in) :: is_creep
+        integer(c_int) :: status
+        type(rheology_t), pointer :: material
+        real(c_double), allocatable :: values(:)
+        type(error_t), allocatable :: error
+        integer :: stat
+
+        call open_handle(m, "m", material, error)
+        call check_in_out(error, n, "t", present(t), present(out))
+        if (.not. allocated(error) .and. n > 0) then
+            call check_each_positive(error, "t", t(:n))
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
+            if (.not. allocated(error)) then
+                if (is_creep) then
+                    values = material%creep(t(:n))
+                else
+                    values = material%relaxation(t(:n))
+                end if
+                call check_results(error, values)
+            end if
+            if (.not. allocated(error)) out(:n) = values
+        end if
+        status = status_of(error)
+    end function in_time
+
+    function mdr_material_complex_modulus(m, n, omega, storage, loss) result(status) bind(C)
+        type(c_ptr), value :: m
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: omega(*)
+        real(c_double), intent(inout), optional :: storage(*), loss(*)
+        integer(c_int) :: status
+        type(rheology_t), pointer :: material
+        complex(wp), allocatable :: values(:)
+        type(error_t), allocatable :: error
+        integer :: i, stat
+
+        call open_handle(m, "m", material, error)
+        call check_count(error, n)
+        call check_array(error, "omega", n, present(omega))
+        call check_array(error, "storage", n, present(storage))
+        call check_array(error, "loss", n, present(loss))
+        if (.not. allocated(error) .and. n > 0) then
+            call check_each_positive(error, "omega", omega(:n))
+            allocate (values(n), stat=stat)
+            call check_memory(error, stat)
+            if (.not. allocated(error)) then
+                do i = 1, n
+                    values(i) = material%complex_shear(cmplx(0.0_wp, omega(i), wp))
+                end do
+                storage(:n) = real(values, wp)
+                loss(:n) = aimag(values)
+            end if
+        end if
+        status = status_of(error)
+    end function mdr_material_complex_modulus
+
+    function mdr_material_limit(m, limit, e, nu) result(status) bind(C)
+        type(c_ptr), value :: m
+        integer(c_int), value :: limit
+        real(c_double), intent(inout), optional :: e, nu
+        integer(c_int) :: status
+        type(rheology_t), pointer :: rheology
+        type(material_t) :: material
+        type(error_t), allocatable :: error
+
+        call open_handle(m, "m", rheology, error)
+        if (limit /= glassy .and. limit /= relaxed) then
+            call raise(error, error_invalid, "limit = "//count_text(int(limit))//" is not allowed: it must be 1 (glassy) or "// &
+                       "2 (relaxed)")
+        end if
+        if (.not. allocated(error)) then
+            if (limit == glassy) then
+                call rheology%glassy(material, error)
+            else
+                call rheology%relaxed(material, error)
+            end if
+        end if
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(e)) e = material%young
+        if (present(nu)) nu = material%poisson
+    end function mdr_material_limit
+
+    function mdr_medium_viscoelastic(n, materials, thickness, substrate, model, options, out) result(status) bind(C)
+        integer(c_int), value :: n
+        type(c_ptr), intent(in), optional :: materials(*)
+        real(c_double), intent(in), optional :: thickness(*)
+        type(c_ptr), value :: substrate, options
+        integer(c_int), value :: model
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(viscoelastic_t) :: medium
+        type(rheology_t), allocatable :: stack(:)
+        type(rheology_t), pointer :: material
+        type(model_options_t) :: chosen
+        real(c_double), allocatable :: h(:)
+        type(error_t), allocatable :: error
+        logical :: rigid_base
+        integer :: i, stat
+
+        call check_count(error, n)
+        call check_array(error, "materials", n, present(materials))
+        call check_array(error, "thickness", n, present(thickness))
+        call check_given(error, "out", present(out))
+        call read_medium_options(error, options, chosen)
+        rigid_base = .not. c_associated(substrate)
+        if (n == 0 .and. rigid_base) then
+            call raise(error, error_invalid, "substrate is NULL, a rigid base: it must carry at least one layer")
+        end if
+        if (.not. allocated(error)) then
+            allocate (stack(n + merge(0, 1, rigid_base)), stat=stat)
+            call check_memory(error, stat)
+            allocate (h(n), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) then
+            do i = 1, n
+                call open_handle(materials(i), "materials", material, error)
+                if (allocated(error)) exit
+                stack(i) = material
+                h(i) = thickness(i)
+            end do
+        end if
+        if (.not. rigid_base .and. .not. allocated(error)) then
+            call open_handle(substrate, "substrate", material, error)
+            if (.not. allocated(error)) stack(n + 1) = material
+        end if
+        if (.not. allocated(error)) call new_viscoelastic_medium(medium, stack, h, rigid_base, int(model), chosen, error)
+        status = deliver(medium, out, error)
+    end function mdr_medium_viscoelastic
+
+end module mdrcontact_api_material

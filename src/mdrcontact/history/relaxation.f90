@@ -1,0 +1,131 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The history of a contact with a viscoelastic body: depth, radius and force along a path in time.
+module mdrcontact_history_relaxation
+    use mdrcontact_contact, only: contact_t, new_contact
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_values, only: contact_states, given_depth, given_force, given_radius
+    use mdrcontact_error, only: check_not_negative, check_table, count_text, error_invalid, error_t, raise, to_text
+    use mdrcontact_history_relaxation_follow, only: follow_depth, follow_force
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_material_prony, only: prony_t
+    use mdrcontact_medium_viscoelastic, only: viscoelastic_t
+    implicit none (type, external)
+    private
+    public :: contact_history
+
+contains
+
+    !> Depth, radius and force at each time, of which one is prescribed. Before the first time the bodies are apart and at rest;
+    !> what is prescribed then is reached in a jump. In between it is linear in time.
+    subroutine contact_history(contact, given, time, values, depth, radius, force, error)
+        !> with a viscoelastic body
+        type(contact_t), intent(in) :: contact
+        !> given_depth, given_force or given_radius
+        integer, intent(in) :: given
+        !> strictly ascending [time]
+        real(wp), intent(in) :: time(:)
+        !> what is prescribed: d, negative where the bodies are apart [length], or F >= 0 [modulus length^2], or a >= 0 [length]
+        real(wp), intent(in) :: values(:)
+        !> same size as time
+        real(wp), intent(out) :: depth(:), radius(:), force(:)
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i
+
+        depth = 0.0_wp
+        radius = 0.0_wp
+        force = 0.0_wp
+        if (given < given_depth .or. given > given_radius) then
+            call raise(error, error_invalid, "given = "//count_text(given)//" is not allowed: it must be 1 (depth), 2 (force) "// &
+                       "or 3 (radius)")
+            return
+        end if
+        call check_table(error, "time", time, word(given), values, 1)
+        if (given /= given_depth) then
+            do i = 1, size(values)
+                call check_not_negative(error, word(given), values(i), i)
+            end do
+        end if
+        if (allocated(error)) return
+        select type (medium => contact%equilibrium%medium)
+        type is (viscoelastic_t)
+            call of_proportional(contact, medium, given, time, values, depth, radius, force, error)
+        class default
+            call raise(error, error_invalid, "the body is elastic: its states do not depend on time")
+        end select
+    end subroutine contact_history
+
+    pure function word(given) result(name)
+        integer, intent(in) :: given
+        character(len=merge(5, 6, given == given_depth .or. given == given_force)) :: name
+
+        name = "radius"
+        if (given == given_depth) name = "depth"
+        if (given == given_force) name = "force"
+    end function word
+
+    !> A body whose materials relax in proportion.
+    subroutine of_proportional(contact, medium, given, time, values, depth, radius, force, error)
+        type(contact_t), intent(in) :: contact
+        type(viscoelastic_t), intent(in) :: medium
+        integer, intent(in) :: given
+        real(wp), intent(in) :: time(:), values(:)
+        real(wp), intent(inout) :: depth(:), radius(:), force(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_t) :: elastic
+        type(prony_t) :: phi
+        logical :: covered
+
+        if (.not. medium%is_proportional) then
+            call raise(error, error_invalid, "histories of a body whose materials do not relax in proportion are not offered")
+            return
+        end if
+        call new_contact(elastic, contact%equilibrium%profile, medium%reference, error)
+        if (allocated(error)) return
+        covered = .false.
+        phi = medium%relaxation_shape(shortest_step(time), max(time(size(time)) - time(1), shortest_step(time)))
+        if (phi%viscosity > 0.0_wp .and. values(1) > 0.0_wp .and. given /= given_force .and. &
+            .not. medium%materials(1)%is_power_law()) then
+            call raise(error, error_invalid, " = "//to_text(values(1))//" is not allowed: a body with a dashpot in "// &
+                       "parallel bears any jump; begin with 0", word(given), 1)
+            return
+        end if
+        select case (given)
+        case (given_depth)
+            depth = values
+            call follow_depth(elastic, phi, time, depth, radius, force, covered, error)
+        case (given_force)
+            force = values
+            call follow_force(elastic, phi, time, force, depth, radius, covered, error)
+        case default
+            call depths_of(elastic, values, depth, error)
+            if (.not. allocated(error)) call follow_depth(elastic, phi, time, depth, radius, force, covered, error)
+            covered = covered .and. all(depth(2:) >= depth(:size(depth) - 1))
+        end select
+        if (.not. allocated(error) .and. .not. covered) then
+            call raise(error, error_invalid, "this history is not offered: the contact shrinks and grows again, or "// &
+                       "shrinks under a prescribed "//word(given))
+        end if
+    end subroutine of_proportional
+
+    !> Depths of the elastic contact at radii.
+    subroutine depths_of(contact, radii, depths, error)
+        type(contact_t), intent(in) :: contact
+        real(wp), intent(in) :: radii(:)
+        real(wp), intent(out) :: depths(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: states(size(radii))
+
+        call contact_states(contact, given_radius, radii, states, error)
+        if (.not. allocated(error)) depths = states%depth
+    end subroutine depths_of
+
+    !> The shortest time between samples; 1 for a single one.
+    pure function shortest_step(time) result(step)
+        real(wp), intent(in) :: time(:)
+        real(wp) :: step
+
+        step = 1.0_wp
+        if (size(time) > 1) step = minval(time(2:) - time(:size(time) - 1))
+    end function shortest_step
+
+end module mdrcontact_history_relaxation

@@ -1,0 +1,89 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The elastic curve F(d), a(d) from which the history of a body of one relaxation shape follows: states of the elastic contact, by
+!> a compiled law where each is the solution of a system and many are asked for.
+module mdrcontact_history_relaxation_curve
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_values, only: contact_states, given_depth
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_law, only: contact_law_t, law_options_t, law_point_t, new_contact_law
+    implicit none (type, external)
+    private
+    public :: elastic_curve_t, break_depths
+
+    !> From so many states on a law costs less than they do.
+    integer, parameter :: many = 200
+    real(wp), parameter :: law_tolerance = 1.0e-9_wp
+
+    !> An elastic contact, and its law once it is compiled.
+    type :: elastic_curve_t
+        type(contact_t), pointer :: contact => null()
+        type(contact_law_t), allocatable :: law
+    contains
+        procedure :: at_depths
+    end type elastic_curve_t
+
+contains
+
+    !> F, a and k = dF/dd at depths > 0.
+    subroutine at_depths(self, depths, error, force, radius, stiffness)
+        class(elastic_curve_t), intent(inout) :: self
+        real(wp), intent(in) :: depths(:)
+        type(error_t), allocatable, intent(out) :: error
+        !> same size as depths
+        real(wp), intent(out), optional :: force(:), radius(:), stiffness(:)
+        type(contact_state_t), allocatable :: states(:)
+        type(law_point_t) :: point
+        type(law_options_t) :: options
+        integer :: i
+
+        if (size(depths) == 0) return
+        if (.not. self%contact%is_formula() .and. .not. allocated(self%law) .and. size(depths) > many) then
+            allocate (self%law)
+            options%tolerance = law_tolerance
+            call new_contact_law(self%law, self%contact, maxval(depths), error, options)
+            if (allocated(error)) then
+                ! then state by state
+                deallocate (self%law)
+                deallocate (error)
+            end if
+        end if
+        if (allocated(self%law)) then
+            do i = 1, size(depths)
+                call self%law%at_depth(min(depths(i), self%law%by_depth%highest), point, error)
+                if (allocated(error)) return
+                if (present(force)) force(i) = point%force
+                if (present(radius)) radius(i) = point%radius
+                if (present(stiffness)) stiffness(i) = point%stiffness
+            end do
+        else
+            allocate (states(size(depths)))
+            call contact_states(self%contact, given_depth, depths, states, error)
+            if (allocated(error)) return
+            if (present(force)) force = states%force
+            if (present(radius)) radius = states%radius
+            if (present(stiffness)) stiffness = states%stiffness
+        end if
+    end subroutine at_depths
+
+    !> Depths at which the curve is not analytic, ascending [length].
+    subroutine break_depths(contact, depths, error)
+        type(contact_t), intent(in) :: contact
+        real(wp), allocatable, intent(out) :: depths(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: state
+        real(wp), allocatable :: radii(:)
+        real(wp) :: end_radius, smallest, largest
+        integer :: i
+
+        call contact%radius_range(end_radius, smallest, largest, radii)
+        allocate (depths(size(radii)))
+        do i = 1, size(radii)
+            call contact%at_radius(radii(i), state, error)
+            if (allocated(error)) return
+            depths(i) = state%depth
+        end do
+    end subroutine break_depths
+
+end module mdrcontact_history_relaxation_curve

@@ -1,0 +1,302 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Histories of a body whose materials relax in proportion, from its elastic curve (theory of time 2 and 3): while the contact
+!> grows, F(t) = int phi(t - u) dF_el(d(u)) (Lee, Radok, J. Appl. Mech. 27 (1960) 438); after the one maximum of d the contact is as
+!> large as it was at the time t1 at which int_t1^t phi(t - u) d'(u) du = 0, and F(t) = int_0^t1 (Ting, J. Appl. Mech. 33 (1966)
+!> 845).
+!>
+!> The depth is linear in time between samples; the cost grows as their number times that of the exponentials in phi.
+module mdrcontact_history_relaxation_follow
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_values, only: contact_states, given_force
+    use mdrcontact_error, only: error_t
+    use mdrcontact_history_relaxation_curve, only: break_depths, elastic_curve_t
+    use mdrcontact_history_relaxation_path, only: mean_decay, new_path, partial_integrals, path_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_material_prony, only: creep_of, creep_t, prony_t
+    implicit none (type, external)
+    private
+    public :: follow_depth, follow_force
+
+    !> Rounding of a sum of exponentials, relative to its terms.
+    real(wp), parameter :: noise = 1.0e-11_wp
+    integer, parameter :: most_steps = 60
+
+    !> What is left of the path at a sample of the shrinking phase.
+    type :: retreat_t
+        !> index of the panel's end below t1, and where t1 lies in the panel after it, 0 to 1
+        integer :: panel = 0
+        real(wp) :: fraction = 0.0_wp
+        logical :: is_lost = .false.
+    end type retreat_t
+
+contains
+
+    !> Radius and force at samples of a depth that is prescribed. `covered` is false, and they are undefined, where the contact
+    !> shrinks and grows again.
+    subroutine follow_depth(contact, phi, time, depth, radius, force, covered, error)
+        !> of the elastic body
+        type(contact_t), intent(in), target :: contact
+        !> what its modulus is multiplied by, phi(t) [1]
+        type(prony_t), intent(in) :: phi
+        !> ascending; before the first the bodies are apart and at rest, and if the first depth is positive it is reached in a jump
+        real(wp), intent(in) :: time(:)
+        !> d; the bodies are apart before it is positive [length]
+        real(wp), intent(in) :: depth(:)
+        !> same size as depth
+        real(wp), intent(out) :: radius(:), force(:)
+        logical, intent(out) :: covered
+        type(error_t), allocatable, intent(out) :: error
+        type(elastic_curve_t) :: curve
+        type(path_t) :: path
+        real(wp), allocatable :: breaks(:), t(:), d(:)
+        integer :: first, last
+
+        covered = .true.
+        radius = 0.0_wp
+        force = 0.0_wp
+        first = findloc(depth > 0.0_wp, .true., dim=1)
+        if (first == 0) return
+        last = first
+        do while (last < size(depth))
+            if (depth(last + 1) < depth(last)) exit
+            last = last + 1
+        end do
+        allocate (t(0:last - first + 1), d(0:last - first + 1))
+        t(1:) = time(first:last)
+        d(1:) = depth(first:last)
+        d(0) = 0.0_wp
+        t(0) = t(1)
+        if (first > 1) t(0) = time(first) - (time(first) - time(first - 1))*depth(first)/(depth(first) - depth(first - 1))
+
+        curve%contact => contact
+        call break_depths(contact, breaks, error)
+        if (.not. allocated(error)) call new_path(path, curve, breaks, [phi%rate, 0.0_wp], t, d, error)
+        if (.not. allocated(error)) call grow(path, phi, curve, radius(first:last), force(first:last), error)
+        if (allocated(error) .or. last == size(depth)) return
+        call shrink(path, phi, curve, time(last:), depth(last:), radius(last:), force(last:), covered, error)
+    end subroutine follow_depth
+
+    !> The growing phase, at the given points of the path but the first.
+    subroutine grow(path, phi, curve, radius, force, error)
+        type(path_t), intent(in) :: path
+        type(prony_t), intent(in) :: phi
+        type(elastic_curve_t), intent(inout) :: curve
+        real(wp), intent(inout) :: radius(:), force(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: stiffness(:)
+        real(wp) :: length
+        integer :: i, n, panel
+
+        n = size(phi%rate)
+        allocate (stiffness(size(radius)))
+        call curve%at_depths(path%depth(path%place(1:)), error, radius=radius, stiffness=stiffness)
+        if (allocated(error)) return
+        do i = 1, size(force)
+            panel = path%place(i)
+            force(i) = phi%limit*path%load(n + 1, panel) + sum(phi%weight*path%load(:n, panel))
+            length = path%time(panel) - path%time(panel - 1)
+            if (phi%viscosity > 0.0_wp .and. length > 0.0_wp) then
+                force(i) = force(i) + phi%viscosity*stiffness(i)*(path%depth(panel) - path%depth(panel - 1))/length
+            end if
+        end do
+    end subroutine grow
+
+    !> The shrinking phase, at samples after the last of the growing one, which comes first in the arrays.
+    subroutine shrink(path, phi, curve, time, depth, radius, force, covered, error)
+        type(path_t), intent(in) :: path
+        type(prony_t), intent(in) :: phi
+        type(elastic_curve_t), intent(inout) :: curve
+        real(wp), intent(in) :: time(:), depth(:)
+        real(wp), intent(inout) :: radius(:), force(:)
+        logical, intent(out) :: covered
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: rise(size(phi%rate)), behind(size(phi%rate)), load(size(phi%rate) + 1), z(size(phi%rate))
+        real(wp) :: rate, edge
+        real(wp), allocatable :: depths(:), radii(:)
+        type(retreat_t) :: now, before
+        integer :: i, n, count
+
+        n = size(phi%rate)
+        covered = .true.
+        allocate (depths(size(time)), radii(size(time)))
+        count = 0
+        rise = path%rise(:n, path%count)
+        before%panel = path%count - 1
+        before%fraction = 1.0_wp
+        now = before
+        do i = 2, size(time)
+            rate = (depth(i) - depth(i - 1))/(time(i) - time(i - 1))
+            ! grows again at once, or would have to at the end of the step?
+            if (i > 2) then
+                call look_back(path, phi, rise, time(i - 1), before, behind)
+                if (.not. retreats(phi, behind, rate)) covered = .false.
+            end if
+            z = phi%rate*(time(i) - time(i - 1))
+            rise = exp(-min(z, 700.0_wp))*rise + (depth(i) - depth(i - 1))*mean_decay(z)
+            call find_edge(path, phi, rise, rate, time(i), depth(i), before, now)
+            call look_back(path, phi, rise, time(i), now, behind)
+            edge = edge_depth(path, now)
+            if (edge > edge_depth(path, before)*(1.0_wp + noise) .or. .not. retreats(phi, behind, rate)) covered = .false.
+            if (before%is_lost .and. .not. now%is_lost) covered = .false.
+            if (.not. covered) return
+            before = now
+            if (now%is_lost) cycle
+            call partial_integrals(path, now%panel + 1, now%fraction, load)
+            z = phi%rate*(time(i) - edge_time(path, now))
+            force(i) = phi%limit*load(n + 1) + sum(phi%weight*load(:n)*exp(-min(z, 700.0_wp)))
+            count = count + 1
+            depths(count) = edge
+        end do
+        call curve%at_depths(depths(:count), error, radius=radii(:count))
+        if (allocated(error)) return
+        ! those not lost come first
+        radius(2:count + 1) = radii(:count)
+    end subroutine shrink
+
+    !> Depth and time at which the edge of a shrinking contact was passed on the way in.
+    pure function edge_depth(path, place) result(depth)
+        type(path_t), intent(in) :: path
+        type(retreat_t), intent(in) :: place
+        real(wp) :: depth
+
+        depth = 0.0_wp
+        if (.not. place%is_lost) depth = path%depth(place%panel) &
+                                         + place%fraction*(path%depth(place%panel + 1) - path%depth(place%panel))
+    end function edge_depth
+
+    pure function edge_time(path, place) result(time)
+        type(path_t), intent(in) :: path
+        type(retreat_t), intent(in) :: place
+        real(wp) :: time
+
+        time = path%time(0)
+        if (.not. place%is_lost) time = path%time(place%panel) &
+                                        + place%fraction*(path%time(place%panel + 1) - path%time(place%panel))
+    end function edge_time
+
+    !> int_t1^t exp(-rate (t - u)) d'(u) du for every rate: what the spring at the edge remembers.
+    pure subroutine look_back(path, phi, rise, time, place, behind)
+        type(path_t), intent(in) :: path
+        type(prony_t), intent(in) :: phi
+        !> the same from first contact on
+        real(wp), intent(in) :: rise(:)
+        real(wp), intent(in) :: time
+        type(retreat_t), intent(in) :: place
+        real(wp), intent(out) :: behind(:)
+        real(wp) :: length
+        integer :: n, p
+
+        n = size(rise)
+        behind = rise
+        if (place%is_lost) return
+        p = place%panel
+        length = place%fraction*(path%time(p + 1) - path%time(p))
+        behind = rise - exp(-min(phi%rate*(time - path%time(p) - length), 700.0_wp)) &
+                 *(exp(-min(phi%rate*length, 700.0_wp))*path%rise(:n, p) &
+                   + place%fraction*(path%depth(p + 1) - path%depth(p))*mean_decay(phi%rate*length))
+    end subroutine look_back
+
+    !> Whether the load of the spring at the edge falls at a rate of the depth: else it, or one that it has left, touches again.
+    pure function retreats(phi, behind, rate) result(answer)
+        type(prony_t), intent(in) :: phi
+        real(wp), intent(in) :: behind(:), rate
+        logical :: answer
+        real(wp) :: pull, memory
+
+        pull = phi%instant()*rate
+        memory = sum(phi%weight*phi%rate*behind)
+        answer = pull - memory <= noise*(abs(pull) + sum(abs(phi%weight*phi%rate*behind)))
+    end function retreats
+
+    !> Where int_t1^t phi(t - u) d'(u) du = 0, at or below where it was before.
+    pure subroutine find_edge(path, phi, rise, rate, time, depth, before, place)
+        type(path_t), intent(in) :: path
+        type(prony_t), intent(in) :: phi
+        real(wp), intent(in) :: rise(:), rate, time, depth
+        type(retreat_t), intent(in) :: before
+        type(retreat_t), intent(out) :: place
+        real(wp) :: weight(size(rise)), z(size(rise)), rest(size(rise))
+        real(wp) :: now, value, slope, low, high, x, next, length, climb
+        integer :: i, n, p
+
+        n = size(rise)
+        place%is_lost = .true.
+        if (before%is_lost) p = 0
+        if (.not. before%is_lost) p = before%panel
+        now = sum(phi%weight*rise) + phi%limit*depth + phi%viscosity*rate
+        do
+            weight = phi%weight*exp(-min(phi%rate*(time - path%time(p)), 700.0_wp))
+            value = now - sum(weight*path%rise(:n, p)) - phi%limit*path%depth(p)
+            if (value >= 0.0_wp) exit
+            if (p == 0) return
+            p = p - 1
+        end do
+        if (before%is_lost .and. value <= noise*phi%instant()*path%depth(path%count)) return
+        place%is_lost = .false.
+        place%panel = p
+        length = path%time(p + 1) - path%time(p)
+        climb = path%depth(p + 1) - path%depth(p)
+        z = phi%rate*length
+        ! what the panel's end sees of itself: weights to its end, integrals from its beginning
+        weight = phi%weight*exp(-min(phi%rate*(time - path%time(p + 1)), 700.0_wp))
+        low = 0.0_wp
+        high = 1.0_wp
+        x = min(value/max(climb*(phi%limit + sum(weight)), tiny(x)), 1.0_wp)
+        do i = 1, most_steps
+            rest = exp(-min(z*(1.0_wp - x), 700.0_wp))
+            slope = climb*(phi%limit + sum(weight*rest))
+            next = value - climb*x*(phi%limit + sum(weight*rest*mean_decay(z*x)))
+            if (next >= 0.0_wp) low = x
+            if (next <= 0.0_wp) high = x
+            if (.not. slope > 0.0_wp) exit
+            next = x + next/slope
+            if (.not. (next >= low .and. next <= high)) next = 0.5_wp*(low + high)
+            if (abs(next - x) <= 4.0_wp*epsilon(x)) exit
+            x = next
+        end do
+        place%fraction = x
+    end subroutine find_edge
+
+    !> Depth and radius under a force that is prescribed, while the contact grows: F_el(t) = int j(t - u) dF(u), j the creep
+    !> function of phi.
+    subroutine follow_force(contact, phi, time, force, depth, radius, covered, error)
+        type(contact_t), intent(in) :: contact
+        type(prony_t), intent(in) :: phi
+        !> as for follow_depth
+        real(wp), intent(in) :: time(:)
+        !> F >= 0 [modulus length^2]
+        real(wp), intent(in) :: force(:)
+        real(wp), intent(out) :: depth(:), radius(:)
+        logical, intent(out) :: covered
+        type(error_t), allocatable, intent(out) :: error
+        type(creep_t) :: creep
+        type(contact_state_t), allocatable :: states(:)
+        real(wp), allocatable :: rise(:), z(:)
+        real(wp) :: elastic(size(force)), impulse, rate, length, pull
+        integer :: i
+
+        covered = .true.
+        creep = creep_of(phi)
+        allocate (rise(size(creep%rate)), z(size(creep%rate)), states(size(force)))
+        rise = force(1)
+        impulse = 0.0_wp
+        elastic(1) = creep%instant*force(1)
+        do i = 2, size(force)
+            length = time(i) - time(i - 1)
+            rate = (force(i) - force(i - 1))/length
+            pull = creep%instant*rate + creep%fluidity*force(i - 1) + sum(creep%weight*creep%rate*rise)
+            z = creep%rate*length
+            rise = exp(-min(z, 700.0_wp))*rise + (force(i) - force(i - 1))*mean_decay(z)
+            impulse = impulse + 0.5_wp*(force(i) + force(i - 1))*length
+            elastic(i) = creep%instant*force(i) + sum(creep%weight*(force(i) - rise)) + creep%fluidity*impulse
+            covered = covered .and. pull >= -noise*creep%instant*abs(rate) .and. elastic(i) >= elastic(i - 1)*(1.0_wp - noise)
+            if (.not. covered) return
+        end do
+        call contact_states(contact, given_force, elastic, states, error)
+        if (allocated(error)) return
+        depth = states%depth
+        radius = states%radius
+    end subroutine follow_force
+
+end module mdrcontact_history_relaxation_follow

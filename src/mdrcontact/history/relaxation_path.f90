@@ -1,0 +1,304 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The growing part of a history as panels on which the elastic stiffness k(d) is a polynomial, with the hereditary integrals
+!>     S(t) = int exp(-rate (t - u)) dF(d(u)),    D(t) = int exp(-rate (t - u)) d'(u) du
+!> at the end of each, one for every rate: exact where the depth is linear in time, whatever the rate.
+module mdrcontact_history_relaxation_path
+    use mdrcontact_error, only: error_t
+    use mdrcontact_gsl, only: gsl_sf_bessel_il_scaled_array, gsl_success
+    use mdrcontact_history_relaxation_curve, only: elastic_curve_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    implicit none (type, external)
+    private
+    public :: path_t, new_path, mean_decay, partial_integrals
+
+    !> Coefficients of a panel, and nodes of the rule that finds moments at small rates; what rate times length is small and large.
+    integer, parameter :: most = 16, fewest = 4, moment_nodes = 8
+    real(wp), parameter :: slow = 1.0_wp, fast = 500.0_wp
+    !> Digits that k has on each panel.
+    real(wp), parameter :: digits_wanted = 13.0_wp
+    !> Panels double in depth from first contact on, so many times at most.
+    integer, parameter :: doublings = 48
+
+    !> Gauss rules of all sizes on [0, 1], and the Legendre polynomials at their nodes times weights times 2 l + 1.
+    type :: rules_t
+        real(wp) :: nodes(most, most) = 0.0_wp, weights(most, most) = 0.0_wp
+        real(wp) :: to_coefficients(most, most, most) = 0.0_wp
+    end type rules_t
+
+    !> Panels, from first contact to the largest depth.
+    type :: path_t
+        integer :: count = 0
+        !> (0:count) time and depth at their ends
+        real(wp), allocatable :: time(:), depth(:)
+        !> Legendre coefficients of k(d) on each, (most, count), and how many; none where the depth is held
+        real(wp), allocatable :: stiffness(:, :)
+        integer, allocatable :: terms(:)
+        !> S and D at their ends, (rates, 0:count); the last rate is 0
+        real(wp), allocatable :: load(:, :), rise(:, :)
+        !> which panel ends at each of the given points
+        integer, allocatable :: place(:)
+        real(wp), allocatable :: rates(:)
+        type(rules_t) :: rules
+    end type path_t
+
+
+contains
+
+    !> Panels through points of never decreasing time and depth, from first contact, the first point.
+    subroutine new_path(self, curve, breaks, rates, time, depth, error)
+        type(path_t), intent(out) :: self
+        type(elastic_curve_t), intent(inout) :: curve
+        !> depths at which k is not analytic, ascending [length]
+        real(wp), intent(in) :: breaks(:)
+        !> >= 0 [1/time]
+        real(wp), intent(in) :: rates(:)
+        !> (0:n); depth(0) = 0
+        real(wp), intent(in) :: time(0:), depth(0:)
+        type(error_t), allocatable, intent(out) :: error
+
+        self%rates = rates
+        call place_panels(self, breaks, time, depth)
+        call make_rules(self%rules, maxval(self%terms), error)
+        if (.not. allocated(error)) call sample(self, curve, error)
+        if (.not. allocated(error)) call integrate(self)
+    end subroutine new_path
+
+    subroutine place_panels(self, breaks, time, depth)
+        type(path_t), intent(inout) :: self
+        real(wp), intent(in) :: breaks(:), time(0:), depth(0:)
+        real(wp), allocatable :: t(:), d(:)
+        integer, allocatable :: terms(:)
+        real(wp) :: next, low, ratio
+        integer :: i, n, room
+
+        n = ubound(depth, 1)
+        room = n + size(breaks) + 2*doublings + 64
+        allocate (t(0:room), d(0:room), terms(room), self%place(0:n))
+        ! below the lowest depth F is proportional to d, as near as it matters
+        low = scale(maxval(depth), -doublings)
+        t(0) = time(0)
+        d(0) = 0.0_wp
+        self%place(0) = 0
+        self%count = 0
+        do i = 1, n
+            do
+                next = depth(i)
+                if (d(self%count) <= 0.0_wp .and. next > low) then
+                    next = low
+                else if (next > 2.0_wp*d(self%count) .and. d(self%count) > 0.0_wp) then
+                    next = 2.0_wp*d(self%count)
+                    if (depth(i) < 1.5_wp*next) next = 0.5_wp*(depth(i) + d(self%count))
+                end if
+                if (any(breaks > d(self%count) .and. breaks < next)) next = minval(breaks, mask=breaks > d(self%count))
+                self%count = self%count + 1
+                if (next >= depth(i)) then
+                    t(self%count) = time(i)
+                    d(self%count) = depth(i)
+                else
+                    d(self%count) = next
+                    t(self%count) = time(i - 1) + (time(i) - time(i - 1))*(next - depth(i - 1))/(depth(i) - depth(i - 1))
+                end if
+                if (d(self%count) <= d(self%count - 1)) then
+                    terms(self%count) = 0
+                else if (d(self%count - 1) <= 0.0_wp) then
+                    terms(self%count) = 1
+                else
+                    ! k has its singularity at first contact: how fast its Legendre series falls
+                    ratio = (d(self%count) + d(self%count - 1))/(d(self%count) - d(self%count - 1))
+                    ratio = log10(ratio + sqrt(ratio**2 - 1.0_wp))
+                    terms(self%count) = min(max(ceiling(digits_wanted/ratio), fewest), most)
+                end if
+                if (d(self%count) >= depth(i)) exit
+            end do
+            self%place(i) = self%count
+        end do
+        allocate (self%time(0:self%count), self%depth(0:self%count))
+        self%time = t(:self%count)
+        self%depth = d(:self%count)
+        self%terms = terms(:self%count)
+    end subroutine place_panels
+
+    subroutine make_rules(rules, largest, error)
+        type(rules_t), intent(inout) :: rules
+        integer, intent(in) :: largest
+        type(error_t), allocatable, intent(out) :: error
+        integer :: n
+
+        do n = 1, max(largest, moment_nodes)
+            call gauss_legendre(rules%nodes(:n, n), rules%weights(:n, n), error)
+            if (allocated(error)) return
+            rules%to_coefficients(:n, :n, n) = legendre(2.0_wp*rules%nodes(:n, n) - 1.0_wp, rules%weights(:n, n), n)
+        end do
+    end subroutine make_rules
+
+    !> (l, node): (2 l + 1) P_l times weights, l < n.
+    pure function legendre(x, weights, n) result(table)
+        real(wp), intent(in) :: x(:), weights(:)
+        integer, intent(in) :: n
+        real(wp) :: table(n, size(x))
+        real(wp) :: before(size(x)), here(size(x)), next(size(x))
+        integer :: l
+
+        before = 0.0_wp
+        here = 1.0_wp
+        do l = 0, n - 1
+            table(l + 1, :) = real(2*l + 1, wp)*here*weights
+            next = (real(2*l + 1, wp)*x*here - real(l, wp)*before)/real(l + 1, wp)
+            before = here
+            here = next
+        end do
+    end function legendre
+
+    !> k(d) at the nodes of all panels.
+    subroutine sample(self, curve, error)
+        type(path_t), intent(inout) :: self
+        type(elastic_curve_t), intent(inout) :: curve
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: depths(:), values(:)
+        real(wp) :: lowest(1)
+        integer :: i, n, first
+
+        allocate (depths(sum(self%terms)), values(sum(self%terms)))
+        first = 0
+        do i = 1, self%count
+            n = self%terms(i)
+            depths(first + 1:first + n) = self%depth(i - 1) + (self%depth(i) - self%depth(i - 1))*self%rules%nodes(:n, n)
+            first = first + n
+        end do
+        call curve%at_depths(depths, error, stiffness=values)
+        if (allocated(error)) return
+        allocate (self%stiffness(most, self%count))
+        self%stiffness = 0.0_wp
+        first = 0
+        do i = 1, self%count
+            n = self%terms(i)
+            if (n == 0) cycle
+            self%stiffness(:n, i) = matmul(self%rules%to_coefficients(:n, :n, n), values(first + 1:first + n))
+            if (self%depth(i - 1) <= 0.0_wp) then
+                call curve%at_depths([self%depth(i)], error, force=lowest)
+                if (allocated(error)) return
+                self%stiffness(1, i) = lowest(1)/self%depth(i)
+            end if
+            first = first + n
+        end do
+    end subroutine sample
+
+    subroutine integrate(self)
+        type(path_t), intent(inout) :: self
+        real(wp) :: moments(most, size(self%rates)), decay(size(self%rates)), length, before, rise
+        integer :: i, j, n, made
+
+        allocate (self%load(size(self%rates), 0:self%count), self%rise(size(self%rates), 0:self%count))
+        self%load(:, 0) = 0.0_wp
+        self%rise(:, 0) = 0.0_wp
+        before = -1.0_wp
+        made = 0
+        do i = 1, self%count
+            length = self%time(i) - self%time(i - 1)
+            rise = self%depth(i) - self%depth(i - 1)
+            n = self%terms(i)
+            if (abs(length - before) > 1.0e-14_wp*length .or. n > made) then
+                before = length
+                made = max(n, 1)
+                do j = 1, size(self%rates)
+                    decay(j) = exp(-min(self%rates(j)*length, 700.0_wp))
+                    call moments_of(self%rates(j)*length, made, self%rules, moments(:, j))
+                end do
+            end if
+            self%load(:, i) = decay*self%load(:, i - 1)
+            self%rise(:, i) = decay*self%rise(:, i - 1) + rise*moments(1, :)
+            do j = 1, size(self%rates)
+                self%load(j, i) = self%load(j, i) + rise*sum(moments(:n, j)*self%stiffness(:n, i))
+            end do
+        end do
+    end subroutine integrate
+
+    !> int_0^1 P_l(2 x - 1) exp(-z (1 - x)) dx = exp(-z/2) i_l(z/2), l < n.
+    subroutine moments_of(z, n, rules, moments)
+        real(wp), intent(in) :: z
+        integer, intent(in) :: n
+        type(rules_t), intent(in) :: rules
+        real(wp), intent(inout) :: moments(:)
+        real(wp) :: decays(moment_nodes)
+        integer :: l, status
+
+        if (z <= 0.0_wp) then
+            moments(:n) = 0.0_wp
+            moments(1) = 1.0_wp
+        else if (z <= slow .and. n <= moment_nodes) then
+            associate (m => moment_nodes)
+                decays = exp(-z*(1.0_wp - rules%nodes(:m, m)))
+                do l = 0, n - 1
+                    moments(l + 1) = sum(rules%to_coefficients(l + 1, :m, m)*decays)/real(2*l + 1, wp)
+                end do
+            end associate
+        else if (z > fast) then
+            ! upwards, which keeps digits as long as n^2 is small beside z
+            moments(1) = 1.0_wp/z
+            moments(2) = (1.0_wp - 2.0_wp/z)/z
+            do l = 1, n - 2
+                moments(l + 2) = moments(l) - real(4*l + 2, wp)/z*moments(l + 1)
+            end do
+        else
+            status = gsl_sf_bessel_il_scaled_array(n - 1, 0.5_wp*z, moments)
+            if (status /= gsl_success) moments(:n) = 0.0_wp
+        end if
+    end subroutine moments_of
+
+    !> (1 - exp(-x))/x.
+    elemental function mean_decay(x) result(value)
+        real(wp), intent(in) :: x
+        real(wp) :: value
+
+        if (x < 1.0e-2_wp) then
+            value = 1.0_wp - x*(0.5_wp - x*(1.0_wp/6.0_wp - x*(1.0_wp/24.0_wp - x*(1.0_wp/120.0_wp - x/720.0_wp))))
+        else if (x < 700.0_wp) then
+            value = (1.0_wp - exp(-x))/x
+        else
+            value = 1.0_wp/x
+        end if
+    end function mean_decay
+
+    !> S at a fraction of a panel, for every rate.
+    subroutine partial_integrals(self, panel, fraction, load)
+        type(path_t), intent(in) :: self
+        integer, intent(in) :: panel
+        !> 0 to 1
+        real(wp), intent(in) :: fraction
+        real(wp), intent(out) :: load(:)
+        real(wp) :: k(most), coefficients(most), moments(most), length, rise
+        integer :: j, n
+
+        n = self%terms(panel)
+        length = fraction*(self%time(panel) - self%time(panel - 1))
+        rise = fraction*(self%depth(panel) - self%depth(panel - 1))
+        call polynomial(self%stiffness(:n, panel), fraction*self%rules%nodes(:n, n), k(:n))
+        do j = 1, n
+            coefficients(j) = sum(self%rules%to_coefficients(j, :n, n)*k(:n))
+        end do
+        do j = 1, size(self%rates)
+            call moments_of(self%rates(j)*length, n, self%rules, moments)
+            load(j) = exp(-min(self%rates(j)*length, 700.0_wp))*self%load(j, panel - 1) + rise*sum(moments(:n)*coefficients(:n))
+        end do
+    end subroutine partial_integrals
+
+    !> A Legendre series at positions in [0, 1].
+    pure subroutine polynomial(coefficients, positions, values)
+        real(wp), intent(in) :: coefficients(:), positions(:)
+        real(wp), intent(out) :: values(:)
+        real(wp), dimension(size(positions)) :: before, here, next
+        integer :: l
+
+        before = 0.0_wp
+        here = 1.0_wp
+        values = 0.0_wp
+        do l = 0, size(coefficients) - 1
+            values = values + coefficients(l + 1)*here
+            next = (real(2*l + 1, wp)*(2.0_wp*positions - 1.0_wp)*here - real(l, wp)*before)/real(l + 1, wp)
+            before = here
+            here = next
+        end do
+    end subroutine polynomial
+
+end module mdrcontact_history_relaxation_path

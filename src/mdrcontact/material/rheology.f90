@@ -1,0 +1,300 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> An isotropic linear viscoelastic material: how its shear modulus relaxes, and what its Poisson's ratio or bulk modulus is.
+!>
+!> Laplace transforms of moduli are multiplied by s, so that s = i omega gives the complex modulus and an elastic formula holds
+!> between them as it stands.
+module mdrcontact_material_rheology
+    use mdrcontact_error, only: check_not_negative, check_poisson, check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_material_prony, only: creep_of, creep_t, merged, power_law_series, prony_t
+    implicit none (type, external)
+    private
+    public :: rheology_t, new_viscoelastic, new_power_law_rheology, new_elastic_rheology, same_shape
+
+    !> Relative error of power laws that are written as sums of exponentials.
+    real(wp), parameter :: series_tolerance = 1.0e-12_wp
+
+    !> A material. Made by new_..., never changed.
+    type :: rheology_t
+        !> constant Poisson's ratio, and constant bulk modulus [modulus]: the first holds where the second is 0
+        real(wp) :: poisson = 0.0_wp, bulk = 0.0_wp
+        !> shear modulus G(t), unless it is a power law
+        type(prony_t) :: shear
+        !> G(t) = modulus (t/time)^(-exponent); an exponent of 0 means that it is not
+        real(wp) :: modulus = 0.0_wp, time = 0.0_wp, exponent = 0.0_wp
+    contains
+        procedure :: is_power_law
+        procedure :: is_elastic
+        procedure :: relaxation
+        procedure :: creep
+        procedure :: complex_shear
+        procedure :: complex_poisson
+        procedure :: glassy
+        procedure :: relaxed
+        procedure :: contact_series
+    end type rheology_t
+
+contains
+
+    !> G(t) = relaxed + sum moduli_i exp(-t/times_i) + viscosity delta(t).
+    subroutine new_viscoelastic(self, relaxed, moduli, times, viscosity, poisson, bulk, error)
+        type(rheology_t), intent(out) :: self
+        !> G(infinity) >= 0, terms > 0 [modulus]
+        real(wp), intent(in) :: relaxed, moduli(:)
+        !> relaxation times > 0, as many as moduli [time]
+        real(wp), intent(in) :: times(:)
+        !> of a dashpot in parallel, >= 0 (Kelvin-Voigt) [modulus time]
+        real(wp), intent(in) :: viscosity
+        !> Poisson's ratio, constant, where bulk = 0; else not used
+        real(wp), intent(in) :: poisson
+        !> bulk modulus K > 0, constant [modulus]; 0: the Poisson's ratio is constant
+        real(wp), intent(in) :: bulk
+        type(error_t), allocatable, intent(out) :: error
+        type(prony_t) :: series
+        integer :: i
+
+        call check_not_negative(error, "relaxed_shear_modulus", relaxed)
+        call check_not_negative(error, "viscosity", viscosity)
+        do i = 1, size(moduli)
+            call check_positive(error, "moduli", moduli(i), i)
+            call check_positive(error, "times", times(i), i)
+        end do
+        if (bulk /= 0.0_wp) then
+            call check_positive(error, "bulk_modulus", bulk)
+        else
+            call check_poisson(error, "nu", poisson)
+        end if
+        if (allocated(error)) return
+        if (.not. relaxed + sum(moduli) > 0.0_wp) then
+            call raise(error, error_invalid, "relaxed_shear_modulus = 0 is not allowed without terms: a liquid bears no indenter")
+        else if (bulk > 0.0_wp .and. viscosity > 0.0_wp) then
+            call raise(error, error_invalid, "viscosity = "//to_text(viscosity)//" is not allowed with a bulk modulus: give nu")
+        end if
+        if (allocated(error)) return
+        series%limit = relaxed
+        series%viscosity = viscosity
+        series%weight = moduli
+        series%rate = 1.0_wp/times
+        self%shear = merged(series)
+        self%bulk = bulk
+        if (.not. bulk > 0.0_wp) self%poisson = poisson
+    end subroutine new_viscoelastic
+
+    !> G(t) = modulus (t/time)^(-exponent), a fractional element (springpot).
+    subroutine new_power_law_rheology(self, modulus, time, exponent, poisson, error)
+        type(rheology_t), intent(out) :: self
+        !> shear relaxation modulus at `time`, > 0 [modulus]
+        real(wp), intent(in) :: modulus
+        !> > 0 [time]
+        real(wp), intent(in) :: time
+        !> 0 < exponent < 1
+        real(wp), intent(in) :: exponent
+        !> Poisson's ratio, constant
+        real(wp), intent(in) :: poisson
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_positive(error, "modulus", modulus)
+        call check_positive(error, "time", time)
+        call check_poisson(error, "nu", poisson)
+        if (.not. (exponent > 0.0_wp .and. exponent < 1.0_wp)) then
+            call raise(error, error_invalid, " = "//to_text(exponent)//" is not allowed: it must be greater than 0 (elastic) "// &
+                       "and less than 1 (viscous)", "exponent")
+        end if
+        if (allocated(error)) return
+        self%modulus = modulus
+        self%time = time
+        self%exponent = exponent
+        self%poisson = poisson
+        allocate (self%shear%weight(0), self%shear%rate(0))
+    end subroutine new_power_law_rheology
+
+    !> A material without memory.
+    pure function new_elastic_rheology(material) result(self)
+        type(material_t), intent(in) :: material
+        type(rheology_t) :: self
+
+        self%poisson = material%poisson
+        self%shear%limit = material%shear()
+        allocate (self%shear%weight(0), self%shear%rate(0))
+    end function new_elastic_rheology
+
+    elemental function is_power_law(self) result(answer)
+        class(rheology_t), intent(in) :: self
+        logical :: answer
+
+        answer = self%exponent > 0.0_wp
+    end function is_power_law
+
+    elemental function is_elastic(self) result(answer)
+        class(rheology_t), intent(in) :: self
+        logical :: answer
+
+        answer = .not. self%is_power_law() .and. size(self%shear%rate) == 0 .and. .not. self%shear%viscosity > 0.0_wp
+    end function is_elastic
+
+    !> G(t) at t > 0 [modulus].
+    elemental function relaxation(self, t) result(value)
+        class(rheology_t), intent(in) :: self
+        real(wp), intent(in) :: t
+        real(wp) :: value
+
+        if (self%is_power_law()) then
+            value = self%modulus*(t/self%time)**(-self%exponent)
+        else
+            value = self%shear%at(t)
+        end if
+    end function relaxation
+
+    !> J(t) at times t > 0, the shear compliance: strain under a constant stress of 1 [1/modulus].
+    pure function creep(self, t) result(values)
+        class(rheology_t), intent(in) :: self
+        real(wp), intent(in) :: t(:)
+        real(wp) :: values(size(t))
+        type(creep_t) :: series
+        integer :: i
+
+        if (self%is_power_law()) then
+            values = (t/self%time)**self%exponent/(self%modulus*gamma(1.0_wp - self%exponent)*gamma(1.0_wp + self%exponent))
+        else
+            series = creep_of(self%shear)
+            do i = 1, size(t)
+                values(i) = series%at(t(i))
+            end do
+        end if
+    end function creep
+
+    !> Q(s) of the shear modulus [modulus]; G*(omega) at s = i omega.
+    elemental function complex_shear(self, s) result(value)
+        class(rheology_t), intent(in) :: self
+        complex(wp), intent(in) :: s
+        complex(wp) :: value
+
+        if (self%is_power_law()) then
+            value = self%modulus*gamma(1.0_wp - self%exponent)*(s*self%time)**self%exponent
+        else
+            value = self%shear%transform(s)
+        end if
+    end function complex_shear
+
+    !> Poisson's ratio at s.
+    elemental function complex_poisson(self, s) result(value)
+        class(rheology_t), intent(in) :: self
+        complex(wp), intent(in) :: s
+        complex(wp) :: value
+        complex(wp) :: shear
+
+        value = self%poisson
+        if (.not. self%bulk > 0.0_wp) return
+        shear = self%complex_shear(s)
+        value = (3.0_wp*self%bulk - 2.0_wp*shear)/(2.0_wp*(3.0_wp*self%bulk + shear))
+    end function complex_poisson
+
+    !> The elastic material of a sudden load.
+    subroutine glassy(self, material, error)
+        class(rheology_t), intent(in) :: self
+        type(material_t), intent(out) :: material
+        type(error_t), allocatable, intent(out) :: error
+
+        if (self%is_power_law()) then
+            call raise(error, error_invalid, "a power law has no glassy modulus: it grows without end towards short times")
+        else if (self%shear%viscosity > 0.0_wp) then
+            call raise(error, error_invalid, "a material with a dashpot in parallel has no glassy "// &
+                       "modulus: it bears any sudden load")
+        else
+            call from_shear(self, self%shear%instant(), material, error)
+        end if
+    end subroutine glassy
+
+    !> The elastic material of a load that has lasted.
+    subroutine relaxed(self, material, error)
+        class(rheology_t), intent(in) :: self
+        type(material_t), intent(out) :: material
+        type(error_t), allocatable, intent(out) :: error
+
+        if (self%is_power_law() .or. .not. self%shear%limit > 0.0_wp) then
+            call raise(error, error_invalid, "this material has no relaxed modulus: it flows without end")
+        else
+            call from_shear(self, self%shear%limit, material, error)
+        end if
+    end subroutine relaxed
+
+    subroutine from_shear(self, shear, material, error)
+        class(rheology_t), intent(in) :: self
+        real(wp), intent(in) :: shear
+        type(material_t), intent(out) :: material
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: poisson
+
+        poisson = self%poisson
+        if (self%bulk > 0.0_wp) poisson = (3.0_wp*self%bulk - 2.0_wp*shear)/(2.0_wp*(3.0_wp*self%bulk + shear))
+        call new_material(material, 2.0_wp*shear*(1.0_wp + poisson), poisson, error)
+    end subroutine from_shear
+
+    !> The contact modulus E*(t) of a half-space as a sum of exponentials. With a constant bulk modulus
+    !> E* = Q + 9K/4 - (27 K^2/4)/(3K + 4Q), whose last part is a compliance.
+    pure function contact_series(self, shortest, longest) result(series)
+        class(rheology_t), intent(in) :: self
+        !> times between which a power law is to hold, > 0 [time]
+        real(wp), intent(in) :: shortest, longest
+        type(prony_t) :: series
+        type(prony_t) :: mixed
+        type(creep_t) :: part
+        real(wp) :: factor
+
+        if (self%is_power_law()) then
+            series = power_law_series(self%time, self%exponent, shortest, longest, series_tolerance)
+            series%weight = series%weight*self%modulus
+            series%viscosity = series%viscosity*self%modulus
+        else
+            series = self%shear
+        end if
+        if (self%bulk > 0.0_wp) then
+            mixed = series
+            mixed%limit = 3.0_wp*self%bulk + 4.0_wp*series%limit
+            mixed%weight = 4.0_wp*series%weight
+            part = creep_of(mixed)
+            factor = 6.75_wp*self%bulk**2
+            series%limit = series%limit + 9.0_wp*self%bulk*series%limit/mixed%limit
+            series%weight = [series%weight, factor*part%weight]
+            series%rate = [series%rate, part%rate]
+            series = merged(series)
+        else
+            factor = 2.0_wp/(1.0_wp - self%poisson)
+            series%limit = factor*series%limit
+            series%weight = factor*series%weight
+            series%viscosity = factor*series%viscosity
+        end if
+    end function contact_series
+
+    !> Whether two materials relax in proportion, each at a constant Poisson's ratio.
+    pure function same_shape(one, other) result(answer)
+        type(rheology_t), intent(in) :: one, other
+        logical :: answer
+        real(wp), parameter :: tolerance = 1.0e-13_wp
+        real(wp) :: ratio
+
+        answer = .not. (one%bulk > 0.0_wp .or. other%bulk > 0.0_wp)
+        answer = answer .and. size(one%shear%rate) == size(other%shear%rate)
+        if (.not. answer) return
+        if (one%is_power_law() .or. other%is_power_law()) then
+            answer = abs(one%exponent - other%exponent) <= tolerance
+            return
+        end if
+        ratio = other%shear%instant()/one%shear%instant()
+        answer = close(one%shear%limit*ratio, other%shear%limit) .and. &
+                 close(one%shear%viscosity*ratio, other%shear%viscosity) .and. &
+                 all(close(one%shear%weight*ratio, other%shear%weight)) .and. all(close(one%shear%rate, other%shear%rate))
+
+    contains
+
+        elemental function close(x, y) result(answer)
+            real(wp), intent(in) :: x, y
+            logical :: answer
+
+            answer = abs(x - y) <= tolerance*max(abs(x), abs(y))
+        end function close
+
+    end function same_shape
+
+end module mdrcontact_material_rheology

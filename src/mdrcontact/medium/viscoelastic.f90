@@ -1,0 +1,210 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A viscoelastic half-space, homogeneous or layered. It has no elastic states: whoever asks for one is told so. Histories
+!> (mdrcontact_history) and oscillations (mdrcontact_history_oscillation) of a contact start from the materials that it keeps.
+module mdrcontact_medium_viscoelastic
+    use mdrcontact_body_stack, only: new_stack, stack_t
+    use mdrcontact_error, only: check_positive, count_text, error_invalid, error_t, explain, raise
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_material_prony, only: prony_t
+    use mdrcontact_material_rheology, only: rheology_t, same_shape
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_model, only: model_options_t, models, new_medium
+    use mdrcontact_profile, only: profile_t
+    implicit none (type, external)
+    private
+    public :: viscoelastic_t, new_viscoelastic_medium
+
+    !> What an elastic question is answered with.
+    character(len=*), parameter :: takes_time = &
+                                   "this body is viscoelastic, and what is asked for belongs to an elastic one: ask for its "// &
+                                   "history (a path in time) or its dynamic stiffness (an oscillation), or take the glassy "// &
+                                   "or the relaxed material"
+
+    !> Materials from the surface down, the substrate last, unless the base is rigid.
+    type, extends(medium_t) :: viscoelastic_t
+        type(rheology_t), allocatable :: materials(:)
+        !> of the layers [length]
+        real(wp), allocatable :: thickness(:)
+        logical :: rigid_base = .false.
+        !> the model by which elastic bodies of this shape are solved
+        integer :: model = models%exact
+        type(model_options_t) :: options
+        !> whether all materials relax in proportion: every state then follows from the elastic ones (theory of time 3)
+        logical :: is_proportional = .false.
+        !> the elastic body whose contact modulus is multiplied by `relaxation_shape`, where they do: the glassy one, or for power
+        !> laws the one at their unit of time. Elsewhere the glassy one
+        class(medium_t), allocatable :: reference
+    contains
+        procedure :: modulus => no_radius_function
+        procedure :: modulus_slope => no_radius_function
+        procedure :: depth_and_force => no_state
+        procedure :: line_load => no_field
+        procedure :: pressure => no_field
+        procedure :: displacement_outside => no_field
+        procedure :: check_profile
+        procedure :: largest_radius
+        procedure :: breaks
+        procedure :: is_exact
+        procedure :: is_viscoelastic
+        procedure :: relaxation_shape
+    end type viscoelastic_t
+
+contains
+
+    !> Layers on a substrate, or on a rigid base.
+    subroutine new_viscoelastic_medium(self, materials, thickness, rigid_base, model, options, error)
+        type(viscoelastic_t), intent(out) :: self
+        !> from the surface down, then, unless the base is rigid, the half-space's
+        type(rheology_t), intent(in) :: materials(:)
+        !> of the layers, > 0: none for a homogeneous half-space [length]
+        real(wp), intent(in) :: thickness(:)
+        logical, intent(in) :: rigid_base
+        !> one of models%..., and its options
+        integer, intent(in) :: model
+        type(model_options_t), intent(in) :: options
+        type(error_t), allocatable, intent(out) :: error
+        type(material_t) :: elastic(size(thickness) + 1)
+        type(stack_t) :: body
+        integer :: i
+
+        do i = 1, size(thickness)
+            call check_positive(error, "thickness", thickness(i), i)
+        end do
+        self%materials = materials
+        self%thickness = thickness
+        self%rigid_base = rigid_base
+        self%model = model
+        self%options = options
+        self%is_proportional = .true.
+        do i = 2, size(materials)
+            self%is_proportional = self%is_proportional .and. same_shape(materials(1), materials(i))
+        end do
+        if (size(thickness) > 0) self%is_proportional = self%is_proportional .and. .not. any(materials%bulk > 0.0_wp)
+        do i = 1, size(materials)
+            if (allocated(error)) return
+            call reference_material(materials(i), self%is_proportional, elastic(i), error)
+            if (allocated(error)) call explain(error, "", " (material "//count_text(i)//" of a body whose materials do not "// &
+                                               "relax in proportion)")
+        end do
+        if (.not. allocated(error)) then
+            call new_stack(body, elastic(:size(thickness)), thickness, elastic(size(thickness) + 1), error, rigid_base)
+        end if
+        if (.not. allocated(error)) call new_medium(self%reference, body, model, error, options)
+    end subroutine new_viscoelastic_medium
+
+    !> The elastic material that stands for a relaxing one.
+    subroutine reference_material(rheology, is_proportional, material, error)
+        type(rheology_t), intent(in) :: rheology
+        logical, intent(in) :: is_proportional
+        type(material_t), intent(out) :: material
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: shear
+
+        if (.not. is_proportional .or. rheology%bulk > 0.0_wp) then
+            call rheology%glassy(material, error)
+        else
+            shear = rheology%shear%instant()
+            if (rheology%is_power_law()) shear = rheology%modulus
+            call new_material(material, 2.0_wp*shear*(1.0_wp + rheology%poisson), rheology%poisson, error)
+        end if
+    end subroutine reference_material
+
+    !> What multiplies the reference body's contact modulus, where all materials relax in proportion [1].
+    pure function relaxation_shape(self, shortest, longest) result(series)
+        class(viscoelastic_t), intent(in) :: self
+        !> times between which it is needed, > 0 [time]
+        real(wp), intent(in) :: shortest, longest
+        type(prony_t) :: series
+        real(wp) :: scale
+
+        series = self%materials(1)%contact_series(shortest, longest)
+        if (self%materials(1)%is_power_law()) then
+            scale = 2.0_wp*self%materials(1)%modulus/(1.0_wp - self%materials(1)%poisson)
+        else
+            scale = series%instant()
+        end if
+        series%limit = series%limit/scale
+        series%weight = series%weight/scale
+        series%viscosity = series%viscosity/scale
+    end function relaxation_shape
+
+    subroutine no_radius_function(self, a, values, error)
+        class(viscoelastic_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self, also_unused => a)
+        end associate
+        values = 0.0_wp
+        call raise(error, error_invalid, takes_time)
+    end subroutine no_radius_function
+
+    subroutine no_state(self, profile, a, depth, force, error)
+        class(viscoelastic_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self, also_unused => profile, unused_too => a)
+        end associate
+        depth = 0.0_wp
+        force = 0.0_wp
+        call raise(error, error_invalid, takes_time)
+    end subroutine no_state
+
+    subroutine no_field(self, profile, a, excess, r, values, error)
+        class(viscoelastic_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self, also_unused => profile, unused_too => a, and_this => excess, this_too => r)
+        end associate
+        values = 0.0_wp
+        call raise(error, error_invalid, takes_time)
+    end subroutine no_field
+
+    pure subroutine check_profile(self, profile, error)
+        class(viscoelastic_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        type(error_t), allocatable, intent(inout) :: error
+
+        call self%reference%check_profile(profile, error)
+    end subroutine check_profile
+
+    pure function largest_radius(self) result(radius)
+        class(viscoelastic_t), intent(in) :: self
+        real(wp) :: radius
+
+        radius = self%reference%largest_radius()
+    end function largest_radius
+
+    pure function breaks(self) result(radii)
+        class(viscoelastic_t), intent(in) :: self
+        real(wp), allocatable :: radii(:)
+
+        allocate (radii, source=self%reference%breaks())
+    end function breaks
+
+    pure function is_exact(self) result(answer)
+        class(viscoelastic_t), intent(in) :: self
+        logical :: answer
+
+        answer = self%reference%is_exact()
+    end function is_exact
+
+    pure function is_viscoelastic(self) result(answer)
+        class(viscoelastic_t), intent(in) :: self
+        logical :: answer
+
+        associate (unused => self)
+        end associate
+        answer = .true.
+    end function is_viscoelastic
+
+end module mdrcontact_medium_viscoelastic

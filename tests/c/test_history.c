@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Viscoelastic materials, media and histories: closed forms, limits, refusals. */
+#include "check.h"
+
+enum { N = 4 };
+
+static const double moduli[] = {2.0, 0.5}, times[] = {0.3, 3.0};
+
+static mdr_material *polymer(void)
+{
+    mdr_material *material = NULL;
+
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 2, moduli, times, 0.0, 0.4, 0.0, &material));
+    return material;
+}
+
+static double relaxation(double t) { return 1.0 + 2.0 * exp(-t / 0.3) + 0.5 * exp(-t / 3.0); }
+
+static void test_materials(void)
+{
+    const double t[N] = {1e-3, 0.3, 2.0, 50.0}, omega[1] = {2.0};
+    double G[N], J[N], storage, loss, E, nu, untouched = 7.0;
+    mdr_material *material = polymer(), *power = NULL, *elastic = NULL, *none = NULL;
+
+    CHECK_SUCCESS(mdr_material_relaxation(material, N, t, G));
+    for (int i = 0; i < N; i++) CHECK_CLOSE(G[i], relaxation(t[i]), 1e-15);
+    CHECK_SUCCESS(mdr_material_creep(material, N, t, J));
+    CHECK_CLOSE(J[0], 1.0 / 3.5, 1e-2);
+    CHECK_CLOSE(J[3], 1.0, 1e-4);
+    CHECK_SUCCESS(mdr_material_complex_modulus(material, 1, omega, &storage, &loss));
+    CHECK_CLOSE(storage, 1.0 + 2.0 * 0.36 / 1.36 + 0.5 * 36.0 / 37.0, 1e-14);
+    CHECK_CLOSE(loss, 2.0 * 0.6 / 1.36 + 0.5 * 6.0 / 37.0, 1e-14);
+    CHECK_SUCCESS(mdr_material_limit(material, MDR_LIMIT_GLASSY, &E, &nu));
+    CHECK_CLOSE(E, 2.8 * 3.5, 1e-15);
+    CHECK_SUCCESS(mdr_material_limit(material, MDR_LIMIT_RELAXED, &E, NULL));
+    CHECK_CLOSE(E, 2.8, 1e-15);
+    CHECK_SUCCESS(mdr_material_power_law(2.0, 0.5, 0.3, 0.5, &power));
+    CHECK_SUCCESS(mdr_material_relaxation(power, 1, omega, G));
+    CHECK_CLOSE(G[0], 2.0 * pow(4.0, -0.3), 1e-15);
+    CHECK_SUCCESS(mdr_material_elastic(1.0, 0.3, &elastic));
+    CHECK_SUCCESS(mdr_material_limit(elastic, MDR_LIMIT_RELAXED, &E, &nu));
+    CHECK_CLOSE(E, 1.0, 1e-15);
+
+    CHECK_STATUS(mdr_material_limit(power, MDR_LIMIT_GLASSY, &untouched, NULL), MDR_EINVALID, "glassy");
+    CHECK_STATUS(mdr_material_limit(material, 3, &untouched, NULL), MDR_EINVALID, "limit = 3");
+    CHECK_STATUS(mdr_material_relaxation(material, -1, t, G), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_material_relaxation(material, 1, NULL, G), MDR_ENULL, "t");
+    CHECK_STATUS(mdr_material_relaxation(NULL, 1, t, G), MDR_ENULL, "m");
+    CHECK_STATUS(mdr_material_power_law(1.0, 1.0, 0.0, 0.5, &none), MDR_EINVALID, "exponent = 0");
+    CHECK_STATUS(mdr_material_power_law(1.0, NAN, 0.5, 0.5, &none), MDR_EINVALID, "time");
+    CHECK_STATUS(mdr_material_elastic(1.0, 0.3, NULL), MDR_ENULL, "out");
+    CHECK_STATUS(mdr_material_viscoelastic(1.0, 2, NULL, times, 0.0, 0.4, 0.0, &none), MDR_ENULL, "moduli");
+    CHECK_STATUS(mdr_material_viscoelastic(1.0, 2, times, moduli, 1.0, 0.4, 1.0, &none), MDR_EINVALID, "viscosity = 1");
+    CHECK_STATUS(mdr_material_viscoelastic(0.0, 0, NULL, NULL, 1.0, 0.4, 0.0, &none), MDR_EINVALID, "liquid");
+    CHECK_TRUE(none == NULL && untouched == 7.0);
+    CHECK_SUCCESS(mdr_material_free(&material));
+    CHECK_SUCCESS(mdr_material_free(&power));
+    CHECK_SUCCESS(mdr_material_free(&elastic));
+    CHECK_SUCCESS(mdr_material_free(NULL));
+}
+
+static void test_histories(void)
+{
+    const double t[N] = {0.0, 0.1, 1.0, 10.0}, held[N] = {0.5, 0.5, 0.5, 0.5}, backward[N] = {0.0, 1.0, 0.5, 2.0};
+    const double again[N] = {0.1, 0.3, 0.2, 0.3};
+    double d[N], a[N], F[N], energy, untouched[N] = {7.0, 7.0, 7.0, 7.0};
+    mdr_material *material = polymer();
+    const mdr_material *film[1] = {material};
+    const double h = 1.0;
+    mdr_profile *ball = NULL;
+    mdr_medium *body = NULL, *coated = NULL, *none = NULL;
+    mdr_contact *contact = NULL, *gel = NULL;
+    mdr_state state = {0};
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, material, MDR_MODEL_EXACT, NULL, &body));
+    CHECK_SUCCESS(mdr_medium_viscoelastic(1, film, &h, NULL, MDR_MODEL_EXACT, NULL, &coated));
+    CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &contact));
+    CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &gel));
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, N, t, held, NULL, a, F));
+    for (int i = 0; i < N; i++) {
+        CHECK_CLOSE(a[i], sqrt(0.5), 1e-12);
+        CHECK_CLOSE(F[i], 4.0 / 3.0 * 2.0 / 0.6 * relaxation(t[i]) * pow(0.5, 1.5), 1e-11);
+    }
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_FORCE, N, t, held, d, NULL, NULL));
+    CHECK_TRUE(d[0] < d[1] && d[1] < d[2] && d[2] < d[3]);
+    CHECK_SUCCESS(mdr_contact_history(gel, MDR_GIVEN_DEPTH, N, t, held, d, a, F));
+    for (int i = 1; i < N; i++) CHECK_CLOSE(F[i] / F[0], relaxation(t[i]) / 3.5, 1e-9);
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 0, NULL, NULL, NULL, NULL, NULL));
+
+    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, N, backward, held, untouched, NULL, NULL),
+                 MDR_EINVALID, "ascending");
+    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, N, t, again, untouched, NULL, NULL), MDR_EINVALID, "grows again");
+    CHECK_STATUS(mdr_contact_history(contact, 9, N, t, held, untouched, NULL, NULL), MDR_EINVALID, "given = 9");
+    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, -1, t, held, untouched, NULL, NULL), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, N, NULL, held, untouched, NULL, NULL), MDR_ENULL, "time");
+    CHECK_STATUS(mdr_contact_history(NULL, MDR_GIVEN_DEPTH, N, t, held, untouched, NULL, NULL), MDR_ENULL, "c");
+    CHECK_STATUS(mdr_contact_from_depth(contact, 1, held, untouched, NULL, NULL, NULL), MDR_EINVALID, "history");
+    CHECK_STATUS(mdr_medium_modulus(body, 1, held, untouched), MDR_EINVALID, "history");
+    state.depth = 0.5;
+    state.radius = 0.7;
+    CHECK_STATUS(mdr_contact_field(contact, MDR_FIELD_PRESSURE, &state, 1, t, untouched), MDR_EINVALID, "");
+    CHECK_STATUS(mdr_contact_energy(contact, &state, &energy, NULL), MDR_EINVALID, "");
+    CHECK_STATUS(mdr_medium_viscoelastic(0, NULL, NULL, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_medium_viscoelastic(1, film, &h, material, 99, NULL, &none), MDR_EINVALID, "model = 99");
+    CHECK_STATUS(mdr_medium_viscoelastic(1, NULL, &h, material, MDR_MODEL_EXACT, NULL, &none), MDR_ENULL, "materials");
+    CHECK_STATUS(mdr_medium_viscoelastic(1, film, &h, (const mdr_material *)ball, MDR_MODEL_EXACT, NULL, &none),
+                 MDR_EINVALID, "substrate");
+    CHECK_TRUE(none == NULL);
+    for (int i = 0; i < N; i++) CHECK_TRUE(untouched[i] == 7.0);
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+    CHECK_SUCCESS(mdr_contact_free(&gel));
+    CHECK_SUCCESS(mdr_medium_free(&body));
+    CHECK_SUCCESS(mdr_medium_free(&coated));
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_SUCCESS(mdr_material_free(&material));
+}
+
+int main(void)
+{
+    test_materials();
+    test_histories();
+    return check_report("history");
+}

@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Viscoelastic bodies: materials, and histories against closed forms, direct integration and the values of tests/data."""
+
+import csv
+import math
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy import integrate, optimize, special
+
+import mdrcontact as mdr
+
+A = mdr.Viscoelastic(1.0, [(2.0, 0.3), (0.5, 3.0)], nu=0.4)
+B = mdr.Viscoelastic(0.2, [(1.0, 0.1), (2.0, 1.0), (0.3, 20.0)], bulk_modulus=4.0)
+S = mdr.Viscoelastic(0.3, [(0.7, 0.5)], nu=0.5)
+POWER = mdr.PowerLawRheology(0.5 * (1.0 - 0.3), 1.0, 0.3, nu=0.3)
+BODIES = {
+    "A": mdr.Homogeneous(A),
+    "B": mdr.Homogeneous(B),
+    "S": mdr.Homogeneous(S),
+    "F4": mdr.Coated(S, 1.0, mdr.RIGID),
+    "E*(t)=t^-0.3": mdr.Homogeneous(POWER),
+}
+TIPS = {"paraboloid": mdr.Paraboloid(1.0), "cone": mdr.Cone(math.pi / 4)}
+ACCURACY = {"ting_rigid_base": 3e-9, "ting_power_law": 1e-11}
+"""Of histories; elsewhere 3e-11, the accuracy of the table three times over."""
+
+
+def rows():
+    """The rows of the table whose bodies relax in proportion."""
+    with (Path(__file__).parents[1] / "data" / "viscoelastic.csv").open() as lines:
+        table = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    return [row for row in table if row["case"].startswith(("ting", "creep", "relaxation"))]
+
+
+def path_to(row):
+    """Times and depths to a row's time, and twice as many for the same path, where it is curved."""
+    t, control = float(row["t"]), row["control"]
+    if "sin" in control:
+        for n in 10000, 20000:
+            time = (
+                np.linspace(0.0, t, n + 1) if t <= 1.0 else np.r_[np.linspace(0.0, 1.0, n + 1), np.linspace(1.0, t, n // 2 + 1)[1:]]
+            )
+            yield time, 0.5 * np.sin(0.5 * np.pi * time)
+    elif "to t=1" in control:
+        time = np.unique([0.0, min(t, 1.0), t])
+        yield time, float(control.split()[0].removeprefix("d=")) * np.where(time < 1.0, time, 2.0 - time)
+    else:
+        yield np.array([0.0, t]), np.array([0.5, 0.5])
+
+
+@pytest.mark.parametrize("row", rows(), ids=lambda row: " ".join(row[key] for key in ("case", "body", "indenter", "t")))
+def test_table(row):
+    contact = mdr.Contact(TIPS[row["indenter"]], BODIES[row["body"]])
+    accuracy = ACCURACY.get(row["case"], 3e-11)
+    if row["case"] == "creep":
+        found = [contact.history([0.0, float(row["t"])], force=[1.0, 1.0])]
+    else:
+        found = [contact.history(time, depth=depth) for time, depth in path_to(row)]
+    ends = [np.array([h.depth[-1], h.radius[-1], h.force[-1]]) for h in found]
+    # linear between samples: the error falls as the square of the step
+    best = ends[0] if len(ends) == 1 else (4.0 * ends[1] - ends[0]) / 3.0
+    assert best == pytest.approx([float(row["d"]), float(row["a"]), float(row["F"])], rel=accuracy)
+
+
+def test_materials():
+    t = np.geomspace(1e-3, 30.0, 7)
+    assert A.relaxation(t) == pytest.approx(1.0 + 2.0 * np.exp(-t / 0.3) + 0.5 * np.exp(-t / 3.0), rel=1e-15)
+    assert (A.glassy.E, A.relaxed.nu) == pytest.approx((2.8 * 3.5, 0.4), rel=1e-15)
+    assert B.relaxed.nu == pytest.approx((12.0 - 0.4) / (2.0 * 12.2), rel=1e-14)
+    omega = np.geomspace(0.01, 100.0, 5)
+    s = 1j * omega
+    assert A.complex_modulus(omega) == pytest.approx(1.0 + 2.0 * s / (s + 1.0 / 0.3) + 0.5 * s / (s + 1.0 / 3.0), rel=1e-14)
+    assert POWER.complex_modulus(2.0) == pytest.approx(0.35 * math.gamma(0.7) * 2j**0.3, rel=1e-14)
+    assert isinstance(POWER.relaxation(2.0), float)
+    for material in A, B, S, POWER:
+        assert pickle.loads(pickle.dumps(material)) == material and eval(repr(material), vars(mdr)) == material
+        assert mdr.Contact(TIPS["cone"], mdr.Homogeneous(material)) == pickle.loads(
+            pickle.dumps(mdr.Contact(TIPS["cone"], mdr.Homogeneous(material)))
+        )
+
+
+@pytest.mark.parametrize(
+    "material", [A, B, S, POWER, mdr.Viscoelastic(0.0, [(1.0, 2.0)], nu=0.3), mdr.Viscoelastic(2.0, [], 0.3, viscosity=0.7)]
+)
+def test_creep_and_relaxation_are_inverse(material):
+    """int_0^t G(t - u) J(u) du = t, the dashpot's part aside."""
+    for t in 0.05, 1.0, 7.0:
+        marks = {"points": [0.01 * t, 0.1 * t, 0.9 * t, 0.99 * t], "limit": 400, "epsabs": 0.0, "epsrel": 1e-11}
+        product = integrate.quad(lambda u, t=t: material.relaxation(t - u) * material.creep(u), 0.0, t, **marks)[0]
+        product += getattr(material, "viscosity", 0.0) * material.creep(t)
+        assert product == pytest.approx(t, rel=1e-6 if material is POWER else 1e-9)
+
+
+def test_dashpot_alone_is_kelvin_voigt():
+    kelvin = mdr.Viscoelastic(2.0, [], nu=0.5, viscosity=0.7)
+    assert kelvin.creep(0.3) == pytest.approx((1.0 - math.exp(-0.3 * 2.0 / 0.7)) / 2.0, rel=1e-14)
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(kelvin))
+    time = np.linspace(0.0, 1.0, 11)
+    history = contact.history(time, depth=0.3 * time)
+    a = history.radius[1:]
+    # Hertz, and 2 a eta* d' of the dashpot
+    assert history.force[1:] == pytest.approx(4.0 / 3.0 * 8.0 * a**3 + 2.0 * a * 2.8 * 0.3, rel=1e-10)
+    with pytest.raises(mdr.InvalidArgumentError, match="begin with 0"):
+        contact.history([0.0, 1.0], depth=[0.1, 0.1])
+
+
+def test_prony_tables():
+    table = "** a table\n*VISCOELASTIC, TIME=PRONY\n0.3, 0., 0.1\n 0.2, 0., 2.\n"
+    material = mdr.Viscoelastic.from_prony_text(table, 10.0, 0.4)
+    assert (material.glassy.E, material.glassy.nu) == pytest.approx((10.0, 0.4), rel=1e-13)
+    assert material.relaxed_shear_modulus == pytest.approx(0.5 * 10.0 / 2.8, rel=1e-14)
+    same = mdr.Viscoelastic.from_fractions(10.0 / 2.8, [(0.3, 0.3, 0.1), (0.2, 0.2, 2.0)], 0.4, modulus="shear")
+    assert same.nu == 0.4 and same.terms[1] == pytest.approx((2.0 / 2.8, 2.0))
+    with pytest.raises(mdr.InvalidArgumentError, match="greater than 1"):
+        mdr.Viscoelastic.from_fractions(1.0, [(0.8, 1.0), (0.3, 2.0)], 0.3)
+    with pytest.raises(mdr.InvalidArgumentError, match="fractions k"):
+        mdr.Viscoelastic.from_fractions(1.0, [(0.3, 0.1, 1.0)], 0.3)
+
+
+@pytest.mark.parametrize("exponent", [1.0, 1.5, 2.0, 4.0])
+def test_ting_against_direct_integration(exponent):
+    """Paraboloid, cone and other powers: t1 by root finding, the hereditary integral by quadrature."""
+    tip = mdr.PowerLaw(exponent, 0.7)
+    contact = mdr.Contact(tip, mdr.Homogeneous(A))
+    elastic = mdr.Contact(tip, mdr.Homogeneous(A.glassy))
+    time = np.array([0.0, 0.4, 1.0, 1.1, 1.4, 1.9])
+    rates = np.array([0.3, 0.8, -0.5, -0.9, -0.7])
+    depth = np.concatenate([[0.0], np.cumsum(rates * np.diff(time))])
+    history = contact.history(time, depth=depth)
+
+    def phi(t):
+        return A.relaxation(max(t, 1e-300)) / 3.5
+
+    def rise(start, t):
+        total = 0.0
+        for low, high, rate in zip(time, time[1:], rates, strict=False):
+            low, high = max(low, start), min(high, t)
+            if high > low:
+                total += rate * integrate.quad(lambda u: phi(t - u), low, high, epsabs=0.0, epsrel=1e-12)[0]
+        return total
+
+    for i, t in enumerate(time[1:], start=1):
+        edge = t if t <= 1.0 else 0.0 if rise(0.0, t) < 0.0 else optimize.brentq(lambda u, t=t: rise(u, t), 0.0, 1.0, xtol=1e-15)
+        force = 0.0
+        for low, end in ((0.0, 0.4), (0.4, 1.0)):
+            high = min(end, edge)
+
+            # d = lowest + rate (u - low): u = low + (high - low) y^3 at first contact
+            def slope(y, low=low, high=high, t=t):
+                u = low + (high - low) * y**3
+                return phi(t - u) * elastic.at_depth(np.interp(u, time, depth)).stiffness * 3.0 * y**2 * (high - low)
+
+            if edge > low:
+                force += (
+                    np.interp(low + 1e-3, (0.0, 0.4, 0.4001), (0.3, 0.3, 0.8)) * integrate.quad(slope, 0.0, 1.0, epsrel=1e-12)[0]
+                )
+        assert history.radius[i] == pytest.approx(elastic.at_depth(np.interp(edge, time, depth)).radius if edge else 0.0, rel=1e-10)
+        assert history.force[i] == pytest.approx(force, rel=1e-9)
+
+
+def test_power_law_closed_form():
+    alpha, rate = 0.4, 0.5
+    contact = mdr.Contact(mdr.Paraboloid(2.0), mdr.Homogeneous(mdr.PowerLawRheology(1.0, 1.0, alpha, nu=0.5)))
+    time = np.linspace(0.0, 1.6, 17)
+    history = contact.history(time, depth=rate * np.where(time < 1.0, time, 2.0 - time))
+    t = time[1:]
+    t1 = np.where(t <= 1.0, t, t - 2.0 ** (1.0 / (1.0 - alpha)) * (t - 1.0))
+    c = 2.0 * 4.0 * math.sqrt(2.0) * rate**1.5
+    force = c * t ** (1.5 - alpha) * special.beta(1.5, 1.0 - alpha) * special.betainc(1.5, 1.0 - alpha, np.clip(t1 / t, 0.0, 1.0))
+    assert history.force[1:] == pytest.approx(force, rel=1e-10, abs=1e-14)
+    assert history.radius[1:] == pytest.approx(np.sqrt(2.0 * rate * np.maximum(t1, 0.0)), rel=1e-10)
+
+
+def test_glassy_and_relaxed_limits():
+    for medium, glassy, relaxed in (
+        (BODIES["B"], mdr.Homogeneous(B.glassy), mdr.Homogeneous(B.relaxed)),
+        (BODIES["F4"], mdr.Coated(S.glassy, 1.0, mdr.RIGID), mdr.Coated(S.relaxed, 1.0, mdr.RIGID)),
+    ):
+        contact = mdr.Contact(mdr.Paraboloid(1.0), medium)
+        history = contact.history([0.0, 1e4], depth=[0.4, 0.4])
+        for i, body in enumerate((glassy, relaxed)):
+            state = mdr.Contact(mdr.Paraboloid(1.0), body).at_depth(0.4)
+            assert (history.radius[i], history.force[i]) == pytest.approx((state.radius, state.force), rel=1e-10)
+        history = contact.history([0.0, 1e4], force=[0.4, 0.4])
+        for i, body in enumerate((glassy, relaxed)):
+            state = mdr.Contact(mdr.Paraboloid(1.0), body).at_force(0.4)
+            assert (history.depth[i], history.radius[i]) == pytest.approx((state.depth, state.radius), rel=1e-10)
+
+
+def test_force_and_depth_control_agree():
+    contact = mdr.Contact(mdr.Sphere(4.0), BODIES["B"])
+    time = np.linspace(0.0, 3.0, 2001)
+    force = np.minimum(time, 1.0)
+    by_force = contact.history(time, force=force)
+    by_depth = contact.history(time, depth=by_force.depth)
+    assert by_depth.force[1:] == pytest.approx(force[1:], abs=2e-6)
+    by_radius = contact.history(time, radius=by_force.radius)
+    assert by_radius.force == pytest.approx(by_depth.force, rel=1e-9)
+
+
+def test_any_shape_and_model_of_a_gel_on_glass():
+    time = np.linspace(0.0, 2.0, 41)
+    depth = 0.2 * np.where(time < 1.0, time, 2.0 - time)
+    for tip in mdr.Cone(0.5), mdr.FlatEndedCone(0.1, 0.5), mdr.RoundedCone(0.2, 0.5), mdr.FlatPunch(0.5), mdr.Sphere(2.0):
+        for medium in BODIES["F4"], mdr.Coated(S, 1.0, mdr.Viscoelastic(0.6, [(1.4, 0.5)], nu=0.3), "gao-power"):
+            history = mdr.Contact(tip, medium).history(time, depth=depth)
+            assert np.all(history.force >= 0.0) and history.work > 0.0 and history.radius[-1] == history.force[-1] == 0.0
+
+
+def test_approach_begins_out_of_contact():
+    contact = mdr.Contact(mdr.Paraboloid(1.0), BODIES["A"])
+    time = np.linspace(-1.0, 1.0, 21)
+    before = contact.history(time, depth=0.3 * time)
+    assert np.all(before.force[:11] == 0.0)
+    assert before.force[11:] == pytest.approx(contact.history(time[10:], depth=0.3 * time[10:]).force[1:], rel=1e-9)
+
+
+def test_refusals():
+    contact = mdr.Contact(mdr.Paraboloid(1.0), BODIES["A"])
+    for question in (
+        lambda: contact.at_depth(0.1),
+        lambda: contact.at_force(0.1),
+        lambda: contact.at_radius(0.1),
+        lambda: contact.medium.modulus(0.1),
+        lambda: mdr.ContactLaw(contact, 0.1),
+    ):
+        with pytest.raises(mdr.InvalidArgumentError, match="history"):
+            question()
+    with pytest.raises(mdr.InvalidArgumentError, match="work_of_adhesion"):
+        mdr.Contact(mdr.Paraboloid(1.0), BODIES["A"], work_of_adhesion=0.1)
+    with pytest.raises(mdr.InvalidArgumentError, match="viscoelastic"):
+        mdr.Pair(BODIES["A"], mdr.Elastic(1.0, 0.3))
+    with pytest.raises(mdr.InvalidArgumentError, match="elastic"):
+        mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(A.glassy)).history([0.0], depth=[0.1])
+    for time, words in (([0.0, 0.0], "ascending"), ([0.0, math.nan], "finite"), ([1.0, 0.5], "ascending"), ([0.0], "same length")):
+        with pytest.raises(mdr.InvalidArgumentError, match=words):
+            contact.history(time, depth=[0.1, 0.1])
+    for arguments in ({}, {"depth": [0.1], "force": [0.1]}):
+        with pytest.raises(mdr.ArgumentTypeError, match="one of depth, force and radius"):
+            contact.history([0.0], **arguments)
+    with pytest.raises(mdr.InvalidArgumentError, match="grows again"):
+        contact.history([0.0, 1.0, 2.0, 3.0], depth=[0.0, 0.3, 0.2, 0.3])
+    with pytest.raises(mdr.InvalidArgumentError, match="grows again"):
+        # a fast partial unload, then held: the surface comes back
+        contact.history([0.0, 1.0, 1.01, 3.0], depth=[0.0, 0.3, 0.25, 0.25])
+    with pytest.raises(mdr.InvalidArgumentError, match="force"):
+        contact.history([0.0, 1.0, 2.0], force=[0.0, 0.3, 0.0])
+    for make, words in (
+        (lambda: mdr.Viscoelastic(-1.0, [(1.0, 1.0)], nu=0.3), "relaxed_shear_modulus = -1"),
+        (lambda: mdr.Viscoelastic(1.0, [(1.0, 0.0)], nu=0.3), "times = 0"),
+        (lambda: mdr.Viscoelastic(1.0, [(1.0, 1.0), (-2.0, 1.0)], nu=0.3), "entry 2 of moduli"),
+        (lambda: mdr.Viscoelastic(0.0, [], nu=0.3), "liquid"),
+        (lambda: mdr.Viscoelastic(1.0, [(1.0, 1.0)]), "either"),
+        (lambda: mdr.Viscoelastic(1.0, [(1.0, 1.0)], nu=0.6), "nu = 0.6"),
+        (lambda: mdr.PowerLawRheology(1.0, 1.0, 1.0, 0.5), "exponent = 1"),
+        (lambda: POWER.glassy, "no glassy"),
+        (lambda: POWER.relaxed, "no relaxed"),
+        (lambda: mdr.Coated(POWER, 1.0, mdr.Elastic(1.0, 0.3)), "no glassy modulus.*material 1"),
+    ):
+        with pytest.raises(mdr.InvalidArgumentError, match=words):
+            make()
+
+
+@given(
+    st.lists(st.tuples(st.floats(0.1, 3.0), st.floats(0.01, 30.0)), min_size=1, max_size=4),
+    st.floats(0.0, 2.0),
+    st.floats(0.05, 20.0),
+    st.floats(0.05, 20.0),
+    st.booleans(),
+)
+def test_closed_cycles_lose_energy(terms, relaxed, up, down, is_bulk):
+    material = mdr.Viscoelastic(relaxed, terms, **({"bulk_modulus": 3.0} if is_bulk else {"nu": 0.45}))
+    time = np.concatenate([np.linspace(0.0, up, 60), up + np.linspace(0.0, down, 61)[1:]])
+    depth = 0.4 * np.minimum(time / up, np.maximum(1.0 - (time - up) / down, 0.0))
+    history = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(material)).history(time, depth=depth)
+    assert np.all(history.force >= -1e-12) and np.all(np.diff(history.radius[59:]) <= 1e-12)
+    # the trapezoidal rule takes some from a convex curve
+    assert history.work >= -1e-3 * history.force.max() * 0.4
