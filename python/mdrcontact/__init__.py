@@ -23,6 +23,7 @@ from . import (
     critical,
     errors,
     fitting,
+    friction,
     history,
     interior,
     law,
@@ -40,6 +41,7 @@ from .contact import *  # noqa: F403
 from .critical import *  # noqa: F403
 from .errors import *  # noqa: F403
 from .fitting import *  # noqa: F403
+from .friction import *  # noqa: F403
 from .history import *  # noqa: F403
 from .interior import *  # noqa: F403
 from .law import *  # noqa: F403
@@ -57,6 +59,7 @@ __all__ = [
     *critical.__all__,
     *errors.__all__,
     *fitting.__all__,
+    *friction.__all__,
     *history.__all__,
     *interior.__all__,
     *law.__all__,

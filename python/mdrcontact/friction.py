@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A contact under Coulomb's law of friction: partial slip, tractions and fretting loops at constant normal force (theory 10)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _layout, _native
+from ._boundary import FloatOrArray, Handle, call, evaluate, evaluate_all, number, numbers
+from ._value import Value
+from .adhesion import code
+from .contact import Contact, State
+from .errors import ArgumentTypeError, InvalidArgumentError
+
+__all__ = ["Friction", "FrictionLoop", "TangentialState"]
+
+_CONTROLS = {"shift": _layout.GIVEN_SHIFT, "force": _layout.GIVEN_TANGENTIAL_FORCE}
+
+
+class TangentialState(NamedTuple):
+    """Tangential states; each entry has the shape of the input, or is a number."""
+
+    shift: FloatOrArray
+    """s, displacement of the indenter along the surface [length]"""
+    tangential_force: FloatOrArray
+    """T, |T| <= coefficient F, of the sign of s [modulus length^2]"""
+    stick_radius: FloatOrArray
+    """c, radius of the disc of stick, 0 where the contact slides [length]"""
+    stiffness: FloatOrArray
+    """dT/ds = k_t(c), that of a contact of radius c that sticks all over [modulus length]"""
+    dissipated_energy: FloatOrArray
+    """energy dissipated since s = 0 [modulus length^3]"""
+    sliding: bool | NDArray[np.bool_]
+    """whether the whole contact slides"""
+
+    def one(self, index: Any) -> TangentialState:
+        """One of several states, as the fields take it: `states.one(3)`."""
+        values = [float(np.asarray(value)[index]) for value in self[:5]]
+        return TangentialState._make([*values, bool(np.asarray(self.sliding)[index])])
+
+
+class FrictionLoop(NamedTuple):
+    """A cycle between +amplitude and -amplitude at constant normal force."""
+
+    shift: NDArray[np.float64]
+    """s, from +amplitude to -amplitude and back in equal steps [length]"""
+    tangential_force: NDArray[np.float64]
+    """T [modulus length^2]"""
+    dissipated_energy: float
+    """energy dissipated in the cycle, the area of the loop [modulus length^3]"""
+    turn: TangentialState
+    """the state at +amplitude when it is reached for the first time; slip is outside its stick radius"""
+
+    def plot(self, axes: Any = None, **look: Any) -> Any:
+        """Draws T against s with matplotlib on `axes` (None makes a new figure); `look` is passed on. Returns the axes."""
+        if axes is None:
+            import matplotlib.pyplot as plt
+
+            axes = plt.figure(layout="constrained").add_subplot()
+            axes.set_xlabel("shift s")
+            axes.set_ylabel("tangential force T")
+        axes.plot(self.shift, self.tangential_force, **look)
+        return axes
+
+
+@dataclass(frozen=True)
+class Friction(Value):
+    """A contact under Coulomb's law: slip where the traction reaches coefficient times pressure, stick where it is less.
+
+    contact : a `Contact` without adhesion on a homogeneous, exact coated, layered or graded medium, or on one with Gao's weights
+        ("gao", "gao-series", "gao-power"), or on a pair of such
+    coefficient : of friction, > 0 [1]
+
+    The normal force is constant and the shear does not change the pressure, as with Cattaneo and Mindlin (T would be 1 to 6 %
+    higher); the displacement that varies as cos 2 phi around the axis is left out (at most 0.25 % of T). Else homogeneous and exact
+    media are exact; Gao's weights superpose punches.
+
+    The normal state that is sheared is a `State` of the contact, or the one with this force, depth or radius; arrays broadcast with
+    the other arguments. A pressure that would be negative somewhere, and slip that would begin inside the contact (a flat punch on
+    a stiff coating), raise DomainError.
+    """
+
+    contact: Contact
+    coefficient: float
+
+    def __init__(self, contact: Contact, coefficient: float) -> None:
+        if not isinstance(contact, Contact):
+            raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
+        mu = number("coefficient", coefficient)
+        created = _native.friction_new(contact._handle.address, mu)
+        self._set(_handle=Handle(created, _native.friction_free), contact=contact, coefficient=mu)
+
+    def at_shift(
+        self,
+        shift: ArrayLike,
+        state: State | None = None,
+        *,
+        force: ArrayLike | None = None,
+        depth: ArrayLike | None = None,
+        radius: ArrayLike | None = None,
+    ) -> TangentialState:
+        """The states after a displacement s of the indenter along the surface [length], of either sign, any shape."""
+        return self._states("shift", shift, self._normal(state, force, depth, radius))
+
+    def at_tangential_force(
+        self,
+        tangential_force: ArrayLike,
+        state: State | None = None,
+        *,
+        force: ArrayLike | None = None,
+        depth: ArrayLike | None = None,
+        radius: ArrayLike | None = None,
+    ) -> TangentialState:
+        """The states under a tangential force T [modulus length^2], |T| <= coefficient F, any shape; at the bound the state in
+        which sliding begins."""
+        return self._states("tangential_force", tangential_force, self._normal(state, force, depth, radius))
+
+    def sliding_shift(
+        self,
+        state: State | None = None,
+        *,
+        force: ArrayLike | None = None,
+        depth: ArrayLike | None = None,
+        radius: ArrayLike | None = None,
+    ) -> FloatOrArray:
+        """The shift at which the last point begins to slip and the contact slides [length]; T is then coefficient times F."""
+        rows = self._normal(state, force, depth, radius)
+        shifts = np.empty(rows.shape[:-1])
+        for place in np.ndindex(shifts.shape):
+            shifts[place] = call(_native.friction_sliding, self._handle.address, rows[place])[0]
+        return shifts if shifts.shape else float(shifts)
+
+    def loop(
+        self,
+        amplitude: float,
+        control: str = "shift",
+        points: int = 201,
+        state: State | None = None,
+        *,
+        force: float | None = None,
+        depth: float | None = None,
+        radius: float | None = None,
+    ) -> FrictionLoop:
+        """The loop of a cycle between +amplitude and -amplitude (Masing's rule, which is exact here).
+
+        amplitude : > 0, of the "shift" [length] or the tangential "force" [modulus length^2] as `control` says
+        points : at least 3; from +amplitude to -amplitude and back
+        """
+        given = code("control", control, _CONTROLS)
+        size = number("amplitude", amplitude)
+        if isinstance(points, bool) or not isinstance(points, (int, np.integer)) or not 3 <= points <= 1_000_000:
+            raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number from 3 to 1000000")
+        row = self._one(self._normal(state, force, depth, radius))
+        shifts, forces, energy = call(_native.friction_loop, self._handle.address, row, given, size, int(points))
+        turn = self._states("shift" if control == "shift" else "tangential_force", size, row)
+        return FrictionLoop(shifts, forces, float(energy), turn)
+
+    def cycle_energy(
+        self,
+        amplitude: ArrayLike,
+        control: str = "shift",
+        state: State | None = None,
+        *,
+        force: ArrayLike | None = None,
+        depth: ArrayLike | None = None,
+        radius: ArrayLike | None = None,
+    ) -> FloatOrArray:
+        """Energy dissipated in a cycle between +amplitude and -amplitude, any shape [modulus length^3], without loss of digits at
+        small amplitudes. Arguments as of `loop`."""
+        code("control", control, _CONTROLS)
+        name = "shift" if control == "shift" else "tangential_force"
+        energy = 4.0 * np.asarray(self._states(name, amplitude, self._normal(state, force, depth, radius)).dissipated_energy)
+        return energy if energy.shape else float(energy)
+
+    def traction(
+        self,
+        r: ArrayLike,
+        shear: TangentialState,
+        state: State | None = None,
+        *,
+        force: float | None = None,
+        depth: float | None = None,
+        radius: float | None = None,
+    ) -> FloatOrArray:
+        """Shear traction tau(r) [modulus] along the shift, of one direction, at 0 <= r <= a, any shape.
+
+        shear : one tangential state of this normal state, as `at_shift` gives
+        """
+        return self._field(_layout.FIELD_TRACTION, "r", r, shear, self._normal(state, force, depth, radius))
+
+    def line_load(
+        self,
+        x: ArrayLike,
+        shear: TangentialState,
+        state: State | None = None,
+        *,
+        force: float | None = None,
+        depth: float | None = None,
+        radius: float | None = None,
+    ) -> FloatOrArray:
+        """Line load q_t(x) [modulus length] of the springs along the shift, 0 <= x <= a, any shape; arguments as of `traction`."""
+        return self._field(_layout.FIELD_TANGENTIAL_LINE_LOAD, "x", x, shear, self._normal(state, force, depth, radius))
+
+    def _normal(
+        self, state: State | None, force: ArrayLike | None, depth: ArrayLike | None, radius: ArrayLike | None
+    ) -> NDArray[np.float64]:
+        """The normal states that are meant, one row each."""
+        if sum(value is not None for value in (state, force, depth, radius)) != 1:
+            raise ArgumentTypeError("a contact with friction needs one of state, force, depth and radius, and not more")
+        if force is not None:
+            state = self.contact.at_force(force)
+        elif depth is not None:
+            state = self.contact.at_depth(depth)
+        elif radius is not None:
+            state = self.contact.at_radius(radius)
+        if not isinstance(state, State):
+            raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State; a force is given as force=...")
+        named = zip(state._fields, state, strict=True)
+        return np.stack(np.broadcast_arrays(*(numbers(f"{member} of the state", value) for member, value in named)), axis=-1)
+
+    def _states(self, name: str, values: ArrayLike, rows: NDArray[np.float64]) -> TangentialState:
+        given = _layout.GIVEN_SHIFT if name == "shift" else _layout.GIVEN_TANGENTIAL_FORCE
+        if rows.ndim == 1:
+            found = evaluate_all(name, values, lambda v: _native.friction_states(self._handle.address, rows, given, v))
+        else:
+            points = numbers(name, values)
+            try:
+                shape = np.broadcast_shapes(points.shape, rows.shape[:-1])
+            except ValueError as problem:
+                raise ArgumentTypeError(f"{name} and the normal state have shapes that do not broadcast: {problem}") from problem
+            points, normal = np.broadcast_to(points, shape), np.broadcast_to(rows, (*shape, rows.shape[-1]))
+            table = np.empty((*shape, len(TangentialState._fields)))
+            for place in np.ndindex(shape):
+                table[place] = call(_native.friction_states, self._handle.address, normal[place], given, points[place])
+            found = list(np.moveaxis(table, -1, 0))
+        *quantities, sliding = found
+        flags = np.asarray(sliding) > 0.5
+        return TangentialState._make([*quantities, flags if flags.shape else bool(flags)])
+
+    def _field(self, field: int, name: str, r: ArrayLike, shear: TangentialState, rows: NDArray[np.float64]) -> FloatOrArray:
+        row = self._one(rows)
+        if not isinstance(shear, TangentialState):
+            raise ArgumentTypeError(f"shear = {shear!r} is not allowed: it must be a TangentialState")
+        named = zip(shear._fields[:5], shear[:5], strict=True)
+        sheared = [*(number(f"{member} of the tangential state", value) for member, value in named), float(shear.sliding)]
+        return evaluate(name, r, lambda x: _native.friction_field(self._handle.address, row, sheared, field, x))
+
+    @staticmethod
+    def _one(rows: NDArray[np.float64]) -> NDArray[np.float64]:
+        if rows.ndim != 1:
+            raise ArgumentTypeError("fields and loops are those of one normal state, not of several")
+        return rows

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contacts with friction: partial slip, tractions, loops, and what is refused."""
+
+import math
+import pickle
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+import mdrcontact as mdr
+
+STEEL, HARD = mdr.Elastic(210.0, 0.3), mdr.Elastic(700.0, 0.2)
+BALL = mdr.Paraboloid(10.0)
+MU = 0.4
+
+
+def friction(medium=None, indenter=BALL):
+    return mdr.Friction(mdr.Contact(indenter, medium or mdr.Coated(HARD, 1.0, STEEL)), MU)
+
+
+def test_cattaneo_mindlin():
+    pair = friction(mdr.Homogeneous(STEEL))
+    state = pair.contact.at_force(3.0)
+    sliding = pair.sliding_shift(state)
+    found = pair.at_shift(np.array([[0.1, 0.5], [-0.9, 1.5]]) * sliding, state)
+    assert found.tangential_force.shape == (2, 2)
+    part = np.array([[0.1, 0.5], [0.9, 1.0]])
+    np.testing.assert_allclose(np.abs(found.tangential_force), MU * 3.0 * (1.0 - (1.0 - part) ** 1.5), rtol=1e-12)
+    np.testing.assert_allclose(found.stick_radius, state.radius * np.sqrt(1.0 - part), rtol=1e-11)
+    assert found.sliding.tolist() == [[False, False], [False, True]]
+    assert found.tangential_force[1, 0] < 0.0
+    ratio = 2.0 * (1.0 - STEEL.nu) / (2.0 - STEEL.nu)
+    assert pair.contact.medium.tangential_modulus(0.3) == pytest.approx(ratio * STEEL.contact_modulus, rel=1e-14)
+    assert pair.contact.medium.tangential_stiffness([0.3, 0.6])[1] == pytest.approx(1.2 * ratio * STEEL.contact_modulus, rel=1e-14)
+
+
+def test_numbers_give_numbers():
+    pair = friction()
+    found = pair.at_tangential_force(0.1, force=1.0)
+    assert isinstance(found.shift, float) and found.sliding is False
+    assert pair.at_shift(1.0, radius=0.3).sliding is True
+    assert isinstance(pair.sliding_shift(radius=0.3), float)
+    assert isinstance(pair.cycle_energy(1e-3, radius=0.3), float)
+    assert pair.at_shift([], radius=0.3).shift.shape == (0,)
+
+
+def test_arrays_of_normal_states_broadcast():
+    pair = friction()
+    forces = np.array([1.0, 2.0, 3.0])
+    many = pair.at_shift(np.array([[1e-4], [2e-4]]), force=forces)
+    assert many.tangential_force.shape == (2, 3)
+    for i, shift in enumerate((1e-4, 2e-4)):
+        for j, force in enumerate(forces):
+            one = pair.at_shift(shift, force=force)
+            assert many.one((i, j)) == one
+    np.testing.assert_array_equal(pair.sliding_shift(force=forces)[1], pair.sliding_shift(force=2.0))
+    with pytest.raises(mdr.MDRError, match="broadcast"):
+        pair.at_shift([1e-4, 2e-4], force=forces)
+
+
+def test_the_traction_carries_the_force():
+    pair = friction()
+    state = pair.contact.at_radius(1.3)
+    shear = pair.at_shift(0.5 * pair.sliding_shift(state), state)
+    c, a = shear.stick_radius, state.radius
+    parts = [quad(lambda r: r * pair.traction(r, shear, state), *ends, limit=200)[0] for ends in ((0.0, c), (c, a))]
+    assert 2.0 * math.pi * sum(parts) == pytest.approx(shear.tangential_force, rel=1e-7)
+    parts = [quad(lambda x: pair.line_load(x, shear, state), *ends)[0] for ends in ((0.0, c), (c, a))]
+    assert 2.0 * sum(parts) == pytest.approx(shear.tangential_force, rel=1e-9)
+    outside = np.linspace(1.001 * c, a, 5)
+    np.testing.assert_allclose(pair.traction(outside, shear, state), MU * pair.contact.pressure(outside, state), rtol=1e-12)
+
+
+@pytest.mark.parametrize("control", ["shift", "force"])
+def test_loop(control):
+    pair = friction()
+    state = pair.contact.at_radius(1.0)
+    sliding = pair.sliding_shift(state)
+    amplitude = 0.6 * (sliding if control == "shift" else MU * state.force)
+    loop = pair.loop(amplitude, control, points=4001, state=state)
+    area = (
+        -np.trapezoid(loop.tangential_force, loop.shift)
+        if hasattr(np, "trapezoid")
+        else -np.trapz(loop.tangential_force, loop.shift)
+    )
+    assert abs(area) == pytest.approx(loop.dissipated_energy, rel=1e-5)
+    assert loop.dissipated_energy == pytest.approx(pair.cycle_energy(amplitude, control, state), rel=1e-12)
+    assert (loop.shift if control == "shift" else loop.tangential_force)[0] == pytest.approx(amplitude, rel=1e-12)
+    np.testing.assert_allclose(loop.tangential_force[::-1][:2000], -loop.tangential_force[:2001][::-1][:2000], rtol=1e-9)
+    sliding_loop = pair.loop(2.0 * sliding, state=state, points=401)
+    assert sliding_loop.turn.sliding
+    assert np.abs(sliding_loop.tangential_force).max() == pytest.approx(MU * state.force)
+
+
+def test_small_amplitudes_keep_their_digits():
+    pair = friction()
+    state = pair.contact.at_radius(1.0)
+    energies = pair.cycle_energy(pair.sliding_shift(state) * np.array([1e-5, 1e-8, 1e-11]), state=state)
+    np.testing.assert_allclose(energies[1:] / energies[:-1], 1e-9, rtol=2e-5)
+
+
+def test_values():
+    pair = friction()
+    assert pickle.loads(pickle.dumps(pair)) == pair
+    assert eval(repr(pair), vars(mdr)) == pair
+    assert pair.replace(coefficient=0.1).coefficient == 0.1
+
+
+def test_refusals():
+    pair = friction()
+    state = pair.contact.at_radius(1.0)
+    sticky = mdr.Contact(BALL, mdr.Homogeneous(STEEL), work_of_adhesion=1e-3)
+    with pytest.raises(mdr.InvalidArgumentError, match="no tension"):
+        mdr.Friction(sticky, MU)
+    with pytest.raises(mdr.InvalidArgumentError, match="coefficient = -1"):
+        mdr.Friction(pair.contact, -1.0)
+    with pytest.raises(mdr.ArgumentTypeError, match="must be a Contact"):
+        mdr.Friction(BALL, MU)
+    with pytest.raises(mdr.InvalidArgumentError, match="tangential stiffness of this medium is not known"):
+        friction(mdr.Coated(HARD, 1.0, STEEL, "doerner-nix"))
+    with pytest.raises(mdr.ArgumentTypeError, match="one of state, force, depth and radius"):
+        pair.at_shift(0.1)
+    with pytest.raises(mdr.ArgumentTypeError, match="one of state, force, depth and radius"):
+        pair.at_shift(0.1, force=1.0, radius=1.0)
+    with pytest.raises(mdr.UnreachableError, match="slides"):
+        pair.at_tangential_force(1e9, state)
+    with pytest.raises(mdr.InvalidArgumentError, match="control"):
+        pair.loop(0.1, "depth", state=state)
+    with pytest.raises(mdr.InvalidArgumentError, match="points = 2"):
+        pair.loop(0.1, points=2, state=state)
+    with pytest.raises(mdr.ArgumentTypeError, match="TangentialState"):
+        pair.traction(0.1, 0.2, state)
+    with pytest.raises(mdr.ArgumentTypeError, match="one normal state"):
+        pair.loop(0.1, force=[1.0, 2.0])
+    with pytest.raises(mdr.DomainError, match="at most the contact radius"):
+        pair.traction(1.1, pair.at_shift(1e-3, state), state)
+    stiff = friction(mdr.Coated(mdr.Elastic(100.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3)), mdr.PowerLaw(4.0, 1.0))
+    with pytest.raises(mdr.DomainError, match="not one disc"), pytest.warns(mdr.NotOneDiscWarning):
+        stiff.at_shift(0.1, radius=2.0)
