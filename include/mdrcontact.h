@@ -1420,9 +1420,10 @@ int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
 /** Fits. A search that does not converge is no failure: it returns its best point, and says so in the summary. Outputs that are
  *  NULL are skipped; m is parameter_count.
  *  @param problem            problem; at least one parameter is free
- *  @param n                  number of points, more than free parameters without a prior
- *  @param x                  [n] see enum mdr_fit_data_kind; in any order, not all equal
- *  @param y                  [n] see enum mdr_fit_data_kind; not all equal
+ *  @param n                  number of points, at least 1 and as many as free parameters without a prior; one more if `sd` is not
+ *                            known and absolute
+ *  @param x                  [n] see enum mdr_fit_data_kind; in any order, not all equal unless one point is enough
+ *  @param y                  [n] see enum mdr_fit_data_kind; not all equal unless one point is enough
  *  @param force              [n] forces, for MDR_FIT_STIFFNESS_DEPTH; otherwise may be NULL [modulus length^2]
  *  @param sd                 [n] standard deviations of y > 0, in its unit; NULL: equal and unknown
  *  @param values             [m] or NULL: all parameters, each in its unit

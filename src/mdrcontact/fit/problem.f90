@@ -185,19 +185,26 @@ contains
         type(fit_data_t), intent(in) :: self
         type(fit_problem_t), intent(in) :: problem
         type(error_t), allocatable, intent(out) :: error
-        integer :: free, priors
+        integer :: free, priors, fewest
+        logical :: known
 
         call check_points(self, problem, error)
         if (allocated(error)) return
         free = count(problem%parameters%is_free)
         priors = count(problem%parameters%is_free .and. problem%parameters%prior_sd > 0.0_wp)
         if (allocated(problem%prior_weights)) priors = priors + size(problem%prior_weights, 1)
+        known = allocated(self%sd) .and. problem%sd_is_absolute
+        fewest = max(free - priors, 1)
+        ! what the scatter of the points must tell needs one more of them
+        if (.not. known) fewest = fewest + 1
         if (free == 0) then
             call raise(error, error_invalid, "no parameter is free: there is nothing to fit")
-        else if (size(self%x) < free + 1 - min(priors, free - 1)) then
+        else if (size(self%x) < fewest) then
             call raise(error, error_invalid, "too few points: "//count_text(size(self%x))//" for "//count_text(free)// &
-                       " free parameters, of which "//count_text(priors)//" have priors; at least "// &
-                       count_text(free + 1 - min(priors, free - 1))//" are needed")
+                       " free parameters, of which "//count_text(priors)//" have priors; at least "//count_text(fewest)// &
+                       " are needed")
+        else if (fewest == 1) then
+            return
         else if (maxval(self%x) <= minval(self%x)) then
             call raise(error, error_invalid, " is the same at all points, "//to_text(self%x(1))//": they determine no curve", "x")
         else if (maxval(self%y) <= minval(self%y)) then
