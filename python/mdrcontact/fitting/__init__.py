@@ -2,11 +2,13 @@
 """From measured data to film properties with their uncertainty."""
 
 from .compare import ModelRanking, RankedModel, compare_models
-from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
+from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, UnloadingPoint
 from .many import FailedFit, fit_many
+from .oliver_pharr import OliverPharr, oliver_pharr
 from .parameters import Free, Instrument, JointPrior
 from .result import FitResult
 from .solve import fit
+from .unloading import Unloading
 
 __all__ = [
     "fit",
@@ -23,4 +25,8 @@ __all__ = [
     "StiffnessDepth",
     "ModulusRadius",
     "StiffnessRadius",
+    "oliver_pharr",
+    "OliverPharr",
+    "Unloading",
+    "UnloadingPoint",
 ]

@@ -62,6 +62,7 @@ def _identifiability(result: FitResult, radius: np.ndarray) -> list[str]:
         for i in range(len(result.names))
         for j in range(i)
         if abs(correlation[i, j]) > _STRONG_CORRELATION
+        and not (_is_prior(result, result.names[i]) or _is_prior(result, result.names[j]))
     ]
     if not vague and not pairs and result.weakest > _UNDETERMINED:
         return []
@@ -86,6 +87,12 @@ def _identifiability(result: FitResult, radius: np.ndarray) -> list[str]:
         if regime:
             words.append(regime)
     return words
+
+
+def _is_prior(result: FitResult, name: str) -> bool:
+    """Whether what is known of a parameter is its prior, to which the data add nothing: it trades off as it should."""
+    prior = result.problem.free[name].prior
+    return prior is not None and result.standard_errors[name] > 0.9 * prior[1]
 
 
 def _relative(result: FitResult, name: str) -> float:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, TypeVar
+from typing import Any, ClassVar, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -181,6 +181,25 @@ class ForceDepth(Data):
         return ForceDepth(self.x[keep], self.y[keep], sd=None if self.sd is None else self.sd[keep], branch=branch)
 
 
+class UnloadingPoint(NamedTuple):
+    """What one unloading curve says: P = B (h - h_f)^m in its upper part, and S = dP/dh where it begins."""
+
+    depth: float
+    """at the beginning of unloading, h_max"""
+    force: float
+    """there, P_max"""
+    stiffness: float
+    stiffness_error: float
+    """standard error, widened for correlated residuals"""
+    final_depth: float
+    """h_f"""
+    exponent: float
+    """m"""
+    fitted_depth: Array
+    fitted_force: Array
+    warnings: tuple[str, ...]
+
+
 class StiffnessDepth(Data):
     """Contact stiffness against depth: dynamic (CSM) nanoindentation. The contact radius of each point is that of the tip at Oliver
     and Pharr's contact depth h - epsilon P/S, so plastic contacts are fine as long as they do not pile up.
@@ -190,6 +209,9 @@ class StiffnessDepth(Data):
     """
 
     code, x_name, y_name = 2, "depth", "stiffness"
+    unloadings: tuple[UnloadingPoint, ...] = ()
+    record: tuple[Array, Array] | None = None
+    """depth and force of the whole test, where the stiffness is that of unloading curves"""
 
     def __init__(
         self,

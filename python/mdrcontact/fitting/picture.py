@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from .._files import replace
 from ..errors import MDRError
-from ..problem.units import practical
-from .data import Data
+from ..problem.units import FORCE, LENGTH, practical
+from .data import Data, StiffnessDepth
 from .quantities import dimension_of_data
 
 Array = NDArray[np.float64]
@@ -45,6 +45,55 @@ def draw(
     except ImportError as problem:
         raise MDRError('figures need matplotlib: pip install "mdrcontact[plot]"') from problem
     figure = Figure(figsize=(6.4, 5.6), layout="constrained")
+    if isinstance(data, StiffnessDepth) and data.unloadings:
+        _draw_unloadings(figure.subplots(), data, title, doubts)
+    else:
+        _draw_points(figure, data, noise, fitted, residuals, label, title, doubts)
+    if path is not None:
+        drawn = io.BytesIO()
+        figure.savefig(drawn, format=Path(path).suffix.lower().removeprefix(".") or "png", dpi=160)
+        replace(path, drawn.getvalue())
+    return figure
+
+
+def _draw_unloadings(axis: Any, data: StiffnessDepth, title: list[str], doubts: list[str]) -> None:
+    """The whole test, the part of each unloading curve that is fitted, and the tangent whose slope is the stiffness."""
+    assert data.record is not None
+    x_unit, y_unit = practical(LENGTH, data.record[0]), practical(FORCE, data.record[1])
+    axis.plot(data.record[0] / x_unit.factor, data.record[1] / y_unit.factor, ".", color=_GREY, markersize=3, label="data")
+    for i, q in enumerate(data.unloadings):
+        h = np.linspace(q.final_depth, q.depth, 100)
+        p = q.force * ((h - q.final_depth) / (q.depth - q.final_depth)) ** q.exponent
+        tangent = np.array([q.depth - q.force / q.stiffness, q.depth])
+        name = {"label": "power law of the unloading"} if i == 0 else {}
+        axis.plot(h / x_unit.factor, p / y_unit.factor, color=_BLUE, linewidth=1.0, linestyle=(0, (1, 1.5)))
+        axis.plot(q.fitted_depth / x_unit.factor, q.fitted_force / y_unit.factor, color=_BLUE, linewidth=2.5, alpha=0.7, **name)
+        name = {"label": "contact stiffness S"} if i == 0 else {}
+        axis.plot(tangent / x_unit.factor, np.array([0.0, q.force]) / y_unit.factor, color=_RED, linewidth=1.2, **name)
+    axis.set(xlabel=f"indentation depth [{x_unit.symbol}]", ylabel=f"force [{y_unit.symbol}]")
+    axis.set_ylim(0.0, None)
+    _finish(axis, title, doubts)
+    axis.spines[["top", "right"]].set_visible(False)
+
+
+def _finish(axis: Any, title: list[str], doubts: list[str]) -> None:
+    axis.set_title("\n".join(title), fontsize=9, loc="left")
+    if doubts:
+        axis.text(0.5, 0.98, "\n".join(doubts), transform=axis.transAxes, color=_RED, fontsize=9, va="top", ha="center")
+    axis.legend(frameon=False)
+
+
+def _draw_points(
+    figure: Any,
+    data: Data,
+    noise: float,
+    fitted: Array,
+    residuals: Array,
+    label: str,
+    title: list[str],
+    doubts: list[str],
+) -> None:
+    """Data and fit above, residuals below."""
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
     order = data.order()
     x_unit = practical(dimension_of_data(data.x_name), data.x)
@@ -60,18 +109,10 @@ def draw(
     for first, last in zip(ends, ends[1:], strict=False):
         above.plot(x[first:last], fitted[order][first:last] / y_unit.factor, color=_BLUE, label=label if first == 0 else None)
     above.set_ylabel(f"{_AXES[data.y_name]} [{y_unit.symbol}]")
-    above.set_title("\n".join(title), fontsize=9, loc="left")
-    if doubts:
-        above.text(0.5, 0.98, "\n".join(doubts), transform=above.transAxes, color=_RED, fontsize=9, va="top", ha="center")
-    above.legend(frameon=False)
+    _finish(above, title, doubts)
     below.axhspan(-1.96, 1.96, color="#eeeeee")
     below.axhline(0.0, color=_BLUE, linewidth=1.0)
     below.plot(x, residuals[order], ".", color=_RED, markersize=3)
     below.set(xlabel=f"{_AXES[data.x_name]} [{x_unit.symbol}]", ylabel="residual / sd")
     for axis in (above, below):
         axis.spines[["top", "right"]].set_visible(False)
-    if path is not None:
-        drawn = io.BytesIO()
-        figure.savefig(drawn, format=Path(path).suffix.lower().removeprefix(".") or "png", dpi=160)
-        replace(path, drawn.getvalue())
-    return figure

@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Unloading curves: the contact stiffness at the beginning of unloading (Oliver and Pharr 1992)."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..contact import Contact
+from ..errors import InvalidArgumentError, MDRError
+from ..material import Elastic
+from ..measurement.segments import curve, find_segments
+from ..medium import Homogeneous
+from ..profile import PowerLaw
+from .data import ForceDepth, StiffnessDepth, UnloadingPoint
+from .parameters import Free
+from .solve import fit
+
+Array = NDArray[np.float64]
+
+UPPER_PART = (0.4, 0.98)
+"""Of the largest force: the part of an unloading curve that ISO 14577-1 fits."""
+_FEWEST = 8
+_EXPONENTS = 1.1, 2.0
+"""The power of unloading curves of real materials is between those of a punch and a cone."""
+
+
+def _unloading_point(h: Array, p: Array, largest: float, upper_part: tuple[float, float]) -> UnloadingPoint:
+    """Stiffness at the largest force of one unloading curve."""
+    low, high = upper_part
+    if not largest > 0.0:
+        raise InvalidArgumentError("the forces of the unloading curve are not positive: it has no upper part")
+    h_part, p_part = _part(h, p, low * largest, high * largest)
+    if len(h_part) < _FEWEST:
+        raise InvalidArgumentError(
+            f"too few points between {100 * low:g} and {100 * high:g} % of the largest force of the unloading curve: "
+            f"{len(h_part)}; "
+            f"at least {_FEWEST} are needed"
+        )
+    if float(np.polyfit(h_part, p_part, 1)[0]) <= 0.0:
+        raise InvalidArgumentError(
+            "the depth grows while the force falls: creep or drift is stronger than the unloading. Hold longer before "
+            "unloading, or "
+            "correct the drift"
+        )
+    law = _power_law(h_part, p_part, largest)
+    return UnloadingPoint(
+        law.depth,
+        largest,
+        law.stiffness,
+        law.error,
+        law.final,
+        law.exponent,
+        h_part,
+        p_part,
+        tuple(_doubts(law, low, high, h, p, largest)),
+    )
+
+
+def _part(h: Array, p: Array, low: float, high: float) -> tuple[Array, Array]:
+    """The points between two forces, the first time that the curve passes them."""
+    above = np.flatnonzero(p > high)
+    start = int(above[-1]) + 1 if len(above) else 0
+    below = np.flatnonzero(p[start:] < low)
+    part = slice(start, start + int(below[0]) if len(below) else len(p))
+    return h[part], p[part]
+
+
+class _Law(NamedTuple):
+    """Depth and stiffness at the largest force, its standard error, h_f and m."""
+
+    depth: float
+    stiffness: float
+    error: float
+    final: float
+    exponent: float
+
+
+def _power_law(h: Array, p: Array, largest: float) -> _Law:
+    """P = B (h - h_f)^m is the force of an indenter f = r^n, n = 1/(m - 1), on a homogeneous body (Pharr and Bolshakov 2002): the
+    fit of that contact gives the covariance too."""
+    scale = float(np.ptp(h))
+    x, y = (h - h.min()) / scale, p / largest
+    # the power 1.5 to begin with
+    steepness, height = np.polyfit(x, np.maximum(y, 0.0) ** (1.0 / 1.5), 1)
+    begins = min(-height / steepness, -0.01)
+    body = Homogeneous(Elastic(1.0, 0.0))
+    modulus = 1.0 / float(Contact(PowerLaw(2.0, 1.0), body).at_depth(1.0 - begins).force)
+    found = fit(
+        ForceDepth(x, y, branch="unloading"),
+        PowerLaw(2.0, 1.0),
+        body,
+        {"E": modulus, "indenter.exponent": Free(lower=1.0, upper=30.0), "depth_offset": begins},
+        check_units=False,
+    )
+
+    def top(values: Array) -> tuple[float, float]:
+        """Depth and stiffness at the largest force."""
+        by_name = dict(zip(found.names, values, strict=True))
+        state = Contact(PowerLaw(by_name["indenter.exponent"], 1.0), Homogeneous(Elastic(by_name["E"], 0.0))).at_force(1.0)
+        return float(state.depth) + by_name["depth_offset"], float(state.stiffness)
+
+    best = np.array([found.estimates[name] for name in found.names])
+    steps = 1e-3 * np.sqrt(np.diag(found.covariance))
+    pairs = zip(np.diag(steps), steps, strict=True)
+    gradient = np.array([(top(best + step)[1] - top(best - step)[1]) / (2.0 * size) if size > 0.0 else 0.0 for step, size in pairs])
+    error = math.sqrt(max(float(gradient @ found.covariance @ gradient), 0.0))
+    depth, stiffness = top(best)
+    unit = largest / scale
+    lowest = float(h.min())
+    return _Law(
+        lowest + scale * depth,
+        stiffness * unit,
+        error * unit,
+        lowest + scale * found.estimates["depth_offset"],
+        1.0 + 1.0 / found.estimates["indenter.exponent"],
+    )
+
+
+def _doubts(law: _Law, low: float, high: float, h: Array, p: Array, largest: float) -> list[str]:
+    """What speaks against the stiffness."""
+    words = []
+    if not _EXPONENTS[0] < law.exponent < _EXPONENTS[1]:
+        words.append(
+            f"the unloading curve has the power {law.exponent:.3g}; those of real contacts lie between {_EXPONENTS[0]} and "
+            f"{_EXPONENTS[1]}: look at its upper part for creep, drift or a pop-out"
+        )
+    half = 0.5 * (low + high)
+    try:
+        upper = _power_law(*_part(h, p, half * largest, high * largest), largest)
+    except MDRError:
+        return words
+    shift, spread = upper.stiffness / law.stiffness - 1.0, math.hypot(upper.error, law.error) / law.stiffness
+    if abs(shift) > max(3.0 * spread, 0.01):
+        words.append(
+            f"the stiffness changes by {100.0 * shift:+.1f} % if only the part above {100.0 * half:.0f} % of the force is "
+            "fitted, more "
+            "than its standard error: creep or drift bends the curve"
+        )
+    return words
+
+
+class Unloading(StiffnessDepth):
+    """Unloading curves, one point each: the contact stiffness S = dP/dh where unloading begins, at the largest depth and force,
+    from a power law through the upper part (Oliver and Pharr 1992). In a fit they are StiffnessDepth data.
+
+    depth, force : one curve, or a whole record with loading, holds and one or more unloadings, in the order of measurement
+        [length], [modulus length^2]; n numbers each
+    upper_part : the part of the unloading curve that is fitted, in units of its largest force
+
+    unloadings : what each unloading curve says, `UnloadingPoint`
+    """
+
+    def __init__(self, depth: ArrayLike, force: ArrayLike, *, upper_part: tuple[float, float] = UPPER_PART) -> None:
+        h, p = curve(depth, force, fewest=_FEWEST)
+        if not (len(upper_part) == 2 and 0.0 < upper_part[0] < upper_part[1] <= 1.0):
+            raise InvalidArgumentError(
+                f"upper_part = {upper_part!r} is not allowed: it must be two numbers with 0 < lower < upper <= 1"
+            )
+        segments = find_segments(h, p)
+        points = []
+        for before, part in zip([None, *segments], segments, strict=False):
+            forces = p[part.points]
+            # an unloading that does not begin high is the end of another one
+            if part.kind != "unloading" or forces.max() < p.min() + upper_part[0] * np.ptp(p):
+                continue
+            is_held = before is not None and before.kind == "hold"
+            largest = float(np.median(p[before.points])) if before is not None and is_held else float(forces.max())
+            points.append(_unloading_point(h[part.points], forces, largest, upper_part))
+        if not points:
+            raise InvalidArgumentError("there is no unloading curve: the force does not fall from a large value")
+        columns = zip(*((q.depth, q.force, q.stiffness) for q in points), strict=True)
+        super().__init__(*map(list, columns), sd=[q.stiffness_error for q in points])
+        self.unloadings = tuple(points)
+        self.record = h, p
+        self.warnings += [words for q in points for words in q.warnings]

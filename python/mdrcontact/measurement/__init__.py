@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From an instrument's record to a curve: segments, drift, pop-ins, contact point and baseline."""
+
+from .contact_point import Baseline, depth_from_height, find_baseline, find_contact_point
+from .segments import Drift, PopIn, Segment, drift_rate, find_pop_in, find_segments, without_drift
+
+__all__ = [
+    "Baseline",
+    "depth_from_height",
+    "find_baseline",
+    "find_contact_point",
+    "Drift",
+    "PopIn",
+    "Segment",
+    "drift_rate",
+    "find_pop_in",
+    "find_segments",
+    "without_drift",
+]

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Records of instruments, made up with known numbers in them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+HARDNESS, REDUCED, EPSILON, C0 = 9e9, 70e9, 0.75, 24.5
+
+
+def indentation(force=10e-3, *, noise=2e-6, drift=0.0, creep=2e-9, power=1.4, seed=0, points=(300, 100, 200, 80, 20)):
+    """Loading, hold, unloading to 10 % of the force, hold and the rest, 0.1 s apart: time, depth, force, and what is true. Its
+    unloading is P = B (h - h_f)^power with Oliver and Pharr's contact depth under a tip A = 24.5 h_c^2."""
+    area = force / HARDNESS
+    stiffness = 2.0 * np.sqrt(area / np.pi) * REDUCED
+    contact_depth = np.sqrt(area / C0)
+    deepest = contact_depth + EPSILON * force / stiffness
+    final = deepest - power * force / stiffness
+
+    def unloading(p):
+        return final + (deepest - final) * (p / force) ** (1.0 / power)
+
+    loads = [force * np.linspace(0.0, 1.0, points[0]), np.full(points[1], force), force * np.linspace(1.0, 0.1, points[2])]
+    loads += [np.full(points[3], 0.1 * force), force * np.linspace(0.1, 0.0, points[4])]
+    held = creep * np.log1p(10.0 * np.linspace(0.0, 1.0, points[1])) / np.log(11.0)
+    depths = [(deepest - creep) * np.sqrt(loads[0] / force), deepest - creep + held, *map(unloading, loads[2:])]
+    random = np.random.default_rng(seed)
+    p, h = np.concatenate(loads), np.concatenate(depths)
+    time = 0.1 * np.arange(len(p))
+    h = h + drift * time + 0.05e-9 * random.standard_normal(len(p))
+    truth = {"stiffness": stiffness, "contact_depth": contact_depth, "area": area, "depth": deepest, "final_depth": final}
+    return time, h, p + noise * random.standard_normal(len(p)), truth
