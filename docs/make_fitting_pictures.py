@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the pictures of fitting.md from the curves in examples/fit. python docs/make_fitting_pictures.py [FOLDER]
+"""Draws the pictures of fitting.md and instruments.md from the curves in examples/fit. python docs/make_fitting_pictures.py
+[FOLDER]
 
 FOLDER is docs/pictures by default.
 """
@@ -23,9 +24,11 @@ def main(folder: Path) -> None:
     from matplotlib.figure import Figure
 
     folder.mkdir(exist_ok=True)
-    for name in ("sphere_on_oxide", "afm_on_rubber", "csm_on_oxide", "modulus_of_oxide", "punches_on_rubber"):
-        problem = load_fit_file(CURVES / f"{name}.toml")
-        data, _ = problem.read_data(CURVES / f"{name}.csv")
+    files = ("sphere_on_oxide.csv", "afm_on_rubber.csv", "csm_on_oxide.csv", "modulus_of_oxide.csv", "punches_on_rubber.csv")
+    for path in (CURVES / name for name in (*files, "indent_on_oxide.txt", "raw_afm_on_rubber.txt")):
+        name = path.stem
+        problem = load_fit_file(path.with_suffix(".toml"))
+        data, _ = problem.read_data(path)
         arguments = (data, problem.indenter, problem.medium, problem.free)
         result = fit(*arguments, instrument=problem.instrument, **problem.options)
         save(result.plot(), folder / f"fit_{name}.png")

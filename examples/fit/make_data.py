@@ -16,8 +16,9 @@ RUBBER = mdr.Elastic(2e6, 0.49)
 
 
 def write(name: str, header: str, *columns: np.ndarray) -> None:
-    """A CSV file with five digits."""
-    np.savetxt(HERE / name, np.column_stack(columns), fmt="%.5g", delimiter=",", header=header, comments="")
+    """A table with five digits, separated by commas, or by tabs in a .txt."""
+    delimiter = "," if name.endswith(".csv") else "\t"
+    np.savetxt(HERE / name, np.column_stack(columns), fmt="%.5g", delimiter=delimiter, header=header, comments="")
 
 
 def main() -> None:
@@ -62,6 +63,30 @@ def main() -> None:
     a = np.linspace(0.5e-6, 8e-6, 30)
     stiffness = np.asarray(soft.stiffness(a)) * (1.0 + 0.02 * random.standard_normal(a.size))
     write("punches_on_rubber.csv", "contact radius [um],stiffness [N/m]", a * 1e6, stiffness)
+
+    # the record of one indent into the oxide: loading, hold, unloading to 10 %, hold, unloading; with thermal drift of 0.04 nm/s
+    p_max, m = 8e-3, 1.35
+    a = np.sqrt(p_max / (np.pi * 9e9))
+    stiffness = 2.0 * a * float(mdr.Pair(film, DIAMOND).modulus(a))
+    contact_depth = a / np.sqrt(24.5 / np.pi)
+    deepest = contact_depth + 0.75 * p_max / stiffness
+    final = deepest - m * p_max / stiffness
+    loads = [np.linspace(0.0, 1.0, 100), np.ones(40), np.linspace(1.0, 0.1, 120), np.full(60, 0.1), np.linspace(0.1, 0.0, 15)]
+    depths = [(deepest - 1.5e-9) * np.sqrt(loads[0]), deepest - 1.5e-9 * np.exp(-np.linspace(0.0, 5.0, 40))]
+    depths += [final + (deepest - final) * part ** (1.0 / m) for part in loads[2:]]
+    force, depth = p_max * np.concatenate(loads), np.concatenate(depths)
+    time = 0.25 * np.arange(force.size)
+    depth = depth + 0.04e-9 * time + 0.05e-9 * random.standard_normal(force.size)
+    force = force + 1.5e-6 * random.standard_normal(force.size)
+    write("indent_on_oxide.txt", "Time (s)\tDepth (nm)\tLoad (mN)", time, depth * 1e9, force * 1e3)
+
+    # what an AFM records on the soft layer: height of the piezo and voltage of the photodiode, approach and retract, no adhesion
+    depth = np.linspace(-400e-9, 300e-9, 250)
+    force = np.zeros_like(depth)
+    force[depth > 0.0] = np.asarray(mdr.Contact(mdr.Paraboloid(5e-6), soft).at_depth(depth[depth > 0.0]).force)
+    depth, force = (np.concatenate([v, v[::-1]]) for v in (depth, force))
+    deflection = (force + 4e-9 + 6e-3 * depth + 1e-9 * random.standard_normal(depth.size)) / 30.0
+    write("raw_afm_on_rubber.txt", "Height (um)\tDeflection (V)", 5.0 - 1e6 * (depth + deflection), deflection / 50e-9)
 
 
 if __name__ == "__main__":

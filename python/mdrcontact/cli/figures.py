@@ -44,9 +44,10 @@ _COMPARABLE = 10.0
 """A reference curve that ends further away than this factor would only squash the others."""
 
 
-def require(path: Path) -> None:
-    """Raises before any work is done if the figure could not be drawn."""
-    figure_format(path)
+def require(path: Path | None) -> None:
+    """Raises before any work is done if the figure could not be drawn; None: one inside a report."""
+    if path is not None:
+        figure_format(path)
     try:
         import matplotlib.figure  # noqa: F401
     except ImportError as problem:

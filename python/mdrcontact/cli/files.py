@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import argparse
+import io
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from .._files import check_place, replace
 
@@ -48,3 +50,10 @@ def write(contents: Mapping[Path, bytes], overwrite: bool) -> None:
     for path, content in contents.items():
         replace(path, content)
         print(f"written: {path}")
+
+
+def rendered(figure: Any, form: str) -> bytes:
+    """A matplotlib figure as the content of a file."""
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format=form, dpi=160)
+    return buffer.getvalue()

@@ -4,9 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import csv
-import functools
-import io
 import json
 from pathlib import Path
 from typing import Any
@@ -14,13 +11,12 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
-from ..errors import MDRError
-from ..fitting import FailedFit, FitResult, compare_models, fit, fit_many
-from ..fitting.quantities import dimension_of, dimension_of_data, measured, words_of
-from ..problem import ProblemError
+from ..fitting import FitResult, OliverPharr, StiffnessDepth, compare_models, fit, oliver_pharr, report
+from ..fitting.quantities import digits, dimension_of_data
+from ..problem.data import Curve
 from ..problem.fit_file import FitFile, load_fit_file
-from ..problem.units import RATIO, practical
-from . import files
+from ..problem.units import AREA, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, practical
+from . import figures, files, fit_many
 from .table import Column, aligned, as_csv, column, number
 
 _DESCRIPTION = """\
@@ -53,12 +49,10 @@ The problem file is that of `mdrcontact curve` with two more tables in place of 
     thickness = { prior = "500 nm", prior_sd = "10 nm" }
     depth_offset = {}
 
-In a folder each .csv, .tsv, .txt, .dat and .xlsx file is a curve; one that cannot be fitted is a row with its reason.
-"""
+Binary files of AFMs go in as they are (pip install "mdrcontact[afm]"): .jpk-force, .jpk-force-map, .h5, .ibw, ...
 
-_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".xlsx", ".xlsm")
-_MOST_WARNINGS, _MOST_NAMES = 10, 40
-"""On the screen, and under a picture."""
+In a folder each file is a curve, in a map each place; one that cannot be fitted is a row with its reason.
+"""
 
 
 def add(subparsers: Any) -> None:
@@ -69,10 +63,11 @@ def add(subparsers: Any) -> None:
         description=_DESCRIPTION,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("data", type=Path, metavar="DATA", help="a CSV or TSV file, or a folder of them")
+    parser.add_argument("data", type=Path, metavar="DATA", help="a table, an AFM file, or a folder of them")
     parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="indenter, medium, data and fit")
     files.add_options(parser, "points and residuals, or for a folder the estimates")
     parser.add_argument("--json", type=Path, metavar="FILE.json", help="write everything about the result as JSON")
+    parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it, picture included, as one HTML file")
     parser.add_argument("--compare", action="store_true", help="fit under every medium model as well, and rank them")
     parser.add_argument(
         "--interval",
@@ -85,23 +80,29 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Fits, prints, writes."""
-    files.check(arguments.csv, arguments.plot, arguments.json, overwrite=arguments.overwrite)
-    if arguments.plot:
-        from . import figures
-
+    files.check(arguments.csv, arguments.plot, arguments.json, arguments.report, overwrite=arguments.overwrite)
+    if arguments.plot or arguments.report:
         figures.require(arguments.plot)
     problem = load_fit_file(arguments.problem)
     print(f"{problem.title}\n")
     if arguments.data.is_dir():
-        _run_folder(arguments, problem)
+        fit_many.run_folder(arguments, problem)
+        return
+    curves = problem.curves(arguments.data)
+    if len(curves) > 1:
+        fit_many.run_curves(arguments, problem, curves)
     else:
-        _run_one(arguments, problem)
+        _run_one(arguments, problem, curves[0])
 
 
-def _run_one(arguments: argparse.Namespace, problem: FitFile) -> None:
-    data, notes = problem.read_data(arguments.data)
+def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> None:
+    data, notes = curve.read()
     print("\n".join([str(arguments.data), *(f"  {note}" for note in notes)]))
     print(f"  indenter: {problem.indenter!r}\n  medium: {problem.medium!r}\n")
+    analysis: list[list[str]] = []
+    if isinstance(data, StiffnessDepth) and data.unloadings:
+        analysis = oliver_pharr_rows(oliver_pharr(data, problem.indenter, problem.instrument))
+        print("Oliver and Pharr, standard errors of the stiffness alone:\n" + aligned(analysis) + "\n")
     result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
     print(result.summary())
     intervals = {}
@@ -112,6 +113,7 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile) -> None:
                 bar.update()
         for name, (lower, upper) in intervals.items():
             print(f"{arguments.interval} 95 % interval of {name}: {number(lower)} to {number(upper)}")
+    ranking = None
     if arguments.compare:
         ranking = compare_models(
             data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options
@@ -127,14 +129,53 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile) -> None:
             found["parameters"][name][f"{arguments.interval}_interval"] = [v if np.isfinite(v) else None for v in ends]
         results[arguments.json] = (json.dumps(found, indent=2, allow_nan=False) + "\n").encode()
     if arguments.plot:
-        results[arguments.plot] = _rendered(result.plot(), files.figure_format(arguments.plot))
+        results[arguments.plot] = files.rendered(result.plot(), files.figure_format(arguments.plot))
+    if arguments.report:
+        blocks = report.blocks_of(result, [f"file {arguments.data}, problem file {arguments.problem}", *notes])
+        if analysis:
+            blocks += [report.heading("Oliver and Pharr, standard errors of the stiffness alone"), report.table(analysis)]
+        if ranking is not None:
+            blocks += [report.heading("Models"), report.preformatted(ranking.summary())]
+        results[arguments.report] = report.page(problem.title, blocks).encode()
     if results:
         print()
         files.write(results, arguments.overwrite)
 
 
+def oliver_pharr_columns(found: OliverPharr) -> list[Column]:
+    """Oliver and Pharr's numbers as columns with standard errors."""
+    kinds = (("contact_depth", LENGTH), ("area", AREA), ("reduced_modulus", MODULUS), ("hardness", MODULUS))
+    columns = [column("depth", found.depth, LENGTH), column("force", found.force, FORCE)]
+    for name, dimension in (("stiffness", STIFFNESS), *kinds):
+        values, unit = getattr(found, name), practical(dimension, getattr(found, name))
+        columns.append(Column(name.replace("_", " "), values, unit))
+        columns.append(Column("standard error", getattr(found, f"{name}_error"), unit))
+    return columns
+
+
+def oliver_pharr_rows(found: OliverPharr) -> list[list[str]]:
+    """The same as words, one row for each point."""
+    columns = oliver_pharr_columns(found)
+    rows = [[c.title for c in columns if c.name != "standard error"]]
+    for i in range(len(found.depth)):
+        cells = []
+        for c, error in zip(columns, [*columns[1:], None], strict=True):
+            value = float(c.unit.of(c.values[i]))
+            if c.name == "standard error":
+                continue
+            if error is None or error.name != "standard error":
+                cells.append(number(value))
+            else:
+                sd = float(error.unit.of(error.values[i]))
+                cells.append(f"{digits(value, sd)} ± {digits(sd, sd)}")
+        rows.append(cells)
+    return rows
+
+
 def _points(result: FitResult) -> list[Column]:
     data = result.data
+    if isinstance(data, StiffnessDepth) and data.unloadings:
+        return oliver_pharr_columns(oliver_pharr(data, result.indenter, result.instrument))
     x, y = dimension_of_data(data.x_name), dimension_of_data(data.y_name)
     unit = practical(y, data.y)
     return [
@@ -143,156 +184,3 @@ def _points(result: FitResult) -> list[Column]:
         Column("fit", result.fitted, unit),
         column("residual/sd", result.residuals, RATIO),
     ]
-
-
-def _rendered(figure: Any, form: str) -> bytes:
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format=form, dpi=160)
-    return buffer.getvalue()
-
-
-def _run_folder(arguments: argparse.Namespace, problem: FitFile) -> None:
-    paths = sorted(p for p in arguments.data.iterdir() if p.suffix.lower() in _SUFFIXES and p.is_file())
-    if not paths:
-        raise ProblemError(f"{arguments.data}: there is no file that ends in {', '.join(_SUFFIXES)}")
-    _, notes = _first_readable(problem, paths)
-    print("\n".join([f"{len(paths)} curves in {arguments.data}; columns as in", *(f"  {note}" for note in notes)]))
-    tasks = [functools.partial(_only_data, problem, path) for path in paths]
-    with tqdm(total=len(paths), unit="curves", delay=2.0, disable=None, leave=False) as bar:
-        results = fit_many(
-            tasks,
-            problem.indenter,
-            problem.medium,
-            problem.free,
-            instrument=problem.instrument,
-            progress=lambda done: bar.update(),
-            **problem.options,
-        )
-    good = [(path, r) for path, r in zip(paths, results, strict=True) if isinstance(r, FitResult)]
-    if not good:
-        failures = [(path, r) for path, r in zip(paths, results, strict=True) if isinstance(r, FailedFit)]
-        reasons = "; ".join(f"{path.name}: {r.error}" for path, r in failures[:3])
-        raise MDRError(f"no curve could be fitted: {reasons}")
-    names = good[0][1].names
-    print(aligned(_rows_of(paths, results, names), left=1))
-    for path, result in zip(paths, results, strict=True):
-        if isinstance(result, FailedFit):
-            print(f"not fitted: {path.name}: {result.error}")
-    described = sum(r.describes_data is not False and r.converged for _, r in good)
-    print(f"\n{len(good)} of {len(paths)} curves fitted; {described} of {len(paths)} fits describe their data")
-    warned = [(path, words) for path, r in good for words in r.warnings]
-    for path, words in warned[:_MOST_WARNINGS]:
-        print(f"warning: {path.name}: {words}")
-    if len(warned) > _MOST_WARNINGS:
-        print(f"and {len(warned) - _MOST_WARNINGS} more warnings: --json and --csv have them all")
-    rows = [["between the curves", "median", "mean", "scatter", "median standard error", "scatter/error"]]
-    for name in names:
-        unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in good])
-        v = np.array([r.estimates[name] for _, r in good]) / unit.factor
-        errors = np.array([r.standard_errors[name] for _, r in good]) / unit.factor
-        scatter, error = float(v.std(ddof=1)) if len(v) > 1 else float("nan"), float(np.median(errors))
-        title = f"{words_of(name)} [{unit.name}]" if unit.name else words_of(name)
-        ratio = f"{scatter / error:.2g}" if error > 0.0 and np.isfinite(scatter) else "-"
-        rows.append([title, *(number(float(x)) for x in (np.median(v), v.mean(), scatter, error)), ratio])
-        if error > 0.0 and scatter > 2.0 * error:
-            print(f"warning: {words_of(name)} scatters {ratio} times its errors: the curves differ, or errors are missing")
-    print(aligned(rows, left=1))
-    _write_folder(arguments, paths, results, good, names)
-
-
-def _rows_of(paths: list[Path], results: list[Any], names: tuple[str, ...]) -> list[list[str]]:
-    """One row for each file, failures too."""
-    rows = [["file", *(words_of(name) for name in names), "chi-square/dof", "random with p", "describes its data"]]
-    for path, result in zip(paths, results, strict=True):
-        if isinstance(result, FailedFit):
-            rows.append([path.name, *(len(names) * ["-"]), "-", "-", "not fitted"])
-            continue
-        told = [measured(name, result.estimates[name], result.standard_errors[name]) for name in names]
-        ratio = f"{result.chi_square / result.degrees_of_freedom:.3g}" if result.noise_is_known else "-"
-        verdict = {True: "yes", False: "NO", None: "too few points"}[result.describes_data]
-        rows.append(
-            [path.name, *told, ratio, f"{result.pattern_probability:.2g}", verdict if result.converged else "not converged"]
-        )
-    return rows
-
-
-def _first_readable(problem: FitFile, paths: list[Path]) -> tuple[Any, list[str]]:
-    refusal: MDRError | None = None
-    for path in paths:
-        try:
-            return problem.read_data(path)
-        except MDRError as problem_of_file:
-            refusal = refusal or problem_of_file
-    assert refusal is not None
-    raise refusal
-
-
-def _only_data(problem: FitFile, path: Path) -> Any:
-    return problem.read_data(path)[0]
-
-
-def _write_folder(
-    arguments: argparse.Namespace, paths: list[Path], results: list[Any], good: list[tuple[Path, FitResult]], names: tuple[str, ...]
-) -> None:
-    contents: dict[Path, bytes] = {}
-    if arguments.csv:
-        contents[arguments.csv] = _estimates(paths, results, names)
-    if arguments.json:
-        found = {
-            path.name: result.to_dict() if isinstance(result, FitResult) else {"error": str(result.error)}
-            for path, result in zip(paths, results, strict=True)
-        }
-        contents[arguments.json] = (json.dumps(found, indent=2, allow_nan=False) + "\n").encode()
-    if arguments.plot:
-        contents[arguments.plot] = _overview(good, names, files.figure_format(arguments.plot))
-    if contents:
-        print()
-        files.write(contents, arguments.overwrite)
-
-
-def _estimates(paths: list[Path], results: list[Any], names: tuple[str, ...]) -> bytes:
-    """A CSV file with one row for each curve; a failure is a row with its reason."""
-    good = [r for r in results if isinstance(r, FitResult)]
-    units = {name: practical(dimension_of(name), [abs(r.estimates[name]) for r in good]) for name in names}
-    titles = [f"{t}{name} [{units[name].name}]".replace(" []", "") for name in names for t in ("", "standard error of ")]
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["file", *titles, "converged", "describes its data", "chi-square/dof", "pattern p", "warnings"])
-    for path, r in zip(paths, results, strict=True):
-        if isinstance(r, FailedFit):
-            writer.writerow([path.name, *(len(titles) + 4) * [""], f"not fitted: {r.error}"])
-            continue
-        values = [float(v) / units[n].factor for n in names for v in (r.estimates[n], r.standard_errors[n])]
-        ratio = repr(r.chi_square / r.degrees_of_freedom) if r.noise_is_known else ""
-        marks = [int(r.converged), "" if r.describes_data is None else int(r.describes_data)]
-        writer.writerow([path.name, *map(repr, values), *marks, ratio, repr(r.pattern_probability), "; ".join(r.warnings)])
-    return text.getvalue().encode()
-
-
-def _overview(good: list[tuple[Path, FitResult]], names: tuple[str, ...], form: str) -> bytes:
-    """Each parameter curve by curve, and its histogram."""
-    from matplotlib.figure import Figure
-
-    height = max(2.4, 0.25 * len(good) if len(good) <= _MOST_NAMES else 4.0)
-    figure = Figure(figsize=(9.0, height * len(names) + 0.6), layout="constrained")
-    axes = np.atleast_2d(figure.subplots(len(names), 2, width_ratios=[3, 1], sharey="row"))
-    for (each, histogram), name in zip(axes, names, strict=True):
-        unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in good])
-        v = np.array([r.estimates[name] / unit.factor for _, r in good])
-        places = np.arange(1, len(v) + 1)
-        for describes, colour, label in ((True, "#0072B2", "describes its data"), (False, "#D55E00", "does not")):
-            keep = np.array([(r.describes_data is not False and r.converged) == describes for _, r in good])
-            if keep.any():
-                errors = [1.96 * r.standard_errors[name] / unit.factor for (_, r), k in zip(good, keep, strict=True) if k]
-                each.errorbar(places[keep], v[keep], errors, fmt=".", color=colour, elinewidth=0.8, label=label)
-        each.set_ylabel(f"{words_of(name)} [{unit.symbol}]" if unit.name else words_of(name))
-        if len(v) <= _MOST_NAMES:
-            each.set_xticks(places, [path.name for path, _ in good], rotation=90, fontsize=7)
-        else:
-            each.set_xlabel("curve")
-        histogram.hist(v, bins="auto" if len(v) > 1 else 1, orientation="horizontal", color="#0072B2", alpha=0.6)
-        histogram.set_xlabel("curves")
-        for axis in (each, histogram):
-            axis.spines[["top", "right"]].set_visible(False)
-    axes[0][0].legend(frameon=False, fontsize=8)
-    return _rendered(figure, form)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import math
 import os
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
@@ -21,6 +22,7 @@ from ..problem.units import practical
 from .picture import draw
 from .problem import Problem
 from .quantities import digits, dimension_of, dimension_of_data, measured, unit_of, words_of
+from .report import blocks_of, page
 
 Array = NDArray[np.float64]
 
@@ -202,32 +204,33 @@ class FitResult:
             error = self.standard_errors[name]
             unit = unit_of(name, max(abs(self.estimates[name]), error))
             ends = " to ".join(digits(end / unit.factor, error / unit.factor) for end in (lower, upper))
-            rows.append([f"{words_of(name)} ({name})", self._told(name), ends, "; ".join(self.doubts(name))])
+            rows.append([f"{words_of(name)} ({name})", self.told(name), ends, "; ".join(self.doubts(name))])
         widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
         lines = [f"Fit of {len(self.data)} points: " + ("converged" if self.converged else "NOT CONVERGED, best point found")]
         lines[0] += f" after {self.iterations} iterations"
         lines += ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
         dof = self.degrees_of_freedom
-        if self.noise_is_known:
+        if self.noise_is_known and dof >= 1.0:
             lines.append(f"chi-square {self.chi_square:.4g} for {dof:.4g} degrees of freedom: ratio {self.chi_square / dof:.3g}")
-        elif self.data.sd is None:
+        elif self.data.sd is None and not self.noise_is_known:
             unit = practical(dimension_of_data(self.data.y_name), [self.noise])
             lines.append(f"noise, estimated from the residuals: {self.noise / unit.factor:.3g} {unit.symbol}")
-        else:
+        elif not self.noise_is_known:
             lines.append(f"standard deviations of the data, estimated: {self.noise:.3g} times the given ones")
         if self.prior_chi_square > 0.0:
             lines.append(f"chi-square of the priors {self.prior_chi_square:.3g}")
-        lines.append(
-            f"residuals in order along the curve: correlation of neighbours {self.lag_correlation:.2f}, random with p = "
-            f"{self.pattern_probability:.2g}; AIC {self.aic:.5g}, BIC {self.bic:.5g}"
-        )
+        if len(self.data) > 2:
+            lines.append(
+                f"residuals in order along the curve: correlation of neighbours {self.lag_correlation:.2f}, random with p = "
+                f"{self.pattern_probability:.2g}; AIC {self.aic:.5g}, BIC {self.bic:.5g}"
+            )
         correlation = self.correlation
         for i, one in enumerate(self.names):
             for j in range(i):
                 lines.append(f"correlation of {one} and {self.names[j]}: {correlation[i, j]:+.4f}")
         return "\n".join(lines + [f"warning: {words}" for words in self.warnings])
 
-    def _told(self, name: str) -> str:
+    def told(self, name: str) -> str:
         """An estimate with its standard error and unit, or what else there is to say of it."""
         value, error = self.estimates[name], self.standard_errors[name]
         if self.at_bound[name]:
@@ -264,7 +267,7 @@ class FitResult:
     def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
         """Data, fit and residuals as a matplotlib figure with units (the numbers of the problem are taken as SI); written to `path`
         (.png, .pdf, .svg) if one is given."""
-        title = [f"{words_of(name)} = {self._told(name)}" for name in self.names]
+        title = [f"{words_of(name)} = {self.told(name)}" for name in self.names]
         doubts = sorted({words for name in self.names for words in self.doubts(name)})
         model = getattr(self.medium, "model", None)
         label = f"fit ({model})" if model else "fit"
@@ -316,6 +319,14 @@ class FitResult:
             "instrument": repr(self.instrument),
         }
         return _plain(found)  # type: ignore[no-any-return]
+
+    def report(self, path: str | os.PathLike[str] | None = None, notes: Sequence[str] = (), title: str = "Fit") -> str:
+        """One HTML file with estimates, picture, warnings, what was assumed and the versions, readable without a network; written
+        to `path` if one is given. notes : what else to say of the data, one line each."""
+        text = page(title, blocks_of(self, notes))
+        if path is not None:
+            replace(path, text.encode())
+        return text
 
     def to_json(self, path: str | os.PathLike[str] | None = None, level: float = 0.95) -> str:
         """`to_dict` as JSON text; written to `path` if one is given."""

@@ -4,61 +4,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from .._choices import nearest
-from ..fitting import ForceDepth, Free, Instrument, ModulusRadius, StiffnessDepth, StiffnessRadius
+from ..fitting import Free, Instrument, JointPrior
 from ..fitting.data import Data
 from ..fitting.parameters import of_indenter, of_instrument, of_medium
 from ..fitting.quantities import dimension_of
+from . import data as measured
 from . import indenter as indenters
 from . import medium as mediums
-from .columns import TableOptions, describe, read_table
+from .record import Cantilever
 from .section import ProblemError, Section
 from .toml import parse_file
-from .units import COMPLIANCE, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, WORK_OF_ADHESION, Dimension
+from .units import COMPLIANCE, FORCE, LENGTH, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension
 
-_KINDS: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
-    "force-depth": (ForceDepth, ("depth", "force")),
-    "stiffness-depth": (StiffnessDepth, ("depth", "force", "stiffness")),
-    "modulus-radius": (ModulusRadius, ("radius", "modulus")),
-    "stiffness-radius": (StiffnessRadius, ("radius", "stiffness")),
-}
-_ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
-    "depth": (
-        LENGTH,
-        (
-            *("depth", "d", "h", "displacement", "indentation", "indentation depth", "displacement into surface", "pd"),
-            *("penetration depth", "penetration"),
-        ),
-    ),
-    "force": (FORCE, ("force", "load", "f", "p", "load on sample", "fn", "normal force")),
-    "stiffness": (STIFFNESS, ("stiffness", "contact stiffness", "s", "k", "harmonic contact stiffness")),
-    "radius": (LENGTH, ("radius", "contact radius", "a")),
-    "modulus": (MODULUS, ("modulus", "effective modulus", "e_eff", "eeff", "er", "e_r", "reduced modulus")),
-}
-_DATA: Mapping[str, Dimension | None] = {
-    "kind": None,
-    **dict.fromkeys(_ROLES),
-    "radius_over_thickness": None,
-    "thickness": LENGTH,
-    "nu": None,
-    "columns": None,
-    "units": None,
-    "skip": None,
-    "sheet": None,
-    "sd": None,
-    "relative_sd": None,
-    "min_depth": LENGTH,
-    "max_depth": LENGTH,
-    "min_radius": LENGTH,
-    "max_radius": LENGTH,
-}
 _INSTRUMENT: Mapping[str, Dimension | None] = {
     "work_of_adhesion": WORK_OF_ADHESION,
     "depth_offset": LENGTH,
@@ -69,6 +31,8 @@ _INSTRUMENT: Mapping[str, Dimension | None] = {
     "contact_depth_scale": None,
     "stiffness_factor": None,
     "area_factor": None,
+    "spring_constant": STIFFNESS,
+    "deflection_sensitivity": SENSITIVITY,
 }
 _FIT: Mapping[str, Dimension | None] = {
     "free": None,
@@ -77,7 +41,10 @@ _FIT: Mapping[str, Dimension | None] = {
     "adhesion_rule": None,
     "max_iterations": None,
     "sd_is_absolute": None,
+    "joint_prior": None,
 }
+
+_JOINT: Mapping[str, Dimension | None] = {"names": None, "values": None, "sds": None, "correlation": None}
 
 
 class FitFile(NamedTuple):
@@ -87,13 +54,18 @@ class FitFile(NamedTuple):
     indenter: Any
     medium: Any
     instrument: Instrument
+    cantilever: Cantilever
     free: dict[str, Free]
     options: dict[str, Any]
     data: Section
 
+    def curves(self, path: Path) -> list[measured.Curve]:
+        """The curves of one file."""
+        return measured.curves(self.data, self.cantilever, path)
+
     def read_data(self, path: Path) -> tuple[Data, list[str]]:
-        """The measured data of one file, and what was understood."""
-        return _read_data(self.data, path)
+        """The data of a file with one curve, or of its first, and what was understood."""
+        return self.curves(path)[0].read()
 
 
 def load_fit_file(path: Path) -> FitFile:
@@ -112,7 +84,8 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
             raise ProblemError(f"the table [{name}] is missing: a fit has [indenter], [medium], [data] and [fit]")
     shape = Section(table["indenter"], "indenter", indenters.KNOWN)
     body = mediums.read_medium(Section(table["medium"], "medium", mediums.KNOWN), shape)
-    instrument = _read_instrument(Section(table.get("instrument", {}), "instrument", _INSTRUMENT))
+    of_instrument_ = Section(table.get("instrument", {}), "instrument", _INSTRUMENT)
+    instrument, cantilever = _read_instrument(of_instrument_), _read_cantilever(of_instrument_)
     tip = indenters.read_indenter(shape)
     fit = Section(table["fit"], "fit", _FIT)
     names = [*of_indenter(tip).names, *of_medium(body).numbers.names, *of_instrument(instrument).names]
@@ -126,11 +99,13 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
         options["max_iterations"] = fit.count("max_iterations", 100, 100_000)
     if "sd_is_absolute" in fit:
         options["sd_is_absolute"] = bool(fit.plain("sd_is_absolute"))
-    data = Section(table["data"], "data", _DATA)
-    data.choice("kind", _KINDS)
+    if "joint_prior" in fit:
+        options["known"] = [_read_joint_prior(section, names) for section in fit.children("joint_prior", _JOINT)]
+    data = Section(table["data"], "data", measured.KNOWN)
+    measured.check(data)
     if "title" in whole:
         title = str(whole.plain("title"))
-    return FitFile(title, tip, body, instrument, _read_free(fit, names), options, data)
+    return FitFile(title, tip, body, instrument, cantilever, _read_free(fit, names), options, data)
 
 
 def _read_instrument(section: Section) -> Instrument:
@@ -144,6 +119,11 @@ def _read_instrument(section: Section) -> Instrument:
     if "indenter" in section:
         given["indenter"] = mediums.read_material(section.child("indenter", mediums.MATERIAL))
     return Instrument(**given)
+
+
+def _read_cantilever(section: Section) -> Cantilever:
+    keys = ("deflection_sensitivity", "spring_constant")
+    return Cantilever(*(section.quantity(key) if key in section else None for key in keys))
 
 
 def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:
@@ -172,57 +152,34 @@ def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:
     return free
 
 
-def _table_options(section: Section) -> TableOptions:
-    """What [data] says of a table that does not say it itself."""
-    columns = section.plain("columns") if "columns" in section else []
-    if not isinstance(columns, list) or not all(isinstance(title, str) and title for title in columns):
-        raise ProblemError('[data]: columns must be a list of titles, as in columns = ["depth [nm]", "load [mN]"]')
-    units = section.plain("units") if "units" in section else {}
-    if not isinstance(units, dict) or not all(isinstance(unit, str) for unit in units.values()):
-        raise ProblemError('[data]: units must be a table of units by title, as in units = { Depth = "nm" }')
-    skip = section.plain("skip") if "skip" in section else 0
-    if isinstance(skip, bool) or not isinstance(skip, int) or skip < 0:
-        raise ProblemError(f"[data]: skip = {skip!r} is not allowed: it must be a number of lines, at least 0")
-    return TableOptions(tuple(columns), units, skip, str(section.plain("sheet")) if "sheet" in section else "")
+def _read_joint_prior(section: Section, names: list[str]) -> JointPrior:
+    """What is known of several parameters together: values and standard deviations with units, and their correlation."""
+    chosen = section.plain("names")
+    if not isinstance(chosen, list) or not chosen:
+        raise ProblemError(f'[{section.path}]: names must be a list of parameters, as in names = ["indenter.C0", "indenter.C1"]')
+    for name in chosen:
+        if not name or name not in names:
+            raise ProblemError(
+                f"[{section.path}]: {name!r} is not a parameter of this problem: {nearest(str(name), [n for n in names if n])}"
+            )
+    columns = []
+    for key in ("values", "sds"):
+        given = section.plain(key)
+        if not isinstance(given, list) or len(given) != len(chosen):
+            raise ProblemError(f"[{section.path}]: {key} must be a list of {len(chosen)} entries, one for each name")
+        columns.append([_quantity(section, key, name, value) for name, value in zip(chosen, given, strict=True)])
+    values, sds = columns
+    rows = section.plain("correlation") if "correlation" in section else [[float(i == j) for j in chosen] for i in chosen]
+    try:
+        covariance = tuple(tuple(float(c) * a * b for c, b in zip(row, sds, strict=True)) for row, a in zip(rows, sds, strict=True))
+    except (TypeError, ValueError) as problem:
+        raise ProblemError(f"[{section.path}]: correlation must be {len(chosen)} rows of {len(chosen)} numbers") from problem
+    with section.words():
+        return JointPrior(tuple(chosen), tuple(values), covariance)
 
 
-def _read_data(section: Section, path: Path) -> tuple[Data, list[str]]:
-    table = read_table(path, _table_options(section))
-    cls, roles = _KINDS[section.choice("kind", _KINDS)]
-    found: dict[str, tuple[str, str, NDArray[np.float64]]] = {}
-    for role in roles:
-        if role == "radius" and "radius_over_thickness" in section:
-            title = str(section.plain("radius_over_thickness"))
-            ratio, unit = table.column(title, RATIO)
-            found[role] = title, "thicknesses", ratio * section.quantity("thickness")
-            continue
-        dimension, aliases = _ROLES[role]
-        chosen = str(section.plain(role)) if role in section else table.find(role, aliases, dimension)
-        values, unit = table.column(chosen, dimension)
-        found[role] = chosen, unit, values
-    options: dict[str, Any] = {"missing": "drop"}
-    last = roles[-1]
-    if "sd" in section:
-        title = str(section.plain("sd"))
-        values, unit = table.column(title, _ROLES[last][0])
-        found["standard deviation"] = title, unit, values
-        options["sd"] = values
-    if "relative_sd" in section:
-        options["relative_sd"] = section.number("relative_sd")
-    if last == "modulus" and "nu" in section:
-        factor = 1.0 / (1.0 - section.number("nu") ** 2)
-        found[last] = (*found[last][:2], found[last][2] * factor)
-        if "sd" in options:
-            options["sd"] = options["sd"] * factor
-    keep = np.ones(len(table.values), dtype=bool)
-    for role in ("depth", "radius"):
-        if role in found:
-            low = section.quantity(f"min_{role}") if f"min_{role}" in section else -math.inf
-            high = section.quantity(f"max_{role}") if f"max_{role}" in section else math.inf
-            keep &= ~((found[role][2] < low) | (found[role][2] > high))
-    if "sd" in options:
-        options["sd"] = options["sd"][keep]
-    notes = [*table.notes, *describe(found)]
-    if not keep.all():
-        notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
-    return cls(*(found[role][2][keep] for role in roles), **options), notes
+def _quantity(section: Section, key: str, name: str, value: Any) -> float:
+    """An entry of a list, in the unit of its parameter."""
+    dimension = dimension_of(name)
+    one = Section({name: value}, f"{section.path} {key}", {name: dimension if dimension.si else None})
+    return one.quantity(name) if dimension.si else one.number(name)

@@ -40,6 +40,11 @@ COMPLIANCE = Dimension("a compliance", "m/N", "0.5 nm/mN", (("nm/N", 1e-9), ("nm
 ENERGY = Dimension(
     "an energy", "J", "1 fJ", (("aJ", 1e-18), ("fJ", 1e-15), ("pJ", 1e-12), ("nJ", 1e-9), ("uJ", 1e-6), ("mJ", 1e-3), ("J", 1.0))
 )
+AREA = Dimension("an area", "m^2", "1 um^2", (("nm^2", 1e-18), ("um^2", 1e-12), ("mm^2", 1e-6), ("m^2", 1.0)))
+TIME = Dimension("a time", "s", "10 s", (("us", 1e-6), ("ms", 1e-3), ("s", 1.0)), ("min", "h"))
+SPEED = Dimension("a speed", "m/s", "0.05 nm/s", (("pm/s", 1e-12), ("nm/s", 1e-9), ("um/s", 1e-6), ("m/s", 1.0)))
+VOLTAGE = Dimension("a voltage", "V", "1 V", (("mV", 1e-3), ("V", 1.0)))
+SENSITIVITY = Dimension("a deflection sensitivity", "m/V", "50 nm/V", (("nm/V", 1e-9), ("um/V", 1e-6), ("m/V", 1.0)))
 ANGLE = Dimension("an angle", "rad", "20 deg", (("rad", 1.0),), ("deg",))
 RATIO = Dimension("a number", "", "1", (("", 1.0),))
 

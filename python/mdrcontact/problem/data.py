@@ -1,0 +1,286 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table [data] of a problem file: from a file of measurements to data of a fit."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..fitting import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, Unloading
+from ..fitting.data import Data
+from ..measurement.afm import SUFFIXES, AfmCurve, read_afm
+from .columns import MeasuredTable, TableOptions, describe, read_table
+from .record import KEYS, Cantilever, Record, prepare
+from .section import ProblemError, Section
+from .units import AREA, FORCE, LENGTH, MODULUS, RATIO, SPEED, STIFFNESS, TIME, VOLTAGE, Dimension, UnitError
+
+Array = NDArray[np.float64]
+Found = dict[str, tuple[str, str, Array]]
+"""role -> title, unit and SI values of a column"""
+
+_TABLES: Mapping[str, tuple[type[Data], tuple[str, ...]]] = {
+    "stiffness-depth": (StiffnessDepth, ("depth", "force", "stiffness")),
+    "modulus-radius": (ModulusRadius, ("radius", "modulus")),
+    "stiffness-radius": (StiffnessRadius, ("radius", "stiffness")),
+}
+"""Kinds whose columns are the data; the others are records of an instrument."""
+_RECORDS = ("force-depth", "unloading")
+KINDS = (*_RECORDS, *_TABLES)
+
+_ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
+    "depth": (
+        LENGTH,
+        (
+            *("depth", "d", "h", "displacement", "indentation", "indentation depth", "displacement into surface", "pd"),
+            *("penetration depth", "penetration"),
+        ),
+    ),
+    "force": (FORCE, ("force", "load", "f", "p", "load on sample", "fn", "normal force")),
+    "stiffness": (STIFFNESS, ("stiffness", "contact stiffness", "s", "k", "harmonic contact stiffness")),
+    "radius": (LENGTH, ("radius", "contact radius", "a")),
+    "area": (AREA, ("area", "contact area", "projected area", "projected contact area")),
+    "modulus": (MODULUS, ("modulus", "effective modulus", "e_eff", "eeff", "er", "e_r", "reduced modulus")),
+    "height": (LENGTH, ("height", "height (measured)", "height (piezo)", "piezo", "z", "zsensor")),
+    "deflection": (LENGTH, ("deflection", "vdeflection", "vertical deflection", "defl")),
+    "time": (TIME, ("time", "t", "time on sample", "elapsed time")),
+}
+KNOWN: Mapping[str, Dimension | None] = {
+    "kind": None,
+    **dict.fromkeys(_ROLES),
+    "radius_over_thickness": None,
+    "thickness": LENGTH,
+    "nu": None,
+    "columns": None,
+    "units": None,
+    "skip": None,
+    "sheet": None,
+    "sd": None,
+    "relative_sd": None,
+    "min_depth": LENGTH,
+    "max_depth": LENGTH,
+    "min_radius": LENGTH,
+    "max_radius": LENGTH,
+    **dict.fromkeys(KEYS),
+    "drift": SPEED,
+    "upper_part": None,
+}
+_OF_RECORDS = ("height", "deflection", "time", *KEYS)
+
+
+def check(section: Section) -> None:
+    """Refuses keys that do not belong to the kind of data."""
+    kind = section.choice("kind", KINDS)
+    foreign = set() if kind in _RECORDS else {*_OF_RECORDS}
+    foreign |= {"unloading": {"branch", "before_pop_in", "sd", "relative_sd"}}.get(kind, {"upper_part"})
+    section.only([key for key in KNOWN if key not in foreign], f"kind = {kind!r}")
+
+
+class Curve(NamedTuple):
+    """One curve of a file, which is read when it is asked for."""
+
+    name: str
+    read: Callable[[], tuple[Data, list[str]]]
+    """its data, and what was understood"""
+    place: tuple[float, float] | None = None
+    """column and row in a map"""
+
+
+def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
+    """The curves of a file: one of a table, one or more of a binary file of an AFM."""
+    if path.suffix.lower() not in SUFFIXES:
+        return [Curve(path.name, functools.partial(_read_table_file, section, cantilever, path))]
+    found = read_afm(path)
+    names = [path.name] if len(found) == 1 else [f"{path.name} {i}" for i in range(1, len(found) + 1)]
+    return [
+        Curve(name, functools.partial(_read_afm_curve, section, cantilever, path, one), one.place)
+        for name, one in zip(names, found, strict=True)
+    ]
+
+
+def _read_afm_curve(section: Section, cantilever: Cantilever, path: Path, one: AfmCurve) -> tuple[Data, list[str]]:
+    kind = section.choice("kind", KINDS)
+    if kind not in _RECORDS:
+        raise ProblemError(f"{path}: an AFM file holds curves of force: kind must be 'force-depth', not {kind!r}")
+    force, notes, constant = one.force, list(one.notes), one.spring_constant
+    if cantilever.spring_constant is not None and constant:
+        force = force * (cantilever.spring_constant / constant)
+        notes.append(f"forces for the spring constant {cantilever.spring_constant:.4g} N/m of [instrument]")
+    if cantilever.spring_constant is None:
+        cantilever = cantilever._replace(spring_constant=constant)
+    return of_record(section, cantilever, Record(None, force, one.height, one.time, notes), kind)
+
+
+def _read_table_file(section: Section, cantilever: Cantilever, path: Path) -> tuple[Data, list[str]]:
+    table = read_table(path, _table_options(section))
+    kind = section.choice("kind", KINDS)
+    if kind in _RECORDS:
+        try:
+            return _read_record(section, cantilever, table, kind)
+        except ProblemError as problem:
+            words = str(problem)
+            raise problem if words.startswith((str(path), "[")) else ProblemError(f"{path}: {words}") from problem
+    return _read_columns(section, table, kind)
+
+
+def _table_options(section: Section) -> TableOptions:
+    """What [data] says of a table that does not say it itself."""
+    columns = section.plain("columns") if "columns" in section else []
+    if not isinstance(columns, list) or not all(isinstance(title, str) and title for title in columns):
+        raise ProblemError('[data]: columns must be a list of titles, as in columns = ["depth [nm]", "load [mN]"]')
+    units = section.plain("units") if "units" in section else {}
+    if not isinstance(units, dict) or not all(isinstance(unit, str) for unit in units.values()):
+        raise ProblemError('[data]: units must be a table of units by title, as in units = { Depth = "nm" }')
+    skip = section.plain("skip") if "skip" in section else 0
+    if isinstance(skip, bool) or not isinstance(skip, int) or skip < 0:
+        raise ProblemError(f"[data]: skip = {skip!r} is not allowed: it must be a number of lines, at least 0")
+    return TableOptions(tuple(columns), units, skip, str(section.plain("sheet")) if "sheet" in section else "")
+
+
+def _column(section: Section, table: MeasuredTable, role: str) -> tuple[str, str, Array]:
+    dimension, aliases = _ROLES[role]
+    title = str(section.plain(role)) if role in section else table.find(role, aliases, dimension)
+    values, unit = table.column(title, dimension)
+    return title, unit, values
+
+
+def _has(section: Section, table: MeasuredTable, role: str) -> bool:
+    """Whether a column is named, or can be found, for a role."""
+    if role in section:
+        return True
+    try:
+        table.find(role, _ROLES[role][1], _ROLES[role][0])
+    except ProblemError:
+        return False
+    return True
+
+
+def _sd(section: Section, table: MeasuredTable, role: str, found: Found) -> Array | None:
+    if "sd" not in section:
+        return None
+    title = str(section.plain("sd"))
+    values, unit = table.column(title, _ROLES[role][0])
+    found["standard deviation"] = title, unit, values
+    return values
+
+
+def _between(section: Section, values: Mapping[str, Array]) -> NDArray[np.bool_]:
+    """Which points lie between the limits of [data]."""
+    keep = np.ones(len(next(iter(values.values()))), dtype=bool)
+    for role in ("depth", "radius"):
+        if role in values:
+            low = section.quantity(f"min_{role}") if f"min_{role}" in section else -math.inf
+            high = section.quantity(f"max_{role}") if f"max_{role}" in section else math.inf
+            keep &= ~((values[role] < low) | (values[role] > high))
+    return keep
+
+
+def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
+    cls, roles = _TABLES[kind]
+    found: Found = {}
+    for role in roles:
+        if role == "radius" and "radius_over_thickness" in section:
+            title = str(section.plain("radius_over_thickness"))
+            ratio, _ = table.column(title, RATIO)
+            found[role] = title, "thicknesses", ratio * section.quantity("thickness")
+        elif role == "radius" and ("area" in section or not _has(section, table, role) and _has(section, table, "area")):
+            title, unit, area = _column(section, table, "area")
+            found[role] = title, f"{unit}, as sqrt(area/pi)", np.sqrt(np.maximum(area, 0.0) / math.pi)
+        else:
+            found[role] = _column(section, table, role)
+    options: dict[str, object] = {"missing": "drop"}
+    last = roles[-1]
+    sd = _sd(section, table, last, found)
+    factor = 1.0 / (1.0 - section.number("nu") ** 2) if last == "modulus" and "nu" in section else 1.0
+    found[last] = (*found[last][:2], found[last][2] * factor)
+    keep = _between(section, {role: found[role][2] for role in roles})
+    if sd is not None:
+        options["sd"] = sd[keep] * factor
+    if "relative_sd" in section:
+        options["relative_sd"] = section.number("relative_sd")
+    notes = [*table.notes, *describe(found)]
+    if not keep.all():
+        notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
+    columns = [found[role][2][keep] for role in roles]
+    return cls(*columns, **options), notes  # type: ignore[arg-type]
+
+
+def _read_record(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
+    found: Found = {}
+    depth = height = time = None
+    if "height" not in section and _has(section, table, "depth") or not _has(section, table, "height"):
+        found["depth"] = _column(section, table, "depth")
+        depth = found["depth"][2]
+    else:
+        found["height"] = _column(section, table, "height")
+        height = found["height"][2]
+    if depth is None and "force" not in section and _has_deflection(section, table):
+        force = _force_of_deflection(section, cantilever, table, found)
+    else:
+        found["force"] = _column(section, table, "force")
+        force = found["force"][2]
+    if "time" in section or "drift" in section:
+        found["time"] = _column(section, table, "time")
+        time = found["time"][2]
+    sd = _sd(section, table, "force", found)
+    record = Record(depth, force, height, time, [*table.notes, *describe(found)], sd)
+    return of_record(section, cantilever, record, kind)
+
+
+def of_record(section: Section, cantilever: Cantilever, record: Record, kind: str) -> tuple[Data, list[str]]:
+    """Data of a fit from a record, and what was understood and done."""
+    prepare(section, cantilever, record)
+    assert record.depth is not None
+    keep = _between(section, {"depth": record.depth})
+    if not keep.all():
+        record.keep(keep)
+        record.notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
+    if kind == "unloading":
+        options = {}
+        if "upper_part" in section:
+            part = section.numbers("upper_part")
+            if len(part) != 2:
+                raise ProblemError("[data]: upper_part must be two numbers, as in upper_part = [0.4, 0.98]")
+            options["upper_part"] = (part[0], part[1])
+        with section.words():
+            return Unloading(record.depth, record.force, **options), record.notes
+    relative = section.number("relative_sd") if "relative_sd" in section else None
+    return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative), record.notes
+
+
+def _has_deflection(section: Section, table: MeasuredTable) -> bool:
+    if "deflection" in section:
+        return True
+    aliases = _ROLES["deflection"][1]
+    for dimension in (LENGTH, VOLTAGE):
+        try:
+            table.find("deflection", aliases, dimension)
+        except ProblemError:
+            continue
+        return True
+    return False
+
+
+def _force_of_deflection(section: Section, cantilever: Cantilever, table: MeasuredTable, found: Found) -> Array:
+    """Spring constant times deflection, which stands in the file as a length or a voltage."""
+    if cantilever.spring_constant is None:
+        raise ProblemError('a deflection becomes a force by the spring constant: give [instrument] spring_constant = "0.2 N/m"')
+    try:
+        found["deflection"] = _column(section, table, "deflection")
+        return found["deflection"][2] * cantilever.spring_constant
+    except (ProblemError, UnitError) as of_length:
+        title = str(section.plain("deflection")) if "deflection" in section else None
+        try:
+            title = title or table.find("deflection", _ROLES["deflection"][1], VOLTAGE)
+            values, unit = table.column(title, VOLTAGE)
+        except (ProblemError, UnitError):
+            raise of_length from None
+    if cantilever.deflection_sensitivity is None:
+        raise ProblemError(f'the deflection {title!r} is a voltage: give [instrument] deflection_sensitivity = "50 nm/V"')
+    found["deflection"] = title, unit, values
+    return values * cantilever.deflection_sensitivity * cantilever.spring_constant

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From what an instrument recorded to depth and force of a contact, as [data] of a problem file says."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import MDRError
+from ..measurement import (
+    depth_from_height,
+    drift_rate,
+    find_baseline,
+    find_contact_point,
+    find_pop_in,
+    find_segments,
+    without_drift,
+)
+from ..measurement.contact_point import METHODS, SOURCES
+from .section import ProblemError, Section
+from .units import FORCE, LENGTH, SPEED, Dimension, practical
+
+Array = NDArray[np.float64]
+
+KEYS = ("branch", "drift", "baseline", "contact_point", "before_pop_in")
+"""What [data] may say about the record of a curve."""
+BRANCHES = ("loading", "unloading", "both")
+
+
+class Cantilever(NamedTuple):
+    """What turns a deflection into lengths and forces; None where the file does not say it."""
+
+    deflection_sensitivity: float | None = None
+    """[m/V]"""
+    spring_constant: float | None = None
+    """[N/m]"""
+
+
+@dataclass
+class Record:
+    """One curve in the order of measurement, SI units: force against depth, or against the height of the piezo, with what was
+    done."""
+
+    depth: Array | None
+    force: Array
+    height: Array | None
+    time: Array | None
+    notes: list[str]
+    sd: Array | None = None
+
+    def keep(self, chosen: NDArray[np.bool_]) -> None:
+        """Leaves out all other points."""
+        for name in ("depth", "force", "height", "time", "sd"):
+            values = getattr(self, name)
+            if values is not None:
+                setattr(self, name, values[chosen])
+
+
+def prepare(section: Section, cantilever: Cantilever, record: Record) -> None:
+    """Depth from height, drift, contact point, baseline, pop-in and branch, in this order; says what it did."""
+    columns = [v for v in (record.depth, record.force, record.height, record.time, record.sd) if v is not None]
+    finite = np.all([np.isfinite(v) for v in columns], axis=0)
+    if not finite.all():
+        record.keep(finite)
+        record.notes.append(f"{int((~finite).sum())} rows without numbers are left out")
+    if len(record.force) < 2:
+        raise ProblemError("there are fewer than two rows of numbers")
+    is_raw = record.depth is None
+    if is_raw:
+        _subtract_deflection(cantilever, record)
+    if "drift" in section:
+        _subtract_drift(section, record)
+    if is_raw or "contact_point" in section or "baseline" in section:
+        _find_zero(section, record, is_raw)
+    if "before_pop_in" in section:
+        _cut_at_pop_in(section, record)
+    elif "branch" in section or is_raw:
+        _mention_pop_in(record)
+    if "branch" in section:
+        _choose_branch(section, record)
+
+
+def _depth(record: Record) -> Array:
+    assert record.depth is not None
+    return record.depth
+
+
+def _told(value: float, dimension: Dimension) -> str:
+    unit = practical(dimension, [value])
+    return f"{value / unit.factor:.4g} {unit.name}"
+
+
+def _subtract_deflection(cantilever: Cantilever, record: Record) -> None:
+    if cantilever.spring_constant is None:
+        raise ProblemError(
+            "the height of the piezo becomes a depth by the deflection, force over spring constant: give [instrument] "
+            'spring_constant = "0.2 N/m"'
+        )
+    assert record.height is not None
+    record.depth = depth_from_height(record.height, record.force / cantilever.spring_constant)
+    record.notes.append("depth from height less deflection; the moduli are in proportion to the spring constant")
+
+
+def _subtract_drift(section: Section, record: Record) -> None:
+    if record.time is None:
+        raise ProblemError('[data]: drift needs a column of times: name it, as in time = "Time [s]"')
+    depth = _depth(record)
+    if section.plain("drift") != "hold":
+        rate, error = section.quantity("drift"), 0.0
+    else:
+        largest = record.force.max()
+        holds = [
+            s for s in find_segments(depth, record.force) if s.kind == "hold" and np.median(record.force[s.points]) < 0.5 * largest
+        ]
+        if not holds:
+            raise ProblemError(
+                '[data]: drift = "hold": there is no hold below half of the largest force; give the rate, as in "0.05 nm/s"'
+            )
+        rate, error = drift_rate(record.time[holds[-1].points], depth[holds[-1].points])
+    record.depth = without_drift(record.time, depth, rate)
+    whole = rate * float(np.ptp(record.time))
+    words = f"drift {_told(rate, SPEED)}" + (f" ± {_told(error, SPEED)}" if error else "")
+    record.notes.append(f"{words}, {_told(whole, LENGTH)} over the whole test, is taken off")
+
+
+def _approach(record: Record) -> slice:
+    """The points up to the largest force."""
+    return slice(0, int(np.argmax(record.force)) + 1)
+
+
+def _find_zero(section: Section, record: Record, is_raw: bool) -> None:
+    depth, approach = _depth(record), _approach(record)
+    method = section.choice("contact_point", (*METHODS, "given"), default=METHODS[0] if is_raw else "given")
+    baseline = section.choice("baseline", ("tilt", "offset", "none"), default="tilt" if is_raw else "none")
+    try:
+        found = {name: find_contact_point(depth[approach], record.force[approach], name) for name in METHODS}
+        contact = found[method if method != "given" else METHODS[0]]
+        if baseline != "none":
+            line = find_baseline(depth[approach], record.force[approach], contact, tilt=baseline == "tilt")
+            record.force = record.force - line.at(depth)
+            record.notes.append(
+                f"baseline: offset {_told(float(line.at(depth)[contact]), FORCE)} at contact, over the curve "
+                f"{_told(float(line.tilt * np.ptp(depth)), FORCE)}"
+                f", noise {_told(line.noise, FORCE)}; taken off"
+            )
+    except MDRError as problem:
+        raise ProblemError(
+            f'contact point and baseline cannot be found: {problem}; say contact_point = "given" and baseline = "none" for a '
+            "curve that "
+            "begins in contact"
+        ) from problem
+    if method == "given":
+        return
+    zero = float(depth[contact])
+    record.depth = depth - zero
+    others = ", ".join(
+        f"{_told(float(depth[i]) - zero, LENGTH)} from it by {name} ({SOURCES[name]})"
+        for name, i in found.items()
+        if name != method
+    )
+    record.notes.append(f"contact point by {method} ({SOURCES[method]}), reading {approach.start + contact}; {others}")
+
+
+def _cut_at_pop_in(section: Section, record: Record) -> None:
+    if section.plain("before_pop_in") is not True:
+        raise ProblemError("[data]: before_pop_in must be true, or left out")
+    approach = _approach(record)
+    pop_in = find_pop_in(_depth(record)[approach], record.force[approach])
+    if pop_in is None:
+        record.notes.append("no pop-in: the whole curve is used")
+        return
+    record.keep(np.arange(len(record.force)) <= pop_in.position)
+    record.notes.append(
+        f"pop-in of {_told(pop_in.jump, LENGTH)} at depth {_told(pop_in.depth, LENGTH)}, force {_told(pop_in.force, FORCE)}: the "
+        f"{pop_in.position + 1} points before it are used"
+    )
+
+
+def _mention_pop_in(record: Record) -> None:
+    approach = _approach(record)
+    pop_in = find_pop_in(_depth(record)[approach], record.force[approach])
+    if pop_in is not None:
+        record.notes.append(
+            f"pop-in of {_told(pop_in.jump, LENGTH)} at depth {_told(pop_in.depth, LENGTH)}, force "
+            f"{_told(pop_in.force, FORCE)}: only "
+            "before it was the contact elastic. [data] before_pop_in = true uses that part alone"
+        )
+
+
+def _choose_branch(section: Section, record: Record) -> None:
+    branch = section.choice("branch", BRANCHES)
+    depth = _depth(record)
+    segments = find_segments(depth, record.force)
+    words = ", ".join(f"{s.kind} {s.start}-{s.stop - 1}" for s in segments)
+    keep = np.zeros(len(depth), dtype=bool)
+    for kind in ("loading", "unloading") if branch == "both" else (branch,):
+        of_kind = [s for s in segments if s.kind == kind]
+        if not of_kind:
+            raise ProblemError(f"[data]: branch = {branch!r}: the curve has none; found were {words}")
+        longest = max(of_kind, key=lambda s: float(np.ptp(depth[s.points])))
+        keep[longest.points] = True
+    record.keep(keep)
+    record.notes.append(f"segments by their readings: {words}; {int(keep.sum())} readings of {branch} are used")

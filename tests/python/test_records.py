@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From an instrument's record to a curve: segments, drift, pop-ins, contact point, baseline, deflection."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from records import indentation
+
+import mdrcontact as mdr
+from mdrcontact.cli import main
+from mdrcontact.measurement import (
+    depth_from_height,
+    drift_rate,
+    find_baseline,
+    find_contact_point,
+    find_pop_in,
+    find_segments,
+    without_drift,
+)
+
+GLASS, RUBBER = mdr.Elastic(70e9, 0.23), mdr.Elastic(2e6, 0.49)
+SOFT = mdr.Coated(RUBBER, 2e-6, GLASS)
+BALL = mdr.Paraboloid(5e-6)
+
+
+def approach(n=800, noise=0.3e-9, tilt=3e-3, offset=2e-9, seed=0):
+    """An AFM approach: depth, force with baseline; contact at depth 0."""
+    depth = np.linspace(-600e-9, 300e-9, n)
+    force = np.zeros(n)
+    force[depth > 0.0] = mdr.Contact(BALL, SOFT).at_depth(depth[depth > 0.0]).force
+    return depth, force + offset + tilt * depth + noise * np.random.default_rng(seed).standard_normal(n)
+
+
+@pytest.mark.parametrize("points", [(300, 100, 200, 80, 20), (100, 400, 100, 300, 20), (900, 50, 900, 100, 60)])
+def test_segments_are_told_apart(points):
+    """Each boundary within 3 % of the points."""
+    _, h, p, _ = indentation(points=points)
+    segments = find_segments(h, p)
+    assert [s.kind for s in segments] == ["loading", "hold", "unloading", "hold", "unloading"]
+    assert segments[0].start == 0 and segments[-1].stop == len(h)
+    ends = np.cumsum(points)
+    for segment, end in zip(segments, ends, strict=True):
+        # the creep at the beginning of a hold is part of the loading
+        assert abs(segment.stop - end) <= 0.03 * len(h) + 0.15 * points[1]
+
+
+def test_a_curve_without_holds_turns_where_it_is_deepest():
+    depth = np.concatenate([np.linspace(0.0, 1.0, 200), np.linspace(1.0, -1.0, 400)])
+    force = np.maximum(depth, 0.0) ** 1.5 + 0.005 * np.random.default_rng(0).standard_normal(600)
+    one, two = find_segments(depth, force)
+    assert (one.kind, two.kind) == ("loading", "unloading") and abs(two.start - 200) <= 2
+    assert [s.kind for s in find_segments(depth[:200], force[:200])] == ["loading"]
+    assert [s.kind for s in find_segments(depth[200:], force[200:])] == ["unloading"]
+
+
+def test_drift_is_found_with_its_error():
+    scores = []
+    for seed in range(30):
+        random = np.random.default_rng(seed)
+        time = np.linspace(0.0, 60.0, 200)
+        noise = np.empty(200)
+        noise[0] = random.standard_normal()
+        for i in range(1, 200):
+            noise[i] = 0.8 * noise[i - 1] + 0.6 * random.standard_normal()
+        found = drift_rate(time, 100e-9 + 0.05e-9 * time + 0.2e-9 * noise)
+        scores.append((found.rate - 0.05e-9) / found.standard_error)
+    assert 0.6 < np.std(scores) < 1.6, "errors of independent noise would give 3"
+    depth = 1e-9 * np.arange(5.0)
+    assert without_drift(np.arange(5.0) + 7.0, depth, 1e-9) == pytest.approx(np.zeros(5), abs=1e-20)
+
+
+def test_pop_ins():
+    """A jump of 8 nm at constant load, fast and over three readings; none in a smooth curve with noise."""
+    force = np.linspace(0.0, 1e-3, 300)
+    depth = 100e-9 * (force / 1e-3) ** (2.0 / 3.0) + 0.05e-9 * np.random.default_rng(1).standard_normal(300)
+    assert find_pop_in(depth, force) is None
+    for width in (1, 3):
+        jumped = depth + 8e-9 * np.clip((np.arange(300) - 149) / width, 0.0, 1.0)
+        found = find_pop_in(jumped, force)
+        assert found is not None and abs(found.position - 149) <= 2
+        assert found.jump == pytest.approx(8e-9, rel=0.3)
+        assert found.force == pytest.approx(force[149], rel=0.02)
+
+
+@pytest.mark.parametrize("method", ["piecewise", "ratio-of-variances"])
+def test_contact_point_and_baseline(method):
+    for seed in range(5):
+        depth, force = approach(seed=seed)
+        found = find_contact_point(depth, force, method)
+        assert abs(depth[found]) < 12e-9, "4 % of the depth"
+        line = find_baseline(depth, force, found)
+        assert line.tilt == pytest.approx(3e-3, rel=0.1)
+        assert line.offset == pytest.approx(2e-9, abs=0.15e-9)
+        assert line.noise == pytest.approx(0.3e-9, rel=0.2)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_depth_is_height_less_deflection(sign):
+    depth, force = approach(noise=0.0, tilt=0.0, offset=0.0)
+    found = depth_from_height(sign * (depth + force / 0.5) + 3e-6, force / 0.5)
+    assert found - found[0] == pytest.approx(depth - depth[0], abs=1e-15)
+
+
+PROBLEM = """
+title = "Deflection"
+[indenter]
+shape = "paraboloid"
+radius = "5 um"
+[medium]
+type = "coated"
+coating = { E = "1 MPa", nu = 0.49, thickness = "2 um" }
+substrate = { E = "70 GPa", nu = 0.23 }
+[instrument]
+spring_constant = "30 N/m"
+deflection_sensitivity = "50 nm/V"
+[data]
+kind = "force-depth"
+[fit.free]
+"coating.E" = {}
+depth_offset = {}
+"""
+
+
+@pytest.fixture
+def raw(tmp_path):
+    """A record of piezo height and photodiode voltage: approach and retract."""
+    depth, force = approach()
+    depth, force = np.concatenate([depth, depth[::-1]]), np.concatenate([force, force[::-1]])
+    deflection = force / 30.0
+    np.savetxt(
+        tmp_path / "raw.txt",
+        np.column_stack([-1e9 * (depth + deflection), deflection / 50e-9]),
+        header="Height [nm]\tDeflection [V]",
+        comments="",
+        delimiter="\t",
+    )
+    (tmp_path / "problem.toml").write_text(PROBLEM)
+    return tmp_path
+
+
+@pytest.mark.parametrize("extra", ["", 'branch = "loading"\n', 'branch = "unloading"\n', 'contact_point = "ratio-of-variances"\n'])
+def test_a_raw_record_goes_into_a_fit(raw, capsys, extra):
+    (raw / "problem.toml").write_text(PROBLEM.replace("[fit.free]", extra + "[fit.free]"))
+    options = ["--problem", str(raw / "problem.toml"), "--json", str(raw / "fit.json")]
+    assert main(["fit", str(raw / "raw.txt"), *options]) == 0
+    found = json.loads((raw / "fit.json").read_text())
+    assert found["parameters"]["coating.E"]["value"] == pytest.approx(RUBBER.E, rel=5e-3)
+    out = capsys.readouterr().out
+    assert "Gavara 2016" in out and "Lin, Dimitriadis, Horkay 2007" in out and "baseline: offset" in out
+    if "branch" in extra:
+        assert "800 readings of" in out or "readings of" in out
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('spring_constant = "30 N/m"\n', "", "spring_constant"),
+        ('deflection_sensitivity = "50 nm/V"\n', "", "deflection_sensitivity"),
+        ('kind = "force-depth"', 'kind = "force-depth"\nbranch = "up"', "'loading', 'unloading', 'both'"),
+        ('kind = "force-depth"', 'kind = "force-depth"\ndrift = "hold"', "time"),
+        ('kind = "force-depth"', 'kind = "force-depth"\nupper_part = [0.2, 0.9]', "upper_part"),
+        ('kind = "force-depth"', 'kind = "modulus-radius"\nbranch = "loading"', "branch"),
+        ('kind = "force-depth"', 'kind = "force-depth"\nbefore_pop_in = 3', "before_pop_in"),
+        ('kind = "force-depth"', 'kind = "force-depth"\ncontact_point = "eye"', "piecewise"),
+    ],
+)
+def test_what_is_missing_is_named(raw, capsys, old, new, words):
+    assert old in PROBLEM
+    (raw / "problem.toml").write_text(PROBLEM.replace(old, new))
+    assert main(["fit", str(raw / "raw.txt"), "--problem", str(raw / "problem.toml")]) == 2
+    assert words in capsys.readouterr().err
+
+
+def test_a_column_of_area_stands_for_the_radius(tmp_path, capsys):
+    a = np.linspace(0.5e-6, 4e-6, 20)
+    table = np.column_stack([np.pi * a**2 * 1e12, np.asarray(SOFT.stiffness(a))])
+    np.savetxt(tmp_path / "areas.csv", table, header="contact area [um^2],stiffness [N/m]", comments="", delimiter=",")
+    text = PROBLEM.replace("force-depth", "stiffness-radius").replace("depth_offset = {}\n", "")
+    (tmp_path / "problem.toml").write_text(text)
+    options = ["--problem", str(tmp_path / "problem.toml"), "--json", str(tmp_path / "fit.json")]
+    assert main(["fit", str(tmp_path / "areas.csv"), *options]) == 0
+    assert "sqrt(area/pi)" in capsys.readouterr().out
+    assert json.loads((tmp_path / "fit.json").read_text())["parameters"]["coating.E"]["value"] == pytest.approx(RUBBER.E, rel=1e-4)

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Oliver and Pharr's analysis of unloading curves, and film moduli from it."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from conftest import OXIDE, SILICON
+from records import HARDNESS, REDUCED, indentation
+
+import mdrcontact as mdr
+from mdrcontact.cli import main
+
+TIP = mdr.AreaFunction([24.5], max_height=1e-6)
+DIAMOND = mdr.Elastic(1141e9, 0.07)
+
+
+def test_stiffness_area_modulus_and_hardness_of_a_known_curve():
+    """Without noise the numbers are those the curve was made of."""
+    _, h, p, truth = indentation(noise=0.0, points=(600, 100, 2000, 80, 20))
+    data = mdr.Unloading(h, p)
+    (point,) = data.unloadings
+    assert point.stiffness == pytest.approx(truth["stiffness"], rel=2e-3)
+    assert point.exponent == pytest.approx(1.4, rel=0.02)
+    assert point.depth == pytest.approx(truth["depth"], rel=1e-3)
+    found = mdr.oliver_pharr(data, TIP)
+    assert found.contact_depth[0] == pytest.approx(truth["contact_depth"], rel=2e-3)
+    assert found.area[0] == pytest.approx(truth["area"], rel=4e-3)
+    assert found.reduced_modulus[0] == pytest.approx(REDUCED, rel=2e-3)
+    assert found.hardness[0] == pytest.approx(HARDNESS, rel=4e-3)
+
+
+def test_standard_errors_are_the_scatter():
+    """Over 40 records the deviations in standard errors have a spread of 1; 0.7 and 1.4 are its bounds with a probability of
+    0.999."""
+    scores = []
+    for seed in range(40):
+        _, h, p, truth = indentation(seed=seed, noise=5e-6)
+        (point,) = mdr.Unloading(h, p).unloadings
+        scores.append((point.stiffness - truth["stiffness"]) / point.stiffness_error)
+    assert 0.6 < np.std(scores) < 1.4 and abs(np.mean(scores)) < 0.6
+
+
+def test_the_error_of_the_tip_is_half_in_the_modulus_and_all_in_the_hardness():
+    _, h, p, _ = indentation()
+    data = mdr.Unloading(h, p)
+    sharp, vague = mdr.oliver_pharr(data, TIP), mdr.oliver_pharr(data, TIP, area_sd=0.02)
+    added = np.sqrt(vague.reduced_modulus_error**2 - sharp.reduced_modulus_error**2) / sharp.reduced_modulus
+    assert added == pytest.approx(0.01, rel=1e-6)
+    added = np.sqrt(vague.hardness_error**2 - sharp.hardness_error**2) / sharp.hardness
+    assert added == pytest.approx(0.02, rel=1e-6)
+
+
+def test_loubet_and_pile_up():
+    """Loubet: h_c = 1.2 (h - P/S); epsilon < 0: the contact is deeper than the depth."""
+    data = mdr.StiffnessDepth([300e-9], [10e-3], [86e3], relative_sd=0.01)
+    elastic = 10e-3 / 86e3
+    for scale, epsilon in ((1.2, 1.0), (1.0, 0.0), (1.0, -0.3)):
+        chosen = mdr.Instrument(contact_depth_scale=scale, contact_depth_factor=epsilon)
+        found = mdr.oliver_pharr(data, TIP, chosen)
+        assert found.contact_depth[0] == pytest.approx(scale * (300e-9 - epsilon * elastic), rel=1e-12)
+        assert found.area[0] == pytest.approx(24.5 * found.contact_depth[0] ** 2, rel=1e-9)
+
+
+def test_frame_compliance_is_taken_off():
+    frame = 1e-7
+    bare = mdr.StiffnessDepth([300e-9], [10e-3], [86e3], relative_sd=0.01)
+    read = mdr.StiffnessDepth([300e-9 + frame * 10e-3], [10e-3], [1.0 / (1.0 / 86e3 + frame)], relative_sd=0.01)
+    one, two = mdr.oliver_pharr(bare, TIP), mdr.oliver_pharr(read, TIP, mdr.Instrument(frame_compliance=frame))
+    for name in ("stiffness", "contact_depth", "area", "reduced_modulus", "hardness"):
+        assert getattr(two, name) == pytest.approx(getattr(one, name), rel=1e-10)
+
+
+def test_film_modulus_by_the_exact_pair():
+    """Stiffnesses of the exact contact of film and diamond at three depths give the film back; one point is enough with priors."""
+    film = mdr.Coated(OXIDE, 500e-9, SILICON)
+    a = np.array([1e-7, 2e-7, 4e-7])
+    stiffness = 2.0 * a * np.asarray(mdr.Pair(film, DIAMOND).modulus(a))
+    force = 9e9 * np.pi * a**2
+    depth = np.sqrt(np.pi * a**2 / 24.5) + 0.75 * force / stiffness
+    start = film.replace(coating=mdr.Elastic(60e9, OXIDE.nu))
+    tool = mdr.Instrument(indenter=DIAMOND)
+    for part in (slice(0, 1), slice(0, 3)):
+        data = mdr.StiffnessDepth(depth[part], force[part], stiffness[part], relative_sd=0.01)
+        known = {"coating.E": None, "area_factor": mdr.Free(prior=(1.0, 0.02))}
+        result = mdr.fit(data, TIP, start, known, instrument=tool)
+        assert result.estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-5)
+        assert result.standard_errors["coating.E"] > 0.01 * OXIDE.E, "2 % of area are more than 1 % of the modulus"
+        assert not any("trade off" in words for words in result.warnings), "a prior is no fault of the data"
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda h, p: (h[:300], p[:300]), "no unloading"),
+        (lambda h, p: (h[:402], p[:402]), "no unloading|too few points"),
+        (lambda h, p: (h, -p), "no unloading|not positive"),
+        (lambda h, p: (h[::40], p[::40]), "too few points"),
+        (lambda h, p: (np.where(np.arange(len(h)) > 300, np.nan, h), p), "finite"),
+        (lambda h, p: (h, np.zeros_like(p)), "no curve"),
+    ],
+)
+def test_what_is_no_unloading_is_refused(change, words):
+    _, h, p, _ = indentation()
+    with pytest.raises(mdr.MDRError, match=words):
+        mdr.Unloading(*change(h, p))
+
+
+def test_creep_that_is_stronger_than_the_unloading_is_told():
+    _, h, p, _ = indentation(drift=12e-9)
+    with pytest.raises(mdr.MDRError, match="creep or drift|no unloading"):
+        mdr.Unloading(h[:600], p[:600])
+
+
+PROBLEM = """
+title = "Unloading"
+[indenter]
+shape = "area-function"
+coefficients = [24.5]
+length_unit = "nm"
+max_height = "1 um"
+[medium]
+type = "homogeneous"
+material = { E = "60 GPa", nu = 0.17 }
+[instrument]
+indenter = { E = "1141 GPa", nu = 0.07 }
+[data]
+kind = "unloading"
+drift = "hold"
+[fit.free]
+E = {}
+area_factor = { prior = 1.0, prior_sd = 0.02 }
+"""
+
+
+def test_command_line_with_drift_picture_and_report(tmp_path, capsys):
+    (tmp_path / "problem.toml").write_text(PROBLEM)
+    time, h, p, _ = indentation(drift=0.05e-9)
+    table = np.column_stack([time, 1e9 * h, 1e3 * p])
+    np.savetxt(tmp_path / "curve.txt", table, header="Time (s)\tDepth (nm)\tLoad (mN)", comments="", delimiter="\t")
+    written = {kind: tmp_path / f"fit.{kind}" for kind in ("json", "csv", "png", "html")}
+    options = [f"--{option}={written[kind]}" for option, kind in (("json", "json"), ("csv", "csv"), ("plot", "png"))]
+    data, problem = str(tmp_path / "curve.txt"), str(tmp_path / "problem.toml")
+    assert main(["fit", data, "--problem", problem, *options, f"--report={written['html']}"]) == 0
+    out = capsys.readouterr().out
+    assert "drift" in out and "hardness [GPa]" in out
+    entry = json.loads(written["json"].read_text())["parameters"]["E"]
+    true = (1.0 - 0.17**2) / (1.0 / REDUCED - 1.0 / DIAMOND.contact_modulus)
+    assert abs(entry["value"] - true) < 2.5 * entry["standard_error"]
+    assert written["csv"].read_text().startswith("depth [nm],force [mN],stiffness [kN/m],standard error [kN/m],contact depth")
+    page = written["html"].read_text(encoding="utf-8")
+    assert "data:image/png;base64," in page and "modulus E (E)" in page and "mdrcontact 0." in page
+    assert "http" not in page.replace("data:image/png;base64,", ""), "nothing is fetched"
+    assert "src=" in page and page.count("src=") == page.count("data:image")
