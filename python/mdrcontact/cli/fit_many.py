@@ -16,7 +16,7 @@ from tqdm import tqdm
 
 from ..errors import MDRError
 from ..fitting import FailedFit, FitResult, fit_many, report
-from ..fitting.quantities import dimension_of, measured, words_of
+from ..fitting.quantities import dimension_of, words_of
 from ..measurement import afm
 from ..problem import ProblemError
 from ..problem.data import Curve
@@ -130,7 +130,7 @@ def _rows_of(curves: list[Curve], results: list[Any], names: tuple[str, ...]) ->
         if isinstance(result, FailedFit):
             rows.append([curve.name, *(len(names) * ["-"]), "-", "-", "not fitted"])
             continue
-        told = [measured(name, result.estimates[name], result.standard_errors[name]) for name in names]
+        told = [result.told(name) for name in names]
         can_say = result.describes_data is not None
         ratio = f"{result.chi_square / result.degrees_of_freedom:.3g}" if result.noise_is_known and can_say else "-"
         random = f"{result.pattern_probability:.2g}" if can_say else "-"

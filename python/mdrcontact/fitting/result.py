@@ -236,7 +236,10 @@ class FitResult:
         if self.at_bound[name]:
             unit = unit_of(name, value)
             return f"{value / unit.factor:.4g} {unit.symbol}".rstrip() + ", at a bound"
-        if not name.endswith(("offset", "compliance")) and error > abs(value):
+        # an offset may well be 0, but not be vaguer than the whole curve is long
+        reach = {"depth_offset": self.data.x, "force_offset": self.data.y}.get(name)
+        largest = abs(value) if reach is None else float(np.ptp(reach))
+        if error > largest and name != "frame_compliance":
             return "not determined"
         return measured(name, value, error)
 

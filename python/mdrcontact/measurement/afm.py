@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib
+import logging
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -14,58 +15,89 @@ from ..errors import FileError, MDRError
 
 Array = NDArray[np.float64]
 
-SUFFIXES = (".jpk-force", ".jpk-force-map", ".jpk-qi-data", ".jpk-qi-series", ".h5", ".ibw", ".tab")
+SUFFIXES = (".jpk-force", ".jpk-force-map", ".jpk-qi-data", ".jpk-qi-series", ".h5", ".ibw", ".tab", ".zip")
 """Endings of files that are left to afmformats."""
+TEXT_SUFFIXES = (".csv", ".txt")
+"""Endings of files that it may know where they are no plain tables."""
 _HEIGHTS = ("height (measured)", "height (piezo)")
+
+
+class MissingSettings(FileError):
+    """The file does not say what a cantilever's deflection means."""
 
 
 class AfmCurve(NamedTuple):
     """One force curve, SI units."""
 
     height: Array
+    """of the piezo, growing into the sample"""
     force: Array
     time: Array | None
     spring_constant: float | None
     place: tuple[float, float] | None
     """column and row in a map, or None"""
+    segment: NDArray[Any] | None
+    """of each point: 0 approach, 1 retract, others in between; None where the file does not tell them apart"""
     notes: tuple[str, ...]
 
 
-def read_afm(path: Path) -> list[AfmCurve]:
-    """All force curves of a file; `FileError` where it holds none or cannot be read."""
+def read_afm(path: Path, spring_constant: float | None = None, deflection_sensitivity: float | None = None) -> list[AfmCurve]:
+    """All force curves of a file; `FileError` where it holds none or cannot be read.
+
+    spring_constant, deflection_sensitivity : [N/m], [m/V]; None: those of the file
+    """
     try:
         afmformats: Any = importlib.import_module("afmformats")
     except ImportError as problem:
         raise MDRError(f'{path}: files of this kind need afmformats: pip install "mdrcontact[afm]"') from problem
     if not path.is_file():
         raise FileError(f"{path}: it cannot be read: there is no such file")
+    # it logs what it raises
+    logging.getLogger("afmformats").setLevel(logging.CRITICAL + 1)
+    given = {"spring constant": spring_constant, "sensitivity": deflection_sensitivity}
+    chosen = {name: value for name, value in given.items() if value is not None}
     try:
-        curves = [_curve(data) for data in afmformats.load_data(path) if data.modality == "force-distance"]
-    except MDRError:
-        raise
-    except Exception as problem:  # noqa: BLE001 - a damaged file makes its reader raise almost anything
+        try:
+            loaded = afmformats.load_data(path)
+        except afmformats.errors.MissingMetaDataError:
+            loaded = afmformats.load_data(path, meta_override=chosen)
+        curves = [_curve(data, chosen) for data in loaded if data.modality == "force-distance"]
+    except MDRError as problem:
+        raise FileError(f"{path}: {problem}") from problem
+    except afmformats.errors.MissingMetaDataError as problem:
+        raise MissingSettings(f"{path}: {problem}: give [instrument] spring_constant and deflection_sensitivity") from problem
+    except (Exception, afmformats.errors.AFMFileFormatError) as problem:  # noqa: BLE001 - damage makes readers raise anything
         raise FileError(f"{path}: afmformats cannot read it: {type(problem).__name__}: {problem}") from problem
     if not curves:
         raise FileError(f"{path}: it holds no curves of force against distance")
     return curves
 
 
-def _curve(data: Any) -> AfmCurve:
+def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
     columns = list(data.columns)
     height = next((name for name in _HEIGHTS if name in columns), None)
     if height is None or "force" not in columns:
         raise FileError(f"it has no height and force, but {', '.join(columns)}")
     meta = data.metadata
     place = meta.get("grid index x"), meta.get("grid index y")
-    constant = meta.get("spring constant")
+    # forces are deflection [V] times sensitivity times spring constant
+    factor = 1.0
+    for name, value in chosen.items():
+        factor *= value / (meta.get(name) or value)
+    constant = chosen.get("spring constant") or meta.get("spring constant")
     what = [f"{meta.get('format', 'AFM file')}: {height} and force, {len(data)} points"]
     if constant:
-        what.append(f"spring constant {constant:.4g} N/m from the file")
+        what.append(f"spring constant {constant:.4g} N/m")
+    if factor != 1.0:
+        what.append(f"forces times {factor:.4g}, for spring constant and deflection sensitivity of [instrument]")
+    segment = np.asarray(data["segment"]) if "segment" in columns else np.zeros(0)
     return AfmCurve(
-        np.asarray(data[height], dtype=float),
-        np.asarray(data["force"], dtype=float),
+        # heights fall on the way into the sample
+        -np.asarray(data[height], dtype=float),
+        factor * np.asarray(data["force"], dtype=float),
         np.asarray(data["time"], dtype=float) if "time" in columns else None,
         float(constant) if constant else None,
         (float(place[0]), float(place[1])) if place[0] is not None and place[1] is not None else None,
+        segment if len(np.unique(segment)) > 1 else None,
         tuple(what),
     )

@@ -107,11 +107,15 @@ def find_baseline(depth: ArrayLike, force: ArrayLike, contact: int, *, tilt: boo
     return Baseline(offset, slope, float(np.std(f - offset - slope * d)))
 
 
-def depth_from_height(height: ArrayLike, deflection: ArrayLike) -> Array:
+def depth_from_height(height: ArrayLike, deflection: ArrayLike, sign: int | None = None) -> Array:
     """Indentation depth from the height of the piezo and the deflection of the cantilever, both lengths: the way that the piezo
-    goes into the sample less the deflection. The sign of the height is found: deflection grows on the way into the sample."""
+    goes into the sample less the deflection.
+
+    sign : 1 if the height grows into the sample, -1 if it falls; None: as the deflection grows with it
+    """
     z, x = numbers("height", height), numbers("deflection", deflection)
     z, x = curve(z, x)
-    pressed = x > x.min() + 0.2 * np.ptp(x)
-    into = 1.0 if np.cov(z[pressed], x[pressed])[0, 1] > 0.0 else -1.0
-    return np.asarray(into * z - x)
+    if sign is None:
+        pressed = x > x.min() + 0.2 * np.ptp(x)
+        sign = 1 if np.cov(z[pressed], x[pressed])[0, 1] > 0.0 else -1
+    return np.asarray(sign * z - x)

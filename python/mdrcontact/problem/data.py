@@ -12,9 +12,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import MDRError
 from ..fitting import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, Unloading
 from ..fitting.data import Data
-from ..measurement.afm import SUFFIXES, AfmCurve, read_afm
+from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
 from .columns import MeasuredTable, TableOptions, describe, read_table
 from .record import KEYS, Cantilever, Record, prepare
 from .section import ProblemError, Section
@@ -93,39 +94,55 @@ class Curve(NamedTuple):
 
 def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
     """The curves of a file: one of a table, one or more of a binary file of an AFM."""
-    if path.suffix.lower() not in SUFFIXES:
-        return [Curve(path.name, functools.partial(_read_table_file, section, cantilever, path))]
-    found = read_afm(path)
+    if path.suffix.lower() in SUFFIXES:
+        return _afm_curves(section, cantilever, path)
+    return [Curve(path.name, functools.partial(_read_text, section, cantilever, path))]
+
+
+def _read_text(section: Section, cantilever: Cantilever, path: Path) -> tuple[Data, list[str]]:
+    """The data of a table, or of a text file of an AFM that is no plain table."""
+    kind = section.choice("kind", KINDS)
+    try:
+        table = read_table(path, _table_options(section))
+        if kind in _RECORDS and not any(_has(section, table, role) for role in ("depth", "height")):
+            _column(section, table, "depth")
+    except ProblemError:
+        if kind not in _RECORDS or path.suffix.lower() not in TEXT_SUFFIXES:
+            raise
+        try:
+            known = _afm_curves(section, cantilever, path)
+        except MissingSettings:
+            raise
+        except MDRError:
+            known = []
+        if len(known) != 1:
+            # the words about the table are the better ones
+            raise
+        return known[0].read()
+    if kind not in _RECORDS:
+        return _read_columns(section, table, kind)
+    try:
+        return _read_record(section, cantilever, table, kind)
+    except ProblemError as problem:
+        words = str(problem)
+        raise problem if words.startswith((str(path), "[")) else ProblemError(f"{path}: {words}") from problem
+
+
+def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
+    found = read_afm(path, cantilever.spring_constant, cantilever.deflection_sensitivity)
     names = [path.name] if len(found) == 1 else [f"{path.name} {i}" for i in range(1, len(found) + 1)]
     return [
-        Curve(name, functools.partial(_read_afm_curve, section, cantilever, path, one), one.place)
+        Curve(name, functools.partial(_read_afm_curve, section, path, one), one.place)
         for name, one in zip(names, found, strict=True)
     ]
 
 
-def _read_afm_curve(section: Section, cantilever: Cantilever, path: Path, one: AfmCurve) -> tuple[Data, list[str]]:
+def _read_afm_curve(section: Section, path: Path, one: AfmCurve) -> tuple[Data, list[str]]:
     kind = section.choice("kind", KINDS)
     if kind not in _RECORDS:
         raise ProblemError(f"{path}: an AFM file holds curves of force: kind must be 'force-depth', not {kind!r}")
-    force, notes, constant = one.force, list(one.notes), one.spring_constant
-    if cantilever.spring_constant is not None and constant:
-        force = force * (cantilever.spring_constant / constant)
-        notes.append(f"forces for the spring constant {cantilever.spring_constant:.4g} N/m of [instrument]")
-    if cantilever.spring_constant is None:
-        cantilever = cantilever._replace(spring_constant=constant)
-    return of_record(section, cantilever, Record(None, force, one.height, one.time, notes), kind)
-
-
-def _read_table_file(section: Section, cantilever: Cantilever, path: Path) -> tuple[Data, list[str]]:
-    table = read_table(path, _table_options(section))
-    kind = section.choice("kind", KINDS)
-    if kind in _RECORDS:
-        try:
-            return _read_record(section, cantilever, table, kind)
-        except ProblemError as problem:
-            words = str(problem)
-            raise problem if words.startswith((str(path), "[")) else ProblemError(f"{path}: {words}") from problem
-    return _read_columns(section, table, kind)
+    record = Record(None, one.force, one.height, one.time, list(one.notes), sign=1, segment=one.segment)
+    return of_record(section, Cantilever(None, one.spring_constant), record, kind)
 
 
 def _table_options(section: Section) -> TableOptions:
@@ -228,7 +245,7 @@ def _read_record(section: Section, cantilever: Cantilever, table: MeasuredTable,
         found["time"] = _column(section, table, "time")
         time = found["time"][2]
     sd = _sd(section, table, "force", found)
-    record = Record(depth, force, height, time, [*table.notes, *describe(found)], sd)
+    record = Record(depth, force, height, time, [*table.notes, *describe(found)], sd=sd)
     return of_record(section, cantilever, record, kind)
 
 
@@ -240,6 +257,13 @@ def of_record(section: Section, cantilever: Cantilever, record: Record, kind: st
     if not keep.all():
         record.keep(keep)
         record.notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
+    data = _record_data(section, record, kind)
+    data.warnings += record.warnings
+    return data, record.notes
+
+
+def _record_data(section: Section, record: Record, kind: str) -> Data:
+    assert record.depth is not None
     if kind == "unloading":
         options = {}
         if "upper_part" in section:
@@ -248,9 +272,9 @@ def of_record(section: Section, cantilever: Cantilever, record: Record, kind: st
                 raise ProblemError("[data]: upper_part must be two numbers, as in upper_part = [0.4, 0.98]")
             options["upper_part"] = (part[0], part[1])
         with section.words():
-            return Unloading(record.depth, record.force, **options), record.notes
+            return Unloading(record.depth, record.force, **options)
     relative = section.number("relative_sd") if "relative_sd" in section else None
-    return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative), record.notes
+    return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative)
 
 
 def _has_deflection(section: Section, table: MeasuredTable) -> bool:

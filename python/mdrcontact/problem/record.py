@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -27,6 +27,7 @@ Array = NDArray[np.float64]
 
 KEYS = ("branch", "drift", "baseline", "contact_point", "before_pop_in")
 """What [data] may say about the record of a curve."""
+_FAR_APART = 0.15
 BRANCHES = ("loading", "unloading", "both")
 
 
@@ -49,11 +50,18 @@ class Record:
     height: Array | None
     time: Array | None
     notes: list[str]
+    """what was understood and done"""
+    warnings: list[str] = field(default_factory=list)
+    """what speaks against it"""
     sd: Array | None = None
+    sign: int | None = None
+    """of the height, 1 if it grows into the sample; None: to be found"""
+    segment: NDArray[np.int64] | None = None
+    """0 approach, 1 retract, others in between, as the file says it"""
 
     def keep(self, chosen: NDArray[np.bool_]) -> None:
         """Leaves out all other points."""
-        for name in ("depth", "force", "height", "time", "sd"):
+        for name in ("depth", "force", "height", "time", "sd", "segment"):
             values = getattr(self, name)
             if values is not None:
                 setattr(self, name, values[chosen])
@@ -100,7 +108,7 @@ def _subtract_deflection(cantilever: Cantilever, record: Record) -> None:
             'spring_constant = "0.2 N/m"'
         )
     assert record.height is not None
-    record.depth = depth_from_height(record.height, record.force / cantilever.spring_constant)
+    record.depth = depth_from_height(record.height, record.force / cantilever.spring_constant, record.sign)
     record.notes.append("depth from height less deflection; the moduli are in proportion to the spring constant")
 
 
@@ -161,7 +169,15 @@ def _find_zero(section: Section, record: Record, is_raw: bool) -> None:
         for name, i in found.items()
         if name != method
     )
-    record.notes.append(f"contact point by {method} ({SOURCES[method]}), reading {approach.start + contact}; {others}")
+    record.notes.append(f"contact point by {method} ({SOURCES[method]}), reading {contact}; {others}")
+    deepest = float(depth[approach].max()) - zero
+    apart = max(abs(float(depth[i]) - zero) for i in found.values())
+    if apart > _FAR_APART * deepest:
+        record.warnings.append(
+            f"the estimators of the contact point disagree by {_told(apart, LENGTH)}, {100.0 * apart / deepest:.0f} % of the "
+            "depth: look "
+            "at the curve, and leave depth_offset free"
+        )
 
 
 def _cut_at_pop_in(section: Section, record: Record) -> None:
@@ -192,15 +208,21 @@ def _mention_pop_in(record: Record) -> None:
 
 def _choose_branch(section: Section, record: Record) -> None:
     branch = section.choice("branch", BRANCHES)
+    kinds = ("loading", "unloading") if branch == "both" else (branch,)
     depth = _depth(record)
-    segments = find_segments(depth, record.force)
-    words = ", ".join(f"{s.kind} {s.start}-{s.stop - 1}" for s in segments)
-    keep = np.zeros(len(depth), dtype=bool)
-    for kind in ("loading", "unloading") if branch == "both" else (branch,):
-        of_kind = [s for s in segments if s.kind == kind]
-        if not of_kind:
-            raise ProblemError(f"[data]: branch = {branch!r}: the curve has none; found were {words}")
-        longest = max(of_kind, key=lambda s: float(np.ptp(depth[s.points])))
-        keep[longest.points] = True
+    if record.segment is not None:
+        keep = np.isin(record.segment, [("loading", "unloading").index(kind) for kind in kinds])
+        words = "segments as the file has them"
+    else:
+        segments = find_segments(depth, record.force)
+        words = "segments by their readings: " + ", ".join(f"{s.kind} {s.start}-{s.stop - 1}" for s in segments)
+        keep = np.zeros(len(depth), dtype=bool)
+        for kind in kinds:
+            # the longest: others are overshoot and ripples
+            longest = max((s for s in segments if s.kind == kind), key=lambda s: float(np.ptp(depth[s.points])), default=None)
+            if longest is not None:
+                keep[longest.points] = True
+    if not keep.any():
+        raise ProblemError(f"[data]: branch = {branch!r}: the curve has none; {words}")
     record.keep(keep)
-    record.notes.append(f"segments by their readings: {words}; {int(keep.sum())} readings of {branch} are used")
+    record.notes.append(f"{words}; {int(keep.sum())} readings of {branch} are used")

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Binary files of AFMs through afmformats, and maps of force curves."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import mdrcontact as mdr
+from mdrcontact.cli import main
+from mdrcontact.measurement.afm import read_afm
+
+afmformats = pytest.importorskip("afmformats")
+h5py = pytest.importorskip("h5py")
+
+BALL, SPRING = mdr.Paraboloid(5e-6), 0.5
+PROBLEM = """
+title = "Map"
+[indenter]
+shape = "paraboloid"
+radius = "5 um"
+[medium]
+type = "coated"
+coating = { E = "50 kPa", nu = 0.49, thickness = "2 um" }
+substrate = { E = "70 GPa", nu = 0.23 }
+[data]
+kind = "force-depth"
+branch = "loading"
+[fit.free]
+"coating.E" = { lower = "100 Pa" }
+depth_offset = {}
+"""
+
+
+def modulus(i):
+    return 20e3 * (1 + i)
+
+
+def write(path, columns=3, rows=2, **changed):
+    """A map whose film modulus grows from place to place, in afmformats' HDF5."""
+    depth = np.linspace(-600e-9, 300e-9, 150)
+    with h5py.File(path, "w") as file:
+        for i in range(columns * rows):
+            film = mdr.Coated(mdr.Elastic(modulus(i), 0.49), 2e-6, mdr.Elastic(70e9, 0.23))
+            force = np.zeros_like(depth)
+            force[depth > 0.0] = np.asarray(mdr.Contact(BALL, film).at_depth(depth[depth > 0.0]).force)
+            force += 0.2e-9 + 2e-11 * np.random.default_rng(i).standard_normal(depth.size)
+            d, f = (np.concatenate([v, v[::-1]]) for v in (depth, force))
+            meta = {
+                "spring constant": SPRING,
+                "sensitivity": 50e-9,
+                "imaging mode": "force-distance",
+                "grid index x": i % columns,
+                "grid index y": i // columns,
+                "enum": i,
+                "path": path,
+                **changed,
+            }
+            data = {"force": f, "height (measured)": 5e-6 - d - f / SPRING, "segment": np.repeat([0, 1], 150).astype(np.uint8)}
+            afmformats.AFMForceDistance(data=data, metadata=meta).export_data(file, fmt="hdf5")
+
+
+def test_a_map_is_fitted_place_by_place(tmp_path, capsys):
+    write(tmp_path / "map.h5")
+    (tmp_path / "problem.toml").write_text(PROBLEM)
+    written = {kind: tmp_path / f"map.{kind}" for kind in ("json", "csv", "png", "html")}
+    options = [f"--{o}={written[k]}" for o, k in (("json", "json"), ("csv", "csv"), ("plot", "png"), ("report", "html"))]
+    assert main(["fit", str(tmp_path / "map.h5"), "--problem", str(tmp_path / "problem.toml"), *options]) == 0
+    out = capsys.readouterr().out
+    assert "6 of 6 curves fitted; 6 of 6 fits describe their data" in out and "spring constant 0.5 N/m" in out
+    found = json.loads(written["json"].read_text())
+    for i in range(6):
+        entry = found[f"map.h5 {i + 1}"]["parameters"]["coating.E"]
+        assert abs(entry["value"] - modulus(i)) < 4.0 * entry["standard_error"] + 1e-3 * modulus(i)
+    assert written["png"].read_bytes().startswith(b"\x89PNG")
+    assert "6 of 6 curves fitted" in written["html"].read_text(encoding="utf-8")
+
+
+def test_curves_of_a_file(tmp_path):
+    write(tmp_path / "map.h5")
+    curves = read_afm(tmp_path / "map.h5")
+    assert [curve.place for curve in curves] == [(x, y) for y in (0, 1) for x in (0, 1, 2)]
+    assert curves[0].height[0] < curves[0].height[149], "grows into the sample"
+    assert curves[0].segment is not None and curves[0].segment.sum() == 150
+    soft = read_afm(tmp_path / "map.h5", spring_constant=0.25, deflection_sensitivity=100e-9)[0]
+    assert soft.spring_constant == 0.25
+    assert soft.force == pytest.approx(curves[0].force, rel=1e-12), "half the spring constant, twice the sensitivity"
+
+
+@pytest.mark.parametrize("name", ["map.h5", "curve.jpk-force", "curve.ibw", "curve.tab", "map.jpk-force-map"])
+def test_damaged_files_are_refused(name, tmp_path, capsys):
+    (tmp_path / name).write_bytes(b"\x89HDF\r\n\x1a\nand then nothing")
+    (tmp_path / "problem.toml").write_text(PROBLEM)
+    assert main(["fit", str(tmp_path / name), "--problem", str(tmp_path / "problem.toml")]) == 1
+    (line,) = capsys.readouterr().err.splitlines()
+    assert name in line and "afmformats cannot read it" in line
+
+
+def test_a_file_that_is_not_there(tmp_path, capsys):
+    (tmp_path / "problem.toml").write_text(PROBLEM)
+    assert main(["fit", str(tmp_path / "none.h5"), "--problem", str(tmp_path / "problem.toml")]) == 1
+    assert "there is no such file" in capsys.readouterr().err
