@@ -199,9 +199,7 @@ def of_medium(medium: Any) -> MediumNumbers:
     if not isinstance(medium, media.Medium):
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
     if is_viscoelastic(medium):
-        raise InvalidArgumentError(
-            "medium is not allowed: it is viscoelastic, and this fit is of elastic bodies"
-        )
+        raise InvalidArgumentError("medium is not allowed: it is viscoelastic, and this fit is of elastic bodies")
     if isinstance(medium, media.Pair) and has_homogeneous_indenter(medium):
         return of_medium(medium.lower)
     if isinstance(medium, (media.Coated, media.Layered)):

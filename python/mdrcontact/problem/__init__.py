@@ -9,16 +9,17 @@ from typing import Any, NamedTuple
 from ..contact import Contact
 from ..medium import Medium
 from ..profile import Profile
-from . import adhesion, compute, indenter, medium, strength
+from . import adhesion, compute, friction, indenter, medium, strength
 from .adhesion import Adhesion
 from .compute import Control
+from .friction import Sliding
 from .section import ProblemError, Section
 from .strength import Strengths
 from .toml import parse_file
 
 __all__ = ["Problem", "ProblemError", "load", "read"]
 
-_TABLES = {"title": None, "indenter": None, "medium": None, "compute": None, "adhesion": None, "strength": None}
+_TABLES = dict.fromkeys(("title", "indenter", "medium", "compute", "adhesion", "strength", "friction"))
 
 
 class Problem(NamedTuple):
@@ -30,6 +31,7 @@ class Problem(NamedTuple):
     control: Control
     adhesion: Adhesion | None = None
     strength: Strengths | None = None
+    friction: Sliding | None = None
 
     def contact(self) -> Contact:
         """The contact of the indenter with the medium, with adhesion if the file has it."""
@@ -65,4 +67,5 @@ def read(table: dict[str, Any], title: str = "") -> Problem:
         compute.read_control(sections["compute"]),
         adhesion.read_adhesion(Section(table["adhesion"], "adhesion", adhesion.KNOWN)) if "adhesion" in table else None,
         strength.read_strength(Section(table["strength"], "strength", strength.KNOWN)) if "strength" in table else None,
+        friction.read_friction(Section(table["friction"], "friction", friction.KNOWN)) if "friction" in table else None,
     )

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact friction`: fretting loops of a contact with friction and the energy they dissipate."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..contact import State
+from ..friction import Friction, FrictionLoop, TangentialState
+from ..problem import Problem, ProblemError, load
+from ..problem.friction import Sliding
+from ..problem.units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, Dimension, practical
+from . import files
+from .table import Column, as_csv, as_text, column, number
+
+_DESCRIPTION = """\
+Displaces the indenter to and fro along the surface, at the largest depth, force or radius of the problem: tangential force, stick
+radius and energy dissipated in a cycle for each amplitude, and where sliding begins.
+
+    mdrcontact example tin_on_steel > problem.toml
+    mdrcontact friction problem.toml
+    mdrcontact friction problem.toml --csv energies.csv --plot loops.png
+
+The problem file has one table more than for the other commands:
+
+    [friction]
+    coefficient = 0.3
+    shifts = ["5 nm", "10 nm", "20 nm"]       # amplitudes; or tangential_forces = ["1 mN", ...];
+                                              # without either from 1 % to 150 % of the shift of sliding
+"""
+
+_FROM, _TO, _COUNT = 0.01, 1.5, 12
+_ROWS = 24
+
+
+class Cycles(NamedTuple):
+    """The cycles of one normal state."""
+
+    friction: Friction
+    state: State
+    sliding_shift: float
+    turns: TangentialState
+    energies: np.ndarray[Any, np.dtype[np.float64]]
+    loops: tuple[FrictionLoop, ...]
+
+
+def add(subparsers: Any) -> None:
+    """Adds the command to the command line."""
+    parser = subparsers.add_parser(
+        "friction",
+        help="fretting loops: partial slip, sliding, dissipated energy",
+        description=_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [friction]")
+    files.add_options(parser, "amplitudes, forces, stick radii and energies")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Computes, prints, writes."""
+    files.check(arguments.csv, arguments.plot, overwrite=arguments.overwrite)
+    if arguments.plot:
+        from . import figures
+
+        figures.require(arguments.plot)
+    problem = load(arguments.problem)
+    if problem.friction is None:
+        raise ProblemError(f"{arguments.problem}: the table [friction] is missing: write it with coefficient = 0.3")
+    found = cycles(problem, problem.friction, with_loops=bool(arguments.plot))
+    table = columns(found)
+    print(f"{problem.title}\n\n{_words(found)}\n\n{as_text(table, _ROWS)}")
+    results = {}
+    if arguments.csv:
+        results[arguments.csv] = as_csv(table)
+    if arguments.plot:
+        from .friction_figure import friction_figure
+
+        results[arguments.plot] = friction_figure(problem, found, files.figure_format(arguments.plot))
+    if results:
+        print()
+        files.write(results, arguments.overwrite)
+
+
+def cycles(problem: Problem, sliding: Sliding, *, with_loops: bool) -> Cycles:
+    """The cycles of the amplitudes that the problem gives."""
+    friction = Friction(problem.contact(), sliding.coefficient)
+    state = problem.control.states(friction.contact, slice(-1, None)).one(0)
+    limit = float(friction.sliding_shift(state))
+    amplitudes = np.array(sliding.amplitudes) if sliding.amplitudes else np.geomspace(_FROM, _TO, _COUNT) * limit
+    at = friction.at_shift if sliding.control == "shift" else friction.at_tangential_force
+    turns = at(amplitudes, state)
+    energies = np.asarray(friction.cycle_energy(amplitudes, sliding.control, state))
+    chosen = sorted({*range(len(amplitudes) - 1, -1, -max(1, len(amplitudes) // 4))})
+    loops = tuple(friction.loop(amplitudes[i], sliding.control, state=state) for i in chosen) if with_loops else ()
+    return Cycles(friction, state, limit, turns, energies, loops)
+
+
+def columns(found: Cycles) -> list[Column]:
+    """What the table shows."""
+    turns, radius = found.turns, float(found.state.radius)
+    return [
+        column("shift", np.asarray(turns.shift), LENGTH),
+        column("tangential force", np.asarray(turns.tangential_force), FORCE),
+        column("T/(mu F)", np.asarray(turns.tangential_force) / found.friction.coefficient / float(found.state.force), RATIO),
+        column("stick radius", np.asarray(turns.stick_radius), LENGTH),
+        column("c/a", np.asarray(turns.stick_radius) / radius, RATIO),
+        column("stiffness", np.asarray(turns.stiffness), STIFFNESS),
+        column("energy of a cycle", found.energies, ENERGY),
+    ]
+
+
+def _words(found: Cycles) -> str:
+    state, mu = found.state, found.friction.coefficient
+    stiffness = float(found.friction.contact.medium.tangential_stiffness(state.radius))
+    return (
+        f"normal force {_with_unit(state.force, FORCE)}, depth {_with_unit(state.depth, LENGTH)}, contact radius "
+        f"{_with_unit(state.radius, LENGTH)}, coefficient of friction {mu:g}\n"
+        f"tangential stiffness without slip {_with_unit(stiffness, STIFFNESS)}, {stiffness / float(state.stiffness):.4g} of the "
+        "normal one\n"
+        f"sliding from shift {_with_unit(found.sliding_shift, LENGTH)} on, under {_with_unit(mu * float(state.force), FORCE)}"
+    )
+
+
+def _with_unit(value: Any, dimension: Dimension) -> str:
+    if not math.isfinite(float(value)):
+        return "-"
+    unit = practical(dimension, [float(value)])
+    return f"{number(float(unit.of(float(value))))} {unit.name}"
