@@ -32,6 +32,8 @@ class Answer(NamedTuple):
 
 def ask(problem: Problem) -> tuple[list[Answer], list[tuple[str, str]]]:
     """The answers of all models, and the words of those that refuse."""
+    if is_viscoelastic(problem.medium):
+        raise ProblemError("there is nothing to compare: models are compared on elastic bodies; use mdrcontact history")
     names = candidates(problem.medium)
     if not names:
         kind = type(problem.medium).__name__
@@ -56,7 +58,7 @@ def candidates(medium: object) -> list[tuple[str, str, object]]:
         return candidates(medium.lower) if same else []
     if isinstance(medium, (Layered, Graded)):
         return [(name, name, None) for name, model in MODELS.items() if model.layers]
-    if not isinstance(medium, Coated) or is_viscoelastic(medium):
+    if not isinstance(medium, Coated):
         return []
     coating: Any = medium.coating
     if not isinstance(medium.substrate, Elastic):

@@ -9,17 +9,18 @@ from typing import Any, NamedTuple
 from ..contact import Contact
 from ..medium import Medium
 from ..profile import Profile
-from . import adhesion, compute, friction, indenter, medium, strength
+from . import adhesion, compute, friction, history, indenter, medium, strength
 from .adhesion import Adhesion
 from .compute import Control
 from .friction import Sliding
+from .history import HistoryPath
 from .section import ProblemError, Section
 from .strength import Strengths
 from .toml import parse_file
 
 __all__ = ["Problem", "ProblemError", "load", "read"]
 
-_TABLES = dict.fromkeys(("title", "indenter", "medium", "compute", "adhesion", "strength", "friction"))
+_TABLES = dict.fromkeys(("title", "indenter", "medium", "compute", "adhesion", "strength", "friction", "history"))
 
 
 class Problem(NamedTuple):
@@ -32,6 +33,7 @@ class Problem(NamedTuple):
     adhesion: Adhesion | None = None
     strength: Strengths | None = None
     friction: Sliding | None = None
+    history: HistoryPath | None = None
 
     def contact(self) -> Contact:
         """The contact of the indenter with the medium, with adhesion if the file has it."""
@@ -44,16 +46,21 @@ def load(path: str | Path) -> Problem:
     """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
     path = Path(path)
     try:
-        return read(parse_file(path), title=path.stem)
+        return read(parse_file(path), title=path.stem, folder=path.parent)
     except ProblemError as problem:
         raise ProblemError(f"{path}: {problem}") from problem
 
 
-def read(table: dict[str, Any], title: str = "") -> Problem:
-    """The problem that the tables of a problem file describe."""
+def read(table: dict[str, Any], title: str = "", folder: Path = Path()) -> Problem:
+    """The problem that the tables of a problem file describe; files that it names lie in `folder`."""
     whole = Section(table, "the file", _TABLES)
     sections = {}
+    path = None
+    if "history" in table:
+        path = history.read_history(Section(table["history"], "history", history.KNOWN), folder)
     for name, known in (("indenter", indenter.KNOWN), ("medium", medium.KNOWN), ("compute", compute.KNOWN)):
+        if name == "compute" and path is not None and name not in table:
+            continue
         if name not in table:
             raise ProblemError(f"the table [{name}] is missing: a problem has [indenter], [medium] and [compute]")
         sections[name] = Section(table[name], name, known)
@@ -64,8 +71,9 @@ def read(table: dict[str, Any], title: str = "") -> Problem:
         title,
         indenter.read_indenter(shape),
         medium.read_medium(sections["medium"], shape),
-        compute.read_control(sections["compute"]),
+        compute.read_control(sections["compute"]) if "compute" in sections else history.control_of(path),
         adhesion.read_adhesion(Section(table["adhesion"], "adhesion", adhesion.KNOWN)) if "adhesion" in table else None,
         strength.read_strength(Section(table["strength"], "strength", strength.KNOWN)) if "strength" in table else None,
         friction.read_friction(Section(table["friction"], "friction", friction.KNOWN)) if "friction" in table else None,
+        path,
     )

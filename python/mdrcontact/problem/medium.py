@@ -7,10 +7,10 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from .. import medium
-from ..material import RIGID, Elastic, _Rigid
+from ..material import RIGID, Elastic, Material, PowerLawRheology, Viscoelastic, _Rigid
 from ..medium.models import MODELS, OPTIONS
 from .section import ProblemError, Section
-from .units import LENGTH, MODULUS, Dimension
+from .units import LENGTH, MODULUS, TIME, VISCOSITY, Dimension
 
 KNOWN: Mapping[str, Dimension | None] = {
     "type": None,
@@ -30,14 +30,50 @@ KNOWN: Mapping[str, Dimension | None] = {
     "moduli": MODULUS,
 }
 
-MATERIAL: Mapping[str, Dimension | None] = {"E": MODULUS, "nu": None}
+MATERIAL: Mapping[str, Dimension | None] = {
+    "E": MODULUS,
+    "nu": None,
+    "relaxed_shear_modulus": MODULUS,
+    "moduli": MODULUS,
+    "times": TIME,
+    "bulk_modulus": MODULUS,
+    "viscosity": VISCOSITY,
+    "modulus": MODULUS,
+    "time": TIME,
+    "exponent": None,
+}
+_ELASTIC = ("E", "nu")
+_PRONY = ("relaxed_shear_modulus", "moduli", "times", "nu", "bulk_modulus", "viscosity")
+_POWER_LAW = ("modulus", "time", "exponent", "nu")
 _FILM: Mapping[str, Dimension | None] = {**MATERIAL, "thickness": LENGTH}
 
 
-def read_material(section: Section) -> Elastic:
-    """The material whose E and nu a table gives."""
+def read_material(section: Section) -> Elastic | Viscoelastic | PowerLawRheology:
+    """The material of a table: E and nu of an elastic one, a Prony series with relaxed_shear_modulus, moduli and times, or a power
+    law with modulus, time and exponent."""
     with section.words():
+        if "exponent" in section:
+            section.only((*_POWER_LAW, "thickness"), "a power law, which has an exponent")
+            modulus, time = section.quantity("modulus"), section.quantity("time")
+            return PowerLawRheology(modulus, time, section.number("exponent"), section.number("nu"))
+        if "relaxed_shear_modulus" in section:
+            section.only((*_PRONY, "thickness"), "a Prony series, which has a relaxed_shear_modulus")
+            return _prony(section)
+        section.only((*_ELASTIC, "thickness"), "an elastic material")
         return Elastic(section.quantity("E"), section.number("nu"))
+
+
+def _prony(section: Section) -> Viscoelastic:
+    moduli = section.quantities("moduli") if "moduli" in section else []
+    times = section.quantities("times") if "times" in section else []
+    if len(moduli) != len(times):
+        raise ProblemError(f"[{section.path}]: moduli has {len(moduli)} and times has {len(times)} entries: give as many of both")
+    terms = list(zip(moduli, times, strict=True))
+    viscosity = section.quantity("viscosity") if "viscosity" in section else 0.0
+    relaxed = section.quantity("relaxed_shear_modulus")
+    if "bulk_modulus" in section:
+        return Viscoelastic(relaxed, terms, bulk_modulus=section.quantity("bulk_modulus"), viscosity=viscosity)
+    return Viscoelastic(relaxed, terms, nu=section.number("nu"), viscosity=viscosity)
 
 
 def _model(section: Section) -> tuple[str, dict[str, Any]]:
@@ -45,14 +81,14 @@ def _model(section: Section) -> tuple[str, dict[str, Any]]:
     return section.choice("model", MODELS, default="exact"), options
 
 
-def _substrate(section: Section) -> Elastic | _Rigid:
+def _substrate(section: Section) -> Material | _Rigid:
     if "substrate" in section and isinstance(section.plain("substrate"), str):
         section.choice("substrate", ["rigid"])
         return RIGID
     return read_material(section.child("substrate", MATERIAL))
 
 
-def _film(section: Section) -> tuple[Elastic, float]:
+def _film(section: Section) -> tuple[Material, float]:
     return read_material(section), section.quantity("thickness")
 
 

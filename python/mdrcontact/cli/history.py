@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact history`: a contact with a viscoelastic body along a path in time."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+import numpy as np
+
+from ..history import History
+from ..problem import Problem, ProblemError, load
+from ..problem.units import ENERGY, FORCE, LENGTH, TIME, practical
+from . import files
+from .table import Column, as_csv, as_text, column, number
+
+_DESCRIPTION = """\
+Computes a contact with a viscoelastic body along a path in time: depth, contact radius and force.
+
+    mdrcontact example afm_on_gel > problem.toml
+    mdrcontact history problem.toml
+    mdrcontact history problem.toml --csv history.csv --plot history.png
+
+A material of the problem file relaxes if it has, in place of E and nu,
+
+    relaxed_shear_modulus = "1 MPa"             # a Prony series
+    moduli = ["2 MPa", "0.5 MPa"]
+    times = ["0.3 s", "3 s"]
+    nu = 0.4                                    # or bulk_modulus = "2 GPa", elastic; viscosity = "1 kPa*s" in parallel
+
+    modulus = "1 kPa"                           # or a power law: the shear modulus at that time
+    time = "1 s"
+    exponent = 0.2
+    nu = 0.5
+
+and one table takes the place of [compute]:
+
+    [history]
+    path = "ramp"               # step (hold_time), ramp (rise_time, hold_time, fall_time), triangle or sine, one half (duration)
+    depth = "500 nm"            # the largest depth, or force, or radius
+    rise_time = "1 s"
+    hold_time = "5 s"
+    fall_time = "1 s"
+    points = 200
+
+or a path from a table with columns such as "time [s]" and "depth [nm]":
+
+    [history]
+    path = "file"
+    file = "path.csv"
+    control = "depth"           # or force, radius
+"""
+
+
+def add(subparsers: Any) -> None:
+    """Adds the command to the command line."""
+    parser = subparsers.add_parser(
+        "history",
+        help="a viscoelastic body along a path in time",
+        description=_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [history]")
+    files.add_options(parser, "the whole path")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Computes, prints, writes."""
+    files.check(arguments.csv, arguments.plot, overwrite=arguments.overwrite)
+    if arguments.plot:
+        from . import history_figure
+
+        history_figure.require(arguments.plot)
+    problem = load(arguments.problem)
+    if problem.history is None:
+        raise ProblemError(f'{arguments.problem}: the table [history] is missing: write it with path = "ramp", depth and rise_time')
+    path = problem.history
+    history = problem.contact().history(path.time, **{path.name: path.values})
+    table = columns(history)
+    print(f"{problem.title}\n")
+    print(as_text(table, 12))
+    print(f"\n{summary(problem, history)}")
+    results = {}
+    if arguments.csv:
+        results[arguments.csv] = as_csv(table)
+    if arguments.plot:
+        results[arguments.plot] = history_figure.draw(problem, history, files.figure_format(arguments.plot))
+    if results:
+        print()
+        files.write(results, arguments.overwrite)
+
+
+def columns(history: History) -> list[Column]:
+    """What the tables show of a history."""
+    return [
+        column("time", history.time, TIME),
+        column("depth", history.depth, LENGTH),
+        column("radius", history.radius, LENGTH),
+        column("force", history.force, FORCE),
+    ]
+
+
+def summary(problem: Problem, history: History) -> str:
+    """The largest force, when contact is lost, and the energy lost over a closed path."""
+    largest = int(np.argmax(history.force))
+    force, time = practical(FORCE, history.force), practical(TIME, history.time)
+    when = number(float(time.of(history.time[largest])))
+    lines = [f"largest force: {number(float(force.of(history.force[largest])))} {force.name} at {when} {time.name}"]
+    touching = np.flatnonzero(history.radius > 0.0)
+    if touching.size and touching[-1] < len(history.radius) - 1 and history.depth[touching[-1]] > 0.0:
+        lost = history.time[touching[-1] + 1]
+        lines.append(f"contact is lost before {number(float(time.of(lost)))} {time.name}, while the surface still comes back")
+    if touching.size and history.radius[-1] == 0.0:
+        work = history.work
+        energy = practical(ENERGY, [work])
+        lines.append(f"energy lost: {number(float(energy.of(work)))} {energy.name}")
+    return "\n".join(lines)

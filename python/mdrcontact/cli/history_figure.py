@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The figure of `mdrcontact history`: depth, radius and force in time, and force against depth."""
+
+from __future__ import annotations
+
+from ..history import History
+from ..problem import Problem
+from ..problem.units import FORCE, LENGTH, TIME, practical
+from .figures import COLOURS, _figure, _render, _style, require
+
+__all__ = ["draw", "require"]
+
+
+def draw(problem: Problem, history: History, form: str) -> bytes:
+    """Depth, contact radius and force against time, and the loop of force against depth."""
+    with _style():
+        figure, axes = _figure(problem.title, 2, 2, (8.4, 6.4))
+        time = practical(TIME, history.time)
+        panels = (
+            ("indentation depth d", history.depth, LENGTH),
+            ("contact radius a", history.radius, LENGTH),
+            ("force F", history.force, FORCE),
+        )
+        for axis, colour, (name, values, dimension) in zip(axes.flat, COLOURS, panels, strict=False):
+            unit = practical(dimension, values)
+            axis.plot(time.of(history.time), unit.of(values), color=colour)
+            axis.set(xlabel=f"time t [{time.symbol}]", ylabel=f"{name} [{unit.symbol}]")
+        depth, force = practical(LENGTH, history.depth), practical(FORCE, history.force)
+        axes.flat[3].plot(depth.of(history.depth), force.of(history.force), color=COLOURS[3])
+        axes.flat[3].set(xlabel=f"indentation depth d [{depth.symbol}]", ylabel=f"force F [{force.symbol}]")
+        return _render(figure, form)

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table [history] of a problem file: a path in time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .columns import read_table
+from .compute import Control
+from .section import ProblemError, Section
+from .units import FORCE, LENGTH, TIME, Dimension
+
+_DIMENSIONS: Mapping[str, Dimension] = {"depth": LENGTH, "force": FORCE, "radius": LENGTH}
+_PATHS: Mapping[str, tuple[str, ...]] = {
+    "step": ("hold_time",),
+    "ramp": ("rise_time", "hold_time", "fall_time"),
+    "triangle": ("duration",),
+    "sine": ("duration",),
+    "file": ("file", "time", "control"),
+}
+_TIMES = ("rise_time", "hold_time", "fall_time", "duration")
+
+KNOWN: Mapping[str, Dimension | None] = {
+    **_DIMENSIONS,
+    "path": None,
+    **dict.fromkeys(_TIMES, TIME),
+    "points": None,
+    "file": None,
+    "time": None,
+    "control": None,
+}
+
+MOST_POINTS = 100_000
+
+
+class HistoryPath(NamedTuple):
+    """What is prescribed, "depth", "force" or "radius", and its path in SI units."""
+
+    name: str
+    time: NDArray[np.float64]
+    values: NDArray[np.float64]
+
+
+def control_of(path: HistoryPath | None) -> Control:
+    """The largest value of a path, for a file without [compute]."""
+    assert path is not None
+    return Control(path.name, np.array([path.values.max()]))
+
+
+def read_history(section: Section, folder: Path) -> HistoryPath:
+    """The path that [history] describes; a file lies in `folder`."""
+    kind = section.choice("path", _PATHS)
+    if kind == "file":
+        section.only(("path", *_PATHS[kind]), 'path = "file"')
+        return _from_file(section, folder)
+    given = [name for name in _DIMENSIONS if name in section]
+    if len(given) != 1:
+        raise ProblemError(f'[{section.path}]: give one of depth, force and radius, the largest value, as in depth = "200 nm"')
+    name = given[0]
+    section.only(("path", name, "points", *_PATHS[kind]), f"path = {kind!r}")
+    largest, points = section.quantity(name), section.count("points", default=200, largest=MOST_POINTS)
+    if kind == "step":
+        return HistoryPath(name, *_pieces([0.0, _duration(section, "hold_time")], [largest, largest], points))
+    if kind == "sine":
+        time = np.linspace(0.0, _duration(section, "duration"), points + 1)
+        values = largest * np.sin(np.pi * np.linspace(0.0, 1.0, points + 1))
+        values[-1] = 0.0
+        return HistoryPath(name, time, values)
+    if kind == "triangle":
+        half = 0.5 * _duration(section, "duration")
+        return HistoryPath(name, *_pieces([0.0, half, 2.0 * half], [0.0, largest, 0.0], points))
+    times, values_at = [0.0, _duration(section, "rise_time")], [0.0, largest]
+    for key, end in (("hold_time", largest), ("fall_time", 0.0)):
+        if key in section:
+            times.append(times[-1] + _duration(section, key))
+            values_at.append(end)
+    return HistoryPath(name, *_pieces(times, values_at, points))
+
+
+def _duration(section: Section, key: str) -> float:
+    value = section.quantity(key)
+    if not 0.0 < value < np.inf:
+        raise ProblemError(f"[{section.path}]: {key} must be greater than 0 and finite")
+    return value
+
+
+def _pieces(times: list[float], values: list[float], points: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Straight pieces, each with its share of the points."""
+    steps = [max(1, round(points * (b - a) / times[-1])) for a, b in zip(times, times[1:], strict=False)]
+    pieces = [np.linspace(a, b, n + 1)[1:] for a, b, n in zip(times, times[1:], steps, strict=False)]
+    time = np.concatenate([[times[0]], *pieces])
+    return time, np.interp(time, times, values)
+
+
+def _from_file(section: Section, folder: Path) -> HistoryPath:
+    name = section.plain("file")
+    if not isinstance(name, str):
+        raise ProblemError(f'[{section.path}]: file must be the name of a table, as in file = "path.csv"')
+    table = read_table(folder / name)
+    control = section.choice("control", _DIMENSIONS, default="depth")
+    title = section.plain("time") if "time" in section else table.find("time", ("time", "t"), TIME)
+    time, _ = table.column(title, TIME)
+    letters = {"depth": ("depth", "d", "indentation"), "force": ("force", "load", "f", "p"), "radius": ("radius", "a")}[control]
+    values, _ = table.column(table.find(control, letters, _DIMENSIONS[control]), _DIMENSIONS[control])
+    whole = np.isfinite(time) & np.isfinite(values)
+    if not whole.any():
+        raise ProblemError(f"{folder / name}: it has no row with both a time and a {control}")
+    return HistoryPath(control, time[whole], values[whole])
