@@ -558,6 +558,13 @@ int mdr_weight_j0(int n, const double xi[], double nu, double out[]);
 /** J1 = 1 - I1, to full relative precision. Arguments as mdr_weight_i1(). */
 int mdr_weight_j1(int n, const double xi[], double nu, double out[]);
 
+/** I0(xi) of a load along the surface, the weight of the shear modulus in the tangential stiffness, I1 + [xi L - xi/(1 + xi^2)]/
+ *  (2 pi (2 - nu)) with L = ln(1 + 1/xi^2). Poisson's ratio keeps the weight I1. Arguments as mdr_weight_phi(). */
+int mdr_weight_i0_tangential(int n, const double xi[], double nu, double out[]);
+
+/** 1 less mdr_weight_i0_tangential(), to full relative precision. Arguments as mdr_weight_phi(). */
+int mdr_weight_j0_tangential(int n, const double xi[], double nu, double out[]);
+
 /* ---- contacts (2)-(10), (21)-(32) ------------------------------------------------------------------------------ */
 
 /** The edge opening dl of an adhesive contact: the distance of the springs at the edge from the indenter when they let go. */

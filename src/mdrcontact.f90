@@ -82,7 +82,8 @@ module mdrcontact
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_version, only: version_major, version_minor, version_patch, version_string
-    use mdrcontact_weights, only: weight_i0, weight_i1, weight_j0, weight_j1, weight_phi
+    use mdrcontact_weights, only: weight_i0, weight_i0_tangential, weight_i1, weight_j0, weight_j0_tangential, weight_j1, &
+                                  weight_phi
     implicit none (type, external)
     public
 end module mdrcontact

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from ._boundary import FloatOrArray, evaluate, number
 
-__all__ = ["weight_phi", "weight_i0", "weight_i1", "weight_j0", "weight_j1"]
+__all__ = ["weight_phi", "weight_i0", "weight_i0_tangential", "weight_i1", "weight_j0", "weight_j0_tangential", "weight_j1"]
 
 _NO_NU = 0.5  # the library takes a Poisson's ratio for all weights; I1 does not depend on it
 
@@ -42,3 +42,16 @@ def weight_j0(xi: ArrayLike, nu: float = 0.5) -> FloatOrArray:
 def weight_j1(xi: ArrayLike) -> FloatOrArray:
     """1 - I1(xi) to full relative precision, however close to 1 I1 is; xi >= 0, any shape."""
     return evaluate("xi", xi, lambda points: _native.weight_j1(points, _NO_NU))
+
+
+def weight_i0_tangential(xi: ArrayLike, nu: float = 0.5) -> FloatOrArray:
+    """I0(xi) of a load along the surface: the share of the shear modulus above the depth z = xi a in the tangential stiffness,
+    I1 + [xi L - xi/(1 + xi^2)]/(2 pi (2 - nu)), L = ln(1 + 1/xi^2); xi >= 0, any shape. Poisson's ratio keeps the weight I1."""
+    poisson = number("nu", nu)
+    return evaluate("xi", xi, lambda points: _native.weight_i0_tangential(points, poisson))
+
+
+def weight_j0_tangential(xi: ArrayLike, nu: float = 0.5) -> FloatOrArray:
+    """1 less `weight_i0_tangential` to full relative precision; xi >= 0, any shape."""
+    poisson = number("nu", nu)
+    return evaluate("xi", xi, lambda points: _native.weight_j0_tangential(points, poisson))

@@ -12,14 +12,15 @@ module mdrcontact_weights
     private
     public :: weight_phi, weight_i0, weight_i1, weight_j0, weight_j1, weight_i0_slope, weight_i1_slope, &
               weight_i0_poisson_slope
+    public :: weight_i0_tangential, weight_j0_tangential, weight_i0_tangential_slope, weight_i0_tangential_poisson_slope
     public :: all_weights
-    public :: weight_map_t, of_i0_slope, of_i0, of_i1, of_j0, of_j1
+    public :: weight_map_t, of_i0_slope, of_i0, of_i1, of_j0, of_j1, of_i0_tangential, of_j0_tangential
 
     !> Beyond these the weights equal their limits' leading term; squares stay inside the range of a double.
     real(wp), parameter :: smallest_xi = 1.0e-150_wp, largest_xi = 1.0e150_wp
 
     !> Which weight a weight_map_t is.
-    integer, parameter :: of_i0_slope = 1, of_i0 = 2, of_i1 = 3, of_j0 = 4, of_j1 = 5
+    integer, parameter :: of_i0_slope = 1, of_i0 = 2, of_i1 = 3, of_j0 = 4, of_j1 = 5, of_i0_tangential = 6, of_j0_tangential = 7
 
     !> One of the weights for arrays of xi, vectorised.
     type, extends(map_t) :: weight_map_t
@@ -87,9 +88,11 @@ contains
     end function weight_j1
 
     !> I0 and I1 with their complements, for the price of one arctangent and one logarithm.
-    elemental subroutine all_weights(xi, nu, i0, j0, i1, j1)
+    elemental subroutine all_weights(xi, nu, tangential, i0, j0, i1, j1)
         !> xi >= 0, -1 < nu <= 1/2
         real(wp), intent(in) :: xi, nu
+        !> the weights of a load along the surface
+        logical, intent(in) :: tangential
         real(wp), intent(out) :: i0, j0, i1, j1
         real(wp) :: x, above, below, logarithm, part
 
@@ -103,7 +106,11 @@ contains
             above = half_pi - below
         end if
         logarithm = x*log_term(x)
-        part = ((1.0_wp - 2.0_wp*nu)*logarithm - x/(1.0_wp + x**2))/(2.0_wp*pi*(1.0_wp - nu))
+        if (tangential) then
+            part = logarithm/pi + (logarithm - x/(1.0_wp + x**2))/(2.0_wp*pi*(2.0_wp - nu))
+        else
+            part = ((1.0_wp - 2.0_wp*nu)*logarithm - x/(1.0_wp + x**2))/(2.0_wp*pi*(1.0_wp - nu))
+        end if
         i0 = (2.0_wp/pi)*above + part
         j0 = (2.0_wp/pi)*below - part
         i1 = ((2.0_wp*above) + logarithm)/pi
@@ -112,6 +119,53 @@ contains
         i0 = 0.0_wp
         i1 = 0.0_wp
     end subroutine all_weights
+
+    !> I0 of a load along the surface, the weight of the shear modulus in the tangential stiffness:
+    !> I1 + [xi L - xi/(1 + xi^2)]/(2 pi (2 - nu)), L = ln(1 + 1/xi^2). Poisson's ratio has the weight I1 there too.
+    elemental function weight_i0_tangential(xi, nu) result(weight)
+        !> as in weight_i0
+        real(wp), intent(in) :: xi, nu
+        real(wp) :: weight, x
+
+        x = clamped(xi)
+        weight = merge(i1_inside(x) + tangential_part(x, nu), 0.0_wp, xi > 0.0_wp)
+    end function weight_i0_tangential
+
+    !> 1 less that.
+    elemental function weight_j0_tangential(xi, nu) result(weight)
+        !> as in weight_i0
+        real(wp), intent(in) :: xi, nu
+        real(wp) :: weight, x
+
+        x = clamped(xi)
+        weight = j1_inside(x) - tangential_part(x, nu)
+    end function weight_j0_tangential
+
+    elemental function tangential_part(x, nu) result(part)
+        real(wp), intent(in) :: x, nu
+        real(wp) :: part
+
+        part = (x*log_term(x) - x/(1.0_wp + x**2))/(2.0_wp*pi*(2.0_wp - nu))
+    end function tangential_part
+
+    !> dI0/dxi of a load along the surface.
+    elemental function weight_i0_tangential_slope(xi, nu) result(slope)
+        real(wp), intent(in) :: xi, nu
+        real(wp) :: slope, x, lorentzian
+
+        x = clamped(xi)
+        lorentzian = 1.0_wp/(1.0_wp + x**2)
+        slope = log_term(x)/pi + (log_term(x) - 2.0_wp*lorentzian - (1.0_wp - x**2)*lorentzian*lorentzian) &
+                /(2.0_wp*pi*(2.0_wp - nu))
+    end function weight_i0_tangential_slope
+
+    !> dI0/dnu of a load along the surface, at constant xi.
+    elemental function weight_i0_tangential_poisson_slope(xi, nu) result(slope)
+        real(wp), intent(in) :: xi, nu
+        real(wp) :: slope
+
+        slope = tangential_part(clamped(xi), nu)/(2.0_wp - nu)
+    end function weight_i0_tangential_poisson_slope
 
     !> dI0/dxi.
     elemental function weight_i0_slope(xi, nu) result(slope)
@@ -207,7 +261,7 @@ contains
             inside(:n) = clamped(x(first:first + n - 1))
             inside(n + 1:) = 1.0_wp
             call fill(self%weight, self%nu, ((n - 1)/widest_vector + 1)*widest_vector, inside, weights)
-            if (self%weight == of_i0 .or. self%weight == of_i1) then
+            if (any(self%weight == [of_i0, of_i1, of_i0_tangential])) then
                 do i = 1, n
                     if (.not. x(first + i - 1) > 0.0_wp) weights(i) = 0.0_wp
                 end do
@@ -238,6 +292,14 @@ contains
         case (of_j0)
             do i = 1, n
                 y(i) = j0_inside(x(i), nu)
+            end do
+        case (of_i0_tangential)
+            do i = 1, n
+                y(i) = i1_inside(x(i)) + tangential_part(x(i), nu)
+            end do
+        case (of_j0_tangential)
+            do i = 1, n
+                y(i) = j1_inside(x(i)) - tangential_part(x(i), nu)
             end do
         case default
             do i = 1, n

@@ -153,8 +153,25 @@ static void refusals(void)
     CHECK_SUCCESS(mdr_contact_free(&unknown));
 }
 
+/* I0 + J0 = 1, and the value at xi = 1. */
+static void weights(void)
+{
+    const double xi[3] = {0.0, 1.0, 1e9}, pi = acos(-1.0);
+    double i0[3], j0[3];
+
+    CHECK_SUCCESS(mdr_weight_i0_tangential(3, xi, nu, i0));
+    CHECK_SUCCESS(mdr_weight_j0_tangential(3, xi, nu, j0));
+    CHECK_CLOSE(i0[0], 0.0, 0.0);
+    CHECK_CLOSE(i0[1], 0.5 + log(2.0) / pi + (log(2.0) - 0.5) / (2.0 * pi * (2.0 - nu)), 1e-14);
+    for (int i = 0; i < 3; i++) CHECK_CLOSE(i0[i] + j0[i], 1.0, 1e-15);
+    CHECK_TRUE(j0[2] > 0.0);
+    CHECK_STATUS(mdr_weight_i0_tangential(3, NULL, nu, i0), MDR_ENULL, "xi is NULL");
+    CHECK_STATUS(mdr_weight_j0_tangential(3, xi, 0.6, j0), MDR_EINVALID, "nu = 0.6");
+}
+
 int main(void)
 {
+    weights();
     partial_slip();
     refusals();
     return check_report("friction");

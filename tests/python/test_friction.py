@@ -100,6 +100,18 @@ def test_small_amplitudes_keep_their_digits():
     np.testing.assert_allclose(energies[1:] / energies[:-1], 1e-9, rtol=2e-5)
 
 
+def test_weights_of_a_tangential_load():
+    xi = np.array([[0.0, 1e-3], [1.0, 1e6]])
+    total = mdr.weight_i0_tangential(xi, 0.3) + mdr.weight_j0_tangential(xi, 0.3)
+    np.testing.assert_allclose(total, 1.0, rtol=1e-15)
+    assert mdr.weight_j0_tangential(1e9, 0.3) > 0.0
+    # exact to first order in the contrast of G
+    small = 1e-6
+    film = mdr.Coated(mdr.Elastic(1.0 + small, 0.3), 1.0, mdr.Elastic(1.0, 0.3))
+    rise = film.tangential_modulus(0.7) / mdr.Homogeneous(mdr.Elastic(1.0, 0.3)).tangential_modulus(0.7) - 1.0
+    assert rise / small == pytest.approx(mdr.weight_i0_tangential(1.0 / 0.7, 0.3), rel=1e-5)
+
+
 def test_values():
     pair = friction()
     assert pickle.loads(pickle.dumps(pair)) == pair

@@ -6,10 +6,11 @@ module mdrcontact_api_weights
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_batch, only: run_map
     use mdrcontact_error, only: check_poisson, error_t
-    use mdrcontact_weights, only: of_i0, of_i0_slope, of_i1, of_j0, of_j1, weight_map_t
+    use mdrcontact_weights, only: of_i0, of_i0_slope, of_i0_tangential, of_i1, of_j0, of_j0_tangential, of_j1, weight_map_t
     implicit none (type, external)
     private
     public :: mdr_weight_phi, mdr_weight_i0, mdr_weight_i1, mdr_weight_j0, mdr_weight_j1
+    public :: mdr_weight_i0_tangential, mdr_weight_j0_tangential
 
 contains
 
@@ -62,6 +63,26 @@ contains
 
         status = write_weights(of_j1, n, xi, nu, out)
     end function mdr_weight_j1
+
+    function mdr_weight_i0_tangential(n, xi, nu, out) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: xi(*)
+        real(c_double), value :: nu
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+
+        status = write_weights(of_i0_tangential, n, xi, nu, out)
+    end function mdr_weight_i0_tangential
+
+    function mdr_weight_j0_tangential(n, xi, nu, out) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: xi(*)
+        real(c_double), value :: nu
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+
+        status = write_weights(of_j0_tangential, n, xi, nu, out)
+    end function mdr_weight_j0_tangential
 
     function write_weights(weight, n, xi, nu, out) result(status)
         integer, intent(in) :: weight

@@ -6,9 +6,11 @@ module mdrcontact_medium_gao
     use mdrcontact_error, only: check_poisson, check_positive, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
+    use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
-    use mdrcontact_weights, only: all_weights, weight_i0_poisson_slope, weight_i0_slope, weight_i1_slope
+    use mdrcontact_weights, only: all_weights, weight_i0_poisson_slope, weight_i0_slope, weight_i0_tangential_poisson_slope, &
+                                  weight_i0_tangential_slope, weight_i1_slope
     implicit none (type, external)
     private
     public :: gao_t, new_gao, new_gao_layered, gao_options_t, i0_poisson_choice
@@ -38,9 +40,14 @@ module mdrcontact_medium_gao
         !> depths of the interfaces [length]
         real(wp), allocatable :: depth(:)
         type(gao_options_t) :: options
+        !> whether it is the modulus under a load along the surface
+        logical :: under_shear = .false.
+        !> the modulus is 2 p G_eff/(p - nu_eff): p = 1 under normal load, E_eff, and 2 under shear, G_t
+        real(wp) :: p = 1.0_wp
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
+        procedure :: new_tangential
     end type gao_t
 
 contains
@@ -113,6 +120,24 @@ contains
         end select
     end subroutine i0_poisson_choice
 
+    !> The same layers under shear, G_t = 4 G_eff/(2 - nu_eff) with the weights of a load along the surface, exact to first order in
+    !> the contrast.
+    subroutine new_tangential(self, tangential, error)
+        class(gao_t), intent(in) :: self
+        class(medium_t), allocatable, intent(out) :: tangential
+        type(error_t), allocatable, intent(out) :: error
+        type(gao_t) :: own
+
+        own%shear = self%shear
+        own%poisson = self%poisson
+        own%mean = self%mean
+        own%depth = self%depth
+        own%options = self%options
+        own%under_shear = .true.
+        own%p = 2.0_wp
+        if (.not. allocated(error)) allocate (tangential, source=own)
+    end subroutine new_tangential
+
     !> E_eff = 2 G_eff/(1 - nu_eff), every average a sum of positive weights times values.
     elemental function effective_modulus(self, a) result(value)
         class(gao_t), intent(in) :: self
@@ -121,7 +146,7 @@ contains
         real(wp) :: nu, total
 
         call averages(self, a, nu, total)
-        value = 2.0_wp*self%mean%mean(total)/(1.0_wp - nu)
+        value = 2.0_wp*self%p*self%mean%mean(total)/(self%p - nu)
     end function effective_modulus
 
     elemental function effective_modulus_slope(self, a) result(value)
@@ -137,7 +162,7 @@ contains
         nu_slope = -sum((self%poisson(:n) - self%poisson(2:))*weight_i1_slope(self%depth/a)*(self%depth/a))/a
         shear_slope = self%mean%mean_slope(total) &
                       *sum((self%shear(:n) - self%shear(2:))*i0_slopes(self, a, i0_poisson(self%options, nu), nu_slope))
-        value = 2.0_wp*(shear_slope + shear*nu_slope/(1.0_wp - nu))/(1.0_wp - nu)
+        value = 2.0_wp*self%p*(shear_slope + shear*nu_slope/(self%p - nu))/(self%p - nu)
     end function effective_modulus_slope
 
     !> nu_eff, and the sum that belongs to G_eff
@@ -168,7 +193,7 @@ contains
         nu = 0.0_wp
         total = 0.0_wp
         do layer = 1, size(self%depth)
-            call all_weights(self%depth(layer)/a, nu_weight, i0, j0, i1, j1)
+            call all_weights(self%depth(layer)/a, nu_weight, self%under_shear, i0, j0, i1, j1)
             nu = nu + self%poisson(layer)*share(i1, i1_above, j1, j1_above)
             total = total + self%shear(layer)*share(i0, i0_above, j0, j0_above)
             i0_above = i0
@@ -196,10 +221,16 @@ contains
         real(wp), intent(in) :: a, nu, nu_slope
         real(wp) :: slopes(size(self%depth))
 
-        slopes = -weight_i0_slope(self%depth/a, nu)*(self%depth/a)/a
-        if (self%options%weight_nu_choice == gao_nu_effective) then
-            slopes = slopes + weight_i0_poisson_slope(self%depth/a, nu)*nu_slope
+        real(wp) :: poisson_slopes(size(self%depth))
+
+        if (self%under_shear) then
+            slopes = -weight_i0_tangential_slope(self%depth/a, nu)*(self%depth/a)/a
+            poisson_slopes = weight_i0_tangential_poisson_slope(self%depth/a, nu)
+        else
+            slopes = -weight_i0_slope(self%depth/a, nu)*(self%depth/a)/a
+            poisson_slopes = weight_i0_poisson_slope(self%depth/a, nu)
         end if
+        if (self%options%weight_nu_choice == gao_nu_effective) slopes = slopes + poisson_slopes*nu_slope
     end function i0_slopes
 
     pure function i0_poisson(options, effective) result(nu)

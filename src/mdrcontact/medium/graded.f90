@@ -5,16 +5,18 @@
 !> The integrals are done once, when the medium is made, over a range of contact radii; afterwards E_eff(a) is an interpolation.
 module mdrcontact_medium_graded
     use mdrcontact_body_graded, only: graded_body_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
+    use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_options_t, i0_poisson_choice
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, radius_law_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
-    use mdrcontact_weights, only: weight_i0, weight_i0_slope, weight_i1, weight_i1_slope, weight_j0, weight_j1
+    use mdrcontact_weights, only: weight_i0, weight_i0_slope, weight_i0_tangential, weight_i0_tangential_slope, weight_i1, &
+                                  weight_i1_slope, weight_j0, weight_j0_tangential, weight_j1
     implicit none (type, external)
     private
     public :: graded_t, new_graded
@@ -23,9 +25,11 @@ module mdrcontact_medium_graded
     type, extends(effective_medium_t) :: graded_t
         private
         type(radius_law_t) :: law
+        type(gao_options_t) :: options
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
+        procedure :: new_tangential
     end type graded_t
 
     !> E_eff(a) by quadrature over depth, z(1) < z < z(n); constant above and below.
@@ -36,6 +40,8 @@ module mdrcontact_medium_graded
         real(wp) :: top_depth = 0.0_wp, bottom_depth = 0.0_wp
         real(wp) :: top_shear = 0.0_wp, top_poisson = 0.0_wp, bottom_shear = 0.0_wp, bottom_poisson = 0.0_wp
         type(gao_options_t) :: options
+        !> whether it is the modulus under a load along the surface
+        logical :: under_shear = .false.
     contains
         procedure :: value => average_at
     end type average_t
@@ -50,11 +56,13 @@ module mdrcontact_medium_graded
 contains
 
     !> A graded body by Gao's weights.
-    subroutine new_graded(self, body, error, options)
+    subroutine new_graded(self, body, error, options, under_shear)
         type(graded_t), intent(out) :: self
         class(graded_body_t), intent(in) :: body
         type(error_t), allocatable, intent(out) :: error
         type(gao_options_t), intent(in), optional :: options
+        !> G_t in place of E_eff; default false
+        logical, intent(in), optional :: under_shear
         type(average_t) :: average
         integer :: i
 
@@ -69,6 +77,8 @@ contains
         call body%constants(0.0_wp, average%top_shear, average%top_poisson)
         call body%constants(average%bottom_depth, average%bottom_shear, average%bottom_poisson)
         if (present(options)) average%options = options
+        if (present(under_shear)) average%under_shear = under_shear
+        self%options = average%options
         call i0_poisson_choice(average%options, average%top_poisson, average%bottom_poisson, error)
         call new_power_mean(average%mean, average%options%exponent, [average%top_shear, average%shear, average%bottom_shear], error)
         if (allocated(error)) return
@@ -79,6 +89,22 @@ contains
         call new_radius_law_from_function(self%law, average, "the effective modulus", average%top_depth, &
                                           average%bottom_depth*range_factor, sampling_tolerance, error, most_law_panels)
     end subroutine new_graded
+
+    !> The same body under shear.
+    subroutine new_tangential(self, tangential, error)
+        class(graded_t), intent(in) :: self
+        class(medium_t), allocatable, intent(out) :: tangential
+        type(error_t), allocatable, intent(out) :: error
+        type(graded_t) :: own
+
+        select type (body => self%pressed)
+        class is (graded_body_t)
+            call new_graded(own, body, error, self%options, under_shear=.true.)
+        class default
+            call raise(error, error_invalid, "the tangential stiffness of this medium is not known: its body was not kept")
+        end select
+        if (.not. allocated(error)) allocate (tangential, source=own)
+    end subroutine new_tangential
 
     elemental function effective_modulus(self, a) result(value)
         class(graded_t), intent(in) :: self
@@ -140,9 +166,16 @@ contains
         nu = sum(weight_i1_slope(self%z/x)*(self%dz/x)*self%poisson) + weight_i1(top)*self%top_poisson &
              + weight_j1(bottom)*self%bottom_poisson
         weight_nu = merge(nu, self%options%weight_nu, self%options%weight_nu_choice == gao_nu_effective)
-        total = sum(weight_i0_slope(self%z/x, weight_nu)*(self%dz/x)*self%shear) &
-                + weight_i0(top, weight_nu)*self%top_shear + weight_j0(bottom, weight_nu)*self%bottom_shear
-        y = 2.0_wp*self%mean%mean(total)/(1.0_wp - nu)
+        if (self%under_shear) then
+            total = sum(weight_i0_tangential_slope(self%z/x, weight_nu)*(self%dz/x)*self%shear) &
+                    + weight_i0_tangential(top, weight_nu)*self%top_shear &
+                    + weight_j0_tangential(bottom, weight_nu)*self%bottom_shear
+            y = 4.0_wp*self%mean%mean(total)/(2.0_wp - nu)
+        else
+            total = sum(weight_i0_slope(self%z/x, weight_nu)*(self%dz/x)*self%shear) &
+                    + weight_i0(top, weight_nu)*self%top_shear + weight_j0(bottom, weight_nu)*self%bottom_shear
+            y = 2.0_wp*self%mean%mean(total)/(1.0_wp - nu)
+        end if
     end function average_at
 
 end module mdrcontact_medium_graded

@@ -5,10 +5,10 @@
 !> Exact for two homogeneous bodies, for a -> 0 and a -> infinity, and where the two moduli are proportional; else stiffer than the
 !> two bodies, by up to 1 % of E_eff for exact moduli, which is far below the errors of the models themselves.
 module mdrcontact_medium_series
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_material, only: in_series
-    use mdrcontact_medium, only: lower_body, reason_length
+    use mdrcontact_medium, only: lower_body, medium_t, reason_length
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
@@ -33,6 +33,7 @@ module mdrcontact_medium_series
         procedure :: upper_share
         procedure :: upper_depth
         procedure :: take_share
+        procedure :: new_tangential
     end type series_t
 
 contains
@@ -184,5 +185,27 @@ contains
             values(i) = merge(values(i) - upper, upper, body == lower_body)
         end do
     end subroutine take_share
+
+    !> Both bodies under shear.
+    subroutine new_tangential(self, tangential, error)
+        class(series_t), intent(in) :: self
+        class(medium_t), allocatable, intent(out) :: tangential
+        type(error_t), allocatable, intent(out) :: error
+        class(medium_t), allocatable :: lower, upper
+        type(series_t) :: own
+
+        call self%lower%new_tangential(lower, error)
+        if (.not. allocated(error)) call self%upper%new_tangential(upper, error)
+        if (allocated(error)) return
+        select type (lower)
+        class is (effective_medium_t)
+            select type (upper)
+            class is (effective_medium_t)
+                call new_series(own, lower, upper)
+                allocate (tangential, source=own)
+            end select
+        end select
+        if (.not. allocated(tangential)) call raise(error, error_invalid, "one body of the pair has no tangential modulus")
+    end subroutine new_tangential
 
 end module mdrcontact_medium_series
