@@ -74,7 +74,8 @@ enum mdr_status {
     MDR_ENOCONVERGENCE = 5, /**< An iteration or refinement ended before it met its tolerance, or a result left the number range. */
     MDR_ENOMEMORY = 6,      /**< Memory could not be allocated. */
     MDR_ECALLBACK = 7,      /**< A user function reported a failure or gave NaN or infinity. */
-    MDR_EFILE = 8           /**< A file could not be read or written, or is damaged. */
+    MDR_EFILE = 8,          /**< A file could not be read or written, or is damaged. */
+    MDR_ECANCELLED = 9      /**< The function given to mdr_set_cancel() ended the call. */
 };
 
 /** The library's version, 10000 major + 100 minor + patch. Never fails. */
@@ -117,6 +118,22 @@ void mdr_last_failure(mdr_failure *failure);
  * @param threads  at least 1, or 0 for as many as OpenMP offers
  */
 int mdr_set_threads(int threads);
+
+/**
+ * Asked during calls that take long whether to stop.
+ * @param context  the pointer given with the function
+ * @return         0 to go on; anything else to end the call, and then again until it has returned
+ */
+typedef int (*mdr_cancel)(void *context);
+
+/**
+ * From now on all calls of the calling thread that take long - fits, maps, tables, laws, loops, arrays of states - ask `cancel`
+ * whether to stop: after at most 0.2 s, not more often than every 0.05 s, in this thread. A call that is told so returns
+ * MDR_ECANCELLED, has written nothing, and leaves every handle as it was. Each thread has its own.
+ * @param cancel   NULL: none is asked, as at first
+ * @param context  passed on to cancel, may be NULL
+ */
+int mdr_set_cancel(mdr_cancel cancel, void *context);
 
 /** An indenter. Made by mdr_profile_..., freed by mdr_profile_free(). */
 typedef struct mdr_profile mdr_profile;
@@ -1118,7 +1135,8 @@ int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx
  *  @param order    1 to 200; the rule has N = 6 order^3 points
  *  @param nu       Poisson's ratio of the weights, -1 < nu <= 1/2 [1]
  *  @param points   [3 N] x, y, z of each point, relative to the contact's centre and in units of a [1]
- *  @param weights  [2 N] weights of the shear modulus and of Poisson's ratio at each point, with sum 1 each [1] */
+ *  @param weights  [2 N] weights of the shear modulus and of Poisson's ratio at each point, with sum 1 each [1]
+ *  @return MDR_ECANCELLED leaves part of a rule in both arrays */
 int mdr_lateral_rule(int order, double nu, double points[], double weights[]);
 
 /* ---- compiled laws: F(d), a(d), k(d) and their inverses for the price of a short polynomial; docs/laws.md ------------ */

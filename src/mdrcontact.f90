@@ -11,14 +11,15 @@ module mdrcontact
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
                                                coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
+    use mdrcontact_cancel, only: cancel_function, set_cancel
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_field, contact_states, field_displacement, field_line_load, &
                                          field_displacement_lower, field_pressure, field_displacement_upper, &
                                          given_depth, given_force, given_radius
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
-    use mdrcontact_error, only: error_callback, error_domain, error_file, error_invalid, error_memory, error_no_convergence, &
-                                error_t, error_unreachable
+    use mdrcontact_error, only: error_callback, error_cancelled, error_domain, error_file, error_invalid, error_memory, &
+                                error_no_convergence, error_t, error_unreachable
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_body, only: fit_body_t, indenter_cone, indenter_flat_cone, indenter_flat_paraboloid, indenter_flat_punch, &
                                    indenter_given, indenter_paraboloid, indenter_power_law, indenter_rounded_cone, indenter_sphere

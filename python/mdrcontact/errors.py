@@ -13,6 +13,7 @@ __all__ = [
     "OutOfMemoryError",
     "CallbackError",
     "FileError",
+    "CancelledError",
     "NotOneDiscWarning",
     "BeyondRangeWarning",
 ]
@@ -54,6 +55,10 @@ class FileError(MDRError, OSError):
     """A file could not be read or written, or is damaged."""
 
 
+class CancelledError(MDRError):
+    """A call in another thread was ended because the one that waits for it was interrupted."""
+
+
 class NotOneDiscWarning(UserWarning):
     """The pressure of a contact without adhesion is negative somewhere: on this stiff coating the contact is not one disc. Its
     pressure is not that of the true contact; F(d) is off by at most a few per cent."""
@@ -72,6 +77,7 @@ _BY_STATUS: dict[int, type[MDRError]] = {
     6: OutOfMemoryError,
     7: CallbackError,
     8: FileError,
+    9: CancelledError,
 }
 
 

@@ -42,6 +42,9 @@ BOTH_WAYS = {"segment"}
 # Names that mean something to f2py or Python.
 RESERVED = {"in": "values", "size": "cells", "kind": "kinds"}
 LONGEST_LINE = 132
+# The function of interrupted.c, whose address is an attribute of the module.
+INTERRUPTED = "int interrupted(void *);"
+SET_INTERRUPTED = 'PyDict_SetItemString(d, "interrupted", PyLong_FromVoidPtr((void *)(size_t)interrupted));'
 SPDX = "# SPDX-License-Identifier: GPL-3.0-or-later"
 NUMBERS = {"int": ("integer", "int"), "double": ("double precision", "float")}
 
@@ -178,12 +181,12 @@ def main(header, pyf, pyi, layout_file):
     prototypes = re.findall(r"^(int|void) (mdr_\w+)\(([^)]*)\);", text, flags=re.MULTILINE)
     functions = [Function(result, name, " ".join(words.split()), rows) for result, name, words in prototypes]
     signatures = [f"    {line}" for function in functions for line in function.signature()]
-    scalars = [f"PyObject *{name}(PyObject *, PyObject *const *, Py_ssize_t);" for name in SCALARS]
+    declarations = [f"PyObject *{name}(PyObject *, PyObject *const *, Py_ssize_t);" for name in SCALARS] + [INTERRUPTED]
     methods = [f'{{"{name}", (PyCFunction)(void (*)(void)){name}, METH_FASTCALL, NULL}},' for name in SCALARS]
     write(
         Path(pyf),
-        ["python module _native", "  usercode '''", *scalars, "'''", "  pymethoddef '''", *methods, "'''"]
-        + ["  interface", *signatures, "  end interface", "end python module _native"],
+        ["python module _native", "  usercode '''", *declarations, "'''", "  pymethoddef '''", *methods, "'''"]
+        + ["  interface", "    usercode '''", SET_INTERRUPTED, "'''", *signatures, "  end interface", "end python module _native"],
     )
     write(
         Path(pyi),
@@ -195,6 +198,7 @@ def main(header, pyf, pyi, layout_file):
             "",
             "Integers = NDArray[np.intc]",
             "Reals = NDArray[np.float64]",
+            "interrupted: int",
             "",
             *(function.stub() for function in functions),
             *(f"def {name}({words}: ..." for name, words in SCALARS.items()),

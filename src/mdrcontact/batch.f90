@@ -4,7 +4,9 @@
 !> The caller says how many threads; nothing is remembered between calls. Called from within a parallel region, all stays on the
 !> calling thread.
 module mdrcontact_batch
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use, intrinsic :: iso_c_binding, only: c_int
+    use mdrcontact_cancel, only: check_cancelled, help
+    use mdrcontact_error, only: count_text, error_cancelled, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     !$ use omp_lib, only: omp_get_max_threads, omp_get_num_procs, omp_in_parallel
     implicit none (type, external)
@@ -14,6 +16,8 @@ module mdrcontact_batch
     !> What is to be done with each entry. It is shared by the threads: results go to arrays it points to. (It is passed as
     !> intent(inout): of an intent(in) argument gfortran 12 takes what its pointers point to as unchanged, too.)
     type, abstract :: batch_t
+        !> entries of some nanoseconds: the caller is not asked whether to stop
+        logical :: is_quick = .false.
     contains
         procedure(entries), deferred :: work
     end type batch_t
@@ -65,29 +69,41 @@ contains
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, blocks, team, failed
+        integer(c_int), volatile :: is_told
 
         if (allocated(error) .or. n < 1) return
         blocks = (n - 1)/block + 1
         team = min(team_size(n, smallest, threads), blocks)
         if (team == 1) then
-            call batch%work(1, n, error)
+            do i = 1, blocks
+                call batch%work((i - 1)*block + 1, min(i*block, n), error)
+                if (.not. (allocated(error) .or. batch%is_quick)) call check_cancelled(error)
+                if (allocated(error)) return
+            end do
             return
         end if
         failed = blocks + 1
         ! Dynamic: blocks begin in ascending order, and those after a failed one need not begin.
-        !$omp parallel do schedule(dynamic) num_threads(team) default(shared)
+        is_told = 0
+        !$omp parallel num_threads(team) default(shared)
+        call help(is_told)
+        !$omp do schedule(dynamic)
         do i = 1, blocks
-            call run_block(batch, i, (i - 1)*block + 1, min(i*block, n), failed, error)
+            call run_block(batch, i, (i - 1)*block + 1, min(i*block, n), failed, is_told, error)
         end do
-        !$omp end parallel do
+        !$omp end do
+        call help()
+        !$omp end parallel
     end subroutine run_batch
 
     !> One block, unless an earlier one has failed.
-    subroutine run_block(batch, number, first, last, failed, error)
+    subroutine run_block(batch, number, first, last, failed, is_told, error)
         class(batch_t), intent(inout) :: batch
         integer, intent(in) :: number, first, last
         !> number of the earliest block that has failed, and its error; both shared by the threads
         integer, intent(inout) :: failed
+        !> whether the caller's thread, the only one that has someone to ask, was told to stop
+        integer(c_int), intent(inout), volatile :: is_told
         type(error_t), allocatable, intent(inout) :: error
         type(error_t), allocatable :: found
         integer :: earliest
@@ -96,7 +112,9 @@ contains
         earliest = failed
         if (earliest < number) return
         call batch%work(first, last, found)
+        if (.not. (allocated(found) .or. batch%is_quick)) call check_cancelled(found)
         if (.not. allocated(found)) return
+        if (found%code == error_cancelled) is_told = 1
         !$omp critical (mdrcontact_batch_failed)
         if (number < failed) then
             !$omp atomic write
@@ -116,6 +134,7 @@ contains
         type(map_batch_t) :: batch
         type(error_t), allocatable :: error
 
+        batch%is_quick = .true.
         batch%map => map
         batch%x => x
         batch%y => y

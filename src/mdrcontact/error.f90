@@ -12,7 +12,7 @@ module mdrcontact_error
     public :: error_t, raise, check_memory, check_count_within, check_finite, check_positive, check_not_negative, check_poisson, &
               check_inclination, check_table, count_text, explain, raise_at, to_text
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
-              error_memory, error_callback, error_file
+              error_memory, error_callback, error_file, error_cancelled
 
     !> The call did what it says.
     integer, parameter :: success = 0
@@ -32,6 +32,8 @@ module mdrcontact_error
     integer, parameter :: error_callback = 7
     !> A file could not be read or written, or is damaged.
     integer, parameter :: error_file = 8
+    !> The caller's cancel function ended the call.
+    integer, parameter :: error_cancelled = 9
 
     !> A failure: `code` is one of the constants above, `message` the reason in words.
     type :: error_t

@@ -4,7 +4,7 @@
 !> Nonlinear least squares of the same forward model that computes contacts, over GSL's trust region. A value known beforehand
 !> enters as one more datum, and with it its uncertainty into that of everything else.
 module mdrcontact_fit
-    use mdrcontact_error, only: explain, error_invalid, error_t, raise
+    use mdrcontact_error, only: error_cancelled, error_invalid, error_t, explain, raise
     use mdrcontact_fit_correlation, only: correlated_spread
     use mdrcontact_fit_least_squares, only: minimize, outcome_t
     use mdrcontact_fit_problem, only: check_data, check_problem, fit_data_t, fit_problem_t, loss_linear
@@ -104,6 +104,7 @@ contains
 
         call residuals%fitted(u, y, error)
         if (allocated(error)) then
+            if (error%code == error_cancelled) return
             call explain(error, "the model has no answer at the start of the search: ", &
                          "; check the units of the data and the starting values")
             return

@@ -19,6 +19,7 @@ static void every_status_has_its_name(void)
     NAME_OF(MDR_ENOMEMORY);
     NAME_OF(MDR_ECALLBACK);
     NAME_OF(MDR_EFILE);
+    NAME_OF(MDR_ECANCELLED);
     CHECK_TEXT(mdr_status_name(-1), "unknown status");
     CHECK_TEXT(mdr_status_name(99), "unknown status");
 }

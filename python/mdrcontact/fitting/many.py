@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 from .._boundary import thread_count
+from .._interrupt import workers
 from ..errors import InvalidArgumentError, MDRError
 from .data import Data
 from .result import FitResult
@@ -53,7 +53,7 @@ def fit_many(
         except MDRError as problem:
             return FailedFit(index, problem)
 
-    with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+    with workers(threads or os.cpu_count()) as pool:
         for done, result in enumerate(pool.map(one, range(len(tasks))), start=1):
             results.append(result)
             if progress is not None:

@@ -7,7 +7,6 @@ import json
 import math
 import os
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,6 +16,7 @@ from .. import _native
 from .._boundary import call, number
 from .._choices import nearest
 from .._files import replace
+from .._interrupt import workers
 from ..errors import InvalidArgumentError, MDRError
 from ..problem.units import practical
 from .picture import draw
@@ -176,7 +176,7 @@ class FitResult:
                 return None
             return [float(values[problem.names.index(name)]) for name in self.names]
 
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
+        with workers(os.cpu_count()) as pool:
             rows = [row for row in pool.map(one, trials) if row is not None]
         if len(rows) < 0.9 * draws:
             raise MDRError(f"only {len(rows)} of {draws} simulated data sets could be fitted: there is no interval from them")

@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -15,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
 from .._boundary import call, row, thread_count
+from .._interrupt import workers
 from ..errors import ArgumentTypeError, InvalidArgumentError, OutOfMemoryError
 from ..material import Elastic
 from ..weights import weight_j0, weight_j1
@@ -152,7 +152,7 @@ def _convolve(job: _Job, radii: Array, threads: int, progress: bool) -> Array:
                 with locks[r]:
                     sums[r, i] += product
 
-    with ThreadPoolExecutor(threads) as pool:
+    with workers(threads) as pool:
         for _ in _bar(pool.map(add, range(slices)), progress, "slices", slices):
             pass
     edges = np.arange(slices + 1) * dz

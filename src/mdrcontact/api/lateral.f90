@@ -72,7 +72,9 @@ contains
             call check_memory(error, stat)
         end if
         if (.not. allocated(error)) then
-            call cell_weights(slab, x(:nx + 1)/a, y(:ny + 1)/a, weights(:, :, 1), weights(:, :, 2))
+            call cell_weights(slab, x(:nx + 1)/a, y(:ny + 1)/a, weights(:, :, 1), weights(:, :, 2), error)
+        end if
+        if (.not. allocated(error)) then
             shear(:nx*ny) = reshape(weights(:, :, 1), [nx*ny])
             poisson(:nx*ny) = reshape(weights(:, :, 2), [nx*ny])
         end if

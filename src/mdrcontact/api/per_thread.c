@@ -85,6 +85,7 @@ const char *mdr_status_name(int status)
     case MDR_ENOMEMORY: return "MDR_ENOMEMORY";
     case MDR_ECALLBACK: return "MDR_ECALLBACK";
     case MDR_EFILE: return "MDR_EFILE";
+    case MDR_ECANCELLED: return "MDR_ECANCELLED";
     default: return "unknown status";
     }
 }

@@ -6,6 +6,7 @@
 !> interpolated are the logarithms of d0, F0, k and, with adhesion, dl over x = ln(a - end radius), where every shape and medium is
 !> close to a straight line (theory 4 and 5): d = d0 - dl, F = F0 - k dl.
 module mdrcontact_contact_curve
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_control, only: control_t, depth_control
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -118,6 +119,8 @@ contains
             left = edges(count + 1)
             right = waiting(1)
             root = any(coordinates(2:) == left)
+            call check_cancelled(error)
+            if (allocated(error)) return
             call sample_panel(self, equilibrium, left, right, root, panel, error)
             if (allocated(error)) return
             ! Close to a flat end a - b, and all that depends on it, has lost digits.

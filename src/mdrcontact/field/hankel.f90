@@ -184,15 +184,15 @@ contains
     end subroutine add_point
 
     !> Adds the sums on a grid of radii and depths, by threads.
-    subroutine add_grid(self, depths, r, sums, threads)
+    subroutine add_grid(self, depths, r, sums, threads, error)
         type(hankel_t), intent(in), target :: self
         type(depth_t), intent(in), target :: depths(:)
         real(wp), intent(in), target :: r(:)
         !> (radius, sum, depth)
         real(wp), intent(inout), target :: sums(:, :, :)
         integer, intent(in) :: threads
+        type(error_t), allocatable, intent(inout) :: error
         type(grid_t) :: grid
-        type(error_t), allocatable :: error
         integer, target :: place(size(depths))
         integer :: first, waves, i
 
@@ -214,6 +214,7 @@ contains
             call run_batch(grid, grid%active, 4, 8, threads, error)
             grid%is_bessel = .true.
             call run_batch(grid, size(r), radii, 2*radii, threads, error)
+            if (allocated(error)) return
         end do
     end subroutine add_grid
 

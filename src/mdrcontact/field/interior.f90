@@ -203,16 +203,16 @@ contains
             points%hankel => hankel
             points%order = pack([(i, i=1, size(r))], chosen)
             if (is_grid) then
-                call add_on_grid(hankel, depths, r, points%order, sums, threads)
+                call add_on_grid(hankel, depths, r, points%order, sums, threads, error)
             else
                 call run_batch(points, size(points%order), 16, 32, threads, error)
-                if (allocated(error)) return
             end if
+            if (allocated(error)) return
         end do
     end subroutine find_sums
 
     !> The Hankel integrals of chosen points by products of matrices over their distinct radii and depths.
-    subroutine add_on_grid(hankel, depths, r, order, sums, threads)
+    subroutine add_on_grid(hankel, depths, r, order, sums, threads, error)
         type(hankel_t), intent(in) :: hankel
         type(depth_t), intent(in) :: depths(:)
         real(wp), intent(in) :: r(:)
@@ -220,6 +220,7 @@ contains
         integer, intent(in) :: order(:)
         real(wp), intent(inout) :: sums(:, :)
         integer, intent(in) :: threads
+        type(error_t), allocatable, intent(inout) :: error
         integer, dimension(size(order)) :: row, column
         integer, allocatable :: first_r(:), first_z(:)
         real(wp), allocatable :: table(:, :, :)
@@ -228,7 +229,8 @@ contains
         call distinct(r(order), first_r, row)
         call distinct(depths(order)%z, first_z, column)
         allocate (table(size(first_r), size(sums, 1), size(first_z)), source=0.0_wp)
-        call add_grid(hankel, depths(order(first_z)), r(order(first_r)), table, threads)
+        call add_grid(hankel, depths(order(first_z)), r(order(first_r)), table, threads, error)
+        if (allocated(error)) return
         do i = 1, size(order)
             sums(:, order(i)) = sums(:, order(i)) + table(row(i), :, column(i))
         end do

@@ -3,6 +3,7 @@
 !>
 !> p(r) follows from q by equation (6), and its Hankel transform is p_hat(k) = int_0^a p J0(kr) r dr = (1/pi) int_0^a q cos kx dx.
 module mdrcontact_field_load
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemv
@@ -75,6 +76,8 @@ contains
         allocate (cosine(size(x), panel), sine(size(x), panel), here(size(x)))
         distance = -1.0_wp
         do i = 1, size(k), panel
+            call check_cancelled(error)
+            if (allocated(error)) return
             last = min(i + panel - 1, size(k))
             if (any(abs(k(i:last) - k(i) - distance(:last - i + 1)) > 8.0_wp*epsilon(1.0_wp)*k(last))) then
                 distance(:last - i + 1) = k(i:last) - k(i)

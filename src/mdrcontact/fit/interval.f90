@@ -4,6 +4,7 @@
 module mdrcontact_fit_interval
     use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_problem, only: ascending_points, fit_data_t, fit_problem_t, joint_priors
@@ -106,6 +107,8 @@ contains
                        problem%parameters(position)%lower)
         upper = end_of(fixed, weighted, position, fit%values(position), step, threshold, best, &
                        problem%parameters(position)%upper)
+        ! until here a model that was not computed to its end had no value
+        call check_cancelled(error)
     end subroutine profile_interval
 
     !> One end: secant steps on the root of the rise, which is nearly a straight line, held in a bracket.

@@ -6,6 +6,7 @@
 module mdrcontact_fit_least_squares
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, c_loc, c_null_funptr, c_null_ptr, &
                                            c_ptr, c_size_t
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: error_memory, error_t, raise
     use mdrcontact_fit_gsl_multifit, only: gsl_enoprog, gsl_matrix, gsl_multifit_nlinear_alloc, &
                                            gsl_multifit_nlinear_default_parameters, gsl_multifit_nlinear_fdf, &
@@ -130,6 +131,8 @@ contains
         call read_vector(gsl_multifit_nlinear_position(workspace), u)
         call gsl_multifit_nlinear_free(workspace)
         if (allocated(residuals%error)) deallocate (residuals%error)
+        ! a model that was not computed to its end was a step refused
+        call check_cancelled(error)
     end subroutine minimize
 
     subroutine iterate(workspace, max_iterations, exact_sum, outcome)
@@ -281,7 +284,9 @@ contains
         real(wp), intent(out) :: r(:)
 
         if (allocated(self%error)) deallocate (self%error)
-        call self%evaluate(u, r)
+        r = 0.0_wp
+        call check_cancelled(self%error)
+        if (.not. allocated(self%error)) call self%evaluate(u, r)
         self%evaluations = self%evaluations + 1
     end subroutine evaluate_counted
 

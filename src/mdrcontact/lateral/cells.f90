@@ -6,11 +6,13 @@
 !> in D, and neighbouring cells share their edges: whatever the quadrature along an edge loses in one cell it gives to the
 !> next.
 module mdrcontact_lateral_cells
+    use mdrcontact_cancel, only: check_cancelled
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_lateral_slab, only: outside, slab_distance, slab_t
     implicit none (type, external)
     private
-    public :: cell_weights, box_weights
+    public :: cell_weights
 
     integer, parameter :: deepest = 7
     real(wp), parameter :: outer2 = 0.5773502691896257645_wp
@@ -22,11 +24,12 @@ module mdrcontact_lateral_cells
 contains
 
     !> Weights of the cells between ascending lines x(0:nx) and y(0:ny).
-    pure subroutine cell_weights(slab, x, y, shear, poisson)
+    subroutine cell_weights(slab, x, y, shear, poisson, error)
         type(slab_t), intent(in) :: slab
         real(wp), intent(in) :: x(0:), y(0:)
         !> (nx, ny)
         real(wp), intent(out) :: shear(:, :), poisson(:, :)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: edge(2), left(2, size(y) - 1), below(2)
         integer :: i, j, panel
 
@@ -35,6 +38,8 @@ contains
             call edge_integral(slab, x(0), y(j - 1), y(j), panel, left(:, j))
         end do
         do i = 1, ubound(x, 1)
+            call check_cancelled(error)
+            if (allocated(error)) return
             call edge_integral(slab, y(0), x(i - 1), x(i), panel, below)
             do j = 1, ubound(y, 1)
                 ! counter-clockwise around the cell; its upper side follows below
@@ -51,17 +56,6 @@ contains
             end do
         end do
     end subroutine cell_weights
-
-    !> Weights (shear, poisson) of one rectangle of the slab.
-    pure function box_weights(slab, x_low, x_high, y_low, y_high) result(weights)
-        type(slab_t), intent(in) :: slab
-        real(wp), intent(in) :: x_low, x_high, y_low, y_high
-        real(wp) :: weights(2)
-        real(wp) :: shear(1, 1), poisson(1, 1)
-
-        call cell_weights(slab, [x_low, x_high], [y_low, y_high], shear, poisson)
-        weights = [shear(1, 1), poisson(1, 1)]
-    end function box_weights
 
     !> int D dtheta along the line at distance c from the axis, from v = low to high, where dtheta = c dv/(c^2 + v^2).
     pure recursive subroutine edge_integral(slab, c, low, high, panel, integral, depth)

@@ -5,6 +5,7 @@
 !> jumps it is slow, and shapes or voxels are the better description.
 module mdrcontact_lateral_field
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_poisson, error_callback, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_density, only: lateral_density_spheroidal
@@ -128,6 +129,8 @@ contains
         if (allocated(error)) return
         found = 0.0_wp
         do i = 1, n
+            call check_cancelled(error)
+            if (allocated(error)) return
             call self%field%material(x + a*points(1, i), y + a*points(2, i), a*points(3, i), shear(i), poisson(i), error)
             if (.not. allocated(error)) call check_material(shear(i), poisson(i), error)
             if (allocated(error)) return
@@ -173,6 +176,8 @@ contains
         call gauss_legendre(u, w, error)
         n = 0
         do j = 1, order
+            call check_cancelled(error)
+            if (allocated(error)) return
             do i = 1, order
                 ! two triangles that meet at the edge of the contact, and all that is further than s = 1
                 s = [u(i), u(i)*u(j), 1.0_wp/u(i)]

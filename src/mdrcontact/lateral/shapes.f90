@@ -2,6 +2,7 @@
 !> A structure made of bodies in a background material: E_eff by quadrature over depths, radii and exact arcs (theory 7).
 module mdrcontact_lateral_shapes
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_poisson, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_density, only: lateral_density
@@ -122,6 +123,8 @@ contains
         if (allocated(error)) return
         call depth_rule(all_depth_breaks(self, x, y, a), gauss, weights, depths)
         do i = 1, size(depths%nodes)
+            call check_cancelled(error)
+            if (allocated(error)) return
             call cut(self, x, y, a, depths%nodes(i), sections, present_shapes)
             if (size(present_shapes) == 0) cycle
             call radius_rule(all_touching_radii(sections), depths%nodes(i), gauss, weights, radii)

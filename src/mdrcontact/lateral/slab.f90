@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The weights of theory 7 between two depths: how much of them lies outside each radius. Lengths in units of the contact radius.
 module mdrcontact_lateral_slab
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: error_memory, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_density, only: lateral_density
@@ -56,6 +57,8 @@ contains
         running = tail_of(nu, top, bottom, self%edges(ubound(self%edges, 1)), x, w)
         self%tail = running
         do panel = ubound(self%edges, 1), 1, -1
+            call check_cancelled(error)
+            if (allocated(error)) return
             length = self%edges(panel) - self%edges(panel - 1)
             do i = 1, order
                 samples(:, i) = length*column(nu, top, bottom, self%edges(panel - 1) + length*x(i), x, w)

@@ -73,6 +73,7 @@ contains
         type(density_batch_t) :: batch
         type(error_t), allocatable :: error
 
+        batch%is_quick = .true.
         batch%nu = nu
         batch%rho => rho
         batch%z => z

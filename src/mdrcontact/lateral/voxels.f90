@@ -138,7 +138,8 @@ contains
             call new_slab(slab, self%reference_nu, (k - 1)*self%spacing(3)/a, k*self%spacing(3)/a, &
                           hypot(maxval(abs(lines_x)), maxval(abs(lines_y))), error)
             if (allocated(error)) return
-            call cell_weights(slab, lines_x, lines_y, shear_weights, poisson_weights)
+            call cell_weights(slab, lines_x, lines_y, shear_weights, poisson_weights, error)
+            if (allocated(error)) return
             base = beside
             if (self%periodic) base = slice_mean(self, k, phases, below)
             ! differences from `below`, then from the slice's base: a homogeneous structure returns itself exactly

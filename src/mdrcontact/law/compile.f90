@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> From sampled equilibria to the polynomials of a law: cuts the branch into intervals, fits the panels.
 module mdrcontact_law_compile
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_curve, only: curve_point_t, curve_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
@@ -178,6 +179,8 @@ contains
             if (allocated(coefficients)) deallocate (coefficients)
             allocate (coefficients(coefficient_count, column_count, panel_count(interval)))
             do panel = 1, size(coefficients, 3)
+                call check_cancelled(error)
+                if (allocated(error)) return
                 call fit_panel(table, curve, piece, interval, panel, tolerance, coefficients(:, :, panel), fits)
                 if (.not. fits) exit
             end do

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> How far a compiled law is from the contact it was made from, at states that had no part in making it.
 module mdrcontact_law_verify
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_branch, only: stable_segment_t
     use mdrcontact_contact_curve, only: curve_t
     use mdrcontact_contact, only: contact_t
@@ -38,6 +39,8 @@ contains
                 depth_segment = findloc(of_depth%first <= x .and. x <= of_depth%last, .true., dim=1)
                 force_segment = findloc(of_force%first <= x .and. x <= of_force%last, .true., dim=1)
                 if (depth_segment == 0 .and. force_segment == 0) cycle
+                call check_cancelled(error)
+                if (allocated(error)) return
                 call contact%at_radius(curve%end_radius + exp(x), state, error)
                 if (allocated(error)) return
                 solutions = solutions + 1

@@ -5,6 +5,7 @@
 !> kernel's width whatever g is. P_2j(x/a) as a line load is the pressure P_2j(sigma)/(P_2j(0) pi sqrt(a^2 - r^2)),
 !> sigma = sqrt(1 - r^2/a^2).
 module mdrcontact_layered_fields
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
@@ -58,6 +59,8 @@ contains
         reached = huge(reached)
         n = ceiling(1.5_wp*first_unknowns(kernel, tolerance, a/kernel%unit, .false.))
         do while (n <= most_unknowns)
+            call check_cancelled(error)
+            if (allocated(error)) return
             call expand(self, kernel, profile, a, excess, n, reached, solved, error)
             if (allocated(error)) return
             if (.not. solved) exit

@@ -6,6 +6,7 @@
 !> the error of each number. Under a fine surface layer X is nearly singular at the edge, and its series falls slowly there: its
 !> product with g is taken whole, as an integral.
 module mdrcontact_layered_solve
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_lapack, only: dpotrf
@@ -67,6 +68,8 @@ contains
         n = first_unknowns(kernel, tolerance, a/kernel%unit, is_kinked)
         nodes = ceiling(min(smooth_unknowns(tolerance, a/kernel%unit), real(most_unknowns, wp))*merge(4.5_wp, 3.2_wp, is_kinked))
         do
+            call check_cancelled(error)
+            if (allocated(error)) return
             call solve_with(kernel, a, n, max(nodes, 2*n), solution, solved, error, profile)
             if (allocated(error)) return
             if (.not. solved) then

@@ -7,6 +7,7 @@
 !> Wavenumbers and positions both run in octaves, so one small table of exp(iky) serves all pairs of octaves.
 module mdrcontact_layered_tabulate
     use mdrcontact_body, only: body_t
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemv
@@ -46,6 +47,8 @@ contains
         kernel%is_layered = surface%last_depth() > kernel%unit
         kernel%sigma_zero = surface%long_wave_limit()
         do attempt = 1, attempts
+            call check_cancelled(error)
+            if (allocated(error)) return
             if (.not. tables(attempt)%is_made()) then
                 call new_wave_table(tables(attempt), pi/real(ray_denominator(attempt), wp), ray_panels(attempt), error)
                 if (allocated(error)) return

@@ -8,6 +8,7 @@
 !> are involved.
 module mdrcontact_numerics_quadrature
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr, c_size_t
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_gsl, only: gsl_integration_glfixed_point, gsl_integration_glfixed_table_alloc, &
                               gsl_integration_glfixed_table_free
@@ -93,6 +94,7 @@ contains
         real(wp) :: t(nodes_per_panel), w(nodes_per_panel), length
         integer :: panel, first, last, count, stat
 
+        call check_cancelled(error)
         call gauss_legendre(t, w, error)
         call graded_edges(lower, upper, breaks, singular_end, edges, error)
         if (allocated(error)) return

@@ -6,6 +6,7 @@
 !> branches of contact mechanics are analytic.
 module mdrcontact_numerics_sampled_function
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -95,6 +96,8 @@ contains
         if (size(from_root) > 0) root_stack(:waiting) = from_root(waiting:1:-1)
         count = 0
         do while (waiting > 0)
+            call check_cancelled(error)
+            if (allocated(error)) return
             left = stack(1, waiting)
             right = stack(2, waiting)
             call sample_panel(f, left, right, root_stack(waiting), cosines, coefficients)

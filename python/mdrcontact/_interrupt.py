@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Ctrl-C during long calls: the library asks now and then whether to stop."""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+
+from . import _native
+from ._boundary import call
+
+_MDR_CANCEL = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
+
+# Python answers signals in its main thread alone, which is the one that imports.
+if threading.current_thread() is threading.main_thread():
+    call(_native.set_cancel, _native.interrupted, 0)
+
+
+@contextmanager
+def workers(threads: int | None) -> Iterator[ThreadPoolExecutor]:
+    """Threads whose calls into the library end soon where the one that waits for them is interrupted."""
+    stop = threading.Event()
+    asked = _MDR_CANCEL(lambda _context: stop.is_set())
+    address = ctypes.cast(asked, ctypes.c_void_p).value or 0
+    with ThreadPoolExecutor(threads, initializer=lambda: call(_native.set_cancel, address, 0)) as pool:
+        try:
+            yield pool
+        except BaseException:
+            stop.set()
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise

@@ -1,0 +1,77 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Calls that take long ask now and then whether to stop: see mdr_set_cancel() in mdrcontact.h.
+module mdrcontact_cancel
+    use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_loc, c_null_funptr, c_null_ptr, c_ptr
+    use mdrcontact_error, only: error_cancelled, error_t, raise
+    implicit none (type, external)
+    private
+    public :: cancel_function, check_cancelled, help, set_cancel
+
+    abstract interface
+        !> Nonzero: stop. Once it has said so it must go on saying so until the call has returned.
+        function cancel_function(context) result(stop_now) bind(C)
+            import :: c_int, c_ptr
+            type(c_ptr), value :: context
+            integer(c_int) :: stop_now
+        end function cancel_function
+    end interface
+
+    interface
+        function mdr_set_cancel(cancel, context) result(status) bind(C)
+            import :: c_funptr, c_int, c_ptr
+            type(c_funptr), value :: cancel
+            type(c_ptr), value :: context
+            integer(c_int) :: status
+        end function mdr_set_cancel
+
+        function mdrcontact_is_cancelled() result(answer) bind(C)
+            import :: c_int
+            integer(c_int) :: answer
+        end function mdrcontact_is_cancelled
+
+        subroutine mdrcontact_help(is_told) bind(C)
+            import :: c_ptr
+            type(c_ptr), value :: is_told
+        end subroutine mdrcontact_help
+    end interface
+
+contains
+
+    !> From now on every call of the calling thread that takes long asks `cancel`, at least every 0.2 s, and ends with
+    !> error_cancelled where it says so; without arguments none is asked any more.
+    subroutine set_cancel(cancel, context)
+        !> absent: none
+        procedure(cancel_function), optional :: cancel
+        !> handed on to it
+        type(c_ptr), intent(in), optional :: context
+        type(c_funptr) :: entry
+        type(c_ptr) :: handed_on
+        integer(c_int) :: status
+
+        entry = c_null_funptr
+        handed_on = c_null_ptr
+        if (present(cancel)) entry = c_funloc(cancel)
+        if (present(context)) handed_on = context
+        status = mdr_set_cancel(entry, handed_on)
+    end subroutine set_cancel
+
+    !> In a thread that helps another one: check_cancelled follows what that one was told; without an argument no longer.
+    subroutine help(is_told)
+        !> not 0 once it was told to stop
+        integer(c_int), intent(inout), target, volatile, optional :: is_told
+
+        if (present(is_told)) then
+            call mdrcontact_help(c_loc(is_told))
+        else
+            call mdrcontact_help(c_null_ptr)
+        end if
+    end subroutine help
+
+    !> Raises if the caller wants the call to end. It costs some ten nanoseconds: for anything that is done thousands of times.
+    subroutine check_cancelled(error)
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (mdrcontact_is_cancelled() /= 0) call raise(error, error_cancelled, "cancelled by the caller")
+    end subroutine check_cancelled
+
+end module mdrcontact_cancel

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Calls that would take seconds to minutes are told to stop: each is asked often enough, ends soon after the answer, writes nothing,
+ * and leaves its handles as they were. Time is that of the processor: the machine may have other work.
+ */
+#include "check.h"
+
+#include <time.h>
+
+enum { MANY = 400000, ROWS = 400, BALLS = 40, POINTS = 400 };
+
+static const double longest_wait = 0.2, patience = 0.08;
+
+/* When the call began, was last asked, and was told to stop; the longest time without a question. */
+static double began, asked, told, longest_gap;
+static int answers_no;
+
+static double seconds(void)
+{
+    return (double)clock() / CLOCKS_PER_SEC;
+}
+
+static int stop(void *context)
+{
+    const double now = seconds();
+    if (now - asked > longest_gap) longest_gap = now - asked;
+    asked = now;
+    if (*(const int *)context || now - began < patience) return 0;
+    if (told == 0.0) told = now;
+    return 1;
+}
+
+static double in[MANY], out[MANY], radii[MANY];
+static int labels[ROWS * ROWS];
+static mdr_contact *exact, *plain, *rough, *sharp;
+static mdr_structure *balls, *voxels;
+static mdr_medium *medium;
+static mdr_law *law;
+
+static int states(void) { return mdr_contact_from_force(exact, MANY, in, NULL, NULL, out, NULL); }
+static int formula_states(void) { return mdr_contact_from_force(plain, MANY, in, NULL, NULL, out, NULL); }
+static int pressures(void) { return field_at(rough, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, MANY, radii, out); }
+static int compiled(void) { return mdr_law_new(sharp, 1.0, NULL, &law); }
+static int place(void) { return mdr_structure_modulus(balls, MANY, in, in, in + 1, out); }
+static int cells(void) { return mdr_structure_modulus(voxels, MANY, in, in, in + 1, out); }
+static int table(void) { return mdr_structure_medium(balls, 0.0, 0.0, 0.01, 10.0, 100000, &medium); }
+static int inside(void)
+{
+    const mdr_state state = {0.5, 1.0, 1.0, 2.0, 0.0};
+    static double angles[MANY];
+    static mdr_interior found[MANY];
+    return mdr_contact_interior(exact, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.1, MANY / 10, radii, in, angles, found);
+}
+
+/* Force against depth of a cone on a graded body, E at three depths free. */
+static int fit(void)
+{
+    enum { NUMBERS = 1 + 3 * 12 + 9 };
+    mdr_fit_problem problem;
+    mdr_fit_parameter p[NUMBERS];
+    double y[POINTS];
+
+    mdr_fit_problem_init(&problem);
+    problem.data_kind = MDR_FIT_FORCE_DEPTH;
+    problem.indenter = MDR_FIT_INDENTER_CONE;
+    problem.medium = MDR_FIT_MEDIUM_GRADED;
+    problem.model = MDR_MODEL_EXACT;
+    problem.layers = 12;
+    problem.check_units = 0;
+    problem.parameter_count = NUMBERS;
+    problem.parameters = p;
+    for (int i = 0; i < NUMBERS; i++) p[i] = (mdr_fit_parameter){0.0, -INFINITY, INFINITY, 0.0, 0.0, 0};
+    p[0].value = 0.3;
+    for (int i = 0; i < 12; i++) {
+        p[1 + 3 * i].value = 0.3 * i;
+        p[2 + 3 * i] = (mdr_fit_parameter){1.0 + 0.3 * i, -INFINITY, INFINITY, 0.0, 0.0, 1};
+        p[3 + 3 * i].value = 0.3;
+    }
+    p[NUMBERS - 5].value = INFINITY;
+    p[NUMBERS - 4].value = 0.75;
+    for (int i = NUMBERS - 3; i < NUMBERS; i++) p[i].value = 1.0;
+    for (int i = 0; i < POINTS; i++) y[i] = in[i] * in[i] * (3.0 + sin(7.0 * in[i]));
+    return mdr_fit_solve(&problem, POINTS, in, y, NULL, NULL, NULL, NULL, NULL, NULL, NULL, out, NULL, NULL);
+}
+
+static void check_cancelled(const char *name, int (*call)(void))
+{
+    int status;
+    fill_untouched(MANY, out);
+    answers_no = 0;
+    began = asked = seconds();
+    told = longest_gap = 0.0;
+    status = call();
+    printf("%s: asked every %.0f ms at least, ended %.0f ms after the answer\n", name, 1e3 * longest_gap, 1e3 * (seconds() - told));
+    CHECK_STATUS(status, MDR_ECANCELLED, "cancelled by the caller");
+    CHECK_TRUE(longest_gap < longest_wait);
+    CHECK_TRUE(told > 0.0 && seconds() - told < longest_wait);
+    CHECK_UNTOUCHED(MANY, out);
+}
+
+int main(void)
+{
+    const double z[3] = {0.0, 0.5, 2.0}, E[3] = {1.0, 2.0, 5.0}, nu[3] = {0.3, 0.25, 0.2}, spacing[3] = {0.05, 0.05, 0.1};
+    const int size[3] = {ROWS, ROWS, 1};
+    static double shapes[7 * BALLS], shape_E[BALLS], shape_nu[BALLS];
+    int kinds[BALLS];
+    double once;
+    mdr_profile *p = NULL, *cone = NULL;
+    mdr_medium *graded = NULL, *half_space = NULL, *film = NULL;
+
+    for (int i = 0; i < MANY; i++) in[i] = 0.001 + 2.0 * i / MANY;
+    for (int i = 0; i < POINTS; i++) in[i] = 0.01 * (i + 1);
+    for (int i = 0; i < MANY; i++) radii[i] = (double)i / MANY;
+    for (int i = 0; i < ROWS * ROWS; i++) labels[i] = (i * 7 + i / ROWS) % 3;
+    for (int i = 0; i < BALLS; i++) {
+        kinds[i] = MDR_SHAPE_BALL;
+        shapes[7 * i] = sin(3.0 * i), shapes[7 * i + 1] = cos(5.0 * i), shapes[7 * i + 2] = 0.6 + 0.02 * i, shapes[7 * i + 3] = 0.5;
+        shape_E[i] = 1.0 + 0.1 * i, shape_nu[i] = 0.3;
+    }
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
+    CHECK_SUCCESS(mdr_profile_cone(0.3, &cone));
+    CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
+    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &half_space));
+    CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(mdr_contact_new(p, graded, NULL, &exact));
+    CHECK_SUCCESS(mdr_contact_new(p, half_space, NULL, &plain));
+    CHECK_SUCCESS(mdr_contact_new(cone, film, NULL, &rough));
+    CHECK_SUCCESS(mdr_contact_new(cone, graded, NULL, &sharp));
+    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, BALLS, kinds, shapes, shape_E, shape_nu, NULL, &balls));
+    CHECK_SUCCESS(mdr_structure_voxels(size, labels, 3, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
+
+    CHECK_INT(mdr_set_cancel(stop, &answers_no), MDR_SUCCESS);
+    check_cancelled("states", states);
+    check_cancelled("states by formula", formula_states);
+    check_cancelled("pressures", pressures);
+    check_cancelled("law", compiled);
+    check_cancelled("shapes", place);
+    check_cancelled("voxels", cells);
+    check_cancelled("table", table);
+    check_cancelled("stresses", inside);
+    check_cancelled("fit", fit);
+    CHECK_TRUE(law == NULL && medium == NULL);
+
+    /* on two threads too; the handles are sound */
+    CHECK_SUCCESS(mdr_set_threads(2));
+    check_cancelled("states, two threads", states);
+    check_cancelled("shapes, two threads", place);
+    CHECK_SUCCESS(mdr_set_threads(1));
+    answers_no = 1;
+    CHECK_SUCCESS(mdr_contact_from_depth(exact, 1, in, NULL, NULL, out, NULL));
+    once = out[0];
+    CHECK_SUCCESS(mdr_set_cancel(NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_from_depth(exact, 1, in, NULL, NULL, out, NULL));
+    CHECK_CLOSE(out[0], once, 0.0);
+
+    CHECK_SUCCESS(mdr_structure_free(&voxels));
+    CHECK_SUCCESS(mdr_structure_free(&balls));
+    CHECK_SUCCESS(mdr_contact_free(&sharp));
+    CHECK_SUCCESS(mdr_contact_free(&rough));
+    CHECK_SUCCESS(mdr_contact_free(&plain));
+    CHECK_SUCCESS(mdr_contact_free(&exact));
+    CHECK_SUCCESS(mdr_medium_free(&film));
+    CHECK_SUCCESS(mdr_medium_free(&half_space));
+    CHECK_SUCCESS(mdr_medium_free(&graded));
+    CHECK_SUCCESS(mdr_profile_free(&cone));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    return check_report("cancelled calls");
+}

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Ctrl-C during a long call ends it within a fraction of a second and leaves objects as they were."""
+
+import subprocess
+import sys
+
+import pytest
+
+SCRIPT = """
+import os, signal, threading, time
+import numpy as np
+import mdrcontact as mdr
+from mdrcontact import lateral
+
+graded = mdr.Graded([0.0, 0.5, 2.0], [1.0, 2.0, 5.0], 0.3)
+contact = mdr.Contact(mdr.Paraboloid(1.0), graded)
+before = contact.at_depth(0.5)
+many = np.linspace(0.01, 1.0, 3_000_000)
+balls = [lateral.Ball((np.sin(3 * i), np.cos(5 * i), 0.6), 0.5, mdr.Elastic(1.0 + i, 0.3)) for i in range(40)]
+structure = lateral.Shapes(mdr.Elastic(1.0, 0.3), balls)
+depth = np.linspace(0.01, 1.0, 300)
+curve = mdr.ForceDepth(depth, depth**2 * (1 + np.sin(9 * depth)))
+names = ["E[1]", "E[2]", "nu[1]", "z[1]"]
+
+calls = {CALLS}
+for name, call in calls.items():
+    pressed = []
+
+    def press():
+        pressed.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Timer(0.3, press).start()
+    try:
+        call()
+    except KeyboardInterrupt:
+        print(name, time.monotonic() - pressed[0])
+assert contact.at_depth(0.5) == before
+"""
+
+CALLS = {
+    "states": "lambda: contact.at_force(many)",
+    "map": "lambda: structure.modulus(many, many, 0.5)",
+    "fit": "lambda: mdr.fit(curve, mdr.FlatEndedCone(0.1, 0.3), graded, names, check_units=False)",
+    "fits": "lambda: mdr.fit_many([curve] * 1000, mdr.Cone(0.3), graded, names, check_units=False)",
+}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_interrupted_calls_end_soon():
+    calls = "{" + ", ".join(f'"{name}": {code}' for name, code in CALLS.items()) + "}"
+    done = subprocess.run(
+        [sys.executable, "-c", SCRIPT.replace("{CALLS}", calls)], capture_output=True, text=True, timeout=100, check=False
+    )
+    assert not done.stderr
+    waited = dict(line.split() for line in done.stdout.splitlines())
+    assert set(waited) == set(CALLS)
+    # 0.2 s, and room for other work of the machine
+    assert max(map(float, waited.values())) < 1.0
