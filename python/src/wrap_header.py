@@ -106,7 +106,7 @@ class Function:
 
     def __init__(self, result, name, words, rows):
         self.c_name, self.name, self.returns = name, name.removeprefix("mdr_"), result == "int"
-        self.arguments = [] if words == "void" else [Argument(name, word.strip(), rows) for word in words.split(",")]
+        self.arguments = [Argument(name, word, rows) for word in words]
         self.lengths = {}
         for argument in self.arguments:
             if argument.length():
@@ -140,6 +140,25 @@ class Function:
         return f"def {self.name}(\n    {inputs}\n) -> {result}: ..."
 
 
+def without_comments(header):
+    """What the compiler sees of the header."""
+    return re.sub(r"/\*.*?\*/", "", Path(header).read_text(encoding="utf-8"), flags=re.DOTALL)
+
+
+def prototypes(text):
+    """Result (int or void), name and arguments of each function."""
+    found = re.findall(r"^(int|void) (mdr_\w+)\(([^)]*)\);", text, flags=re.MULTILINE)
+    return [
+        (result, name, [] if words == "void" else [" ".join(word.split()) for word in words.split(",")])
+        for result, name, words in found
+    ]
+
+
+def enumerations(text):
+    """Names, without MDR_, and values of each enumeration."""
+    return [re.findall(r"MDR_(\w+) = (\d+)", body) for body in re.findall(r"enum \w+ \{(.*?)\}", text, flags=re.DOTALL)]
+
+
 def structures(text):
     """Name and members (type, name, length) of each structure."""
     found = {}
@@ -161,8 +180,8 @@ def layout(text, found):
         )
         lines += [f"{name.removeprefix('mdr_')} = np.dtype(", "    ["]
         lines += [f"        {word}," for word in rows] + ["    ],", "    align=True,", ")"]
-    for body in re.findall(r"enum \w+ \{(.*?)\}", text, flags=re.DOTALL):
-        lines += [""] + [f"{name} = {value}" for name, value in re.findall(r"MDR_(\w+) = (\d+)", body)]
+    for enumeration in enumerations(text):
+        lines += [""] + [f"{name} = {value}" for name, value in enumeration]
     return lines
 
 
@@ -175,11 +194,10 @@ def write(path, lines):
 
 def main(header, pyf, pyi, layout_file):
     """See the top of this file."""
-    text = re.sub(r"/\*.*?\*/", "", Path(header).read_text(encoding="utf-8"), flags=re.DOTALL)
+    text = without_comments(header)
     found = structures(text)
     rows = {name: len(members) for name, members in found.items() if all(member[0] == "double" for member in members)}
-    prototypes = re.findall(r"^(int|void) (mdr_\w+)\(([^)]*)\);", text, flags=re.MULTILINE)
-    functions = [Function(result, name, " ".join(words.split()), rows) for result, name, words in prototypes]
+    functions = [Function(result, name, words, rows) for result, name, words in prototypes(text)]
     signatures = [f"    {line}" for function in functions for line in function.signature()]
     declarations = [f"PyObject *{name}(PyObject *, PyObject *const *, Py_ssize_t);" for name in SCALARS] + [INTERRUPTED]
     methods = [f'{{"{name}", (PyCFunction)(void (*)(void)){name}, METH_FASTCALL, NULL}},' for name in SCALARS]

@@ -32,6 +32,14 @@ def test_scripts(script, tmp_path):
     assert figure.read_bytes()[:8] == b"\x89PNG\r\n\x1a\n" and figure.stat().st_size > 20_000
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(("script", "host"), [("plate_fem", "skfem"), ("ball_mujoco", "mujoco")])
+def test_clients(script, host, tmp_path):
+    """They check their results themselves. Where the host is missing: examples/clients/install_hosts.sh."""
+    pytest.importorskip(host)
+    assert "largest" in run([sys.executable, "-W", "error", ROOT / "examples" / "clients" / f"{script}.py"], tmp_path)
+
+
 def test_readme_says_what_its_examples_print():
     assert f"F = {FORCE} mN and a = {RADIUS} nm" in README
 
