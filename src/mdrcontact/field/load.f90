@@ -165,7 +165,9 @@ contains
         ends(size(ends) - size(self%kinks):) = [self%kinks, self%radius]
         panels = 1 + int((k/longest_phase + 1.0_wp/self%analytic)*(ends(2:) - ends(:size(ends) - 1)))
         ! s^2 spreads the last panel to twice its length
-        where ([(any(self%kinks == ends(i)), i=1, size(panels))]) panels = 2*panels
+        do i = 1, size(panels)
+            if (any(self%kinks == ends(i))) panels(i) = 2*panels(i)
+        end do
         allocate (x(nodes*sum(panels)), weight(nodes*sum(panels)))
         from = 0
         do i = 1, size(panels)
