@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs, moves the installed folder, builds tests/export/project on it by CMake and by pkg-config, and runs the programs.
+set(ENV{DESTDIR}) # a packager's: the tests install where they say
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -46,11 +47,31 @@ foreach(program IN ITEMS c_shared c_static fortran_static)
   run_checked("${work_dir}/cmake/${program}")
 endforeach()
 
-# A project that speaks C only can use the shared library.
-run(${CMAKE_COMMAND} -S "${source_dir}/c_only" -B "${work_dir}/c_only" -G "${generator}" "-DCMAKE_PREFIX_PATH=${prefix}"
-  "-DCMAKE_C_COMPILER=${c_compiler}")
-run(${CMAKE_COMMAND} --build "${work_dir}/c_only")
-run_checked("${work_dir}/c_only/c_only")
+# Projects without Fortran; with the shared library, without GSL and LAPACK.
+foreach(language IN ITEMS C CXX)
+  if(language STREQUAL "CXX" AND NOT cxx_compiler)
+    message(STATUS "there is no C++ compiler: not tested")
+    continue()
+  endif()
+  foreach(kind IN ITEMS shared static)
+    set(dir "${work_dir}/${language}_${kind}")
+    run(${CMAKE_COMMAND} -S "${source_dir}/c_only" -B "${dir}" -G "${generator}" "-DCMAKE_PREFIX_PATH=${prefix}"
+      -Dlanguage=${language} -Dkind=${kind} "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_CXX_COMPILER=${cxx_compiler}")
+    run(${CMAKE_COMMAND} --build "${dir}")
+    run_checked("${dir}/program")
+  endforeach()
+endforeach()
+
+# What is there, and nothing of the inside.
+foreach(file IN ITEMS include/mdrcontact.h include/mdrcontact_law.h ${doc_dir}/LICENSE)
+  if(NOT EXISTS "${prefix}/${file}")
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
+file(GLOB modules RELATIVE "${prefix}/include/mdrcontact/modules" "${prefix}/include/mdrcontact/modules/*")
+if(fortran_id STREQUAL "GNU" AND NOT modules STREQUAL "mdrcontact.mod")
+  message(FATAL_ERROR "installed modules: ${modules}")
+endif()
 
 if(pkg_config)
   set(ENV{PKG_CONFIG_PATH} "${prefix}/${pc_dir}")
@@ -61,9 +82,25 @@ if(pkg_config)
   run(${c_compiler} "${source_dir}/main.c" ${mdrcontact} -lm -o "${work_dir}/pc_c")
   run(${c_compiler} "${source_dir}/main.c" ${mdrcontact-static} -o "${work_dir}/pc_c_static")
   run(${fortran_compiler} "${source_dir}/main.f90" ${mdrcontact-static} -o "${work_dir}/pc_fortran")
-  foreach(program IN ITEMS pc_c pc_c_static pc_fortran)
+  # Where only the static library is, --static says what it needs.
+  file(COPY "${prefix}/" DESTINATION "${work_dir}/only_static")
+  file(GLOB shared "${work_dir}/only_static/${lib_dir}/libmdrcontact*.so*" "${work_dir}/only_static/${lib_dir}/libmdrcontact*.dylib")
+  file(REMOVE ${shared})
+  set(ENV{PKG_CONFIG_PATH} "${work_dir}/only_static/${pc_dir}")
+  run(${pkg_config} --static --cflags --libs mdrcontact)
+  separate_arguments(mdrcontact UNIX_COMMAND "${output}")
+  run(${c_compiler} "${source_dir}/main.c" ${mdrcontact} -o "${work_dir}/pc_only_static")
+  foreach(program IN ITEMS pc_c pc_c_static pc_fortran pc_only_static)
     run_checked("${work_dir}/${program}")
   endforeach()
 else()
   message(STATUS "pkg-config was not found: its file is not tested")
+endif()
+
+# All of it can be removed again.
+run(${CMAKE_COMMAND} --install "${build_dir}" --prefix "${work_dir}/removed" --config "${config}")
+run(${CMAKE_COMMAND} --build "${build_dir}" --target uninstall)
+file(GLOB_RECURSE left "${work_dir}/removed/*")
+if(left OR EXISTS "${work_dir}/removed/include/mdrcontact")
+  message(FATAL_ERROR "left after uninstall: ${left}")
 endif()

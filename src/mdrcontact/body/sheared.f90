@@ -39,7 +39,7 @@ module mdrcontact_body_sheared
 contains
 
     !> The body under a traction of one direction along its surface.
-    pure subroutine new_sheared_body(self, body)
+    subroutine new_sheared_body(self, body)
         type(sheared_body_t), intent(out) :: self
         class(body_t), intent(in) :: body
         type(material_t) :: surface
@@ -52,7 +52,7 @@ contains
     end subroutine new_sheared_body
 
     !> The body under a traction around an axis: chi_T alone, and 4 G0 in place of the modulus.
-    pure subroutine new_twisted_body(self, body)
+    subroutine new_twisted_body(self, body)
         type(sheared_body_t), intent(out) :: self
         class(body_t), intent(in) :: body
         type(material_t) :: surface

@@ -98,7 +98,7 @@ contains
     end function upper_share
 
     !> A half-space of given contact modulus E*.
-    pure subroutine new_homogeneous_from_modulus(self, contact_modulus, error)
+    subroutine new_homogeneous_from_modulus(self, contact_modulus, error)
         type(homogeneous_t), intent(out) :: self
         !> E* > 0 [modulus]
         real(wp), intent(in) :: contact_modulus
