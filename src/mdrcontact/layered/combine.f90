@@ -33,11 +33,12 @@ contains
             call scale_kernel(kernel, weights(1), weights(2))
         else if (first%unit == second%unit .and. first%plateau == second%plateau .and. first%octaves() == second%octaves()) then
             kernel = first
-            kernel%is_layered = first%is_layered .or. second%is_layered
+            kernel%resolved = min(first%resolved, second%resolved)
             kernel%origin = weights(1)*first%origin + weights(2)*second%origin
             kernel%sigma_zero = weights(1)*first%sigma_zero + weights(2)*second%sigma_zero
             kernel%coefficients = weights(1)*first%coefficients + weights(2)*second%coefficients
             kernel%tail = weights(1)*first%tail + weights(2)*second%tail
+            call kernel%integrate()
         else
             call fill_sum(first, second, weights, kernel, error)
         end if
@@ -54,6 +55,7 @@ contains
         kernel%sigma_zero = weight*kernel%sigma_zero + other
         kernel%coefficients = weight*kernel%coefficients
         kernel%tail = weight*kernel%tail
+        kernel%rest = weight*kernel%rest
     end subroutine scale_kernel
 
     subroutine fill_sum(first, second, weights, kernel, error)
@@ -70,7 +72,7 @@ contains
         points = [(cos(real(2*i + 1, wp)*half_pi/real(degree + 1, wp)), i=0, degree)]
         kernel%unit = min(first%unit, second%unit)
         kernel%vanishes = .false.
-        kernel%is_layered = first%is_layered .or. second%is_layered
+        kernel%resolved = min(first%resolved*(first%unit/kernel%unit), second%resolved*(second%unit/kernel%unit))
         kernel%origin = weights(1)*first%origin*(kernel%unit/first%unit) + weights(2)*second%origin*(kernel%unit/second%unit)
         kernel%sigma_zero = weights(1)*first%sigma_zero + weights(2)*second%sigma_zero
         ! their units in the unit of the sum
@@ -99,6 +101,7 @@ contains
             end do
         end do
         kernel%tail = weights(1)*first%tail*ratios(1) + weights(2)*second%tail*ratios(2)
+        call kernel%integrate()
 
     contains
 

@@ -9,7 +9,8 @@ module mdrcontact_layered_fields
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_legendre, only: contact_rule, edge_row, interaction_matrix, moments_t, new_moments, normalisation
+    use mdrcontact_layered_legendre, only: contact_rule, edge_row, interaction_matrix, is_fine, moments_t, new_moments, &
+                                           normalisation
     use mdrcontact_layered_moments, only: profile_moments
     use mdrcontact_layered_rule, only: new_rule, rule_t
     use mdrcontact_layered_solve, only: factorize, first_unknowns, next_unknowns, solve_lower, solve_upper
@@ -90,7 +91,7 @@ contains
 
         solved = .false.
         reached = 0.0_wp
-        call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n, error)
+        call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n, is_fine(a/kernel%unit, n), error)
         if (allocated(error)) return
         allocate (h(n, n), stat=status)
         call check_memory(error, status)
@@ -195,7 +196,7 @@ contains
         v = 0.0_wp
         if (kernel%vanishes) return
         n = size(v)
-        call new_moments(moments, kernel, self%a/kernel%unit, 4*n + 4, 4*n, error)
+        call new_moments(moments, kernel, self%a/kernel%unit, 4*n + 4, 4*n, is_fine(self%a/kernel%unit, n), error)
         if (allocated(error)) return
         call interaction_matrix(moments, h)
         s = normalisation(n)
@@ -274,11 +275,12 @@ contains
         type(rule_t) :: rule, panel
         real(wp), allocatable :: load(:)
         real(wp) :: a, here, length, far, x
-        integer :: i, j
+        integer :: i, j, n
         logical :: last
 
         a = self%a/kernel%unit
-        call contact_rule(rule, kernel, a, 4*size(self%q) + 4, 4*size(self%q), error)
+        n = size(self%q)
+        call contact_rule(rule, a, 4*n + 4, 4*n, is_fine(a, n), error)
         call new_rule(panel, panel_nodes, error)
         values = 0.0_wp
         if (allocated(error)) return

@@ -26,8 +26,8 @@ module mdrcontact_layered_kernel
         real(wp) :: unit = 1.0_wp
         !> X is zero: a homogeneous body
         logical :: vanishes = .true.
-        !> more layers than one: X varies at other lengths than the unit
-        logical :: is_layered = .false.
+        !> thickness of the thinnest layer that shows at its own length, >= 1; infinite where all layers belong to fine gradings
+        real(wp) :: resolved = 1.0_wp
         !> X(0), and sigma(0) = 1 + chi(0)
         real(wp) :: origin = 0.0_wp, sigma_zero = 1.0_wp
         !> Below 2^plateau the table holds X - X(0), which keeps its digits where X(0) is large: a stiff film on a soft base.
@@ -37,10 +37,13 @@ module mdrcontact_layered_kernel
         real(wp), allocatable :: coefficients(:, :)
         !> y^2 X(y) beyond the last octave
         real(wp) :: tail = 0.0_wp
+        !> integral of X from the start of each half octave to infinity; the last one that of the tail
+        real(wp), allocatable :: rest(:)
     contains
         procedure :: octaves
         procedure :: evaluate
         procedure :: integral_beyond
+        procedure :: integrate
         procedure :: defect
     end type kernel_t
 
@@ -82,39 +85,52 @@ contains
         class(kernel_t), intent(in) :: self
         real(wp), intent(in) :: y
         real(wp) :: total
-        real(wp) :: u
-        integer :: panel, last
+        integer :: panel, half
 
         total = 0.0_wp
         if (self%vanishes) return
-        last = 2*self%octaves()
-        total = self%tail/max(y, scale(1.0_wp, self%octaves()))
-        panel = 1 + 2*(exponent(y) - 1) + merge(1, 0, fraction(y) >= 0.75_wp)
-        if (panel > last) return
-        u = 4.0_wp*scale(y, 1 - exponent(y)) - real(5 + 2*merge(1, 0, fraction(y) >= 0.75_wp), wp)
-        total = total + on_panel(panel, u)
-        do panel = panel + 1, last
-            total = total + on_panel(panel, -1.0_wp)
-        end do
-
-    contains
-
-        !> The integral from u to the end of a panel.
-        pure function on_panel(panel, u) result(part)
-            integer, intent(in) :: panel
-            real(wp), intent(in) :: u
-            real(wp) :: part
-            integer :: j
-
-            part = 0.0_wp
-            do j = degree, 0, -1
-                part = part + self%coefficients(j, panel)*(1.0_wp - u**(j + 1))/real(j + 1, wp)
-            end do
-            if ((panel - 1)/2 < self%plateau) part = part + self%origin*(1.0_wp - u)
-            part = part*scale(0.25_wp, (panel - 1)/2)
-        end function on_panel
-
+        half = merge(1, 0, fraction(y) >= 0.75_wp)
+        panel = 2*exponent(y) - 1 + half
+        if (panel >= size(self%rest)) then
+            total = self%tail/y
+        else
+            total = self%rest(panel + 1) + on_panel(self, panel, 4.0_wp*scale(y, 1 - exponent(y)) - real(5 + 2*half, wp))
+        end if
     end function integral_beyond
+
+    !> Fills `rest`, once the table is complete.
+    pure subroutine integrate(self)
+        class(kernel_t), intent(inout) :: self
+        integer :: panel
+
+        if (allocated(self%rest)) deallocate (self%rest)
+        allocate (self%rest(ubound(self%coefficients, 2) + 1))
+        self%rest(size(self%rest)) = self%tail*scale(1.0_wp, -self%octaves())
+        do panel = size(self%rest) - 1, 1, -1
+            self%rest(panel) = self%rest(panel + 1) + on_panel(self, panel, -1.0_wp)
+        end do
+    end subroutine integrate
+
+    !> The integral from u to the end of a half octave.
+    pure function on_panel(self, panel, u) result(part)
+        class(kernel_t), intent(in) :: self
+        integer, intent(in) :: panel
+        real(wp), intent(in) :: u
+        real(wp) :: part
+        real(wp) :: there, here, c
+        integer :: j
+
+        there = 0.0_wp
+        here = 0.0_wp
+        do j = degree, 0, -1
+            c = self%coefficients(j, panel)/real(j + 1, wp)
+            there = there + c
+            here = (here + c)*u
+        end do
+        part = there - here
+        if ((panel - 1)/2 < self%plateau) part = part + self%origin*(1.0_wp - u)
+        part = part*scale(0.25_wp, (panel - 1)/2)
+    end function on_panel
 
     !> chi(0) - (2/pi) int_0^inf X dy of the table as it stands, which would be 0.
     pure function defect(self) result(difference)

@@ -12,7 +12,7 @@ module mdrcontact_layered_legendre
     use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
     implicit none (type, external)
     private
-    public :: moments_t, new_moments, contact_rule, interaction_matrix, edge_kernel, edge_row, edge_slopes, normalisation
+    public :: moments_t, new_moments, contact_rule, interaction_matrix, edge_kernel, edge_row, edge_slopes, is_fine, normalisation
 
     !> Of a rule of N nodes, moments up to order 0.8 N are right.
     real(wp), parameter :: trusted = 0.8_wp
@@ -46,29 +46,38 @@ contains
         end do
     end function normalisation
 
-    !> The rule that resolves the kernel from one end of a contact of radius a [unit]: of at least `count` nodes for a film, and of
-    !> as many as polynomials to order `last` take under several layers. Where one rule is too short, as many as are needed share
+    !> Whether the kernel varies at lengths that n unknowns do not follow, as it does on a graded body.
+    pure function is_fine(a, n) result(answer)
+        !> contact radius [unit]
+        real(wp), intent(in) :: a
+        integer, intent(in) :: n
+        logical :: answer
+
+        answer = real(n, wp) < 2.7_wp*sqrt(a) + 2.0_wp
+    end function is_fine
+
+    !> The rule that resolves the kernel from one end of a contact of radius a [unit]: of at least `count` nodes, and where the kernel
+    !> is fine of as many as polynomials to order `last` take, closer at the end. Where one rule is too short, as many as are needed share
     !> the half waves of the polynomials.
-    subroutine contact_rule(rule, kernel, a, count, last, error)
+    subroutine contact_rule(rule, a, count, last, fine, error)
         type(rule_t), intent(out) :: rule
-        type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
         integer, intent(in) :: count, last
+        !> see is_fine
+        logical, intent(in) :: fine
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: panel
         real(wp) :: ends(2)
         integer :: i, nodes, panels, first
-        logical :: layered
 
-        layered = kernel%is_layered
         nodes = count
-        if (layered) nodes = max(ceiling(1.5_wp/trusted*real(last, wp)), min(24 + nint(16.0_wp*sqrt(sqrt(a))), 256))
+        if (fine) nodes = max(ceiling(1.5_wp/trusted*real(last, wp)), min(24 + nint(16.0_wp*sqrt(sqrt(a))), 256))
         panels = 1
         ! nodes lie closest to the ends of a rule of its own, pi/2 times as far apart where panels join
         if (nodes > largest_rule) panels = ceiling(half_pi*real(nodes, wp)/real(largest_rule, wp))
         call new_rule(panel, min(nodes, largest_rule), error)
         if (allocated(error)) return
-        if (panels == 1 .and. .not. layered) then
+        if (panels == 1 .and. .not. fine) then
             call move_alloc(panel%distance, rule%distance)
             call move_alloc(panel%weights, rule%weights)
             return
@@ -79,21 +88,22 @@ contains
             first = (i - 1)*nodes + 1
             ends = 2.0_wp*sin(half_pi*[real(i - 1, wp), real(i, wp)]/real(panels, wp))**2
             ! fine at the surface: the rule in the cube root of the distance, 1 + u = s^3/4 on 0 < s < 2
-            if (layered) ends = (4.0_wp*ends)**(1.0_wp/3.0_wp)
+            if (fine) ends = (4.0_wp*ends)**(1.0_wp/3.0_wp)
             rule%distance(first:first + nodes - 1) = ends(1) + 0.5_wp*(ends(2) - ends(1))*panel%distance
             rule%weights(first:first + nodes - 1) = 0.5_wp*(ends(2) - ends(1))*panel%weights
         end do
-        if (.not. layered) return
+        if (.not. fine) return
         rule%weights = 0.75_wp*rule%weights*rule%distance**2
         rule%distance = 0.25_wp*rule%distance**3
     end subroutine contact_rule
 
-    !> The moments T_0 ... T_last at contact radius a [unit], for a film by a rule of at least `count` nodes.
-    subroutine new_moments(self, kernel, a, count, last, error)
+    !> The moments T_0 ... T_last at contact radius a [unit]; the arguments of contact_rule.
+    subroutine new_moments(self, kernel, a, count, last, fine, error)
         type(moments_t), intent(out) :: self
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
         integer, intent(in) :: count, last
+        logical, intent(in) :: fine
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
         real(wp), allocatable :: x(:), even(:), odd(:)
@@ -101,11 +111,11 @@ contains
         integer :: n, half, highest
 
         self%a = a
-        call contact_rule(rule, kernel, a, count, last, error)
+        call contact_rule(rule, a, count, last, fine, error)
         if (allocated(error)) return
         n = size(rule%weights)
         highest = n - 1
-        if (kernel%is_layered) highest = floor(trusted/1.5_wp*n)
+        if (fine) highest = floor(trusted/1.5_wp*n)
         allocate (x(n))
         if (kernel%sigma_zero > 1.0_wp .and. 2.0_wp*a <= scale(1.0_wp, kernel%plateau)) self%shift = kernel%origin
         call kernel%evaluate(a*rule%distance, self%shift, x)
@@ -122,7 +132,7 @@ contains
             self%magnitude = 2.0_wp*a/pi*sum(abs(x)*rule%distance)
         end if
         allocate (self%t(0:last))
-        if (kernel%is_layered) then
+        if (fine) then
             call sum_moments(n, rule%distance, x, x, base(1), 0.0_wp, min(highest, last), self%t)
         else
             ! the rule is symmetric, and P_k(-u) = (-1)^k P_k(u)

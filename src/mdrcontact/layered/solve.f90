@@ -11,15 +11,16 @@ module mdrcontact_layered_solve
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_lapack, only: dpotrf
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_legendre, only: edge_kernel, edge_row, edge_slopes, interaction_matrix, moments_t, new_moments
+    use mdrcontact_layered_legendre, only: edge_kernel, edge_row, edge_slopes, interaction_matrix, is_fine, moments_t, &
+                                           new_moments
     use mdrcontact_layered_moments, only: edge_moment, is_smooth, profile_moments
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
     public :: solution_t, solve, first_unknowns, next_unknowns, factorize, solve_lower, solve_upper
 
-    !> Unknowns at most, and those that a body of several layers is begun with at most.
-    integer, parameter :: most_unknowns = 1500, first_layered = 16
+    !> Unknowns at most, and those that a graded body is begun with at most.
+    integer, parameter :: most_unknowns = 1500, first_graded = 16
     !> From this size on LAPACK factorizes: beyond a/h of some thousands. Below it a BLAS with threads of its own would start them
     !> for microseconds of work, which costs many times that where the processors are busy.
     integer, parameter :: large = 300
@@ -96,16 +97,18 @@ contains
         !> g is not a polynomial in x^2: what cones and flat ends take, most on a stiff film
         logical, intent(in) :: is_kinked
         integer :: n
-        real(wp) :: unknowns
+        real(wp) :: coarse, unknowns
 
         n = 4
         if (kernel%vanishes) return
-        unknowns = smooth_unknowns(tolerance, a)
-        if (is_kinked .and. a > 1.0_wp .and. .not. kernel%is_layered) then
-            unknowns = unknowns*a**0.125_wp*(1.0_wp + 0.05_wp*min(log(max(kernel%sigma_zero, 1.0_wp)), 4.6_wp))
+        if (a >= 0.2_wp) n = ceiling(min(smooth_unknowns(tolerance, a), real(first_graded, wp)))
+        coarse = a/kernel%resolved
+        if (coarse < 0.2_wp) return
+        unknowns = smooth_unknowns(tolerance, coarse)
+        if (is_kinked .and. coarse > 1.0_wp) then
+            unknowns = unknowns*coarse**0.125_wp*(1.0_wp + 0.05_wp*min(log(max(kernel%sigma_zero, 1.0_wp)), 4.6_wp))
         end if
-        if (a >= 0.2_wp) n = ceiling(min(unknowns, real(most_unknowns, wp)))
-        if (kernel%is_layered) n = min(n, first_layered)
+        n = max(n, ceiling(min(unknowns, real(most_unknowns, wp))))
     end function first_unknowns
 
     !> The same for a smooth profile.
@@ -140,12 +143,14 @@ contains
         real(wp), allocatable :: h(:, :), rhs(:, :), forward(:, :), rest(:, :), known(:)
         real(wp) :: mean, rise, beyond, tail
         integer :: i, m, sides, status
+        logical :: fine
 
         m = 2*n
+        fine = is_fine(a/kernel%unit, n)
         sides = merge(3, 2, present(profile))
         solution%unknowns = n
         solved = .false.
-        call new_moments(moments, kernel, a/kernel%unit, nodes, 2*(m + n), error)
+        call new_moments(moments, kernel, a/kernel%unit, nodes, 2*(m + n), fine, error)
         if (allocated(error)) return
         allocate (h(m, n), stat=status)
         call check_memory(error, status)
@@ -167,7 +172,7 @@ contains
             mean = rhs(1, 3)*sqrt(0.5_wp)
             rhs(1, 3) = 0.0_wp
             rise = profile%mdr(a) - mean
-            if (kernel%is_layered .and. any(abs(rhs(n + 1:, 3)) > 0.0_wp)) then
+            if (fine .and. any(abs(rhs(n + 1:, 3)) > 0.0_wp)) then
                 call edge_moment(profile, kernel, a, moments%shift, mean, tail, error)
                 if (allocated(error)) return
                 known = edge_kernel(moments, m)*rhs(:, 3)

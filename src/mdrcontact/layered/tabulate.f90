@@ -23,6 +23,8 @@ module mdrcontact_layered_tabulate
     !> From this sigma(0) on rounding of X(0) would be seen in d and F; and octaves of y in which X may be X(0) and little less.
     real(wp), parameter :: stiff = 1.0e3_wp
     integer, parameter :: most_plateau = 40
+    !> A body no deeper than so many thicknesses of its first layer is one of layers, not a grading.
+    real(wp), parameter :: coarse = 100.0_wp
     !> Rays tried in turn, pi/denominator, and panels in an octave of wavenumbers on each.
     integer, parameter :: ray_denominator(*) = [6, 6, 12, 24], ray_panels(*) = [1, 2, 3, 6]
     !> How many rays there are.
@@ -44,7 +46,7 @@ contains
         kernel%vanishes = .not. surface%first_depth() > 0.0_wp
         if (kernel%vanishes) return
         kernel%unit = surface%first_depth()
-        kernel%is_layered = surface%last_depth() > kernel%unit
+        kernel%resolved = merge(1.0_wp, huge(1.0_wp), surface%last_depth() <= coarse*kernel%unit)
         kernel%sigma_zero = surface%long_wave_limit()
         do attempt = 1, attempts
             call check_cancelled(error)
@@ -106,6 +108,7 @@ contains
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)
         allocate (kernel%coefficients(0:degree, 0:2*octave + 2))
         kernel%coefficients = coefficients(:, :2*octave + 2)
+        call kernel%integrate()
     end subroutine fill_table
 
     !> X - X(0) near the origin, along the real axis: cos(ky) - 1 = -2 sin^2(ky/2).
