@@ -3,6 +3,8 @@
  * A steel ball of 1 mm radius bounces on a painted plate: a time-stepping code that takes its contact force from a compiled law, once per
  * step and contact. Printed: depth and force every so often, and the balance of energy, which nothing but the time step can spoil.
  *
+ * With the name of a file as argument the law is saved there, for impact_of_deck.c and examples/legacy/impact.f.
+ *
  * SI units. Steel ball, density 7850 kg/m^3, 0.1 m/s, rigid; epoxy paint E = 3 GPa, nu = 0.35, 25 um thick; aluminium E = 70 GPa,
  * nu = 0.33 (handbook values).
  */
@@ -43,7 +45,7 @@ static mdr_law *painted_plate(double ball_radius, double largest_depth)
     return law;
 }
 
-int main(void)
+int main(int argc, char *argv[])
 {
     const double pi = acos(-1.0), radius = 1e-3, gravity = 9.81, step = 2e-8;
     const double mass = 4.0 / 3.0 * pi * radius * radius * radius * 7850.0;
@@ -52,6 +54,7 @@ int main(void)
     double d = -1e-6, v = 0.1, force = 0.0, work = 0.0, deepest = 0.0, strongest = 0.0;
     int steps = 0, in_contact = 0;
 
+    if (argc > 1) check(mdr_law_save(law, argv[1]));
     check(mdr_law_info(law, &facts));
     printf("law from %d contact states, relative error %.0e\n", facts.solutions, facts.error);
     const double energy_before = 0.5 * mass * v * v;

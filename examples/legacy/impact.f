@@ -1,101 +1,67 @@
 C     SPDX-License-Identifier: GPL-3.0-or-later
 C
 C     A STEEL BALL FALLS ON A PAINTED PLATE: AN OLD-STYLE TIME LOOP THAT
-C     TAKES ITS CONTACT FORCE FROM THE LIBRARY.
+C     TAKES ITS CONTACT FORCE FROM A COMPILED LAW. THE INPUT DECK
+C     IMPACT.INP NAMES ITS FILE, WHICH WAS MADE FROM A PROBLEM FILE BY
+C
+C         mdrcontact law problem.toml painted_plate.law
+C
+C     or by any program that saves a law, here by bouncing_ball.c: steel
+C     ball of radius 1 mm, rigid; epoxy paint, 25 um; aluminium.
 C
 C     The main program and STEP are FORTRAN 77 and know nothing of the
 C     library: they call CNTINI once and CNTFOR in each step. These two,
-C     and the module that keeps the contact between the calls, are all
-C     that is new; they stand at the top of this file in fixed form,
-C     since a module must come before its use.
-C
-C     Units: SI. Steel ball of radius 1 mm, density 7850 kg/m^3, 0.1 m/s;
-C     epoxy paint E = 3 GPa, nu = 0.35, 25 um; aluminium E = 70 GPa,
-C     nu = 0.33 (handbook values). The ball is taken as rigid.
+C     and the module that keeps the law between the calls, are all that
+C     is new; they stand at the top of this file in fixed form, since a
+C     module must come before its use.
 C
 C     ------------------------------------------------ the new part ----
       module contact_of_ball
-        use mdrcontact, only: contact_t
+        use mdrcontact, only: contact_law_t
         implicit none
         private
-        type(contact_t), public, save :: contact
+        type(contact_law_t), public, save :: law
       end module contact_of_ball
 
-C     Makes the contact. IERR = 0 or the library's error code.
-      subroutine cntini(radius, ierr)
-      use contact_of_ball, only: contact
-      use mdrcontact, only: error_t, gao_options_t, gao_t, material_t,
-     &  new_contact, new_gao, new_material, new_paraboloid, power_law_t
+C     Reads the law. IERR = 0 or the library's error code.
+      subroutine cntini(name, ierr)
+      use contact_of_ball, only: law
+      use mdrcontact, only: error_t, load_law
       implicit none
-      double precision, intent(in) :: radius
+      character(len=*), intent(in) :: name
       integer, intent(out) :: ierr
-      type(material_t) :: epoxy, aluminium
-      type(power_law_t) :: ball
-      type(gao_t) :: plate
       type(error_t), allocatable :: error
 
-      call new_material(epoxy, 3.0d9, 0.35d0, error)
-      if (.not. allocated(error))
-     &  call new_material(aluminium, 70.0d9, 0.33d0, error)
-      if (.not. allocated(error))
-     &  call new_gao(plate, epoxy, 25.0d-6, aluminium, error,
-     &               gao_options_t(exponent=-1.0d0))
-      if (.not. allocated(error))
-     &  call new_paraboloid(ball, radius, error)
-      if (.not. allocated(error))
-     &  call new_contact(contact, ball, plate, error)
-      call report(error, ierr)
-
-      contains
-
-        subroutine report(error, ierr)
-          type(error_t), allocatable, intent(in) :: error
-          integer, intent(out) :: ierr
-          ierr = 0
-          if (.not. allocated(error)) return
-          write (*, '(1x,a)') error%message
-          ierr = error%code
-        end subroutine report
-
+      ierr = 0
+      call load_law(law, name, error)
+      if (.not. allocated(error)) return
+      write (*, '(1x,a)') error%message
+      ierr = error%code
       end subroutine cntini
 
-C     Force F and contact radius A at depth D; both 0 when apart.
-      subroutine cntfor(d, f, a, ierr)
-      use contact_of_ball, only: contact
-      use mdrcontact, only: contact_state_t, error_t
+C     Force F and stiffness S = dF/dD at depth D; both 0 when apart.
+      subroutine cntfor(d, f, s)
+      use contact_of_ball, only: law
       implicit none
       double precision, intent(in) :: d
-      double precision, intent(out) :: f, a
-      integer, intent(out) :: ierr
-      type(contact_state_t) :: state
-      type(error_t), allocatable :: error
+      double precision, intent(out) :: f, s
 
-      f = 0.0d0
-      a = 0.0d0
-      ierr = 0
-      if (d .le. 0.0d0) return
-      call contact%at_depth(d, state, error)
-      if (allocated(error)) then
-        write (*, '(1x,a)') error%message
-        ierr = error%code
-        return
-      end if
-      f = state%force
-      a = state%radius
+      call law%force_and_slope(d, f, s)
       end subroutine cntfor
 
 C     ------------------------------------------------ the old code ----
       PROGRAM IMPACT
-      DOUBLE PRECISION X, V, F, A, T, DT, RADIUS, V0, PI
+      DOUBLE PRECISION X, V, F, S, T, DT, V0, AMASS
       DOUBLE PRECISION FMAX, DMAX, TOUCH
       INTEGER I, IERR
-      DOUBLE PRECISION AMASS
+      CHARACTER*60 LAWFIL
       COMMON /BALL/ AMASS
-      PARAMETER (PI = 3.14159265358979D0, V0 = 0.1D0, DT = 2.0D-8)
 
-      RADIUS = 1.0D-3
-      AMASS = 4.0D0/3.0D0*PI*RADIUS**3*7850.0D0
-      CALL CNTINI(RADIUS, IERR)
+      OPEN (10, FILE='impact.inp', STATUS='OLD')
+      READ (10, '(A)') LAWFIL
+      READ (10, *) AMASS, V0, DT
+      CLOSE (10)
+      CALL CNTINI(LAWFIL, IERR)
       IF (IERR .NE. 0) STOP 1
 
       X = 0.0D0
@@ -106,12 +72,13 @@ C     ------------------------------------------------ the old code ----
       TOUCH = 0.0D0
       WRITE (*, 100)
       DO 10 I = 1, 10000
-        CALL STEP(X, V, F, A, DT, IERR)
-        IF (IERR .NE. 0) STOP 1
+        CALL STEP(X, V, F, S, DT)
+C       A DEPTH BEYOND THE LAW'S LARGEST GIVES NO NUMBER.
+        IF (F .NE. F) STOP 1
         T = DT*I
         IF (F .GT. FMAX) FMAX = F
         IF (X .GT. DMAX) DMAX = X
-        IF (MOD(I, 100) .EQ. 0) WRITE (*, 110) T*1D6, X*1D6, F, A*1D6
+        IF (MOD(I, 100) .EQ. 0) WRITE (*, 110) T*1D6, X*1D6, F, S*1D-6
         IF (X .LE. 0.0D0) GO TO 20
         TOUCH = T
    10 CONTINUE
@@ -122,19 +89,18 @@ C     An elastic body gives back all of the energy.
         STOP 1
       END IF
   100 FORMAT (4X, 'TIME, US', 4X, 'DEPTH, UM', 5X, 'FORCE, N',
-     &        3X, 'RADIUS, UM')
-  110 FORMAT (F12.2, F13.4, F13.5, F13.3)
+     &        5X, 'S, N/UM')
+  110 FORMAT (F12.2, F13.4, F13.5, F12.5)
   120 FORMAT (' CONTACT TIME', F8.2, ' US, DEPTH', F8.4, ' UM, FORCE',
      &        F9.5, ' N, REBOUND AT', F9.6, ' M/S')
       END
 
 C     One step of the leap-frog scheme.
-      SUBROUTINE STEP(X, V, F, A, DT, IERR)
-      DOUBLE PRECISION X, V, F, A, DT, AMASS
-      INTEGER IERR
+      SUBROUTINE STEP(X, V, F, S, DT)
+      DOUBLE PRECISION X, V, F, S, DT, AMASS
       COMMON /BALL/ AMASS
       V = V - 0.5D0*DT*F/AMASS
       X = X + DT*V
-      CALL CNTFOR(X, F, A, IERR)
+      CALL CNTFOR(X, F, S)
       V = V - 0.5D0*DT*F/AMASS
       END

@@ -78,7 +78,8 @@ def test_readme_table_of_errors():
 def test_readme_compiled_examples(installed, tmp_path, language, suffix):
     (tmp_path / f"example.{suffix}").write_text(_block(language), encoding="utf-8")
     (tmp_path / "CMakeLists.txt").write_text(
-        "cmake_minimum_required(VERSION 3.22)\nproject(example LANGUAGES C Fortran)\nfind_package(mdrcontact REQUIRED COMPONENTS static)\n"
+        "cmake_minimum_required(VERSION 3.22)\nproject(example LANGUAGES C Fortran)\n"
+        "find_package(mdrcontact REQUIRED COMPONENTS static)\n"
         f"add_executable(example example.{suffix})\ntarget_compile_options(example PRIVATE -Wall -Wextra -Werror)\n"
         f"target_link_libraries(example PRIVATE mdrcontact::{'static' if language == 'fortran' else 'shared'})\n",
         encoding="utf-8",

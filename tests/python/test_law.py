@@ -6,9 +6,10 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from conftest import OXIDE, SILICON
+from conftest import OXIDE, ROOT, SILICON
 
 import mdrcontact as mdr
+from mdrcontact.cli import main
 
 CONTACT = mdr.Contact(mdr.Paraboloid(1e-5), mdr.Coated(OXIDE, 5e-7, SILICON, "exact"))
 
@@ -136,3 +137,68 @@ def test_law_of_an_exact_film_is_cheap_and_verified():
     film = mdr.Coated(mdr.Elastic(400e9, 0.25), 2e-6, mdr.Elastic(210e9, 0.3), "exact")
     law = mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(100e-6), film), largest_depth=300e-9)
     assert law.at_depth(100e-9).force > 0.0 and law.error < 1e-9 and law.solutions <= 200
+
+
+def test_scalars_are_the_numbers_of_arrays(law):
+    for depth in (-1e-9, 0.0, 3e-12, 4e-8, np.float64(5e-8), 1e-7):
+        array = law.at_depth(np.array([depth]))
+        assert law.force(depth) == array.force[0]
+        assert tuple(law.at_depth(depth)) == tuple(column[0] for column in array)
+    assert isinstance(law.at_depth(1e-8), mdr.LawState)
+    with pytest.raises(mdr.InvalidArgumentError, match="depth = NaN"):
+        law.force(float("nan"))
+
+
+def test_energy_is_the_integral_of_the_force(law):
+    depth = np.linspace(0.0, 1e-7, 2001)
+    force = law.force(depth)
+    simpson = (force[:-2:2] + 4.0 * force[1::2] + force[2::2]).sum() * 5e-11 / 3.0
+    assert law.energy(1e-7) == pytest.approx(simpson, rel=1e-6)
+    assert law.energy([-1e-8, 0.0]).tolist() == [0.0, 0.0]
+
+
+def test_one_hard_collision_does_not_end_a_run():
+    law = mdr.ContactLaw(CONTACT, 1e-7, continue_beyond=True)
+    end = law.depth_range[1]
+    last = law.at_depth(end)
+    for other in (law, pickle.loads(pickle.dumps(law))):
+        with pytest.warns(mdr.BeyondRangeWarning, match="1 of 2 values of depth lie beyond"):
+            force = other.force([1e-8, end + 1e-8])
+        assert force[1] == pytest.approx(last.force + 1e-8 * last.slope, rel=1e-12)
+        with pytest.warns(mdr.BeyondRangeWarning):
+            assert other.force(end + 1e-8) == force[1]
+        with pytest.warns(mdr.BeyondRangeWarning, match="force"):
+            assert other.at_force(float(force[1])).depth == pytest.approx(end + 1e-8, rel=1e-7)
+
+
+@pytest.mark.parametrize("tolerance", [1e-5, 5e-7, 1e-9])
+@pytest.mark.parametrize("indenter", [mdr.Paraboloid(1.0), mdr.Cone(0.3), mdr.PowerLaw(1.0, 3.0)], ids=repr)
+def test_adhesive_laws_keep_their_promise(indenter, tolerance):
+    """Relative to |F| + |d dF/dd|, and to |d| + |F dd/dF|, everywhere along the branch."""
+    film = mdr.Coated(mdr.Elastic(3.0, 0.3), 0.5, mdr.Elastic(1.0, 0.4), "gao")
+    contact = mdr.Contact(indenter, film, work_of_adhesion=0.02)
+    law = mdr.ContactLaw(contact, 1.0, tolerance=tolerance)
+    for name, (low, high) in (("depth", law.depth_range), ("force", law.force_range)):
+        given = low + (high - low) * np.linspace(1e-3, 0.999, 700) ** 3
+        exact, found = (getattr(one, f"at_{name}")(given) for one in (contact, law))
+        swing = np.abs(exact.depth * found.slope) + np.abs(exact.force)
+        assert np.all(np.abs(found.force - exact.force) <= tolerance * swing)
+        assert np.all(np.abs(found.depth - exact.depth) * found.slope <= tolerance * swing)
+
+
+def test_command_makes_the_law_of_a_problem(tmp_path, capsys):
+    (tmp_path / "problem.toml").write_text((ROOT / "examples" / "problems" / "tin_on_steel.toml").read_text(encoding="utf-8"))
+    problem, path = str(tmp_path / "problem.toml"), tmp_path / "film.law"
+    assert main(["law", problem, str(path), "--tolerance", "1e-7", "--continue-beyond"]) == 0
+    assert "asked for 1e-07" in capsys.readouterr().out
+    law = mdr.ContactLaw.load(path)
+    assert 50e-9 <= law.depth_range[1] < 52e-9
+    assert "TiN" in law.description
+    film = mdr.Coated(mdr.Elastic(445e9, 0.25), 2e-6, mdr.Elastic(210e9, 0.3), "exact")
+    assert law.force(30e-9) == pytest.approx(mdr.Contact(mdr.Sphere(100e-6), film).at_depth(30e-9).force, rel=1e-7)
+    assert main(["law", problem, str(path)]) == 1
+    assert "--overwrite" in capsys.readouterr().err
+    assert main(["law", problem, str(path), "--overwrite", "--largest-depth", "200 nm"]) == 0
+    assert mdr.ContactLaw.load(path).depth_range[1] >= 200e-9
+    assert main(["law", problem, str(path), "--overwrite", "--largest-depth", "200"]) == 2
+    assert "--largest-depth: '200' has no unit" in capsys.readouterr().err

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact law`: the compiled law of a problem, in a file that codes in C and Fortran read."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from ..law import ContactLaw
+from ..problem import ProblemError, load
+from ..problem.units import FORCE, LENGTH, Dimension, UnitError, parse, practical
+from . import files
+from .table import number
+
+_DESCRIPTION = """\
+Compiles the contact of a problem file into a law, F(d) and all that belongs to it, and writes it to a file that a code in C,
+Fortran or Python reads by its name. The code needs to know nothing else of the problem; docs/laws.md.
+
+    mdrcontact example tin_on_steel > problem.toml
+    mdrcontact law problem.toml film.law
+    mdrcontact law problem.toml film.law --largest-depth "200 nm" --continue-beyond
+
+Numbers in the file are in SI units: depths in m, forces in N. Without --largest-depth the law goes to the last depth, force or
+radius of [compute].
+"""
+
+
+def add(subparsers: Any) -> None:
+    """Adds the command to the command line."""
+    parser = subparsers.add_parser(
+        "law",
+        help="compile the contact into a file that other codes read",
+        description=_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
+    parser.add_argument("law", type=Path, metavar="FILE.law", help="the file to write")
+    parser.add_argument("--largest-depth", metavar="DEPTH", help='up to which depth, as in "300 nm"')
+    parser.add_argument("--smallest-depth", metavar="DEPTH", help="from which depth on; 1e-4 of the largest")
+    parser.add_argument("--tolerance", type=float, default=1e-9, help="relative, of F, a and k; %(default)s")
+    parser.add_argument("--continue-beyond", action="store_true", help="answer beyond the largest depth too, along the tangent")
+    parser.add_argument("--overwrite", action="store_true", help="replace a file that exists")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Compiles, writes, and says what the law is."""
+    files.check(arguments.law, overwrite=arguments.overwrite)
+    problem = load(arguments.problem)
+    contact = problem.contact()
+    if arguments.largest_depth is None:
+        last = problem.control.values[-1:]
+        largest = float(getattr(contact, f"at_{problem.control.name}")(last).depth[0])
+    else:
+        largest = _depth("--largest-depth", arguments.largest_depth)
+    smallest = None if arguments.smallest_depth is None else _depth("--smallest-depth", arguments.smallest_depth)
+    law = ContactLaw(
+        contact,
+        largest,
+        smallest_depth=smallest,
+        tolerance=arguments.tolerance,
+        description=f"{problem.title}; {contact!r}; SI units",
+        continue_beyond=arguments.continue_beyond,
+    )
+    print(f"{problem.title}\n")
+    for name, ends, dimension in (("depth", law.depth_range, LENGTH), ("force", law.force_range, FORCE)):
+        print(f"{name:<16}{_text(ends[0], dimension)} to {_text(ends[1], dimension)}")
+    print(f"{'error':<16}{law.error:.0e} relative, asked for {law.tolerance:.0e}; {law.solutions} contact states\n")
+    files.write({arguments.law: law.to_bytes()}, arguments.overwrite)
+
+
+def _depth(option: str, text: str) -> float:
+    try:
+        return parse(text, LENGTH)
+    except UnitError as problem:
+        raise ProblemError(f"{option}: {problem}") from problem
+
+
+def _text(value: float, dimension: Dimension) -> str:
+    unit = practical(dimension, [value])
+    return f"{number(float(unit.of(value)))} {unit.name}"
