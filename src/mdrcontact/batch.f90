@@ -4,7 +4,7 @@
 !> The caller says how many threads; nothing is remembered between calls. Called from within a parallel region, all stays on the
 !> calling thread.
 module mdrcontact_batch
-    use, intrinsic :: iso_c_binding, only: c_int
+    use, intrinsic :: iso_c_binding, only: c_int, c_loc, c_null_ptr
     use mdrcontact_cancel, only: check_cancelled, help
     use mdrcontact_error, only: count_text, error_cancelled, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
@@ -69,7 +69,7 @@ contains
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, blocks, team, failed
-        integer(c_int), volatile :: is_told
+        integer(c_int), target, volatile :: is_told
 
         if (allocated(error) .or. n < 1) return
         blocks = (n - 1)/block + 1
@@ -86,13 +86,13 @@ contains
         ! Dynamic: blocks begin in ascending order, and those after a failed one need not begin.
         is_told = 0
         !$omp parallel num_threads(team) default(shared)
-        call help(is_told)
+        call help(c_loc(is_told))
         !$omp do schedule(dynamic)
         do i = 1, blocks
             call run_block(batch, i, (i - 1)*block + 1, min(i*block, n), failed, is_told, error)
         end do
         !$omp end do
-        call help()
+        call help(c_null_ptr)
         !$omp end parallel
     end subroutine run_batch
 
@@ -103,7 +103,7 @@ contains
         !> number of the earliest block that has failed, and its error; both shared by the threads
         integer, intent(inout) :: failed
         !> whether the caller's thread, the only one that has someone to ask, was told to stop
-        integer(c_int), intent(inout), volatile :: is_told
+        integer(c_int), intent(inout) :: is_told
         type(error_t), allocatable, intent(inout) :: error
         type(error_t), allocatable :: found
         integer :: earliest
@@ -114,7 +114,10 @@ contains
         call batch%work(first, last, found)
         if (.not. (allocated(found) .or. batch%is_quick)) call check_cancelled(found)
         if (.not. allocated(found)) return
-        if (found%code == error_cancelled) is_told = 1
+        if (found%code == error_cancelled) then
+            !$omp atomic write
+            is_told = 1
+        end if
         !$omp critical (mdrcontact_batch_failed)
         if (number < failed) then
             !$omp atomic write

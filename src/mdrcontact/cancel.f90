@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Calls that take long ask now and then whether to stop: see mdr_set_cancel() in mdrcontact.h.
 module mdrcontact_cancel
-    use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_loc, c_null_funptr, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_null_funptr, c_null_ptr, c_ptr
     use mdrcontact_error, only: error_cancelled, error_t, raise
     implicit none (type, external)
     private
@@ -55,16 +55,12 @@ contains
         status = mdr_set_cancel(entry, handed_on)
     end subroutine set_cancel
 
-    !> In a thread that helps another one: check_cancelled follows what that one was told; without an argument no longer.
+    !> In a thread that helps another one: check_cancelled follows what that one was told.
     subroutine help(is_told)
-        !> not 0 once it was told to stop
-        integer(c_int), intent(inout), target, volatile, optional :: is_told
+        !> address of an integer(c_int) that is not 0 once it was told to stop; null: the thread no longer helps
+        type(c_ptr), intent(in) :: is_told
 
-        if (present(is_told)) then
-            call mdrcontact_help(c_loc(is_told))
-        else
-            call mdrcontact_help(c_null_ptr)
-        end if
+        call mdrcontact_help(is_told)
     end subroutine help
 
     !> Raises if the caller wants the call to end. It costs some ten nanoseconds: for anything that is done thousands of times.
