@@ -15,7 +15,7 @@ module mdrcontact_contact
     use mdrcontact_field_energy, only: layer_energies
     use mdrcontact_field_load, only: load_t
     use mdrcontact_gsl, only: disable_gsl_abort
-    use mdrcontact_contact_inversion, only: invert
+    use mdrcontact_contact_inversion, only: invert, neighbours_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
@@ -187,7 +187,7 @@ contains
     end subroutine at_radius
 
     !> The stable state at indentation depth d.
-    subroutine at_depth(self, depth, state, error, branch)
+    subroutine at_depth(self, depth, state, error, branch, neighbours)
         class(contact_t), intent(in), target :: self
         !> d >= 0, or with adhesion down to the pull-off depth on unloading [length]
         real(wp), intent(in) :: depth
@@ -195,13 +195,15 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> on_loading or on_unloading (default)
         integer, intent(in), optional :: branch
+        !> states found last, which may save most of the work without adhesion
+        type(neighbours_t), intent(inout), optional :: neighbours
 
-        call self%at_control(depth_control, "depth", depth, state, error, branch)
+        call self%at_control(depth_control, "depth", depth, state, error, branch, neighbours)
         if (.not. allocated(error)) state%depth = depth
     end subroutine at_depth
 
     !> The stable state under normal force F.
-    subroutine at_force(self, force, state, error, branch)
+    subroutine at_force(self, force, state, error, branch, neighbours)
         class(contact_t), intent(in), target :: self
         !> F >= 0, or with adhesion down to the pull-off force on unloading [modulus length^2]
         real(wp), intent(in) :: force
@@ -209,8 +211,10 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> on_loading or on_unloading (default)
         integer, intent(in), optional :: branch
+        !> states found last, which may save most of the work without adhesion
+        type(neighbours_t), intent(inout), optional :: neighbours
 
-        call self%at_control(force_control, "force", force, state, error, branch)
+        call self%at_control(force_control, "force", force, state, error, branch, neighbours)
         if (.not. allocated(error)) state%force = force
     end subroutine at_force
 
@@ -225,7 +229,7 @@ contains
     end subroutine check_branch
 
     !> The stable state at a given value s of what a machine controls: depth, force, or the far end of a spring.
-    subroutine at_control(self, control, name, s, state, error, branch)
+    subroutine at_control(self, control, name, s, state, error, branch, neighbours)
         class(contact_t), intent(in), target :: self
         type(control_t), intent(in) :: control
         !> what s is called in error messages
@@ -236,6 +240,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> on_loading or on_unloading (default)
         integer, intent(in), optional :: branch
+        !> states found last, which may save most of the work without adhesion
+        type(neighbours_t), intent(inout), optional :: neighbours
         integer :: way
 
         way = on_unloading
@@ -249,7 +255,7 @@ contains
             call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: without adhesion the bodies are apart "// &
                        "below "//name//" 0 and do not pull on each other", name)
         else
-            call invert(self%equilibrium, control, name, s, state, error)
+            call invert(self%equilibrium, control, name, s, state, error, neighbours)
         end if
     end subroutine at_control
 

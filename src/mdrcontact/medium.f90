@@ -204,7 +204,7 @@ contains
         call self%depth_and_force(profile, a, value, force, error)
     end subroutine nonadhesive_depth
 
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope)
+    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
         class(medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> contact radius [length]
@@ -216,9 +216,12 @@ contains
         logical, intent(in), optional :: adhesive
         !> d0'(a) [1]: replaced where nonadhesive_slope does not know it and the solution does
         real(wp), intent(inout), optional :: depth_slope
+        !> relative accuracy that is enough, where less costs less; on return that of the numbers, 0 if it is the medium's own
+        real(wp), intent(inout), optional :: accuracy
         real(wp) :: value(1), slope(1)
 
         if (present(adhesive) .or. present(depth_slope)) continue
+        if (present(accuracy)) accuracy = 0.0_wp
         modulus = 0.0_wp
         stiffness_slope = 0.0_wp
         call self%depth_and_force(profile, a, depth, force, error)

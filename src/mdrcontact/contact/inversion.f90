@@ -6,11 +6,11 @@ module mdrcontact_contact_inversion
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_roots, only: solve_increasing
+    use mdrcontact_numerics_roots, only: cubic_error, inverse_cubic, solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: invert
+    public :: invert, neighbours_t
 
     !> ln(s/target), s = d or F or what a spring adds of both, as a function of ln(a - end radius): close to linear for every
     !> shape and medium.
@@ -21,11 +21,24 @@ module mdrcontact_contact_inversion
         !> the last state looked at, and dk/da there; not found where the depth alone was asked for
         type(contact_state_t) :: state
         real(wp) :: stiffness_slope = 0.0_wp
+        !> its coordinate and the mismatch there
+        real(wp) :: x = 0.0_wp, y = 0.0_wp
         logical :: has_state = .false.
     contains
         procedure :: value => mismatch_value
         procedure :: flat_end
     end type mismatch_t
+
+    !> The two states found last: coordinate, ln s and its slope over the coordinate. The next one is close to the cubic through
+    !> them. For media whose states are solved for; empty at first.
+    type :: neighbours_t
+        private
+        integer :: count = 0
+        real(wp), dimension(2) :: x = 0.0_wp, log_s = 0.0_wp, slope = 0.0_wp
+    contains
+        procedure, private :: guess => guess_from_neighbours
+        procedure, private :: add => add_neighbour
+    end type neighbours_t
 
     !> ln of the smallest contact radius searched: its cube is still a normal number.
     real(wp), parameter :: smallest_log = -230.0_wp
@@ -33,6 +46,10 @@ module mdrcontact_contact_inversion
     real(wp), parameter :: first_guess = -35.0_wp
     !> Up to this relative change of a - end radius states are taken as linear: its square is below rounding.
     real(wp), parameter :: linear = 5.0e-9_wp
+    !> The same where a state is solved for, to a tolerance far above the square.
+    real(wp), parameter :: linear_where_solved = 1.0e-6_wp
+    !> Slopes of ln s over the coordinate.
+    real(wp), parameter :: largest_slope = 10.0_wp
     !> Slope of ln s to begin with, where none is known.
     real(wp), parameter :: expected_slope = 2.0_wp
     !> The radius of a homogeneous body is but a guess: found to this part of itself, and in at most so many steps.
@@ -42,13 +59,15 @@ module mdrcontact_contact_inversion
 contains
 
     !> The non-adhesive state with a given s, which grows with the contact radius.
-    subroutine invert(equilibrium, control, name, s, state, error)
+    subroutine invert(equilibrium, control, name, s, state, error, neighbours)
         type(equilibrium_t), intent(in), target :: equilibrium
         type(control_t), intent(in) :: control
         character(len=*), intent(in) :: name
         real(wp), intent(in) :: s
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
+        !> states found for values of s close by
+        type(neighbours_t), intent(inout), optional :: neighbours
         type(mismatch_t) :: mismatch
         real(wp) :: closest
         logical :: found
@@ -68,10 +87,15 @@ contains
         mismatch%equilibrium => equilibrium
         mismatch%control = control
         mismatch%target_value = s
-        ! Behind a flat end the radius has lost digits of its distance from it, and with them the integrals.
-        mismatch%is_rough = equilibrium%profile%end_radius() > 0.0_wp
-        call find_radius(mismatch, closest, found, error)
+        if (.not. equilibrium%medium%has_modulus_formula()) then
+            mismatch%near_enough = linear_where_solved
+        else
+            ! Behind a flat end the radius has lost digits of its distance from it, and with them the integrals.
+            mismatch%is_rough = equilibrium%profile%end_radius() > 0.0_wp
+        end if
+        call find_radius(mismatch, closest, found, error, neighbours)
         if (allocated(error)) return
+        if (present(neighbours)) call neighbours%add(mismatch)
         if (found .and. is_close(mismatch, closest)) then
             call shift(mismatch, closest, state)
             return
@@ -100,35 +124,42 @@ contains
         real(wp), intent(in) :: radius
         logical :: answer
 
-        associate (state => mismatch%state, wanted => mismatch%target_value)
+        real(wp) :: part
+
+        part = max(linear, mismatch%near_enough)
+        associate (state => mismatch%state)
             answer = mismatch%has_state .and. .not. mismatch%is_rough &
-                     .and. abs(radius - state%radius) <= linear*(radius - mismatch%flat_end()) &
-                     .and. abs(wanted - mismatch%control%of(state%depth, state%force)) <= linear*wanted
+                     .and. abs(radius - state%radius) <= part*(radius - mismatch%flat_end()) &
+                     .and. abs(mismatch%y) <= largest_slope*part
         end associate
     end function is_close
 
-    !> The state at `radius` from the last one looked at: dk = k' da, and by property B (theory 4, 6) dF = k dd.
+    !> The state at `radius` from the last one looked at: dk = k' da, and by property B (theory 4, 6) dF = k dd, k halfway.
     pure subroutine shift(mismatch, radius, state)
         type(mismatch_t), intent(in) :: mismatch
         real(wp), intent(in) :: radius
         type(contact_state_t), intent(out) :: state
-        real(wp) :: missing
+        real(wp) :: missing, more, halfway
 
         state = mismatch%state
+        more = mismatch%stiffness_slope*(radius - state%radius)
+        halfway = state%stiffness + 0.5_wp*more
         missing = mismatch%target_value - mismatch%control%of(state%depth, state%force)
-        missing = missing/mismatch%control%of(1.0_wp, state%stiffness)
+        missing = missing/mismatch%control%of(1.0_wp, halfway)
         state%depth = state%depth + missing
-        state%force = state%force + state%stiffness*missing
-        state%stiffness = state%stiffness + mismatch%stiffness_slope*(radius - state%radius)
+        state%force = state%force + halfway*missing
+        state%stiffness = state%stiffness + more
         state%radius = radius
     end subroutine shift
 
-    subroutine find_radius(mismatch, radius, found, error)
+    subroutine find_radius(mismatch, radius, found, error, neighbours)
         type(mismatch_t), intent(inout) :: mismatch
         real(wp), intent(out) :: radius
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: first, last, guess, root
+        type(neighbours_t), intent(in), optional :: neighbours
+        real(wp) :: first, last, guess, root, distance
+        logical :: guessed
 
         associate (equilibrium => mismatch%equilibrium, control => mismatch%control)
             first = smallest_log
@@ -136,6 +167,13 @@ contains
                 first = equilibrium%coordinate_of(equilibrium%medium%smallest_radius())
             end if
             last = equilibrium%coordinate_of(equilibrium%last_radius)
+            guessed = .false.
+            if (present(neighbours)) call neighbours%guess(mismatch, guess, distance, guessed)
+            if (guessed) then
+                call solve_increasing(mismatch, guess, expected_slope, first, last, root, found, error, distance)
+                radius = equilibrium%radius_of(root)
+                return
+            end if
             radius = -1.0_wp
             if (control%depth_weight > 0.0_wp) then
                 radius = equilibrium%profile%radius_from_mdr(mismatch%target_value/control%depth_weight)
@@ -153,6 +191,48 @@ contains
             radius = equilibrium%radius_of(root)
         end associate
     end subroutine find_radius
+
+    !> Where the next state lies, and how far from there it may be.
+    pure subroutine guess_from_neighbours(self, mismatch, guess, distance, guessed)
+        class(neighbours_t), intent(in) :: self
+        type(mismatch_t), intent(in) :: mismatch
+        real(wp), intent(out) :: guess, distance
+        !> whether there is a state close enough
+        logical, intent(out) :: guessed
+        real(wp) :: y(2), straight
+        integer :: first, last
+
+        guess = 0.0_wp
+        distance = 1.0_wp
+        guessed = self%count > 0 .and. mismatch%near_enough > 0.0_wp
+        if (.not. guessed) return
+        y = self%log_s - log(mismatch%target_value)
+        last = 2
+        if (self%count > 1) last = minloc(abs(y), dim=1)
+        first = 3 - last
+        straight = self%x(last) - y(last)/self%slope(last)
+        guess = straight
+        if (self%count > 1) guess = inverse_cubic(self%x([first, last]), y([first, last]), self%slope([first, last]), straight, &
+                                                      0.0_wp)
+        if (guess /= straight) then
+            distance = cubic_error(guess, self%x)
+        else
+            distance = (straight - self%x(last))**2
+        end if
+        guessed = distance < 1.0_wp
+    end subroutine guess_from_neighbours
+
+    !> Keeps the state looked at last, in place of the older of two.
+    pure subroutine add_neighbour(self, mismatch)
+        class(neighbours_t), intent(inout) :: self
+        type(mismatch_t), intent(in) :: mismatch
+
+        if (.not. (mismatch%has_state .and. mismatch%known_slope > 0.0_wp)) return
+        self%x = [self%x(2), mismatch%x]
+        self%log_s = [self%log_s(2), mismatch%y + log(mismatch%target_value)]
+        self%slope = [self%slope(2), mismatch%known_slope]
+        self%count = min(self%count + 1, 2)
+    end subroutine add_neighbour
 
     !> Where a homogeneous body of the surface's modulus would have s, by the indenter's law, which costs no solution: Newton's
     !> method in the coordinates in which it is nearly straight.
@@ -215,7 +295,7 @@ contains
         self%has_state = self%control%force_weight > 0.0_wp .or. depth_slope < 0.0_wp
         if (self%has_state) then
             call self%equilibrium%medium%response(self%equilibrium%profile, radius, depth, force, modulus, stiffness_slope, &
-                                                  self%error, depth_slope=depth_slope)
+                                                  self%error, depth_slope=depth_slope, accuracy=self%accuracy)
         else
             call self%equilibrium%medium%nonadhesive_depth(self%equilibrium%profile, radius, depth, self%error)
         end if
@@ -234,6 +314,8 @@ contains
         if (self%known_slope > huge(s)) self%known_slope = 0.0_wp
         ! The radius closest to x is not exactly there, least so next to a flat end.
         if (radius < self%equilibrium%last_radius) y = y + self%known_slope*(x - self%equilibrium%coordinate_of(radius))
+        self%x = x
+        self%y = y
     end function mismatch_value
 
 end module mdrcontact_contact_inversion

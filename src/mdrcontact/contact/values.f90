@@ -3,6 +3,7 @@
 module mdrcontact_contact_values
     use mdrcontact_batch, only: batch_t, check_threads, run_batch, team_size
     use mdrcontact_contact, only: check_branch, contact_t
+    use mdrcontact_contact_inversion, only: neighbours_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise, raise_at
     use mdrcontact_kinds, only: wp
@@ -22,6 +23,8 @@ module mdrcontact_contact_values
     type, extends(batch_t) :: states_batch_t
         type(contact_t), pointer :: contact => null()
         integer :: given = given_depth
+        !> so many entries in turn begin with what was found for those before them
+        integer :: chain = 1
         integer, allocatable :: branch
         real(wp), pointer :: input(:) => null()
         type(contact_state_t), pointer :: states(:) => null()
@@ -44,6 +47,8 @@ module mdrcontact_contact_values
     !> States that a thread takes at a time where each is a formula, and from how many on several threads pay; and those elsewhere.
     integer, parameter :: formula_block = 32, formula_smallest = 512
     integer, parameter :: solved_block = 1, solved_smallest = 2
+    !> Entries to a chain, and how many chains there are before they grow longer than the least.
+    integer, parameter :: shortest_chain = 4, longest_chain = 25, chains = 8
     !> The same for radii, which cost one solution a state, and for positions of a field.
     integer, parameter :: radius_smallest = 8, field_smallest = 128
 
@@ -83,7 +88,10 @@ contains
             call run_batch(batch, size(input), formula_block, formula_smallest, team, error)
         else
             smallest = merge(radius_smallest, solved_smallest, given == given_radius)
-            call run_batch(batch, size(input), solved_block, smallest, team, error)
+            if (given /= given_radius .and. .not. contact%is_adhesive()) then
+                batch%chain = max(shortest_chain, min(longest_chain, size(input)/chains))
+            end if
+            call run_batch(batch, size(input), max(solved_block, batch%chain), smallest, team, error)
         end if
     end subroutine contact_states
 
@@ -91,14 +99,17 @@ contains
         class(states_batch_t), intent(inout) :: self
         integer, intent(in) :: first, last
         type(error_t), allocatable, intent(out) :: error
+        type(neighbours_t) :: neighbours
         integer :: i
 
         do i = first, last
+            ! chains begin at the same entries however many threads there are
+            if (modulo(i - 1, self%chain) == 0) neighbours = neighbours_t()
             select case (self%given)
             case (given_depth)
-                call self%contact%at_depth(self%input(i), self%states(i), error, self%branch)
+                call self%contact%at_depth(self%input(i), self%states(i), error, self%branch, neighbours)
             case (given_force)
-                call self%contact%at_force(self%input(i), self%states(i), error, self%branch)
+                call self%contact%at_force(self%input(i), self%states(i), error, self%branch, neighbours)
             case default
                 call self%contact%at_radius(self%input(i), self%states(i), error)
             end select

@@ -237,7 +237,7 @@ contains
     end subroutine depth_and_force
 
     !> All of them from one solution: k'(a) = 2 E0* q_1(a; a)^2, where E_eff + a E_eff' would cancel on a soft film.
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope)
+    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
@@ -245,14 +245,22 @@ contains
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
         real(wp), intent(inout), optional :: depth_slope
+        real(wp), intent(inout), optional :: accuracy
         type(solution_t) :: solution
+        real(wp) :: tolerance
 
+        tolerance = self%tolerance
+        if (present(accuracy)) tolerance = max(tolerance, accuracy)
         depth = 0.0_wp
         force = 0.0_wp
         modulus = 0.0_wp
         stiffness_slope = 0.0_wp
-        call solve(self%kernel, self%tolerance, a, solution, error, profile, adhesive)
+        call solve(self%kernel, tolerance, a, solution, error, profile, adhesive)
         if (allocated(error)) return
+        if (present(accuracy)) then
+            accuracy = maxval(solution%errors([1, 3, 4]))
+            if (accuracy <= self%tolerance) accuracy = 0.0_wp
+        end if
         depth = solution%depth
         force = self%surface_modulus*solution%force
         modulus = self%surface_modulus*solution%modulus

@@ -58,7 +58,7 @@ contains
         logical :: solved
 
         reached = huge(reached)
-        n = ceiling(1.5_wp*first_unknowns(kernel, tolerance, a/kernel%unit, .false.))
+        n = ceiling(1.5_wp*first_unknowns(kernel, tolerance, a/kernel%unit, is_kinked=.false., to_edge=.false.))
         do while (n <= most_unknowns)
             call check_cancelled(error)
             if (allocated(error)) return
@@ -91,7 +91,7 @@ contains
 
         solved = .false.
         reached = 0.0_wp
-        call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n, is_fine(a/kernel%unit, n), error)
+        call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n, is_fine(kernel, a/kernel%unit, n), error)
         if (allocated(error)) return
         allocate (h(n, n), stat=status)
         call check_memory(error, status)
@@ -196,7 +196,7 @@ contains
         v = 0.0_wp
         if (kernel%vanishes) return
         n = size(v)
-        call new_moments(moments, kernel, self%a/kernel%unit, 4*n + 4, 4*n, is_fine(self%a/kernel%unit, n), error)
+        call new_moments(moments, kernel, self%a/kernel%unit, 4*n + 4, 4*n, is_fine(kernel, self%a/kernel%unit, n), error)
         if (allocated(error)) return
         call interaction_matrix(moments, h)
         s = normalisation(n)
@@ -280,7 +280,7 @@ contains
 
         a = self%a/kernel%unit
         n = size(self%q)
-        call contact_rule(rule, a, 4*n + 4, 4*n, is_fine(a, n), error)
+        call contact_rule(rule, a, 4*n + 4, 4*n, is_fine(kernel, a, n), error)
         call new_rule(panel, panel_nodes, error)
         values = 0.0_wp
         if (allocated(error)) return

@@ -47,13 +47,14 @@ contains
     end function normalisation
 
     !> Whether the kernel varies at lengths that n unknowns do not follow, as it does on a graded body.
-    pure function is_fine(a, n) result(answer)
+    pure function is_fine(kernel, a, n) result(answer)
+        type(kernel_t), intent(in) :: kernel
         !> contact radius [unit]
         real(wp), intent(in) :: a
         integer, intent(in) :: n
         logical :: answer
 
-        answer = real(n, wp) < 2.7_wp*sqrt(a) + 2.0_wp
+        answer = kernel%resolved > 1.0_wp .and. real(n, wp) < 2.7_wp*sqrt(a) + 2.0_wp
     end function is_fine
 
     !> The rule that resolves the kernel from one end of a contact of radius a [unit]: of at least `count` nodes, and where the kernel

@@ -66,8 +66,10 @@ contains
         if (present(edge)) to_edge = edge
         is_kinked = .false.
         if (present(profile)) is_kinked = .not. is_smooth(profile)
-        n = first_unknowns(kernel, tolerance, a/kernel%unit, is_kinked)
-        nodes = ceiling(min(smooth_unknowns(tolerance, a/kernel%unit), real(most_unknowns, wp))*merge(4.5_wp, 3.2_wp, is_kinked))
+        n = first_unknowns(kernel, tolerance, a/kernel%unit, is_kinked, to_edge)
+        ! the kernel of a film; Legendre coefficients of a kinked profile fall so slowly that they ask for more of it
+        nodes = ceiling(min((11.5_wp*sqrt(a/kernel%unit) + 10.0_wp)*(1.0_wp - 0.025_wp*log(tolerance/1.0e-10_wp)), 1.0e4_wp) &
+                        *merge(1.4_wp, 1.0_wp, is_kinked))
         do
             call check_cancelled(error)
             if (allocated(error)) return
@@ -89,35 +91,32 @@ contains
                    to_text(tolerance)//" at contact radius "//to_text(a)//": it reached "//to_text(reached))
     end subroutine solve
 
-    !> n such that the estimate meets the tolerance at the first attempt, for films.
-    pure function first_unknowns(kernel, tolerance, a, is_kinked) result(n)
+    !> n such that the estimate meets the tolerance at the first attempt, for films: fitted to what 5 films take.
+    pure function first_unknowns(kernel, tolerance, a, is_kinked, to_edge) result(n)
         type(kernel_t), intent(in) :: kernel
         !> relative tolerance, and contact radius [unit]
         real(wp), intent(in) :: tolerance, a
-        !> g is not a polynomial in x^2: what cones and flat ends take, most on a stiff film
-        logical, intent(in) :: is_kinked
+        !> g is not a polynomial in x^2; q_1 at the edge is wanted
+        logical, intent(in) :: is_kinked, to_edge
         integer :: n
-        real(wp) :: coarse, unknowns
+        real(wp) :: contrast, coarse, rate, unknowns
 
         n = 4
         if (kernel%vanishes) return
-        if (a >= 0.2_wp) n = ceiling(min(smooth_unknowns(tolerance, a), real(first_graded, wp)))
+        contrast = min(log(max(kernel%sigma_zero, 0.01_wp)), -log(0.01_wp))
+        if (is_kinked) contrast = max(contrast, 0.0_wp)
+        rate = max(3.45_wp + 0.22_wp*abs(contrast) - 0.165_wp*log(tolerance/1.0e-10_wp), 0.5_wp)
+        if (a >= 0.2_wp) n = max(n, ceiling(min(rate*sqrt(a), real(first_graded, wp))))
         coarse = a/kernel%resolved
         if (coarse < 0.2_wp) return
-        unknowns = smooth_unknowns(tolerance, coarse)
-        if (is_kinked .and. coarse > 1.0_wp) then
-            unknowns = unknowns*coarse**0.125_wp*(1.0_wp + 0.05_wp*min(log(max(kernel%sigma_zero, 1.0_wp)), 4.6_wp))
+        unknowns = rate*sqrt(coarse)
+        if (is_kinked) then
+            unknowns = unknowns*(1.0_wp + 0.21_wp*log(max(coarse, 1.0_wp))) + 3.2_wp
+        else if (to_edge) then
+            unknowns = 1.3_wp*unknowns + 1.0_wp
         end if
         n = max(n, ceiling(min(unknowns, real(most_unknowns, wp))))
     end function first_unknowns
-
-    !> The same for a smooth profile.
-    elemental function smooth_unknowns(tolerance, a) result(unknowns)
-        real(wp), intent(in) :: tolerance, a
-        real(wp) :: unknowns
-
-        unknowns = (3.7_wp + 0.05_wp*log(1.0e-10_wp/tolerance))*sqrt(a) + 3.0_wp
-    end function smooth_unknowns
 
     !> n that makes errors smaller by a factor: they fall as exp(-c n), c from what brought them down so far.
     pure function next_unknowns(n, factor) result(next)
@@ -146,7 +145,7 @@ contains
         logical :: fine
 
         m = 2*n
-        fine = is_fine(a/kernel%unit, n)
+        fine = is_fine(kernel, a/kernel%unit, n)
         sides = merge(3, 2, present(profile))
         solution%unknowns = n
         solved = .false.
@@ -194,7 +193,8 @@ contains
         ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
         if (present(profile)) then
             beyond = solution%depth - mean
-            solution%depth_slope = sum(edge_slopes(moments, n)*(beyond*rhs(:n, 1) - rhs(:n, 3)))/kernel%unit
+            rhs(n + 1:, :) = rest
+            solution%depth_slope = sum(edge_slopes(moments, m)*(beyond*rhs(:, 1) - rhs(:, 3)))/kernel%unit
             solution%depth_slope = (profile%mdr_slope(a) + solution%depth_slope)/solution%punch_edge
         end if
         solution%rounding = rounding*(2.0_wp + moments%magnitude*max(1.0_wp, solution%modulus))

@@ -143,7 +143,7 @@ contains
                         + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
     end subroutine depth_and_force
 
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope)
+    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
@@ -151,8 +151,10 @@ contains
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
         real(wp), intent(inout), optional :: depth_slope
+        real(wp), intent(inout), optional :: accuracy
 
         if (present(adhesive) .or. present(depth_slope)) continue
+        if (present(accuracy)) accuracy = 0.0_wp
         call self%depth_and_force(profile, a, depth, force, error)
         modulus = self%effective_modulus(a)
         stiffness_slope = 2.0_wp*(modulus + a*self%effective_modulus_slope(a))

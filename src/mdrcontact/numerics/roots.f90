@@ -10,7 +10,7 @@ module mdrcontact_numerics_roots
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: find_root, solve_increasing, guess_from_below
+    public :: find_root, solve_increasing, guess_from_below, inverse_cubic, cubic_error
 
     integer, parameter :: most_iterations = 200
     !> Newton's or secant steps before Brent's method takes over.
@@ -21,6 +21,11 @@ module mdrcontact_numerics_roots
     real(wp), parameter :: nearby = 0.1_wp
     !> Steps that shrink less do not converge yet; how far from the root they end.
     real(wp), parameter :: largest_ratio = 0.1_wp, negligible = 0.1_wp*epsilon(1.0_wp)
+    !> A function that takes what accuracy it is asked for takes steps of this length at most, begins with this accuracy, and is
+    !> looked at with this part of the distance that is left to the root; Newton's steps leave this part of their square.
+    real(wp), parameter :: careful_step = 2.0_wp, first_accuracy = 1.0e-2_wp, share = 0.1_wp, curvature = 0.3_wp
+    !> Square of a distance of values below which a cubic through them does not pay.
+    real(wp), parameter :: closest = 1.0e-8_wp
 
     !> Lets a polymorphic function travel through GSL's `void *params`.
     type :: carrier_t
@@ -69,12 +74,12 @@ contains
         end if
     end subroutine find_root
 
-    !> The root of an increasing f in [smallest, largest] that is close to linear: Newton's steps where f knows its slope, else
-    !> secant steps, from `guess` until they converge, bracketed by the signs seen on the way; Brent's method if they do not.
-    !> The last step, which leaves less than rounding, is taken without looking at f again, unless f is
-    !> rough.
+    !> The root of an increasing f in [smallest, largest] that is close to linear: Newton's steps where f knows its slope, and
+    !> from the second on a cubic through two points with theirs, else secant steps, from `guess` until they converge, bracketed
+    !> by the signs seen on the way; Brent's method if they do not. The last step, which leaves less than rounding or than f asks
+    !> for, is taken without looking at f again, unless f is rough. Far from the root f is asked for less accuracy.
     !> `found` is false, and `root` the nearer end, if f keeps its sign over the whole interval.
-    subroutine solve_increasing(f, guess, slope, smallest, largest, root, found, error)
+    subroutine solve_increasing(f, guess, slope, smallest, largest, root, found, error, distance)
         class(scalar_function_t), intent(inout) :: f
         !> starting point and the expected slope of f there
         real(wp), intent(in) :: guess, slope
@@ -82,10 +87,15 @@ contains
         real(wp), intent(out) :: root
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: x, y, x_before, y_before, low, high, left, step_before, ratio_before
-        logical :: has_low, has_high, slope_is_local
+        !> how far the guess may be from the root; default 1
+        real(wp), intent(in), optional :: distance
+        real(wp) :: x, y, x_before, y_before, slope_before, accuracy_before, low, high, left, remaining, step_before
+        real(wp) :: ratio_before
+        logical :: has_low, has_high, slope_is_local, is_best
         integer :: iteration
 
+        remaining = 1.0_wp
+        if (present(distance)) remaining = distance
         slope_is_local = .true.
         has_low = .false.
         has_high = .false.
@@ -95,33 +105,42 @@ contains
         x = min(max(guess, smallest), largest)
         x_before = x
         y_before = 0.0_wp
+        slope_before = 0.0_wp
+        accuracy_before = 0.0_wp
         step_before = 0.0_wp
         ratio_before = 1.0_wp
         do iteration = 1, most_iterations
+            f%accuracy = 0.0_wp
+            if (remaining > f%near_enough .and. f%near_enough > 0.0_wp) then
+                f%accuracy = min(first_accuracy, share*max(remaining**2, f%near_enough))
+            end if
             y = f%value(x)
             if (allocated(f%error)) then
                 error = f%error
                 return
             end if
             root = x
-            if (y == 0.0_wp) return
-            if (y < 0.0_wp) then
+            is_best = .not. f%accuracy > 0.0_wp
+            if (is_best .and. y == 0.0_wp) return
+            if (y < -f%accuracy) then
                 has_low = .true.
                 low = x
-            else
+            else if (y > f%accuracy) then
                 has_high = .true.
                 high = x
             end if
-            if (iteration > 1 .and. slope_is_local) then
+            if (is_best .and. iteration > 1 .and. slope_is_local) then
                 if (abs(x - x_before) <= relative_width*max(1.0_wp, abs(x))) return
             end if
             if ((x >= largest .and. y < 0.0_wp) .or. (x <= smallest .and. y > 0.0_wp)) then
-                found = .false.
-                return
+                found = .not. is_best
+                if (is_best) return
+                remaining = 0.0_wp
+                cycle
             end if
             if (iteration > most_secants .and. has_low .and. has_high) exit
             call take_step()
-            if (left <= negligible .and. .not. f%is_rough) then
+            if (is_best .and. left <= max(negligible, f%near_enough) .and. .not. f%is_rough) then
                 root = x
                 return
             end if
@@ -133,11 +152,11 @@ contains
         !> Moves x; a step that is not finite or leaves the bracket becomes a bisection or a wide stride. A step of nothing along
         !> a secant from afar does not mean that the root is here: it becomes a short one, which shows the slope near x.
         subroutine take_step()
-            real(wp) :: next, rate
+            real(wp) :: next, rate, widest, cubic
             logical :: newton
 
             ! Where the last step did not help, as close to a vertical wall, the slope at x says little about the way back.
-            newton = f%known_slope > 0.0_wp .and. (iteration == 1 .or. abs(y) < 0.5_wp*abs(y_before))
+            newton = f%known_slope > 0.0_wp .and. (y_before == 0.0_wp .or. abs(y) < 0.5_wp*abs(y_before) + accuracy_before)
             rate = slope
             slope_is_local = .true.
             if (newton) then
@@ -147,18 +166,29 @@ contains
                 slope_is_local = abs(x - x_before) <= nearby
             end if
             if (.not. rate > 0.0_wp) rate = slope
-            next = x - min(max(y/rate, -widest_step), widest_step)
+            widest = merge(careful_step, widest_step, f%near_enough > 0.0_wp)
+            next = x - min(max(y/rate, -widest), widest)
             left = error_after(next - x, newton)
+            remaining = min(abs(next - x), curvature*(next - x)**2 + f%accuracy/rate)
+            if (newton .and. slope_before > 0.0_wp .and. f%near_enough > 0.0_wp) then
+                cubic = inverse_cubic([x_before, x], [y_before, y], [slope_before, f%known_slope], next, accuracy_before)
+                if (cubic /= next) remaining = min(remaining, cubic_error(cubic, [x_before, x]) + f%accuracy/rate)
+                next = cubic
+            end if
+            if (f%near_enough > 0.0_wp) left = abs(next - x)
             if (.not. slope_is_local) then
                 left = huge(left)
                 if (abs(next - x) <= relative_width*max(1.0_wp, abs(x))) next = x - sign(0.1_wp*nearby, y)
             end if
-            if (next <= low .or. next >= high) then
+            if ((next <= low .or. next >= high) .and. left > f%near_enough) then
                 left = huge(left)
                 if (has_low .and. has_high) next = 0.5_wp*(low + high)
+                remaining = abs(next - x)
             end if
             x_before = x
             y_before = y
+            slope_before = f%known_slope
+            accuracy_before = f%accuracy
             x = min(max(next, smallest), largest)
             step_before = x - x_before
         end subroutine take_step
@@ -184,6 +214,36 @@ contains
         end function error_after
 
     end subroutine solve_increasing
+
+    !> The root of a function from its values and slopes at two points, by the cubic of x over y: `otherwise` where the root is not
+    !> near the second point or the slopes differ by much.
+    pure function inverse_cubic(x, y, slopes, otherwise, accuracy) result(root)
+        real(wp), intent(in) :: x(2), y(2), slopes(2), otherwise
+        !> of the first value
+        real(wp), intent(in) :: accuracy
+        real(wp) :: root
+        real(wp) :: t, dx, dy
+
+        root = otherwise
+        dx = x(2) - x(1)
+        dy = y(2) - y(1)
+        ! from points closer together the errors of the values would make more than the cubic mends
+        if (.not. (abs(y(2)) < 1.5_wp*abs(dy) .and. dy**2 > 10.0_wp*accuracy + closest)) return
+        if (.not. (minval(slopes)*dx > 0.3_wp*dy .eqv. dy > 0.0_wp)) return
+        if (.not. (maxval(slopes)*dx < 3.0_wp*dy .eqv. dy > 0.0_wp)) return
+        ! Hermite's form in t, 0 at the second point
+        t = y(2)/dy
+        root = x(2) - y(2)/slopes(2) + t**2*(dy*(2.0_wp/slopes(2) + 1.0_wp/slopes(1)) - 3.0_wp*dx) &
+               + t**3*(2.0_wp*dx - dy*(1.0_wp/slopes(1) + 1.0_wp/slopes(2)))
+    end function inverse_cubic
+
+    !> How far from the root that cubic may be.
+    pure function cubic_error(root, x) result(distance)
+        real(wp), intent(in) :: root, x(2)
+        real(wp) :: distance
+
+        distance = curvature*product(root - x)**2
+    end function cubic_error
 
     !> Where f would vanish if it went on as straight as it begins at `start`, and its slope there: a first guess that never asks
     !> a medium for a contact larger than needed. Falls back to `otherwise` where f is flat.
@@ -217,6 +277,7 @@ contains
         type(carrier_t), pointer :: carrier
 
         call c_f_pointer(params, carrier)
+        carrier%f%accuracy = 0.0_wp
         y = carrier%f%value(x)
     end function evaluate
 

@@ -16,6 +16,10 @@ module mdrcontact_numerics_scalar_function
         real(wp) :: known_slope = 0.0_wp
         !> f is rough at the level of its rounding errors: a root counts only if f was looked at there
         logical :: is_rough = .false.
+        !> distance from the root within which whoever looks for it goes the rest of the way alone; 0: as near as rounding allows
+        real(wp) :: near_enough = 0.0_wp
+        !> accuracy of f that is enough at the next evaluation, and on return what was reached; 0: the best there is
+        real(wp) :: accuracy = 0.0_wp
     contains
         !> f(x)
         procedure(value_at), deferred :: value

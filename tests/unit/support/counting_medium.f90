@@ -57,17 +57,18 @@ contains
         call self%inside%depth_and_force(profile, a, depth, force, error)
     end subroutine depth_and_force
 
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope)
+    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
         class(counting_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         real(wp), intent(out) :: depth, force, modulus, stiffness_slope
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
-        real(wp), intent(inout), optional :: depth_slope
+        real(wp), intent(inout), optional :: depth_slope, accuracy
 
         self%counter%solutions = self%counter%solutions + 1
-        call self%inside%response(profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope)
+        call self%inside%response(profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, &
+                                  accuracy)
     end subroutine response
 
     subroutine line_load(self, profile, a, excess, r, values, error)
