@@ -25,7 +25,7 @@ def main(folder: Path) -> None:
 
     folder.mkdir(exist_ok=True)
     files = ("sphere_on_oxide.csv", "afm_on_rubber.csv", "csm_on_oxide.csv", "modulus_of_oxide.csv", "punches_on_rubber.csv")
-    for path in (CURVES / name for name in (*files, "indent_on_oxide.txt", "raw_afm_on_rubber.txt")):
+    for path in (CURVES / name for name in (*files, "indent_on_oxide.txt", "raw_afm_on_rubber.txt", "csm_on_silica.csv")):
         name = path.stem
         problem = load_fit_file(path.with_suffix(".toml"))
         data, _ = problem.read_data(path)

@@ -88,6 +88,15 @@ def main() -> None:
     deflection = (force + 4e-9 + 6e-3 * depth + 1e-9 * random.standard_normal(depth.size)) / 30.0
     write("raw_afm_on_rubber.txt", "Height (um)\tDeflection (V)", 5.0 - 1e6 * (depth + deflection), deflection / 50e-9)
 
+    # CSM of fused silica, E = 72 GPa, with a blunt tip A = 24.5 h_c^2 + 1200 nm h_c and a frame of 0.1 nm/mN, for its calibration
+    contact_depth = np.geomspace(15e-9, 300e-9, 60)
+    a = np.sqrt((24.5 * contact_depth**2 + 1200e-9 * contact_depth) / np.pi)
+    stiffness = 2.0 * a / (1.0 / OXIDE.contact_modulus + 1.0 / DIAMOND.contact_modulus)
+    load = 9e9 * np.pi * a**2
+    h = contact_depth + (0.75 / stiffness + 1e-7) * load
+    noisy = 1.0 / (1.0 / stiffness + 1e-7) * (1.0 + 0.005 * random.standard_normal(a.size))
+    write("csm_on_silica.csv", "h_nm,P_mN,S_N_per_m", h * 1e9, load * 1e3, noisy)
+
 
 if __name__ == "__main__":
     main()

@@ -8,12 +8,14 @@ import numpy as np
 HARDNESS, REDUCED, EPSILON, C0 = 9e9, 70e9, 0.75, 24.5
 
 
-def indentation(force=10e-3, *, noise=2e-6, drift=0.0, creep=2e-9, power=1.4, seed=0, points=(300, 100, 200, 80, 20)):
+def indentation(
+    force=10e-3, *, c1=0.0, frame=0.0, noise=2e-6, drift=0.0, creep=2e-9, power=1.4, seed=0, points=(300, 100, 200, 80, 20)
+):
     """Loading, hold, unloading to 10 % of the force, hold and the rest, 0.1 s apart: time, depth, force, and what is true. Its
-    unloading is P = B (h - h_f)^power with Oliver and Pharr's contact depth under a tip A = 24.5 h_c^2."""
+    unloading is P = B (h - h_f)^power with Oliver and Pharr's contact depth under a tip A = 24.5 h_c^2 + c1 h_c."""
     area = force / HARDNESS
     stiffness = 2.0 * np.sqrt(area / np.pi) * REDUCED
-    contact_depth = np.sqrt(area / C0)
+    contact_depth = (np.sqrt(c1**2 + 4.0 * C0 * area) - c1) / (2.0 * C0)
     deepest = contact_depth + EPSILON * force / stiffness
     final = deepest - power * force / stiffness
 
@@ -27,6 +29,6 @@ def indentation(force=10e-3, *, noise=2e-6, drift=0.0, creep=2e-9, power=1.4, se
     random = np.random.default_rng(seed)
     p, h = np.concatenate(loads), np.concatenate(depths)
     time = 0.1 * np.arange(len(p))
-    h = h + drift * time + 0.05e-9 * random.standard_normal(len(p))
+    h = h + frame * p + drift * time + 0.05e-9 * random.standard_normal(len(p))
     truth = {"stiffness": stiffness, "contact_depth": contact_depth, "area": area, "depth": deepest, "final_depth": final}
     return time, h, p + noise * random.standard_normal(len(p)), truth

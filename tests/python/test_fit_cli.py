@@ -20,6 +20,7 @@ TRUTH = {
     "punches_on_rubber": {"coating.E": 2e6, "thickness": 2e-6},
     "indent_on_oxide": {"coating.E": 72e9},
     "raw_afm_on_rubber": {"coating.E": 2e6},
+    "csm_on_silica": {"indenter.C1": 1200e-9, "frame_compliance": 1e-7},
 }
 """What examples/fit/make_data.py was told."""
 

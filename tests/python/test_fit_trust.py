@@ -219,3 +219,17 @@ def test_a_over_h_is_that_of_the_film():
     data = mdr.ModulusRadius(radius, np.asarray(stack.modulus(radius)), relative_sd=0.2)
     words = " ".join(mdr.fit(data, mdr.Berkovich(), stack, ["layers[0].E"]).warnings)
     assert "a/h runs from 10 to 20" in words
+
+
+def test_the_ranking_marks_models_that_are_wrong_at_these_contacts():
+    """The error is that of the accuracy map, at the contact radii of the data."""
+    ranking = mdr.compare_models(mdr.ForceDepth(DEPTH, FORCE), BALL, FILM, ["coating.E"], models=["exact", "gao", "gao-series"])
+    entries = {entry.model: entry for entry in ranking.models}
+    assert entries["exact"].error == 0.0 and not entries["exact"].is_wrong
+    a = np.asarray(mdr.Contact(BALL, FILM).at_depth(DEPTH).radius)
+    error = np.asarray(FILM.with_model("gao").modulus(a)) / np.asarray(FILM.modulus(a)) - 1.0
+    assert entries["gao"].error == pytest.approx(error[np.argmax(np.abs(error))], abs=2e-3)
+    assert entries["gao"].is_wrong
+    text = ranking.summary()
+    assert "WRONG HERE" in next(line for line in text.splitlines() if line.startswith("gao "))
+    assert "not which model is right" in text and "GPa" in text

@@ -10,7 +10,11 @@ from pathlib import Path
 from typing import Any
 
 from .._files import check_place, replace
+from ..measurement import afm
+from ..problem import ProblemError
 
+DATA_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".xlsx", ".xlsm", *afm.SUFFIXES)
+"""Endings of files that hold measurements."""
 FIGURE_FORMATS = ("png", "pdf", "svg")
 
 
@@ -57,3 +61,11 @@ def rendered(figure: Any, form: str) -> bytes:
     buffer = io.BytesIO()
     figure.savefig(buffer, format=form, dpi=160)
     return buffer.getvalue()
+
+
+def data_files(folder: Path) -> list[Path]:
+    """The files of a folder that may hold measurements."""
+    paths = sorted(p for p in folder.iterdir() if p.suffix.lower() in DATA_SUFFIXES and p.is_file())
+    if not paths:
+        raise ProblemError(f"{folder}: there is no file that ends in {', '.join(DATA_SUFFIXES)}")
+    return paths

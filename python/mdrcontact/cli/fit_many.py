@@ -17,24 +17,19 @@ from tqdm import tqdm
 from ..errors import MDRError
 from ..fitting import FailedFit, FitResult, fit_many, report
 from ..fitting.quantities import dimension_of, words_of
-from ..measurement import afm
-from ..problem import ProblemError
 from ..problem.data import Curve
 from ..problem.fit_file import FitFile
 from ..problem.units import practical
 from . import files, many_figure
 from .table import aligned, number
 
-_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".xlsx", ".xlsm", *afm.SUFFIXES)
 _MOST_WARNINGS, _MOST_ROWS = 10, 300
 """On the screen."""
 
 
 def run_folder(arguments: argparse.Namespace, problem: FitFile) -> None:
     """Fits every curve of a folder."""
-    paths = sorted(p for p in arguments.data.iterdir() if p.suffix.lower() in _SUFFIXES and p.is_file())
-    if not paths:
-        raise ProblemError(f"{arguments.data}: there is no file that ends in {', '.join(_SUFFIXES)}")
+    paths = files.data_files(arguments.data)
     curves: list[Curve] = []
     with tqdm(total=len(paths), unit="files", delay=2.0, disable=None, leave=False) as bar:
         for path in paths:

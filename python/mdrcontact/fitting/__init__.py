@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From measured data to film properties with their uncertainty."""
 
+from .calibration import as_prior
 from .compare import ModelRanking, RankedModel, compare_models
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, UnloadingPoint
 from .many import FailedFit, fit_many
@@ -25,6 +26,7 @@ __all__ = [
     "StiffnessDepth",
     "ModulusRadius",
     "StiffnessRadius",
+    "as_prior",
     "oliver_pharr",
     "OliverPharr",
     "Unloading",

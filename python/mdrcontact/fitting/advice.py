@@ -75,7 +75,7 @@ def _identifiability(result: FitResult, radius: np.ndarray) -> list[str]:
             f"{one} and {other} trade off {how} (correlation {c:+.4f}): {direction} leaves the curve almost as it is. A prior on "
             "one of them, or data over a wider range of a/h, would separate them"
         )
-    for name in vague:
+    for name in [name for name in vague if not _is_prior(result, name)]:
         words.append(
             f"{name} is hardly determined: its standard error is {100.0 * min(_relative(result, name), 1e6):.3g} % of its value"
         )
@@ -92,7 +92,9 @@ def _identifiability(result: FitResult, radius: np.ndarray) -> list[str]:
 def _is_prior(result: FitResult, name: str) -> bool:
     """Whether what is known of a parameter is its prior, to which the data add nothing: it trades off as it should."""
     prior = result.problem.free[name].prior
-    return prior is not None and result.standard_errors[name] > 0.9 * prior[1]
+    if prior is not None:
+        return result.standard_errors[name] > 0.9 * prior[1]
+    return bool(np.any(result.problem.weights[:, result.problem.names.index(name)] != 0.0))
 
 
 def _relative(result: FitResult, name: str) -> float:

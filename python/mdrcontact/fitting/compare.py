@@ -7,6 +7,8 @@ import math
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from .. import medium as media
 from ..errors import ArgumentTypeError, MDRError
 from ..material import RIGID
@@ -27,6 +29,23 @@ class RankedModel(NamedTuple):
     """Akaike weight: the model's share of the evidence"""
     bias: dict[str, float]
     """relative deviation of each free parameter from that of the exact model; empty without it"""
+    error: float | None
+    """of the model's E_eff against the exact one of the same body, the largest at the contact radii of the data; None without it"""
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether the model's E_eff is off by more than 5 % at the contact radii of the data."""
+        return self.error is not None and abs(self.error) > _WRONG
+
+
+_WRONG = 0.05
+"""A model whose E_eff is off by more is wrong at these contacts, however well it fits."""
+_CAUTION = (
+    "A low AIC says whose curve lies closest to the data, not which model is right: with its other numbers free a formula may "
+    "mimic a "
+    "blunt tip, a wrong contact point or pile-up. The error of E_eff is that of each model against the exact solution of the "
+    "same body."
+)
 
 
 class ModelRanking(NamedTuple):
@@ -38,17 +57,19 @@ class ModelRanking(NamedTuple):
     def summary(self) -> str:
         """The ranking as a table."""
         names = list(self.models[0].result.names) if self.models else []
-        rows = [["model", "AIC - best", "BIC", "weight", *(f"{n} (bias)" for n in names)]]
+        rows = [["model", "AIC - best", "BIC", "weight", "error of E_eff", *(f"{n} (bias)" for n in names)]]
         for entry in self.models:
             cells = []
             for name in names:
                 bias = f" ({100.0 * entry.bias[name]:+.1f} %)" if name in entry.bias else ""
-                cells.append(f"{entry.result.estimates[name]:.4g}{bias}")
+                cells.append(entry.result.told(name) + bias)
             note = "" if entry.result.converged else " (not converged)"
-            rows.append([entry.model + note, f"{entry.delta_aic:.1f}", f"{entry.result.bic:.5g}", f"{entry.weight:.2g}", *cells])
+            error = "" if entry.error is None else f"{100.0 * entry.error:+.1f} %" + (" WRONG HERE" if entry.is_wrong else "")
+            numbers = [f"{entry.delta_aic:.1f}", f"{entry.result.bic:.5g}", f"{entry.weight:.2g}"]
+            rows.append([entry.model + note, *numbers, error, *cells])
         widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
         lines = ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
-        return "\n".join(lines + [f"refused: {model}: {words}" for model, words in self.refused.items()])
+        return "\n".join([*lines, *(f"refused: {model}: {words}" for model, words in self.refused.items()), _CAUTION])
 
 
 def compare_models(
@@ -74,8 +95,10 @@ def compare_models(
     lowest = min(result.aic for result in found.values())
     shares = {model: math.exp(-0.5 * (result.aic - lowest)) for model, result in found.items()}
     exact = found.get("exact")
+    errors = {} if exact is None else _errors(exact, found)
+    total = sum(shares.values())
     ranked = [
-        RankedModel(model, result, result.aic - lowest, shares[model] / sum(shares.values()), _bias(result, exact))
+        RankedModel(model, result, result.aic - lowest, shares[model] / total, _bias(result, exact), errors.get(model))
         for model, result in found.items()
     ]
     return ModelRanking(sorted(ranked, key=lambda entry: entry.delta_aic), refused)
@@ -93,3 +116,24 @@ def _bias(result: FitResult, exact: FitResult | None) -> dict[str, float]:
     if exact is None:
         return {}
     return {n: result.estimates[n] / v - 1.0 for n, v in exact.estimates.items() if v and n in result.estimates}
+
+
+def _errors(exact: FitResult, models: Iterable[str]) -> dict[str, float]:
+    """The largest relative error of each model's E_eff for the body of the exact fit, at its contact radii."""
+    try:
+        radius = exact.problem.predict(exact._values)[1]
+        radius = radius[radius > 0.0]
+        if not len(radius):
+            return {}
+        a = np.geomspace(radius.min(), radius.max(), 20) if radius.max() > radius.min() else radius[:1]
+        true = np.asarray(exact.medium.modulus(a))
+    except MDRError:
+        return {}
+    errors = {}
+    for model in models:
+        try:
+            deviation = np.asarray(exact.medium.with_model(model).modulus(a)) / true - 1.0
+        except MDRError:
+            continue
+        errors[model] = float(deviation[np.argmax(np.abs(deviation))])
+    return errors

@@ -16,6 +16,7 @@ from .friction import Sliding
 from .history import HistoryPath
 from .section import ProblemError, Section
 from .strength import Strengths
+from .tip_file import with_calibration
 from .toml import parse_file
 
 __all__ = ["Problem", "ProblemError", "load", "read"]
@@ -46,7 +47,7 @@ def load(path: str | Path) -> Problem:
     """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
     path = Path(path)
     try:
-        return read(parse_file(path), title=path.stem, folder=path.parent)
+        return read(with_calibration(parse_file(path), path.parent), title=path.stem, folder=path.parent)
     except ProblemError as problem:
         raise ProblemError(f"{path}: {problem}") from problem
 

@@ -18,6 +18,7 @@ from . import indenter as indenters
 from . import medium as mediums
 from .record import Cantilever
 from .section import ProblemError, Section
+from .tip_file import with_calibration
 from .toml import parse_file
 from .units import COMPLIANCE, FORCE, LENGTH, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension
 
@@ -71,7 +72,7 @@ class FitFile(NamedTuple):
 def load_fit_file(path: Path) -> FitFile:
     """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
     try:
-        return _read(parse_file(path), path.stem)
+        return _read(with_calibration(parse_file(path), path.parent), path.stem)
     except ProblemError as problem:
         raise ProblemError(f"{path}: {problem}") from problem
 

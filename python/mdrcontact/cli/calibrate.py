@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact calibrate`: tip and frame from indents into a known body, as a file that [indenter] reads."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..fitting import FitResult, StiffnessDepth, fit, report
+from ..fitting.calibration import as_prior, together
+from ..fitting.parameters import of_indenter
+from ..fitting.quantities import dimension_of
+from ..problem import ProblemError
+from ..problem.fit_file import load_fit_file
+from ..problem.toml import parse_file
+from ..profile import AreaFunction
+from . import figures, files
+
+_DESCRIPTION = """\
+Calibrates tip and frame: indents into a body whose moduli are known, such as fused silica, give the area function or the radius of
+the tip and the compliance of the frame, with their covariance, as a file:
+
+    mdrcontact calibrate silica/*.txt --problem silica.toml --output tip.toml --plot tip.png
+
+The problem file is that of `mdrcontact fit` with kind = "unloading" or "stiffness-depth"; [medium] is the known body and stays
+fixed, [fit.free] has numbers of the tip and frame_compliance:
+
+    [indenter]
+    shape = "area-function"
+    coefficients = [24.5, 0, 0]         # where the search begins, and how many there are
+    length_unit = "nm"
+    max_height = "1 um"
+
+    [fit.free]
+    "indenter.C0" = { prior = 24.5, prior_sd = 0.5 }
+    "indenter.C1" = {}
+    frame_compliance = {}
+
+In other problem files the tip is then
+
+    [indenter]
+    file = "tip.toml"                   # beside the problem file
+
+and in fits its covariance is a joint prior: the uncertainty of the tip is in the intervals.
+"""
+
+_UNIT = 1e-9
+"""of the coefficients of area functions: nm"""
+
+
+def calibration_text(result: FitResult, title: str, indenter: Mapping[str, Any], curves: list[str]) -> str:
+    """The file of a calibration. indenter : the table [indenter] of its problem file, whose fitted numbers are replaced."""
+    prior = as_prior(result)
+    foreign = [name for name in prior.names if not (name.startswith("indenter.") or name == "frame_compliance")]
+    if foreign:
+        raise ProblemError(
+            f"[fit.free]: {foreign[0]!r} is no number of the tip or the frame: a calibration leaves the body as it is known"
+        )
+    lines = ["# Tip and frame, calibrated by mdrcontact", f"# {title}", f"# curves: {', '.join(curves)}"]
+    lines += [f"# warning: {words}" for words in result.warnings]
+    lines += ["", "[indenter]"]
+    given = {key: value for key, value in indenter.items() if key != "file"}
+    for key, value in {**given, **_numbers(result)}.items():
+        lines.append(f"{key} = {_toml(value)}")
+    sds = np.sqrt(np.diag(np.array(prior.covariance)))
+    scale = np.outer(sds, sds)
+    lines += ["", "[calibration]", f"names = {json.dumps(list(prior.names))}"]
+    lines += [f"values = {json.dumps([_quantity(n, v) for n, v in zip(prior.names, prior.values, strict=True)])}"]
+    lines += [f"sds = {json.dumps([_quantity(n, float(v)) for n, v in zip(prior.names, sds, strict=True)])}"]
+    lines += [f"correlation = {json.dumps((np.array(prior.covariance) / scale).round(12).tolist())}"]
+    return "\n".join(lines) + "\n"
+
+
+def _numbers(result: FitResult) -> dict[str, Any]:
+    """The keys of [indenter] that hold the numbers of the tip."""
+    tip = result.indenter
+    if isinstance(tip, AreaFunction):
+        powers = [2.0 if i == 0 else 0.5 ** (i - 1) for i in range(len(tip.coefficients))]
+        terms = [float(c) * _UNIT ** (power - 2.0) for c, power in zip(tip.coefficients, powers, strict=True)]
+        return {"coefficients": terms, "length_unit": "nm", "max_height": f"{tip.max_height:.12g} m"}
+    free = {name for name in result.names if name.startswith("indenter.")}
+    found = {}
+    for name, value in zip(of_indenter(tip).names, of_indenter(tip).values, strict=True):
+        if name in free:
+            if not dimension_of(name).si:
+                raise ProblemError(f"{name} cannot be written to a calibration")
+            found[name.removeprefix("indenter.")] = _quantity(name, value)
+    return found
+
+
+def _quantity(name: str, value: float) -> Any:
+    """A value with its unit, all digits kept."""
+    si = dimension_of(name).si
+    return f"{value!r} {si}" if si else value
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {_toml(entry)}" for key, entry in value.items()) + " }"
+    return json.dumps(value)
+
+
+def add(subparsers: Any) -> None:
+    """Adds the command to the command line."""
+    parser = subparsers.add_parser(
+        "calibrate",
+        help="area function, tip radius and frame compliance from indents into a known body",
+        description=_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("data", type=Path, nargs="+", metavar="DATA", help="tables of one indent each, or folders of them")
+    parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="tip, known body, data and fit")
+    parser.add_argument("--output", type=Path, required=True, metavar="TIP.toml", help="write the calibrated tip")
+    parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the fit (.png, .pdf or .svg)")
+    parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it as one HTML file")
+    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Reads all curves, fits them together, writes the tip."""
+    files.check(arguments.output, arguments.plot, arguments.report, overwrite=arguments.overwrite)
+    if arguments.plot or arguments.report:
+        figures.require(arguments.plot)
+    problem = load_fit_file(arguments.problem)
+    print(f"{problem.title}\n")
+    paths = [p for given in arguments.data for p in (files.data_files(given) if given.is_dir() else [given])]
+    curves, names = [], []
+    for path in paths:
+        for curve in problem.curves(path):
+            data, notes = curve.read()
+            if not isinstance(data, StiffnessDepth):
+                raise ProblemError('[data]: kind must be "unloading" or "stiffness-depth": a calibration needs contact stiffnesses')
+            print("\n".join([curve.name, *(f"  {note}" for note in notes)]))
+            curves.append(data)
+            names.append(curve.name)
+    data = together(curves)
+    result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
+    print(f"\n{result.summary()}")
+    table = parse_file(arguments.problem)["indenter"]
+    contents = {arguments.output: calibration_text(result, problem.title, table, names).encode()}
+    if arguments.plot:
+        contents[arguments.plot] = files.rendered(result.plot(), files.figure_format(arguments.plot))
+    if arguments.report:
+        blocks = report.blocks_of(result, [f"curves {', '.join(names)}, problem file {arguments.problem}"])
+        contents[arguments.report] = report.page(problem.title, blocks).encode()
+    print()
+    files.write(contents, arguments.overwrite)

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tip and frame from indents into a known body."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..errors import InvalidArgumentError
+from .data import StiffnessDepth
+from .parameters import JointPrior
+from .result import FitResult
+
+_FEWEST_COMMON = 5
+
+
+def together(curves: Sequence[StiffnessDepth]) -> StiffnessDepth:
+    """Several tests as one set of data: unloading curves point by point, CSM curves as their mean with its standard error, at the
+    depths of the first that all of them reach."""
+    if not curves:
+        raise InvalidArgumentError("there are no curves")
+    if len(curves) == 1:
+        return curves[0]
+    if all(curve.unloadings for curve in curves):
+        columns = [np.concatenate([getattr(c, name) for c in curves]) for name in ("x", "force", "y", "sd")]
+        data = StiffnessDepth(*columns[:3], sd=columns[3])
+    elif any(curve.unloadings for curve in curves):
+        raise InvalidArgumentError("unloading curves and CSM curves cannot be calibrated together: take one kind")
+    else:
+        data = _mean(curves)
+    data.warnings += [words for curve in curves for words in curve.warnings]
+    return data
+
+
+def _mean(curves: Sequence[StiffnessDepth]) -> StiffnessDepth:
+    low, high = max(c.x.min() for c in curves), min(c.x.max() for c in curves)
+    depth = np.sort(curves[0].x)
+    depth = depth[(depth >= low) & (depth <= high)]
+    if len(depth) < _FEWEST_COMMON:
+        raise InvalidArgumentError(f"the curves have only {len(depth)} depths in common; at least {_FEWEST_COMMON} are needed")
+    force, stiffness = [], []
+    for c in curves:
+        assert c.force is not None
+        order = np.argsort(c.x)
+        force.append(np.interp(depth, c.x[order], c.force[order]))
+        stiffness.append(np.interp(depth, c.x[order], c.y[order]))
+    mean = np.mean(stiffness, axis=0)
+    # of few curves the scatter at one depth says little: its ratio to the stiffness is taken as the same along the curve
+    scatter = np.sqrt(np.mean((np.std(stiffness, axis=0, ddof=1) / mean) ** 2))
+    return StiffnessDepth(depth, np.mean(force, axis=0), mean, sd=np.maximum(scatter * mean / np.sqrt(len(curves)), 1e-6 * mean))
+
+
+def as_prior(result: FitResult) -> JointPrior:
+    """What a calibration has found, as what later fits know beforehand: `mdr.fit(..., known=[mdr.as_prior(calibration)])`."""
+    vague = [name for name in result.names if result.at_bound[name] or not result.standard_errors[name] > 0.0]
+    if vague:
+        raise InvalidArgumentError(f"{', '.join(vague)} has no standard error: fix it, and calibrate again")
+    if not result.converged:
+        warnings.warn("the calibration did not converge", stacklevel=2)
+    values = tuple(result.estimates[name] for name in result.names)
+    return JointPrior(result.names, values, tuple(map(tuple, result.covariance.tolist())))

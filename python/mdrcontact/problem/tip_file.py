@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""[indenter] file = "tip.toml": a calibrated tip, and what its calibration knows of tip and frame."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from .section import ProblemError
+from .toml import parse_file
+
+
+def with_calibration(table: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """The tables of a problem file with [indenter] file = "tip.toml" replaced by what that file says: the indenter, the frame
+    compliance unless [instrument] has one, and for a fit the joint prior."""
+    indenter = table.get("indenter")
+    if not isinstance(indenter, dict) or "file" not in indenter:
+        return table
+    path = folder / str(indenter["file"])
+    try:
+        found = parse_file(path)
+    except ProblemError as problem:
+        raise ProblemError(f"[indenter]: file {path}: {problem}") from problem
+    if not isinstance(found.get("indenter"), dict):
+        raise ProblemError(f"[indenter]: file {path}: it has no table [indenter]: write it with mdrcontact calibrate")
+    twice = [key for key in indenter if key not in ("file", "material", "body")]
+    if twice:
+        raise ProblemError(f"[indenter]: {twice[0]} stands in the file {path} already: keep one")
+    changed = dict(table)
+    changed["indenter"] = {**found["indenter"], **{key: value for key, value in indenter.items() if key != "file"}}
+    prior = found.get("calibration")
+    if prior is None or "fit" not in table:
+        return changed
+    names = prior.get("names", [])
+    instrument, fit = dict(table.get("instrument", {})), dict(table["fit"])
+    if "frame_compliance" in names and not any(key.startswith("frame_compliance") for key in instrument):
+        instrument["frame_compliance"] = prior["values"][names.index("frame_compliance")]
+    changed["instrument"] = instrument
+    changed["fit"] = {**fit, "joint_prior": [*fit.get("joint_prior", []), prior]}
+    return changed
