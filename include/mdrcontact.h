@@ -1345,6 +1345,7 @@ enum mdr_fit_indenter {
 
 /** Kinds of medium, with their parameters in order. */
 enum mdr_fit_medium {
+    MDR_FIT_MEDIUM_NONE = -1,       /**< No counterbody; no parameters. */
     MDR_FIT_MEDIUM_GIVEN = 0,       /**< The handle `medium_object`; no parameters. */
     MDR_FIT_MEDIUM_HOMOGENEOUS = 1, /**< E, nu. */
     MDR_FIT_MEDIUM_STACK = 2,       /**< E, nu, h of each layer from the surface down; E, nu of the substrate (E INFINITY: rigid);
@@ -1353,7 +1354,7 @@ enum mdr_fit_medium {
     MDR_FIT_MEDIUM_POWER_GRADED = 4 /**< E0, z0, exponent, nu. */
 };
 
-/** The parameters of the instrument, by their place behind those of indenter and medium. */
+/** The parameters of the instrument, by their place behind those of indenter, medium and counterbody. */
 enum mdr_fit_instrument {
     MDR_FIT_WORK_OF_ADHESION = 0,     /**< gamma >= 0; the search begins above 0 [modulus length]. */
     MDR_FIT_DEPTH_OFFSET = 1,         /**< Depth that the instrument reads at first contact [length]. */
@@ -1407,7 +1408,7 @@ typedef struct mdr_fit_problem {
     int check_units;                     /**< 1: data more than 300 times larger or smaller than the model at the start are refused;
                                               default 1. */
     int parameter_count;                 /**< See mdr_fit_parameter_count(). */
-    const mdr_fit_parameter *parameters; /**< [parameter_count] those of the indenter, the medium, and the instrument. */
+    const mdr_fit_parameter *parameters; /**< [parameter_count] those of the indenter, the medium, the counterbody, and the instrument. */
     int prior_count;                     /**< Rows of prior_weights >= 0; default 0. */
     const double *prior_weights;         /**< [prior_count][parameter_count] what is known of several parameters together: the sum
                                               over j of weight j times (value - prior) of parameter j has mean 0 and variance 1. For
@@ -1416,6 +1417,13 @@ typedef struct mdr_fit_problem {
                                               with adhesion, where the bodies part at pull-off and read the force offset from there.
                                               In a fit the readings say which points are in contact, in mdr_fit_predict() the
                                               model does. */
+    int counterbody;                     /**< The upper one of two deformable bodies, as in mdr_medium_pair(): one of enum
+                                              mdr_fit_medium; default MDR_FIT_MEDIUM_NONE: the indenter is rigid, or
+                                              MDR_FIT_INDENTER_MODULUS says how stiff. */
+    const mdr_medium *counterbody_object; /**< For MDR_FIT_MEDIUM_GIVEN. */
+    int counterbody_model;               /**< As `model`. */
+    int counterbody_layers;              /**< As `layers`. */
+    const mdr_medium_options *counterbody_options; /**< As `options`. */
 } mdr_fit_problem;
 
 /** Sets everything to its default. problem = NULL is allowed. Never fails. */
@@ -1437,7 +1445,8 @@ typedef struct mdr_fit_summary {
     double lag_correlation;    /**< Correlation of neighbouring residuals along the curve; standard errors allow for it. */
 } mdr_fit_summary;
 
-/** How many parameters a problem has: those of its kinds of indenter and medium, `layers`, and the instrument.
+/** How many parameters a problem has: those of its kinds of indenter, medium and counterbody, their layers, and the
+ *  instrument.
  *  @param problem  problem; its parameters need not be there yet
  *  @param count    receives the number */
 int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);

@@ -24,8 +24,8 @@ module mdrcontact
     use mdrcontact_fit_body, only: fit_body_t, indenter_cone, indenter_flat_cone, indenter_flat_paraboloid, indenter_flat_punch, &
                                    indenter_given, indenter_paraboloid, indenter_power_law, indenter_rounded_cone, indenter_sphere
     use mdrcontact_fit_interval, only: profile_interval
-    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_graded, medium_homogeneous, medium_power_graded, &
-                                        medium_stack
+    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_graded, medium_homogeneous, medium_none, &
+                                        medium_power_graded, medium_stack
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
                                       at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_force_depth, &

@@ -169,6 +169,11 @@ fit_problem = np.dtype(
         ("prior_count", np.intc),
         ("prior_weights", np.uintp),
         ("branch", np.uintp),
+        ("counterbody", np.intc),
+        ("counterbody_object", np.uintp),
+        ("counterbody_model", np.intc),
+        ("counterbody_layers", np.intc),
+        ("counterbody_options", np.uintp),
     ],
     align=True,
 )

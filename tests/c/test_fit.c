@@ -75,6 +75,44 @@ static void truth_comes_back(void)
     CHECK_INT(mdr_profile_free(&profile), MDR_SUCCESS);
 }
 
+/* The upper body of two: its numbers stand between those of the lower one and of the instrument. */
+static void counterbody(void)
+{
+    enum { COUNT = 1 + 6 + 2 + 9 };
+    static const double values[COUNT] = { 10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1, 1141e9, 0.07, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1 };
+    mdr_fit_problem problem;
+    mdr_fit_parameter parameters[COUNT];
+    const double a[2] = { 1e-7, 1e-6 }, y[2] = { 1e11, 1e11 };
+    double paired[2], apart[2];
+    const double stiff = 1141e9 / (1.0 - 0.07 * 0.07);
+    int count;
+
+    fill(&problem, parameters);
+    problem.data_kind = MDR_FIT_MODULUS_RADIUS;
+    CHECK_SUCCESS(mdr_fit_predict(&problem, 2, a, y, NULL, apart, NULL));
+    problem.counterbody = MDR_FIT_MEDIUM_HOMOGENEOUS;
+    CHECK_SUCCESS(mdr_fit_parameter_count(&problem, &count));
+    CHECK_INT(count, COUNT);
+    for (int i = 0; i < COUNT; i++) {
+        parameters[i] = (mdr_fit_parameter){ values[i], -INFINITY, INFINITY, 0, 0, 0 };
+    }
+    problem.parameter_count = COUNT;
+    CHECK_SUCCESS(mdr_fit_predict(&problem, 2, a, y, NULL, paired, NULL));
+    for (int i = 0; i < 2; i++) {
+        CHECK_CLOSE(paired[i], 1.0 / (1.0 / apart[i] + 1.0 / stiff), 1e-12);
+    }
+    problem.counterbody_layers = 0;
+    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "counterbody_layers = 0 ");
+    problem.counterbody_layers = 1;
+    problem.counterbody = 99;
+    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "counterbody = 99 ");
+    problem.counterbody = MDR_FIT_MEDIUM_GIVEN; /* and none is */
+    problem.parameter_count = COUNT - 2;
+    CHECK_STATUS(mdr_fit_predict(&problem, 2, a, y, NULL, paired, NULL), MDR_ENULL, "counterbody_object is NULL");
+    problem.medium = MDR_FIT_MEDIUM_NONE;
+    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "medium = -1");
+}
+
 static void bad_input_is_refused(void)
 {
     mdr_fit_problem problem;
@@ -127,6 +165,7 @@ static void bad_input_is_refused(void)
 int main(void)
 {
     truth_comes_back();
+    counterbody();
     bad_input_is_refused();
     return check_report("fit");
 }

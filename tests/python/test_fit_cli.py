@@ -6,9 +6,11 @@ from __future__ import annotations
 import json
 import shutil
 
+import numpy as np
 import pytest
 from conftest import ROOT
 
+import mdrcontact as mdr
 from mdrcontact.cli import main
 
 FOLDER = ROOT / "examples" / "fit"
@@ -106,3 +108,66 @@ def test_separators_and_decimal_commas(tmp_path, capsys):
         results.append(json.loads(out.read_text())["parameters"]["coating.E"]["value"])
     assert len(set(results)) == 1
     assert "separated by tabs" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("young", "nu"), [(72.0, 0.17), (411.0, 0.28)], ids=["fused silica", "tungsten"])
+@pytest.mark.parametrize("kind", ["force-depth", "stiffness-depth"])
+def test_tip_calibration_with_a_diamond(young, nu, kind, tmp_path):
+    """The radius of a diamond tip from indents in a body whose material is known, against Hertz (1882): nobody types an E*."""
+    R, reduced = 2e-6, 1e9 / ((1 - nu**2) / young + (1 - 0.07**2) / 1141.0)
+    d = np.linspace(5e-9, 80e-9, 30)
+    force, stiffness = 4 / 3 * reduced * np.sqrt(R) * d**1.5, 2 * reduced * np.sqrt(R * d)
+    curve, problem, result = tmp_path / "curve.csv", tmp_path / "problem.toml", tmp_path / "fit.json"
+    header, columns = "depth [nm],force [uN],stiffness [uN/nm]", [d * 1e9, force * 1e6, stiffness * 1e-3]
+    np.savetxt(curve, np.transpose(columns), delimiter=",", header=header, comments="")
+    # a sphere's depth of contact: h_c = d - 3/4 F/S = d/2 is the height of a paraboloid at the contact radius
+    problem.write_text(
+        f"""
+        [indenter]
+        shape = "paraboloid"
+        radius = "1 um"
+        material = {{ E = "1141 GPa", nu = 0.07 }}
+        [medium]
+        type = "homogeneous"
+        material = {{ E = "{young} GPa", nu = {nu} }}
+        [data]
+        kind = "{kind}"
+        [fit]
+        free = ["indenter.radius"]
+        """
+    )
+    assert main(["fit", str(curve), "--problem", str(problem), "--json", str(result)]) == 0
+    assert json.loads(result.read_text())["parameters"]["indenter.radius"]["value"] == pytest.approx(R, rel=1e-7)
+
+
+def test_a_coated_indenter_may_be_what_is_sought(tmp_path):
+    """The film of a coated ball on a known one, from a problem file."""
+    tin, steel, dlc = mdr.Elastic(450e9, 0.25), mdr.Elastic(210e9, 0.3), mdr.Elastic(150e9, 0.2)
+    pair = mdr.Pair(mdr.Coated(tin, 1e-6, steel), mdr.Coated(dlc, 5e-7, steel))
+    d = np.linspace(1e-9, 100e-9, 40)
+    curve, problem, result = tmp_path / "curve.csv", tmp_path / "problem.toml", tmp_path / "fit.json"
+    columns = [d * 1e9, mdr.Contact(mdr.Paraboloid(5e-6), pair).at_depth(d).force * 1e3]
+    np.savetxt(curve, np.transpose(columns), delimiter=",", header="depth [nm],force [mN]", comments="", fmt="%.16g")
+    problem.write_text(
+        """
+        [indenter]
+        shape = "paraboloid"
+        radius = "5 um"
+        [indenter.body]
+        type = "coated"
+        coating = { E = "100 GPa", nu = 0.2, thickness = "0.5 um" }
+        substrate = { E = "210 GPa", nu = 0.3 }
+        [medium]
+        type = "coated"
+        coating = { E = "450 GPa", nu = 0.25, thickness = "1 um" }
+        substrate = { E = "210 GPa", nu = 0.3 }
+        [data]
+        kind = "force-depth"
+        [fit]
+        free = ["upper.coating.E", "upper.thickness"]
+        """
+    )
+    assert main(["fit", str(curve), "--problem", str(problem), "--json", str(result)]) == 0
+    found = json.loads(result.read_text())["parameters"]
+    assert found["upper.coating.E"]["value"] == pytest.approx(150e9, rel=1e-4)
+    assert found["upper.thickness"]["value"] == pytest.approx(5e-7, rel=1e-4)

@@ -102,7 +102,7 @@ class Instrument:
     depth_offset, force_offset : what the instrument reads at first contact [length], [modulus length^2]
     frame_compliance : of frame and holder, beyond what the instrument has already taken off [1/(modulus length)]
     indenter : material of the indenter, an Elastic, or None for a rigid one: the contact is that of `Pair(medium, indenter)`. An
-        indenter that is layered itself stands in the medium, a Pair, which is then fixed as it is
+        indenter that is layered itself stands in the medium, a Pair; its parameters are then called "upper.coating.E" and the like
     contact_depth_factor : epsilon of the contact depth h_c = h - epsilon P/S; 0 or less where the surface piles up
     stiffness_factor : beta of S = 2 beta a E_r
     contact_depth_scale : factor of h_c; 1.2 with contact_depth_factor = 1: Loubet's contact depth
@@ -188,10 +188,14 @@ class MediumNumbers(NamedTuple):
     """A medium's parameters and choices."""
 
     numbers: Numbers
-    model: int
-    options: NDArray[Any] | None
+    body: Any
+    """the medium itself; of a pair the lower body"""
+    model: int = 0
+    options: NDArray[Any] | None = None
     """those of the model, as the library takes them; None: the defaults"""
-    layers: int
+    layers: int = 1
+    counterbody: MediumNumbers | None = None
+    """the upper body of a pair, unless the instrument has it as its indenter"""
 
 
 def of_medium(medium: Any) -> MediumNumbers:
@@ -202,20 +206,33 @@ def of_medium(medium: Any) -> MediumNumbers:
         raise InvalidArgumentError("medium is not allowed: it is viscoelastic, and this fit is of elastic bodies")
     if isinstance(medium, media.Pair) and has_homogeneous_indenter(medium):
         return of_medium(medium.lower)
+    if isinstance(medium, media.Pair) and RIGID not in (medium.lower, medium.upper):
+        return _two_bodies(of_medium(medium.lower), of_medium(medium.upper))
     if isinstance(medium, (media.Coated, media.Layered)):
         return _stack(medium)
-    plain = (0, None, 1)
     if isinstance(medium, media.Homogeneous):
         material: Any = medium.material
         names, values = ["E", "nu"], [material.E, material.nu]
-        return MediumNumbers(Numbers(1, names, values, lambda v: media.Homogeneous(Elastic(v[0], v[1]))), *plain)
+        return MediumNumbers(Numbers(1, names, values, lambda v: media.Homogeneous(Elastic(v[0], v[1]))), medium)
     if isinstance(medium, media.PowerLawGraded):
         names = ["E0", "z0", "exponent", "nu"]
         values = [float(getattr(medium, name)) for name in names]
-        return MediumNumbers(Numbers(4, names, values, lambda v: media.PowerLawGraded(*v)), *plain)
+        return MediumNumbers(Numbers(4, names, values, lambda v: media.PowerLawGraded(*v)), medium)
     if isinstance(medium, media.Graded) and isinstance(medium.E, tuple):
         return _graded(medium)
-    return MediumNumbers(Numbers(0, [], [], lambda _: medium), *plain)
+    return MediumNumbers(Numbers(0, [], [], lambda _: medium), medium)
+
+
+def _two_bodies(lower: MediumNumbers, upper: MediumNumbers) -> MediumNumbers:
+    names = [*lower.numbers.names, *(name and f"upper.{name}" for name in upper.numbers.names)]
+    n = len(lower.numbers.values)
+    numbers = Numbers(
+        lower.numbers.code,
+        names,
+        [*lower.numbers.values, *upper.numbers.values],
+        lambda v: media.Pair(lower.numbers.build(v[:n]), upper.numbers.build(v[n:])),
+    )
+    return lower._replace(numbers=numbers, counterbody=upper)
 
 
 def has_homogeneous_indenter(medium: Any) -> bool:
@@ -241,7 +258,7 @@ def _graded(medium: Any) -> MediumNumbers:
     names = [f"{name}[{i}]" for i in range(len(z)) for name in ("z", "E", "nu")]
     values = [value for row in zip(z, E, ratios, strict=True) for value in row]
     numbers = Numbers(3, names, values, lambda v: media.Graded(v[0::3], v[1::3], v[2::3], medium.model, **options))
-    return MediumNumbers(numbers, chosen.code, chosen.record, len(z))
+    return MediumNumbers(numbers, medium, chosen.code, chosen.record, len(z))
 
 
 def _stack(medium: Any) -> MediumNumbers:
@@ -265,7 +282,7 @@ def _stack(medium: Any) -> MediumNumbers:
             return media.Coated(*stack[0], substrate, medium.model, **given)
         return media.Layered(stack, substrate, medium.model, **given)
 
-    return MediumNumbers(Numbers(2, names, values, build), chosen.code, chosen.record, len(layers))
+    return MediumNumbers(Numbers(2, names, values, build), medium, chosen.code, chosen.record, len(layers))
 
 
 def of_instrument(instrument: Instrument) -> Numbers:

@@ -153,10 +153,11 @@ def make_problem(
         indenter=parts[0].code,
         profile=indenter._handle.address,
         medium=parts[1].numbers.code,
-        medium_object=(medium.lower if is_paired else medium)._handle.address,
+        medium_object=parts[1].body._handle.address,
         model=parts[1].model,
         layers=parts[1].layers,
         options=address(parts[1].options),
+        **_counterbody(parts[1].counterbody),
         adhesion_rule=rule,
         loss=loss_code,
         loss_scale=number("loss_scale", loss_scale),
@@ -165,6 +166,18 @@ def make_problem(
         check_units=bool(check_units),
     )
     return Problem(data, *parts, names, chosen, problem, table, weights, is_paired)
+
+
+def _counterbody(upper: MediumNumbers | None) -> dict[str, Any]:
+    if upper is None:
+        return {}
+    return {
+        "counterbody": upper.numbers.code,
+        "counterbody_object": upper.body._handle.address,
+        "counterbody_model": upper.model,
+        "counterbody_layers": upper.layers,
+        "counterbody_options": address(upper.options),
+    }
 
 
 def _named(refusal: Refusal, problem: Problem) -> Refusal:

@@ -11,7 +11,7 @@ module mdrcontact_api_fit_problem
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit_body, only: indenter_given
-    use mdrcontact_fit_medium_of, only: medium_given
+    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_none
     use mdrcontact_fit_problem, only: check_problem, data_force_depth, fit_data_t, fit_problem_t, loss_linear, parameter_count
     use mdrcontact_medium, only: medium_t
     use mdrcontact_model, only: models
@@ -53,6 +53,11 @@ module mdrcontact_api_fit_problem
         integer(c_int) :: prior_count = 0_c_int
         type(c_ptr) :: prior_weights = c_null_ptr
         type(c_ptr) :: branch = c_null_ptr
+        integer(c_int) :: counterbody = int(medium_none, c_int)
+        type(c_ptr) :: counterbody_object = c_null_ptr
+        integer(c_int) :: counterbody_model = int(models%exact, c_int)
+        integer(c_int) :: counterbody_layers = 1_c_int
+        type(c_ptr) :: counterbody_options = c_null_ptr
     end type c_fit_problem_t
 
     integer(c_int), parameter :: most_layers = 100000_c_int
@@ -84,7 +89,8 @@ contains
             found = parameter_count(chosen%body)
             if (found < 0) then
                 call raise(error, error_invalid, "indenter = "//count_text(int(given%indenter))//", medium = "// &
-                           count_text(int(given%medium))//" is not allowed: they must be kinds that exist")
+                           count_text(int(given%medium))//", counterbody = "//count_text(int(given%counterbody))// &
+                           " is not allowed: they must be kinds that exist")
             else
                 count = int(found, c_int)
             end if
@@ -93,13 +99,14 @@ contains
     end function mdr_fit_parameter_count
 
     !> Raises unless the number of layers is one whose parameters can be counted.
-    subroutine check_layers(layers, error)
+    subroutine check_layers(name, layers, error)
+        character(len=*), intent(in) :: name
         integer(c_int), intent(in) :: layers
         type(error_t), allocatable, intent(inout) :: error
 
         if (allocated(error)) return
         if (layers >= 1 .and. layers <= most_layers) return
-        call raise(error, error_invalid, "layers = "//count_text(int(layers))//" is not allowed: it must be at least 1 and at "// &
+        call raise(error, error_invalid, name//" = "//count_text(int(layers))//" is not allowed: it must be at least 1 and at "// &
                    "most "//count_text(int(most_layers)))
     end subroutine check_layers
 
@@ -109,13 +116,11 @@ contains
         type(fit_problem_t), intent(out) :: problem
         type(error_t), allocatable, intent(inout) :: error
 
-        call check_layers(given%layers, error)
-        call read_medium_options(error, given%options, problem%body%medium%options)
+        call read_choice(given%medium, given%model, "layers", given%layers, given%options, problem%body%medium, error)
+        call read_choice(given%counterbody, given%counterbody_model, "counterbody_layers", given%counterbody_layers, &
+                         given%counterbody_options, problem%body%counterbody, error)
         problem%data_kind = int(given%data_kind)
         problem%body%indenter = int(given%indenter)
-        problem%body%medium%kind = int(given%medium)
-        problem%body%medium%model = int(given%model)
-        problem%body%medium%layers = int(given%layers)
         problem%adhesion_rule = int(given%adhesion_rule)
         problem%loss = int(given%loss)
         problem%loss_scale = given%loss_scale
@@ -123,6 +128,22 @@ contains
         problem%max_iterations = int(given%max_iterations)
         problem%check_units = given%check_units /= 0
     end subroutine read_kinds
+
+    subroutine read_choice(kind, model, name, layers, options, choice, error)
+        integer(c_int), intent(in) :: kind, model
+        !> of the argument `layers`
+        character(len=*), intent(in) :: name
+        integer(c_int), intent(in) :: layers
+        type(c_ptr), intent(in) :: options
+        type(medium_choice_t), intent(out) :: choice
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_layers(name, layers, error)
+        call read_medium_options(error, options, choice%options)
+        choice%kind = int(kind)
+        choice%model = int(model)
+        choice%layers = int(layers)
+    end subroutine read_choice
 
     !> The whole problem, checked.
     subroutine read_problem(structure, problem, branch, error)
@@ -133,7 +154,6 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(c_fit_problem_t), target :: given
         class(profile_t), pointer :: profile
-        class(medium_t), pointer :: medium
         type(c_fit_parameter_t), pointer :: parameters(:)
         real(c_double), pointer :: weights(:, :)
         integer :: stat
@@ -157,13 +177,9 @@ contains
             call check_memory(error, stat)
             if (allocated(error)) return
         end if
-        if (problem%body%medium%kind == medium_given) then
-            call open_handle(given%medium_object, "medium_object", medium, error)
-            if (allocated(error)) return
-            allocate (problem%body%medium%object, source=medium, stat=stat)
-            call check_memory(error, stat)
-            if (allocated(error)) return
-        end if
+        call take_object(given%medium_object, "medium_object", problem%body%medium, error)
+        call take_object(given%counterbody_object, "counterbody_object", problem%body%counterbody, error)
+        if (allocated(error)) return
         call c_f_pointer(given%parameters, parameters, [given%parameter_count])
         allocate (problem%parameters(size(parameters)), stat=stat)
         call check_memory(error, stat)
@@ -182,6 +198,22 @@ contains
         end if
         call check_problem(problem, error)
     end subroutine read_problem
+
+    !> The finished medium of a choice that is one.
+    subroutine take_object(handle, name, choice, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(medium_choice_t), intent(inout) :: choice
+        type(error_t), allocatable, intent(inout) :: error
+        class(medium_t), pointer :: medium
+        integer :: stat
+
+        if (choice%kind /= medium_given .or. allocated(error)) return
+        call open_handle(handle, name, medium, error)
+        if (allocated(error)) return
+        allocate (choice%object, source=medium, stat=stat)
+        call check_memory(error, stat)
+    end subroutine take_object
 
     !> The data; force and sd may be absent.
     subroutine read_data(branch, n, x, y, force, sd, data, error)

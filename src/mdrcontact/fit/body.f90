@@ -1,15 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Indenter and medium as functions of a vector of parameters: what a fit varies.
 !>
-!> The vector is [indenter, medium, instrument]. `layout_of` says how many parameters each kind has and in which order they stand;
-!> what does not fit one of the kinds is given as a finished object and then has no parameters.
+!> The vector is [indenter, medium, counterbody, instrument]. indenter_count and body_count say how many parameters there are; what
+!> does not fit one of the kinds is given as a finished object and then has none.
 module mdrcontact_fit_body
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
-    use mdrcontact_fit_medium_of, only: make_medium, medium_given, medium_graded, medium_homogeneous, medium_power_graded, &
-                                        medium_stack, medium_choice_t
+    use mdrcontact_fit_medium_of, only: make_medium, medium_choice_t, medium_count, medium_none
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_area_function, only: new_area_function_profile
     use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
@@ -21,7 +21,7 @@ module mdrcontact_fit_body
     use mdrcontact_profile_sphere, only: new_sphere, sphere_t
     implicit none (type, external)
     private
-    public :: fit_body_t, indenter_count, medium_count, make_body
+    public :: fit_body_t, indenter_count, body_count, make_body
     public :: indenter_given, indenter_paraboloid, indenter_sphere, indenter_cone, indenter_power_law, indenter_flat_punch, &
               indenter_flat_cone, indenter_flat_paraboloid, indenter_rounded_cone, indenter_area_function, area_terms
 
@@ -41,6 +41,8 @@ module mdrcontact_fit_body
         class(profile_t), allocatable :: profile
         !> the kind of medium and its choices
         type(medium_choice_t) :: medium
+        !> the same of the upper one of two deformable bodies; medium_none: a rigid indenter, or one that is a number, E*_i
+        type(medium_choice_t) :: counterbody = medium_choice_t(kind=medium_none)
     end type fit_body_t
 
 contains
@@ -54,23 +56,18 @@ contains
         if (self%indenter >= 0 .and. self%indenter <= ubound(indenter_numbers, 1)) count = indenter_numbers(self%indenter)
     end function indenter_count
 
-    !> How many parameters the medium has; -1 for a kind that does not exist.
-    pure function medium_count(self) result(count)
+    !> How many parameters indenter, medium and counterbody have together; -1 for kinds that do not exist.
+    pure function body_count(self) result(count)
         type(fit_body_t), intent(in) :: self
         integer :: count
+        integer :: counts(3)
 
+        counts = [indenter_count(self), medium_count(self%medium), medium_count(self%counterbody)]
         count = -1
-        select case (self%medium%kind)
-        case (medium_given); count = 0
-        case (medium_homogeneous); count = 2
-        case (medium_stack); count = 3*max(self%medium%layers, 1) + 3
-        case (medium_graded); count = 3*max(self%medium%layers, 2)
-        case (medium_power_graded); count = 4
-        case default; count = -1
-        end select
-    end function medium_count
+        if (all(counts >= 0) .and. self%medium%kind /= medium_none) count = sum(counts)
+    end function body_count
 
-    !> Indenter and medium from their parameters, values = [indenter, medium].
+    !> Indenter and medium, a pair where there is a counterbody, from their parameters, values = [indenter, medium, counterbody].
     subroutine make_body(self, values, shared, profile, medium, error)
         type(fit_body_t), intent(in) :: self
         real(wp), intent(in) :: values(:)
@@ -79,11 +76,17 @@ contains
         class(profile_t), allocatable, intent(out) :: profile
         class(medium_t), allocatable, intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
-        integer :: n
+        class(medium_t), allocatable :: lower, upper
+        integer :: first, last
 
-        n = indenter_count(self)
-        call make_profile(self, values(:n), profile, error)
-        if (.not. allocated(error)) call make_medium(self%medium, values(n + 1:), shared, medium, error)
+        first = indenter_count(self) + 1
+        last = indenter_count(self) + medium_count(self%medium)
+        call make_profile(self, values(:first - 1), profile, error)
+        if (.not. allocated(error)) call make_medium(self%medium, values(first:last), shared, medium, error)
+        if (allocated(error) .or. self%counterbody%kind == medium_none) return
+        call move_alloc(medium, lower)
+        call make_medium(self%counterbody, values(last + 1:), shared, upper, error)
+        if (.not. allocated(error)) call new_pair(medium, lower, upper, error)
     end subroutine make_body
 
     subroutine make_profile(self, values, profile, error)

@@ -13,13 +13,14 @@ module mdrcontact_fit_medium_of
     use mdrcontact_model, only: model_options_t, models, new_medium, with_constant
     implicit none (type, external)
     private
-    public :: medium_choice_t, make_medium
-    public :: medium_given, medium_homogeneous, medium_stack, medium_graded, medium_power_graded
+    public :: medium_choice_t, make_medium, medium_count
+    public :: medium_none, medium_given, medium_homogeneous, medium_stack, medium_graded, medium_power_graded
 
     !> Kinds of medium and their parameters: none; E, nu; E, nu, h of each layer from the surface down, then E, nu of the
     !> substrate (infinite E: rigid base) and the model's constant (its option that is a number); z, E, nu at each depth;
-    !> E0, z0, exponent, nu.
-    integer, parameter :: medium_given = 0, medium_homogeneous = 1, medium_stack = 2, medium_graded = 3, medium_power_graded = 4
+    !> E0, z0, exponent, nu. A counterbody may be missing.
+    integer, parameter :: medium_none = -1, medium_given = 0, medium_homogeneous = 1, medium_stack = 2, medium_graded = 3, &
+                          medium_power_graded = 4
 
     !> Which medium the parameters belong to.
     type :: medium_choice_t
@@ -36,6 +37,21 @@ module mdrcontact_fit_medium_of
     end type medium_choice_t
 
 contains
+
+    !> How many parameters a medium has; -1 for a kind that does not exist.
+    elemental function medium_count(choice) result(count)
+        type(medium_choice_t), intent(in) :: choice
+        integer :: count
+
+        select case (choice%kind)
+        case (medium_none, medium_given); count = 0
+        case (medium_homogeneous); count = 2
+        case (medium_stack); count = 3*max(choice%layers, 1) + 3
+        case (medium_graded); count = 3*max(choice%layers, 2)
+        case (medium_power_graded); count = 4
+        case default; count = -1
+        end select
+    end function medium_count
 
     !> The medium of a kind from its parameters.
     subroutine make_medium(choice, values, shared, medium, error)

@@ -6,7 +6,7 @@ module mdrcontact_fit_predict
                                 error_unreachable, raise, to_text
     use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_fit_branches, only: separate
-    use mdrcontact_fit_body, only: indenter_count, make_body, medium_count
+    use mdrcontact_fit_body, only: body_count, make_body
     use mdrcontact_fit_force_curve, only: force_curve_t, new_force_curve
     use mdrcontact_fit_problem, only: at_area_factor, at_contact_depth_factor, at_contact_depth_scale, at_depth_offset, &
                                       at_force_offset, at_frame_compliance, at_indenter_modulus, at_stiffness_factor, &
@@ -76,7 +76,7 @@ contains
         integer :: n
 
         y = 0.0_wp
-        n = indenter_count(problem%body) + medium_count(problem%body)
+        n = body_count(problem%body)
         call make_body(problem%body, values(:n), shared, profile, pressed, error)
         if (allocated(error)) return
         associate (instrument => values(n + 1:))

@@ -7,7 +7,7 @@ module mdrcontact_fit_problem
                                 raise, to_text
     use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_fit_order, only: ascending
-    use mdrcontact_fit_body, only: fit_body_t, indenter_count, medium_count
+    use mdrcontact_fit_body, only: body_count, fit_body_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -91,10 +91,8 @@ contains
         type(fit_body_t), intent(in) :: body
         integer :: count
 
-        count = -1
-        if (indenter_count(body) >= 0 .and. medium_count(body) >= 0) then
-            count = indenter_count(body) + medium_count(body) + instrument_numbers
-        end if
+        count = body_count(body)
+        if (count >= 0) count = count + instrument_numbers
     end function parameter_count
 
     !> The residuals of what is known of several parameters together.

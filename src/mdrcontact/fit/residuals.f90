@@ -4,7 +4,7 @@ module mdrcontact_fit_residuals
     use mdrcontact_error, only: error_t
     use mdrcontact_fit_least_squares, only: residuals_t
     use mdrcontact_fit_predict, only: predict
-    use mdrcontact_fit_body, only: indenter_count, medium_count
+    use mdrcontact_fit_body, only: body_count
     use mdrcontact_fit_problem, only: ascending_points, at_frame_compliance, data_stiffness_depth, fit_data_t, fit_problem_t, &
                                       joint_priors, loss_cauchy, loss_huber, loss_linear
     use mdrcontact_fit_variables, only: variables_t
@@ -112,7 +112,7 @@ contains
         logical :: answer
         integer :: i
 
-        i = indenter_count(self%problem%body) + medium_count(self%problem%body) + at_frame_compliance
+        i = body_count(self%problem%body) + at_frame_compliance
         answer = self%problem%data_kind == data_stiffness_depth &
                  .or. (self%problem%parameters(i)%is_free .or. self%problem%parameters(i)%value /= 0.0_wp)
     end function readings_enter_model

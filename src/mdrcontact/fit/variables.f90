@@ -5,8 +5,9 @@
 !> of adhesion, which may be 0 and enters by its square root, as u = sqrt(p/p0). Beyond a bound the parameter stays at the bound.
 module mdrcontact_fit_variables
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
-    use mdrcontact_fit_body, only: fit_body_t, indenter_area_function, indenter_count, medium_count
-    use mdrcontact_fit_medium_of, only: medium_graded, medium_homogeneous, medium_power_graded, medium_stack
+    use mdrcontact_fit_body, only: body_count, fit_body_t, indenter_area_function, indenter_count
+    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_count, medium_graded, medium_homogeneous, &
+                                        medium_power_graded, medium_stack
     use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
                                       at_work_of_adhesion, data_force_depth, data_stiffness_depth, fit_data_t, fit_parameter_t, &
                                       fit_problem_t, instrument_numbers
@@ -50,7 +51,7 @@ contains
         self%upper = problem%parameters(self%free)%upper
         allocate (self%scale(size(self%free)))
         self%scale = 0.0_wp
-        instrument = indenter_count(problem%body) + medium_count(problem%body)
+        instrument = body_count(problem%body)
         do i = 1, size(self%free)
             j = self%free(i)
             select case (kinds(j))
@@ -84,26 +85,37 @@ contains
     !> What kind of parameter each is: positive, a Poisson's ratio, or of either sign.
     pure function natures(body) result(kinds)
         type(fit_body_t), intent(in) :: body
-        integer :: kinds(indenter_count(body) + medium_count(body) + instrument_numbers)
+        integer :: kinds(body_count(body) + instrument_numbers)
         integer :: first, last
 
         kinds = positive
-        first = indenter_count(body) + 1
-        last = indenter_count(body) + medium_count(body)
-        select case (body%medium%kind)
-        case (medium_homogeneous); kinds(first + 1) = poisson
-        case (medium_stack); kinds(first + 1:last - 1:3) = poisson
-        case (medium_graded); kinds(first + 2:last:3) = poisson
-        case (medium_power_graded); kinds(first + 2:last) = [signed, poisson]
-        case default; continue
-        end select
         if (body%indenter == indenter_area_function) kinds(:indenter_count(body)) = signed
+        first = indenter_count(body) + 1
+        last = indenter_count(body) + medium_count(body%medium)
+        call mark(body%medium, kinds(first:last))
+        first = last + 1
+        last = body_count(body)
+        call mark(body%counterbody, kinds(first:last))
         kinds(last + at_work_of_adhesion) = not_negative
         kinds(last + at_contact_depth_factor) = signed
         kinds(last + at_depth_offset) = signed
         kinds(last + at_force_offset) = signed
         kinds(last + at_frame_compliance) = signed
     end function natures
+
+    !> The parameters of a medium that are not positive quantities.
+    pure subroutine mark(choice, kinds)
+        type(medium_choice_t), intent(in) :: choice
+        integer, intent(inout) :: kinds(:)
+
+        select case (choice%kind)
+        case (medium_homogeneous); kinds(2) = poisson
+        case (medium_stack); kinds(2:size(kinds) - 1:3) = poisson
+        case (medium_graded); kinds(3::3) = poisson
+        case (medium_power_graded); kinds(3:) = [signed, poisson]
+        case default; continue
+        end select
+    end subroutine mark
 
     !> The scale of a parameter of either sign.
     pure function typical(position, parameter, data_kind, data) result(scale)

@@ -57,9 +57,9 @@ contains
         answer = kernel%resolved > 1.0_wp .and. real(n, wp) < 2.7_wp*sqrt(a) + 2.0_wp
     end function is_fine
 
-    !> The rule that resolves the kernel from one end of a contact of radius a [unit]: of at least `count` nodes, and where the kernel
-    !> is fine of as many as polynomials to order `last` take, closer at the end. Where one rule is too short, as many as are needed share
-    !> the half waves of the polynomials.
+    !> The rule that resolves the kernel from one end of a contact of radius a [unit]: of at least `count` nodes, and where the
+    !> kernel is fine of as many as polynomials to order `last` take, closer at the end. Where one rule is too short, as many as
+    !> are needed share the half waves of the polynomials.
     subroutine contact_rule(rule, a, count, last, fine, error)
         type(rule_t), intent(out) :: rule
         real(wp), intent(in) :: a
