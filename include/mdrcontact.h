@@ -705,6 +705,36 @@ int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], doub
 int mdr_contact_history(const mdr_contact *c, int given, int n, const double time[], const double in[], double d[], double a[],
                         double F[]);
 
+/** The dynamic stiffness k* = k' + i k'' of a contact with a viscoelastic body that oscillates by little about a contact radius; the
+ *  energy lost in a cycle is pi k'' times the amplitude squared. Exact for any materials, power laws included, under the model
+ *  exact; under other models for materials that relax in proportion.
+ *  @param c        contact; the indenter does not matter
+ *  @param n        number of frequencies
+ *  @param omega    [n] angular frequencies > 0; equal neighbours cost less [1/time]
+ *  @param radius   [n] contact radii > 0 [length]
+ *  @param storage  [n] k' [modulus length]
+ *  @param loss     [n] k'' [modulus length]
+ *  @return MDR_EINVALID also for elastic bodies; MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_contact_dynamic_stiffness(const mdr_contact *c, int n, const double omega[], const double radius[], double storage[],
+                                  double loss[]);
+
+/** What answers a step at constant contact radius, as under a flat punch. */
+enum mdr_step {
+    MDR_STEP_RELAXATION = 1, /**< Force per depth after a step of the depth [modulus length]. */
+    MDR_STEP_CREEP = 2       /**< Depth per force after a step of the force [1/(modulus length)]. */
+};
+
+/** The answer of a viscoelastic body to a step at time 0, the contact radius being held. Bodies as for
+ *  mdr_contact_dynamic_stiffness().
+ *  @param c       contact; the indenter does not matter
+ *  @param step    one of enum mdr_step
+ *  @param radius  contact radius > 0 [length]
+ *  @param n       number of times
+ *  @param time    [n] > 0 [time]
+ *  @param out     [n] see enum mdr_step
+ *  @return as mdr_contact_dynamic_stiffness() */
+int mdr_contact_step_response(const mdr_contact *c, int step, double radius, int n, const double time[], double out[]);
+
 /** Elastic energy of either body: together int F dd from first touch, with adhesion int F dd + pi a^2 work_of_adhesion along the
  *  branch [modulus length^3].
  *  @param c      contact

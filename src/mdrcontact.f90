@@ -33,6 +33,7 @@ module mdrcontact
                                       fit_parameter_t, fit_problem_t, instrument_numbers, loss_cauchy, loss_huber, loss_linear
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
     use mdrcontact_history_relaxation, only: contact_history
+    use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_creep, step_relaxation, step_response
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_density, only: deviatoric_weight, lateral_density, volumetric_weight
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure

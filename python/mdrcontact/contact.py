@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _layout, _native, adhesion, critical, history, interior
-from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record, row
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record, row
 from ._value import Value
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code
 from .critical import Critical, Failure
@@ -143,6 +143,34 @@ class Contact(Value):
         (InvalidArgumentError): contacts that shrink and grow again, or shrink under a prescribed force or radius.
         """
         return history.history(self._handle.address, time, depth, force, radius)
+
+    def dynamic_stiffness(
+        self,
+        omega: ArrayLike,
+        *,
+        radius: ArrayLike | None = None,
+        depth: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+    ) -> ComplexOrArray:
+        """The dynamic stiffness k* = k' + i k'' [modulus length] of a viscoelastic body at angular frequencies omega [1/time]:
+        k' stores, k'' loses energy, pi k'' times the amplitude squared in each cycle, and k''/k' is tan delta.
+
+        omega, radius, depth, force : of shapes that broadcast. The contact oscillates by little about one of them: a radius, or the
+            state of the relaxed body at a depth or force, as after a long hold; none for a flat punch
+
+        Exact for any materials, power laws included, under the model "exact"; under other models for materials that relax in
+        proportion. Each new frequency of a layered body costs two kernels, further radii at the same one little.
+        """
+        return history.dynamic_stiffness(self, omega, radius, depth, force)
+
+    def relaxation(self, time: ArrayLike, radius: float | None = None) -> FloatOrArray:
+        """Force per depth [modulus length] at times > 0 after a step of the depth, the contact radius being held: a flat punch,
+        whose radius need not be given."""
+        return history.step(self, _layout.STEP_RELAXATION, time, radius)
+
+    def creep(self, time: ArrayLike, radius: float | None = None) -> FloatOrArray:
+        """Depth per force [1/(modulus length)] at times > 0 after a step of the force. Arguments as of `relaxation`."""
+        return history.step(self, _layout.STEP_CREEP, time, radius)
 
     def pull_off(self, control: str = "force") -> PullOff:
         """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "depth".

@@ -3,14 +3,20 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import check, numbers
+from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, numbers
 from .errors import ArgumentTypeError, InvalidArgumentError
+from .material import Elastic, PowerLawRheology, Viscoelastic
+from .medium import Coated, Homogeneous, Layered
+from .profile import FlatPunch
+
+if TYPE_CHECKING:
+    from .contact import Contact
 
 __all__ = ["History"]
 
@@ -53,3 +59,57 @@ def history(contact: int, time: ArrayLike, depth: ArrayLike | None, force: Array
     status, *columns = _native.contact_history(contact, _GIVEN[given[0]], t, values)
     check(status)
     return History(t, *columns)
+
+
+def dynamic_stiffness(
+    contact: Contact, omega: ArrayLike, radius: ArrayLike | None, depth: ArrayLike | None, force: ArrayLike | None
+) -> ComplexOrArray:
+    """See `Contact.dynamic_stiffness`."""
+    given = {name: value for name, value in (("radius", radius), ("depth", depth), ("force", force)) if value is not None}
+    if len(given) > 1:
+        raise ArgumentTypeError(f"a stiffness needs one of radius, depth and force, not {' and '.join(given)}")
+    if radius is None:
+        radius = _radius(contact, given)
+    w, a = np.broadcast_arrays(numbers("omega", omega), numbers("radius", radius))
+    if not w.size:
+        return np.empty(w.shape, np.complex128)
+    # equal frequencies side by side
+    order = np.argsort(w, axis=None, kind="stable")
+    status, storage, loss = _native.contact_dynamic_stiffness(contact._handle.address, w.ravel()[order], a.ravel()[order])
+    check(status, single=not w.ndim)
+    values = np.empty(w.size, np.complex128)
+    values[order] = storage + 1j * loss
+    return values.reshape(w.shape) if w.ndim else complex(values[0])
+
+
+def step(contact: Contact, kind: int, time: ArrayLike, radius: float | None) -> FloatOrArray:
+    """See `Contact.relaxation` and `Contact.creep`."""
+    a = number("radius", _radius(contact, {}) if radius is None else radius)
+    return evaluate("time", time, lambda t: _native.contact_step_response(contact._handle.address, kind, a, t))
+
+
+def _radius(contact: Contact, given: dict[str, ArrayLike]) -> Any:
+    """The contact radius of a flat punch, or of the relaxed body at a depth or force."""
+    if isinstance(contact.indenter, FlatPunch):
+        return contact.indenter.radius
+    if not given:
+        raise ArgumentTypeError("radius is missing: only a flat punch has one of its own")
+    resting = contact.replace(medium=_at_rest(contact.medium, needs_modulus="force" in given))
+    return (resting.at_force(given["force"]) if "force" in given else resting.at_depth(given["depth"])).radius
+
+
+def _at_rest(medium: Any, needs_modulus: bool) -> Any:
+    """The relaxed body; at a given depth it does not matter how stiff a body of power laws is."""
+
+    def relaxed(material: Any) -> Any:
+        if isinstance(material, PowerLawRheology) and not needs_modulus:
+            return Elastic(2.0 * material.modulus * (1.0 + material.nu), material.nu)
+        return material.relaxed if isinstance(material, (Viscoelastic, PowerLawRheology)) else material
+
+    if isinstance(medium, Homogeneous):
+        return Homogeneous(relaxed(medium.material))
+    if isinstance(medium, Coated):
+        return medium.replace(coating=relaxed(medium.coating), substrate=relaxed(medium.substrate))
+    if isinstance(medium, Layered):
+        return medium.replace(layers=[(relaxed(m), h) for m, h in medium.layers], substrate=relaxed(medium.substrate))
+    return medium

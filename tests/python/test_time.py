@@ -30,11 +30,29 @@ ACCURACY = {"ting_rigid_base": 3e-9, "ting_power_law": 1e-11}
 """Of histories; elsewhere 3e-11, the accuracy of the table three times over."""
 
 
-def rows():
-    """The rows of the table whose bodies relax in proportion."""
+def of_shear(modulus, nu):
+    """An elastic material of this shear modulus."""
+    return mdr.Elastic(2.0 * modulus * (1.0 + nu), nu)
+
+
+BODIES["F1"] = mdr.Coated(mdr.Viscoelastic(1.0, [(2.0, 0.5)], nu=0.5), 1.0, mdr.Viscoelastic(0.6, [(0.4, 2.0)], nu=0.3))
+BODIES["F2"] = mdr.Coated(of_shear(20.0, 0.4), 1.0, mdr.Viscoelastic(0.2, [(1.8, 1.0)], nu=0.5))
+BODIES["F3"] = mdr.Coated(mdr.Viscoelastic(0.1, [(0.9, 1.0)], nu=0.5), 1.0, of_shear(10.0, 0.3))
+BODIES["F5"] = mdr.Layered(
+    [
+        (mdr.Viscoelastic(0.5, [(1.5, 0.2)], bulk_modulus=5.0), 1.0),
+        (of_shear(5.0, 0.3), 0.5),
+        (mdr.Viscoelastic(0.3, [(0.7, 4.0)], nu=0.45), 2.0),
+    ],
+    mdr.Viscoelastic(1.0, [(1.0, 1.0)], bulk_modulus=3.0),
+)
+
+
+def rows(*cases):
+    """The rows of the table of some cases."""
     with (Path(__file__).parents[1] / "data" / "viscoelastic.csv").open() as lines:
         table = list(csv.DictReader(line for line in lines if not line.startswith("#")))
-    return [row for row in table if row["case"].startswith(("ting", "creep", "relaxation"))]
+    return [row for row in table if row["case"].startswith(cases)]
 
 
 def path_to(row):
@@ -53,7 +71,9 @@ def path_to(row):
         yield np.array([0.0, t]), np.array([0.5, 0.5])
 
 
-@pytest.mark.parametrize("row", rows(), ids=lambda row: " ".join(row[key] for key in ("case", "body", "indenter", "t")))
+@pytest.mark.parametrize(
+    "row", rows("ting", "creep", "relaxation"), ids=lambda row: " ".join(row[key] for key in ("case", "body", "indenter", "t"))
+)
 def test_table(row):
     contact = mdr.Contact(TIPS[row["indenter"]], BODIES[row["body"]])
     accuracy = ACCURACY.get(row["case"], 3e-11)
@@ -65,6 +85,61 @@ def test_table(row):
     # linear between samples: the error falls as the square of the step
     best = ends[0] if len(ends) == 1 else (4.0 * ends[1] - ends[0]) / 3.0
     assert best == pytest.approx([float(row["d"]), float(row["a"]), float(row["F"])], rel=accuracy)
+
+
+@pytest.mark.parametrize("body", ["F1", "F2", "F3", "F4", "F5"])
+def test_table_of_dynamic_stiffness(body):
+    """To the accuracy of the table three times over."""
+    table = [row for row in rows("dynamic_stiffness") if row["body"] == body]
+    contact = mdr.Contact(mdr.Paraboloid(1.0), BODIES[body])
+    omega, radius, storage, loss = ([float(row[key]) for row in table] for key in ("omega", "a", "k_storage", "k_loss"))
+    found = contact.dynamic_stiffness(omega, radius=radius)
+    assert np.max(np.abs(found / (np.array(storage) + 1j * np.array(loss)) - 1.0)) < 3e-14
+
+
+@pytest.mark.parametrize("body", ["F1", "F2", "F3", "F4", "F5"])
+def test_table_of_punches(body):
+    for row in rows("punch"):
+        if row["body"] == body:
+            contact = mdr.Contact(mdr.FlatPunch(float(row["a"])), BODIES[body])
+            answer = (contact.creep if "creep" in row["case"] else contact.relaxation)(float(row["t"]))
+            wanted = row["d"] if "creep" in row["case"] else row["F"]
+            assert answer == pytest.approx(float(wanted), rel=6e-13)
+
+
+def test_dynamic_stiffness_between_its_limits():
+    base = of_shear(10.0, 0.3)
+    for body, glassy, relaxed in (
+        (BODIES["B"], mdr.Homogeneous(B.glassy), mdr.Homogeneous(B.relaxed)),
+        (BODIES["F3"], mdr.Coated(of_shear(1.0, 0.5), 1.0, base), mdr.Coated(of_shear(0.1, 0.5), 1.0, base)),
+    ):
+        contact = mdr.Contact(mdr.FlatPunch(0.7), body)
+        omega = np.geomspace(1e-8, 1e8, 9)
+        found = contact.dynamic_stiffness(omega)
+        assert found[[0, -1]].real == pytest.approx([relaxed.stiffness(0.7), glassy.stiffness(0.7)], rel=1e-10)
+        assert np.all(found.imag > 0.0) and np.all(np.diff(found.real) > 0.0)
+        assert contact.relaxation(np.array([1e-12, 1e12])) == pytest.approx(found[[-1, 0]].real, rel=1e-9)
+        assert contact.creep(np.array([1e-12, 1e12])) == pytest.approx(1.0 / found[[-1, 0]].real, rel=1e-9)
+
+
+def test_dynamic_stiffness_of_one_body_under_several_names():
+    """Layers of one material, and a proportional body solved by its elastic one and by complex kernels."""
+    omega = np.array([0.1, 1.0, 30.0])
+    home = mdr.Contact(mdr.FlatPunch(1.0), BODIES["S"])
+    assert home.dynamic_stiffness(omega) == pytest.approx(2.0 * 2.0 * S.complex_modulus(omega) / 0.5, rel=1e-13)
+    stiffer = mdr.Viscoelastic(0.6, [(1.4, 0.5)], nu=0.3)
+    nearly = mdr.Viscoelastic(0.6, [(1.4, 0.5 * (1.0 + 1e-12))], nu=0.3)
+    found = [mdr.Contact(mdr.FlatPunch(1.0), mdr.Coated(S, 1.0, base)).dynamic_stiffness(omega) for base in (stiffer, nearly)]
+    assert found[1] == pytest.approx(found[0], rel=1e-11)
+    fractional = mdr.Coated(mdr.PowerLawRheology(1.0, 1.0, 0.2, 0.5), 1.0, mdr.Viscoelastic(1.0, [(3.0, 1.0)], nu=0.4))
+    stiffness = mdr.Contact(mdr.Cone(0.3), fractional).dynamic_stiffness(omega[:, None], radius=[0.5, 2.0])
+    assert stiffness.shape == (3, 2) and np.all(stiffness.imag > 0.0)
+    one = mdr.Contact(mdr.Cone(0.3), fractional).dynamic_stiffness(1.0, radius=2.0)
+    assert isinstance(one, complex) and one == stiffness[1, 1]
+    held = mdr.Contact(mdr.Paraboloid(1.0), BODIES["F1"])
+    resting = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(of_shear(1.0, 0.5), 1.0, of_shear(0.6, 0.3))).at_force(0.5)
+    assert held.dynamic_stiffness(1.0, force=0.5) == held.dynamic_stiffness(1.0, radius=resting.radius)
+    assert held.dynamic_stiffness(1.0, depth=resting.depth) == pytest.approx(held.dynamic_stiffness(1.0, force=0.5), rel=1e-10)
 
 
 def test_materials():
@@ -243,6 +318,21 @@ def test_refusals():
     for arguments in ({}, {"depth": [0.1], "force": [0.1]}):
         with pytest.raises(mdr.ArgumentTypeError, match="one of depth, force and radius"):
             contact.history([0.0], **arguments)
+    film = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(POWER, 1.0, mdr.Elastic(1.0, 0.3)))
+    with pytest.raises(mdr.InvalidArgumentError, match="relax in proportion"):
+        film.history([0.0, 1.0], depth=[0.0, 0.1])
+    for question, words in (
+        (lambda: film.dynamic_stiffness(-1.0, radius=1.0), "omega = -1"),
+        (lambda: film.dynamic_stiffness([1.0, 2.0], radius=[1.0, 0.0]), "entry 2 of radius"),
+        (lambda: film.relaxation(0.0, 1.0), "time = 0"),
+        (lambda: film.dynamic_stiffness(1.0, force=1.0), "no relaxed modulus"),
+        (lambda: mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(A.glassy)).dynamic_stiffness(1.0), "elastic"),
+        (lambda: mdr.Contact(mdr.Cone(0.3), BODIES["F1"].with_model("gao")).dynamic_stiffness(1.0, radius=1.0), "exact"),
+    ):
+        with pytest.raises(mdr.InvalidArgumentError, match=words):
+            question()
+    with pytest.raises(mdr.ArgumentTypeError, match="radius is missing"):
+        film.creep(1.0)
     with pytest.raises(mdr.InvalidArgumentError, match="grows again"):
         contact.history([0.0, 1.0, 2.0, 3.0], depth=[0.0, 0.3, 0.2, 0.3])
     with pytest.raises(mdr.InvalidArgumentError, match="grows again"):
@@ -260,7 +350,6 @@ def test_refusals():
         (lambda: mdr.PowerLawRheology(1.0, 1.0, 1.0, 0.5), "exponent = 1"),
         (lambda: POWER.glassy, "no glassy"),
         (lambda: POWER.relaxed, "no relaxed"),
-        (lambda: mdr.Coated(POWER, 1.0, mdr.Elastic(1.0, 0.3)), "no glassy modulus.*material 1"),
     ):
         with pytest.raises(mdr.InvalidArgumentError, match=words):
             make()

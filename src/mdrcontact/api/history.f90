@@ -2,15 +2,17 @@
 !> Histories of contacts with viscoelastic bodies, for C.
 module mdrcontact_api_history
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_results
+    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_error, only: error_t
     use mdrcontact_history_relaxation, only: contact_history
+    use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_response
+    use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: mdr_contact_history
+    public :: mdr_contact_history, mdr_contact_dynamic_stiffness, mdr_contact_step_response
 
 contains
 
@@ -45,5 +47,59 @@ contains
         if (present(a)) a(:n) = values(:, 2)
         if (present(f)) f(:n) = values(:, 3)
     end function mdr_contact_history
+
+    function mdr_contact_dynamic_stiffness(c, n, omega, radius, storage, loss) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: omega(*), radius(*)
+        real(c_double), intent(inout), optional :: storage(*), loss(*)
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        complex(wp), allocatable :: values(:)
+        type(error_t), allocatable :: error
+        integer :: stat
+
+        call open_handle(c, "c", contact, error)
+        call check_count(error, n)
+        call check_array(error, "omega", n, present(omega))
+        call check_array(error, "radius", n, present(radius))
+        call check_array(error, "storage", n, present(storage))
+        call check_array(error, "loss", n, present(loss))
+        status = status_of(error)
+        if (allocated(error) .or. n == 0) return
+        allocate (values(n), stat=stat)
+        call check_memory(error, stat)
+        if (.not. allocated(error)) call dynamic_stiffness(contact, omega(:n), radius(:n), values, error)
+        if (.not. allocated(error)) call check_results(error, real(values, wp))
+        if (.not. allocated(error)) call check_results(error, aimag(values))
+        status = status_of(error)
+        if (allocated(error)) return
+        storage(:n) = real(values, wp)
+        loss(:n) = aimag(values)
+    end function mdr_contact_dynamic_stiffness
+
+    function mdr_contact_step_response(c, step, radius, n, time, out) result(status) bind(C)
+        type(c_ptr), value :: c
+        integer(c_int), value :: step, n
+        real(c_double), value :: radius
+        real(c_double), intent(in), optional :: time(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        real(c_double), allocatable :: values(:)
+        type(error_t), allocatable :: error
+        integer :: stat
+
+        call open_handle(c, "c", contact, error)
+        call check_in_out(error, n, "time", present(time), present(out))
+        status = status_of(error)
+        if (allocated(error) .or. n == 0) return
+        allocate (values(n), stat=stat)
+        call check_memory(error, stat)
+        if (.not. allocated(error)) call step_response(contact, int(step), time(:n), radius, values, error)
+        if (.not. allocated(error)) call check_results(error, values)
+        status = status_of(error)
+        if (.not. allocated(error)) out(:n) = values
+    end function mdr_contact_step_response
 
 end module mdrcontact_api_history

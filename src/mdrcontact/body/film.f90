@@ -14,7 +14,7 @@ module mdrcontact_body_film
     type :: film_t
         private
         !> b, c, and 1 - b, 1 - c, 1 + c, 1 - b c
-        real(wp) :: b = 0.0_wp, c = 0.0_wp, b_rest = 1.0_wp, c_rest = 1.0_wp, one_plus_c = 1.0_wp, product_rest = 1.0_wp
+        complex(wp) :: b = 0.0_wp, c = 0.0_wp, b_rest = 1.0_wp, c_rest = 1.0_wp, one_plus_c = 1.0_wp, product_rest = 1.0_wp
     contains
         procedure :: response
         procedure :: in_plane_response
@@ -22,13 +22,13 @@ module mdrcontact_body_film
 
 contains
 
-    !> The film of these Poisson's ratios on a base.
+    !> The film of these Poisson's ratios on a base; complex constants where it oscillates.
     pure function new_film(film_poisson, base_poisson, contrast) result(self)
-        real(wp), intent(in) :: film_poisson, base_poisson
+        complex(wp), intent(in) :: film_poisson, base_poisson
         !> shear modulus of the film over that of the base; 0 on a rigid base
-        real(wp), intent(in) :: contrast
+        complex(wp), intent(in) :: contrast
         type(film_t) :: self
-        real(wp) :: film, base
+        complex(wp) :: film, base
 
         film = 3.0_wp - 4.0_wp*film_poisson
         base = 3.0_wp - 4.0_wp*base_poisson
@@ -64,8 +64,7 @@ contains
         !> 1 for normal load, -1 for shear
         real(wp), intent(in) :: way
         complex(wp), intent(out) :: sigma, chi
-        complex(wp) :: e, o, under, over
-        real(wp) :: lowest
+        complex(wp) :: e, o, under, over, lowest
 
         e = exp(-2.0_wp*t)
         ! 1 - e

@@ -221,7 +221,7 @@ contains
         call new_antiderivative(t, antiderivative, error)
         if (allocated(error)) return
         call self%constants(0.5_wp*first, surface_shear, surface_nu)
-        self%top = new_layer_modes(surface_nu)
+        self%top = new_layer_modes(cmplx(surface_nu, kind=wp))
         self%surface%young = 2.0_wp*surface_shear*(1.0_wp + surface_nu)
         self%surface%poisson = surface_nu
         self%contact_modulus = 2.0_wp*surface_shear/(1.0_wp - surface_nu)
@@ -246,7 +246,7 @@ contains
                 call multiply_series(self%anti_plane_from_surface(:, :, :, i), self%anti_plane(:, :, :, i))
             end if
             call self%constants(self%ends(i + 1), g, v)
-            self%local(:, :, i) = half_space_compliance(v)*(surface_shear/g)
+            self%local(:, :, i) = real(half_space_compliance(cmplx(v, kind=wp)), wp)*(surface_shear/g)
         end do
         self%sigma_zero = self%contact_modulus*(1.0_wp - v)/(2.0_wp*g)
         self%anti_plane_zero = surface_shear/g

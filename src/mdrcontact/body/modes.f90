@@ -15,41 +15,42 @@ module mdrcontact_body_modes
 
     !> Layers thinner than this, in units of 1/|k|, are carried by the transfer matrix.
     real(wp), parameter :: thin = 0.5_wp
+    complex(wp), parameter :: none = (0.0_wp, 0.0_wp), one = (1.0_wp, 0.0_wp)
 
     !> What a material's Poisson's ratio determines.
     type :: layer_modes_t
-        real(wp) :: poisson = 0.0_wp
+        complex(wp) :: poisson = 0.0_wp
         !> displacement and traction of the decaying and growing modes where they are referred to
         complex(wp) :: decaying_u(2, 2) = 0.0_wp, decaying_t(2, 2) = 0.0_wp
         complex(wp) :: growing_u(2, 2) = 0.0_wp, growing_t(2, 2) = 0.0_wp
         !> compliance of a half-space
         complex(wp) :: half_space(2, 2) = 0.0_wp
         !> matrix A of the state's equation dy/d(kz) = A y, then A^2 - 1 and A (A^2 - 1)
-        real(wp) :: rate(4, 4) = 0.0_wp, rate_even(4, 4) = 0.0_wp, rate_odd(4, 4) = 0.0_wp
+        complex(wp) :: rate(4, 4) = 0.0_wp, rate_even(4, 4) = 0.0_wp, rate_odd(4, 4) = 0.0_wp
     end type layer_modes_t
 
 contains
 
-    !> The modes of a material of Poisson's ratio nu.
+    !> The modes of a material of Poisson's ratio nu, complex where it oscillates.
     pure function new_layer_modes(poisson) result(self)
-        real(wp), intent(in) :: poisson
+        complex(wp), intent(in) :: poisson
         type(layer_modes_t) :: self
-        real(wp) :: free, ratio
+        complex(wp) :: free, ratio
         integer :: i
 
         self%poisson = poisson
         free = 1.0_wp - 2.0_wp*poisson
-        self%decaying_u = reshape([1.0_wp, 1.0_wp, 0.0_wp, 1.0_wp + 2.0_wp*free], [2, 2])
-        self%decaying_t = reshape([-1.0_wp, -1.0_wp, -free, -1.0_wp - free], [2, 2])
-        self%growing_u = reshape([1.0_wp, -1.0_wp, 0.0_wp, 1.0_wp + 2.0_wp*free], [2, 2])
-        self%growing_t = reshape([1.0_wp, -1.0_wp, -free, 1.0_wp + free], [2, 2])
+        self%decaying_u = reshape([one, one, none, 1.0_wp + 2.0_wp*free], [2, 2])
+        self%decaying_t = reshape([-one, -one, -free, -1.0_wp - free], [2, 2])
+        self%growing_u = reshape([one, -one, none, 1.0_wp + 2.0_wp*free], [2, 2])
+        self%growing_t = reshape([one, -one, -free, 1.0_wp + free], [2, 2])
         self%half_space = half_space_compliance(poisson)
 
         ratio = poisson/(1.0_wp - poisson)
-        self%rate(1, :) = [0.0_wp, 1.0_wp, 2.0_wp, 0.0_wp]
-        self%rate(2, :) = [-ratio, 0.0_wp, 0.0_wp, free/(1.0_wp - poisson)]
-        self%rate(3, :) = [1.0_wp/(1.0_wp - poisson), 0.0_wp, 0.0_wp, ratio]
-        self%rate(4, :) = [0.0_wp, 0.0_wp, -1.0_wp, 0.0_wp]
+        self%rate(1, :) = [none, one, 2.0_wp*one, none]
+        self%rate(2, :) = [-ratio, none, none, free/(1.0_wp - poisson)]
+        self%rate(3, :) = [1.0_wp/(1.0_wp - poisson), none, none, ratio]
+        self%rate(4, :) = [none, none, -one, none]
         self%rate_even = matmul(self%rate, self%rate)
         do i = 1, 4
             self%rate_even(i, i) = self%rate_even(i, i) - 1.0_wp
@@ -59,9 +60,9 @@ contains
 
     !> (u, w) = S (tau, sigma)/(2 G k) at the surface of a half-space.
     pure function half_space_compliance(poisson) result(compliance)
-        real(wp), intent(in) :: poisson
-        real(wp) :: compliance(2, 2)
-        real(wp) :: free
+        complex(wp), intent(in) :: poisson
+        complex(wp) :: compliance(2, 2)
+        complex(wp) :: free
 
         free = 1.0_wp - 2.0_wp*poisson
         compliance = reshape([-1.0_wp - free, free, free, -1.0_wp - free], [2, 2])
@@ -97,9 +98,10 @@ contains
     !> tractions relative to 2 G k of a material whose shear modulus is 1/shear times the layer's.
     pure subroutine series_product(layer, thickness, shear, series)
         type(layer_modes_t), intent(in) :: layer
-        real(wp), intent(in) :: thickness, shear
-        real(wp), intent(inout) :: series(:, :, 0:)
-        real(wp) :: step(4, 4), power(4, 4), product(4, 4, 0:ubound(series, 3))
+        real(wp), intent(in) :: thickness
+        complex(wp), intent(in) :: shear
+        complex(wp), intent(inout) :: series(:, :, 0:)
+        complex(wp) :: step(4, 4), power(4, 4), product(4, 4, 0:ubound(series, 3))
         integer :: i, n
 
         step = -thickness*layer%rate

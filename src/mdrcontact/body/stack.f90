@@ -2,22 +2,14 @@
 !> A stack of bonded isotropic layers on an elastic half-space or a rigid base, as a surface compliance (theory 6).
 module mdrcontact_body_stack
     use mdrcontact_body, only: body_t
-    use mdrcontact_body_film, only: film_t, new_film
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_body_modes, only: compliance_above, half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, &
-                                     series_product
+    use mdrcontact_body_surface, only: new_surface, surface_t
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     implicit none (type, external)
     private
     public :: stack_t, new_stack
-
-    !> What lies deeper than this, in units of 1/k below the first interface, changes chi by less than rounding.
-    real(wp), parameter :: deepest = 25.0_wp
-    !> Waves so long that k times the total thickness is below `longest` see all layers through a power series of this order.
-    integer, parameter :: series_order = 10
-    real(wp), parameter :: longest = 0.1_wp
 
     !> Bonded layers on a half-space or on a rigid base.
     type, extends(body_t) :: stack_t
@@ -29,20 +21,11 @@ module mdrcontact_body_stack
         type(material_t) :: substrate
         !> whether the layers lie on a rigid base; the substrate is then not used
         logical :: rigid_base = .false.
-        !> the same with neighbours of one material joined, none if the body is homogeneous: modes, thicknesses [length], shear
+        !> the same with neighbours of one material joined, none if the body is homogeneous: their surface compliance, and shear
         !> moduli relative to the first layer's
-        type(layer_modes_t), allocatable, private :: modes(:)
-        !> of a single layer
-        type(film_t) :: film
-        real(wp), allocatable, private :: h(:), shear(:)
-        !> compliance of the base relative to 1/(2 G) of the first layer; 0 if rigid
-        complex(wp), private :: base(2, 2) = 0.0_wp
+        type(surface_t) :: surface
+        real(wp), allocatable, private :: shear(:)
         real(wp), private :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
-        !> total thickness [length]
-        real(wp), private :: total_thickness = 0.0_wp
-        !> the power series in k of all layers' transfer matrix with the base below them, what the surface compliance takes of
-        !> it: (1, 1), (1, 2), (2, 1), (2, 2) of the displacements, then the same of the tractions
-        real(wp), private :: series(8, 0:series_order) = 0.0_wp
         !> sigma(0) under shear across the plane, G of the first layer over that of the base, and in the plane; 0 if rigid
         real(wp), private :: base_compliance = 0.0_wp, in_plane_zero = 0.0_wp
     contains
@@ -76,7 +59,7 @@ contains
         type(material_t) :: kept(size(layers)), surface
         real(wp) :: kept_thickness(size(layers))
         logical :: rigid
-        real(wp) :: series(4, 4, 0:series_order)
+        complex(wp) :: shear(size(layers) + 1), poisson(size(layers) + 1)
         integer :: i, count
 
         rigid = substrate%young > huge(1.0_wp)
@@ -118,41 +101,17 @@ contains
         surface = substrate
         if (count > 0) surface = kept(1)
         self%contact_modulus = surface%contact()
-        self%h = kept_thickness(:count)
         self%shear = kept(:count)%shear()/surface%shear()
-        allocate (self%modes(count))
-        series = 0.0_wp
-        do i = 1, 4
-            series(i, i, 0) = 1.0_wp
-        end do
-        do i = 1, count
-            self%modes(i) = new_layer_modes(kept(i)%poisson)
-            call series_product(self%modes(i), self%h(i), self%shear(i), series)
-        end do
-        self%total_thickness = sum(self%h)
-        if (.not. rigid) then
-            self%base = half_space_compliance(substrate%poisson)*(surface%shear()/substrate%shear())
-            self%sigma_zero = surface%contact()/substrate%contact()
-            self%base_compliance = surface%shear()/substrate%shear()
-            self%in_plane_zero = self%base_compliance*(1.0_wp - substrate%poisson)/(1.0_wp - surface%poisson)
-        end if
-        self%series = with_base(series, real(self%base, wp))
-        if (count == 1) self%film = new_film(surface%poisson, substrate%poisson, &
-                                             merge(0.0_wp, surface%shear()/substrate%shear(), rigid))
+        shear(:count) = kept(:count)%shear()
+        poisson(:count) = kept(:count)%poisson
+        shear(count + 1) = substrate%shear()
+        poisson(count + 1) = substrate%poisson
+        self%surface = new_surface(shear(:count + 1), poisson(:count + 1), kept_thickness(:count), rigid)
+        if (rigid) return
+        self%sigma_zero = surface%contact()/substrate%contact()
+        self%base_compliance = surface%shear()/substrate%shear()
+        self%in_plane_zero = self%base_compliance*(1.0_wp - substrate%poisson)/(1.0_wp - surface%poisson)
     end subroutine new_stack
-
-    !> What the surface compliance takes of a series of transfer matrices above a base.
-    pure function with_base(transfer, base) result(series)
-        real(wp), intent(in) :: transfer(4, 4, 0:series_order), base(2, 2)
-        real(wp) :: series(8, 0:series_order)
-        real(wp) :: rows(4, 2)
-        integer :: n
-
-        do n = 0, series_order
-            rows = matmul(transfer(:, 1:2, n), base) + transfer(:, 3:4, n)
-            series(:, n) = [rows(1, :), rows(2, :), rows(3, :), rows(4, :)]
-        end do
-    end function with_base
 
     pure function same(one, other) result(answer)
         type(material_t), intent(in) :: one, other
@@ -167,11 +126,7 @@ contains
         complex(wp), intent(in) :: k
         complex(wp), intent(out) :: sigma, chi
 
-        if (size(self%h) == 1) then
-            call self%film%response(k*self%h(1), sigma, chi)
-        else
-            call carry(self, k, 2, sigma, chi)
-        end if
+        call self%surface%normal_response(k, sigma, chi)
     end subroutine response
 
     !> Under shear in the plane of the wave.
@@ -180,86 +135,8 @@ contains
         complex(wp), intent(in) :: k
         complex(wp), intent(out) :: sigma, chi
 
-        if (size(self%h) == 1) then
-            call self%film%in_plane_response(k*self%h(1), sigma, chi)
-        else
-            call carry(self, k, 1, sigma, chi)
-        end if
+        call self%surface%in_plane_response(k, sigma, chi)
     end subroutine in_plane_response
-
-    !> Carries the compliance from the deepest layer that matters at this k up to the surface.
-    pure subroutine carry(self, k, load, sigma, chi)
-        class(stack_t), intent(in) :: self
-        complex(wp), intent(in) :: k
-        !> the traction and its displacement: 1 in the plane, 2 normal to the surface
-        integer, intent(in) :: load
-        complex(wp), intent(out) :: sigma, chi
-        complex(wp) :: compliance(2, 2), t
-        real(wp) :: scale
-        integer :: i, seen
-
-        sigma = 1.0_wp
-        chi = 0.0_wp
-        if (size(self%h) == 0) return
-        scale = real(self%modes(1)%half_space(load, load), wp)
-        if (abs(k)*self%total_thickness < longest) then
-            sigma = long_wave_compliance(self%series, k, load)/scale
-            chi = sigma - 1.0_wp
-            return
-        end if
-        compliance = self%base
-        seen = layers_seen(self, k)
-        if (seen < size(self%h)) compliance = self%modes(seen + 1)%half_space/self%shear(seen + 1)
-        do i = seen, 2, -1
-            compliance = compliance_above(self%modes(i), k*self%h(i), self%shear(i)*compliance)/self%shear(i)
-        end do
-        t = k*self%h(1)
-        if (abs(t) < 1.0_wp) then
-            compliance = compliance_above(self%modes(1), t, compliance)
-            sigma = compliance(load, load)/scale
-            chi = sigma - 1.0_wp
-        else
-            compliance = reflected_part(self%modes(1), t, compliance)
-            chi = compliance(load, load)/scale
-            sigma = 1.0_wp + chi
-        end if
-    end subroutine carry
-
-    !> How many layers matter at this k; the one below them may be taken for a half-space.
-    pure function layers_seen(self, k) result(count)
-        class(stack_t), intent(in) :: self
-        complex(wp), intent(in) :: k
-        integer :: count
-        real(wp) :: depth
-
-        depth = 0.0_wp
-        do count = 1, size(self%h) - 2
-            depth = depth + self%h(count + 1)*real(k, wp)
-            if (depth > deepest) return
-        end do
-        count = size(self%h)
-    end function layers_seen
-
-    !> Entry (load, load) of displacements times the inverse of tractions.
-    pure function long_wave_compliance(series, k, load) result(compliance)
-        real(wp), intent(in) :: series(8, 0:series_order)
-        complex(wp), intent(in) :: k
-        integer, intent(in) :: load
-        complex(wp) :: compliance
-        complex(wp) :: rows(8)
-        integer :: n
-
-        rows = series(:, series_order)
-        do n = series_order - 1, 0, -1
-            rows = series(:, n) + k*rows
-        end do
-        if (load == 1) then
-            compliance = rows(1)*rows(8) - rows(2)*rows(7)
-        else
-            compliance = rows(4)*rows(5) - rows(3)*rows(6)
-        end if
-        compliance = compliance/(rows(5)*rows(8) - rows(6)*rows(7))
-    end function long_wave_compliance
 
     !> Under shear across the plane: y = k C_T G of a layer goes from its bottom to its top as (y + tanh kh)/(1 + y tanh kh).
     pure subroutine anti_plane_response(self, k, sigma, chi)
@@ -272,14 +149,14 @@ contains
         sigma = 1.0_wp
         chi = 0.0_wp
         below = self%base_compliance
-        seen = layers_seen(self, k)
-        if (seen < size(self%h)) below = 1.0_wp/self%shear(seen + 1)
+        seen = self%surface%layers_seen(k)
+        if (seen < size(self%surface%h)) below = 1.0_wp/self%shear(seen + 1)
         do i = seen, 1, -1
             below = self%shear(i)*below
             ! 1 - tanh, and tanh
-            fall = exp(-2.0_wp*k*self%h(i))
+            fall = exp(-2.0_wp*k*self%surface%h(i))
             fall = 2.0_wp*fall/(1.0_wp + fall)
-            rise = tanh(k*self%h(i))
+            rise = tanh(k*self%surface%h(i))
             sigma = (below + rise)/(1.0_wp + below*rise)
             chi = (below - 1.0_wp)*fall/(1.0_wp + below*rise)
             below = sigma/self%shear(i)
@@ -321,26 +198,26 @@ contains
         real(wp) :: value
 
         value = 0.0_wp
-        if (size(self%h) > 0) value = self%h(1)
+        if (size(self%surface%h) > 0) value = self%surface%h(1)
     end function first_depth
 
     pure function last_depth(self) result(value)
         class(stack_t), intent(in) :: self
         real(wp) :: value
 
-        value = self%total_thickness
+        value = self%surface%depth
     end function last_depth
 
     pure function ratios(self) result(values)
         class(stack_t), intent(in) :: self
         real(wp), allocatable :: values(:)
 
-        allocate (values(3*size(self%h) + 5))
-        associate (n => size(self%h))
-            if (n > 0) values(:n) = self%h/self%h(1)
+        allocate (values(3*size(self%surface%h) + 5))
+        associate (n => size(self%surface%h))
+            if (n > 0) values(:n) = self%surface%h/self%surface%h(1)
             values(n + 1:2*n) = self%shear
-            values(2*n + 1:3*n) = self%modes%poisson
-            values(3*n + 1:3*n + 4) = real([self%base(:, 1), self%base(:, 2)], wp)
+            values(2*n + 1:3*n) = real(self%surface%modes%poisson, wp)
+            values(3*n + 1:3*n + 4) = real([self%surface%base(:, 1), self%surface%base(:, 2)], wp)
             values(3*n + 5) = self%sigma_zero
         end associate
     end function ratios

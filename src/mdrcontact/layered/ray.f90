@@ -130,7 +130,7 @@ contains
                 roughness = max(roughness, abs(sum(last(:, 1)*on_panel)), abs(sum(last(:, 2)*on_panel)))
             end associate
         end do
-        roughness = roughness/max(maxval(abs(values)), 1.0e-4_wp*sigma_zero, tiny(1.0_wp))
+        roughness = roughness/max(maxval(abs(values)), 1.0e-4_wp*abs(sigma_zero), tiny(1.0_wp))
     end function roughness_of
 
     !> Whether the integral of chi along the ray equals that along the real axis: no pole lies between them.

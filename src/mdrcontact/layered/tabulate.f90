@@ -102,7 +102,7 @@ contains
             level = sum(x)/real(size(x), wp)
             spread = maxval(abs(x - level))
             kernel%tail = level*scale(1.0_wp, 2*octave)
-            if (spread <= 1.0e-13_wp*abs(level) .or. spread <= 1.0e-14_wp*scale(surface%long_wave_limit(), -octave)) exit
+            if (spread <= 1.0e-13_wp*abs(level) .or. spread <= 1.0e-14_wp*scale(abs(surface%long_wave_limit()), -octave)) exit
         end do
         octave = min(octave, most_octaves - 1)
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)

@@ -3,7 +3,7 @@
 !> (mdrcontact_history) and oscillations (mdrcontact_history_oscillation) of a contact start from the materials that it keeps.
 module mdrcontact_medium_viscoelastic
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_positive, count_text, error_invalid, error_t, explain, raise
+    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_material_prony, only: prony_t
@@ -32,8 +32,8 @@ module mdrcontact_medium_viscoelastic
         type(model_options_t) :: options
         !> whether all materials relax in proportion: every state then follows from the elastic ones (theory of time 3)
         logical :: is_proportional = .false.
-        !> the elastic body whose contact modulus is multiplied by `relaxation_shape`, where they do: the glassy one, or for power
-        !> laws the one at their unit of time. Elsewhere the glassy one
+        !> the elastic body whose contact modulus is multiplied by `relaxation_shape`, where they do: the glassy one without
+        !> dashpots, with power laws at their unit of time
         class(medium_t), allocatable :: reference
     contains
         procedure :: modulus => no_radius_function
@@ -48,6 +48,7 @@ module mdrcontact_medium_viscoelastic
         procedure :: is_exact
         procedure :: is_viscoelastic
         procedure :: relaxation_shape
+        procedure :: has_glassy
     end type viscoelastic_t
 
 contains
@@ -83,9 +84,7 @@ contains
         if (size(thickness) > 0) self%is_proportional = self%is_proportional .and. .not. any(materials%bulk > 0.0_wp)
         do i = 1, size(materials)
             if (allocated(error)) return
-            call reference_material(materials(i), self%is_proportional, elastic(i), error)
-            if (allocated(error)) call explain(error, "", " (material "//count_text(i)//" of a body whose materials do not "// &
-                                               "relax in proportion)")
+            call reference_material(materials(i), elastic(i), error)
         end do
         if (.not. allocated(error)) then
             call new_stack(body, elastic(:size(thickness)), thickness, elastic(size(thickness) + 1), error, rigid_base)
@@ -94,14 +93,13 @@ contains
     end subroutine new_viscoelastic_medium
 
     !> The elastic material that stands for a relaxing one.
-    subroutine reference_material(rheology, is_proportional, material, error)
+    subroutine reference_material(rheology, material, error)
         type(rheology_t), intent(in) :: rheology
-        logical, intent(in) :: is_proportional
         type(material_t), intent(out) :: material
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: shear
 
-        if (.not. is_proportional .or. rheology%bulk > 0.0_wp) then
+        if (rheology%bulk > 0.0_wp) then
             call rheology%glassy(material, error)
         else
             shear = rheology%shear%instant()
@@ -128,6 +126,18 @@ contains
         series%weight = series%weight/scale
         series%viscosity = series%viscosity/scale
     end function relaxation_shape
+
+    !> Whether the body bears a jump of the depth with a finite force.
+    pure function has_glassy(self) result(answer)
+        class(viscoelastic_t), intent(in) :: self
+        logical :: answer
+        integer :: i
+
+        answer = .true.
+        do i = 1, size(self%materials)
+            answer = answer .and. .not. self%materials(i)%is_power_law() .and. .not. self%materials(i)%shear%viscosity > 0.0_wp
+        end do
+    end function has_glassy
 
     subroutine no_radius_function(self, a, values, error)
         class(viscoelastic_t), intent(in) :: self

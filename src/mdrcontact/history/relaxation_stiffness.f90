@@ -1,0 +1,191 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The contact stiffness k(a; s) of a viscoelastic body at constant contact radius (theory of time 4): at s = i omega the dynamic
+!> stiffness, its inverse Laplace transform the answer of a flat punch to a step.
+module mdrcontact_history_relaxation_stiffness
+    use mdrcontact_body_harmonic, only: harmonic_t, new_harmonic
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_error, only: check_positive, count_text, error_domain, error_invalid, error_t, raise, raise_at, to_text
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_layered_kernel, only: kernel_t
+    use mdrcontact_layered_oscillation, only: complex_modulus
+    use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
+    use mdrcontact_medium_viscoelastic, only: viscoelastic_t
+    use mdrcontact_model, only: models
+    implicit none (type, external)
+    private
+    public :: dynamic_stiffness, step_response, step_relaxation, step_creep
+
+    !> A step of the depth, answered by the force, and of the force, answered by the depth.
+    integer, parameter :: step_relaxation = 1, step_creep = 2
+    !> Nodes of the inverse Laplace transform on a parabola: Weideman, Trefethen, Math. Comp. 76 (2007) 1341.
+    integer, parameter :: nodes = 16
+    real(wp), parameter :: tolerance = 1.0e-13_wp
+
+    !> k(a; s) of one body at one s after the other.
+    type :: stiffness_t
+        type(layered_shared_t) :: shared
+        complex(wp) :: s = 0.0_wp
+        type(kernel_t) :: parts(2)
+        !> E0*(s)
+        complex(wp) :: surface_modulus = 0.0_wp
+    end type stiffness_t
+
+contains
+
+    !> k*(a, omega) = k' + i k'', exact for small oscillations of a contact of radius a.
+    subroutine dynamic_stiffness(contact, omega, radius, values, error)
+        !> with a viscoelastic body; the indenter does not matter beyond how large contacts can be
+        type(contact_t), intent(in) :: contact
+        !> angular frequencies > 0 [1/time], and as many contact radii > 0 [length]
+        real(wp), intent(in) :: omega(:), radius(:)
+        !> same size as omega [modulus length]
+        complex(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(stiffness_t) :: at
+        integer :: i
+
+        values = 0.0_wp
+        do i = 1, size(omega)
+            call check_positive(error, "omega", omega(i), i)
+            call check_radius(contact, radius(i), i, error)
+            if (allocated(error)) return
+        end do
+        select type (medium => contact%equilibrium%medium)
+        type is (viscoelastic_t)
+            do i = 1, size(omega)
+                call stiffness_at(medium, at, cmplx(0.0_wp, omega(i), wp), radius(i), values(i), error)
+                if (.not. allocated(error)) cycle
+                call raise_at(error, i)
+                return
+            end do
+        class default
+            call refuse_elastic(error)
+        end select
+    end subroutine dynamic_stiffness
+
+    !> Force per depth [modulus length] at times after a step of the depth at constant contact radius, or depth per force after a
+    !> step of the force: a flat punch.
+    subroutine step_response(contact, step, time, radius, values, error)
+        type(contact_t), intent(in) :: contact
+        !> step_relaxation or step_creep
+        integer, intent(in) :: step
+        !> > 0 [time], and one contact radius > 0 [length]
+        real(wp), intent(in) :: time(:), radius
+        !> same size as time
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(stiffness_t) :: at
+        complex(wp) :: z, k, weight
+        real(wp) :: theta
+        real(wp), parameter :: width = 3.0_wp/real(nodes, wp), opening = pi*real(nodes, wp)/12.0_wp
+        integer :: i, j
+
+        values = 0.0_wp
+        if (step /= step_relaxation .and. step /= step_creep) then
+            call raise(error, error_invalid, "step = "//count_text(step)//" is not allowed: it must be 1 (relaxation) or 2 (creep)")
+        end if
+        do i = 1, size(time)
+            call check_positive(error, "time", time(i), i)
+        end do
+        call check_radius(contact, radius, 0, error)
+        if (allocated(error)) return
+        select type (medium => contact%equilibrium%medium)
+        type is (viscoelastic_t)
+            do i = 1, size(time)
+                do j = 0, nodes - 1
+                    theta = (real(j, wp) + 0.5_wp)*width
+                    z = opening*cmplx(1.0_wp, theta, wp)**2
+                    weight = exp(z)/z*(0.0_wp, 2.0_wp)*opening*cmplx(1.0_wp, theta, wp)*(width/pi)
+                    call stiffness_at(medium, at, z/time(i), radius, k, error)
+                    if (allocated(error)) return
+                    if (step == step_creep) k = 1.0_wp/k
+                    values(i) = values(i) + aimag(weight*k)
+                end do
+            end do
+        class default
+            call refuse_elastic(error)
+        end select
+    end subroutine step_response
+
+    subroutine refuse_elastic(error)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call raise(error, error_invalid, "the body is elastic: its stiffness does not depend on time")
+    end subroutine refuse_elastic
+
+    pure subroutine check_radius(contact, radius, entry, error)
+        type(contact_t), intent(in) :: contact
+        real(wp), intent(in) :: radius
+        integer, intent(in) :: entry
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_positive(error, "radius", radius, entry)
+        if (allocated(error)) return
+        if (radius > contact%equilibrium%medium%largest_radius()) then
+            call raise(error, error_domain, " = "//to_text(radius)//" is not allowed: the medium is defined up to "// &
+                       to_text(contact%equilibrium%medium%largest_radius()), "radius", entry)
+        end if
+    end subroutine check_radius
+
+    !> k(a; s) = 2 a E_eff(a; s).
+    subroutine stiffness_at(medium, at, s, radius, value, error)
+        type(viscoelastic_t), intent(in) :: medium
+        type(stiffness_t), intent(inout) :: at
+        complex(wp), intent(in) :: s
+        real(wp), intent(in) :: radius
+        complex(wp), intent(out) :: value
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: modulus(1)
+
+        value = 0.0_wp
+        associate (top => medium%materials(1))
+            if (size(medium%thickness) == 0) then
+                value = 2.0_wp*radius*contact_modulus(top%complex_shear(s), top%complex_poisson(s))
+            else if (medium%is_proportional) then
+                call medium%reference%modulus([radius], modulus, error)
+                if (allocated(error)) return
+                value = 2.0_wp*radius*modulus(1)*top%complex_shear(s) &
+                        /merge(top%modulus, top%shear%instant(), top%is_power_law())
+            else if (medium%model /= models%exact) then
+                call raise(error, error_invalid, "this model is real: use the model exact for a body whose materials do not "// &
+                           "relax in proportion")
+            else
+                if (abs(at%s - s) > 0.0_wp) call prepare(medium, at, s, error)
+                if (.not. allocated(error)) call complex_modulus(at%parts, radius, tolerance, value, error)
+                value = 2.0_wp*radius*at%surface_modulus*value
+            end if
+        end associate
+    end subroutine stiffness_at
+
+    pure function contact_modulus(shear, poisson) result(modulus)
+        complex(wp), intent(in) :: shear, poisson
+        complex(wp) :: modulus
+
+        modulus = 2.0_wp*shear/(1.0_wp - poisson)
+    end function contact_modulus
+
+    !> The two kernels at s.
+    subroutine prepare(medium, at, s, error)
+        type(viscoelastic_t), intent(in) :: medium
+        type(stiffness_t), intent(inout) :: at
+        complex(wp), intent(in) :: s
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: shear(size(medium%thickness) + 1), poisson(size(medium%thickness) + 1)
+        type(harmonic_t) :: body
+        integer :: n, part
+
+        n = size(medium%materials)
+        shear = 1.0_wp
+        poisson = 0.0_wp
+        shear(:n) = medium%materials%complex_shear(s)
+        poisson(:n) = medium%materials%complex_poisson(s)
+        at%surface_modulus = contact_modulus(shear(1), poisson(1))
+        do part = 1, 2
+            body = new_harmonic(shear, poisson, medium%thickness, medium%rigid_base, part == 2)
+            call shared_kernel(at%shared, body, at%parts(part), error)
+            if (allocated(error)) return
+        end do
+        at%s = s
+    end subroutine prepare
+
+end module mdrcontact_history_relaxation_stiffness
