@@ -1,33 +1,48 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compiler flags for our own targets; the user's defaults stay as they are.
 
-# Equality of reals is compared on purpose (exact zeros, n = 2): -Wno-compare-reals.
-include(CheckCCompilerFlag)
-include(CheckFortranCompilerFlag)
-foreach(language IN ITEMS C Fortran)
-  cmake_language(CALL "check_${language}_compiler_flag" -ffp-contract=off mdrcontact_${language}_rounds_each)
-  cmake_language(CALL "check_${language}_compiler_flag" -O3 mdrcontact_${language}_has_O3)
-endforeach()
+include(CheckSourceCompiles)
+set(mdrcontact_C_program "int main(void) { return 0; }")
+set(mdrcontact_Fortran_program "
+subroutine half(x) bind(C, name='half')
+  use, intrinsic :: iso_c_binding, only: c_double
+  implicit none
+  real(c_double), intent(inout), optional :: x
+  if (present(x)) x = 0.5_c_double*x
+end subroutine half
+program p
+end program p")
 
-# mdrcontact_set_flags(target): warnings, language standards, vectorisation of atan and log (-O3, never -ffast-math, also in a host
-# project without a build type), the same bits on all processors (no a*b + c in one operation).
-function(mdrcontact_set_flags target)
-  foreach(language IN ITEMS C Fortran)
-    if(mdrcontact_${language}_rounds_each)
-      target_compile_options(${target} PRIVATE "$<$<COMPILE_LANGUAGE:${language}>:-ffp-contract=off>")
-    endif()
-    if(mdrcontact_${language}_has_O3)
-      target_compile_options(${target} PRIVATE "$<$<AND:$<COMPILE_LANGUAGE:${language}>,$<CONFIG:Release,>>:-O3>")
+# mdrcontact_${language}_flags: those flags of the list under which the compiler takes a program of our kind without a word.
+function(mdrcontact_keep_known language)
+  set(known "")
+  foreach(flag IN LISTS ARGN)
+    string(MAKE_C_IDENTIFIER "MDRCONTACT_${language}${flag}" is_known)
+    set(CMAKE_REQUIRED_FLAGS "${flag}")
+    check_source_compiles(${language} "${mdrcontact_${language}_program}" ${is_known} FAIL_REGEX "[Ww]arning|portability")
+    if(${is_known})
+      list(APPEND known "${flag}")
     endif()
   endforeach()
-  set(gnu_fortran "$<COMPILE_LANG_AND_ID:Fortran,GNU>")
-  set(gnu_c "$<COMPILE_LANG_AND_ID:C,GNU,Clang>")
-  target_compile_options(${target} PRIVATE
-    "$<${gnu_fortran}:-std=f2018;-fimplicit-none;-Wall;-Wextra;-Wpedantic;-Wimplicit-interface;-Wimplicit-procedure;-Wtrampolines;-Wno-compare-reals>"
-    "$<${gnu_c}:-Wall;-Wextra;-Wpedantic;-Wconversion>")
-  if(MDRCONTACT_WARNINGS_AS_ERRORS)
-    target_compile_options(${target} PRIVATE "$<$<OR:${gnu_fortran},${gnu_c}>:-Werror>")
-  endif()
+  set(mdrcontact_${language}_flags "${known}" PARENT_SCOPE)
+endfunction()
+
+# Warnings and the language's standard; vectorisation of atan and log (-O3, never -ffast-math), also in a host project without a build
+# type; the same bits on all processors (no a*b + c in one operation). Equality of reals is compared on purpose (exact zeros, n = 2).
+if(MDRCONTACT_WARNINGS_AS_ERRORS)
+  set(werror -Werror)
+endif()
+mdrcontact_keep_known(Fortran -std=f2018 -fimplicit-none -Wall -Wextra -Wpedantic -Wimplicit-interface -Wimplicit-procedure
+  -Wtrampolines -Wno-compare-reals -ffp-contract=off -O3 ${werror})
+mdrcontact_keep_known(C -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off -O3 ${werror})
+
+# mdrcontact_set_flags(target)
+function(mdrcontact_set_flags target)
+  foreach(language IN ITEMS C Fortran)
+    set(flags "${mdrcontact_${language}_flags}")
+    list(TRANSFORM flags REPLACE "^-O3$" "$<$<CONFIG:Release,>:-O3>")
+    target_compile_options(${target} PRIVATE "$<$<COMPILE_LANGUAGE:${language}>:${flags}>")
+  endforeach()
 endfunction()
 
 # mdrcontact_export_only(target pattern): a shared library or module in which all other symbols are its own, so that no function of

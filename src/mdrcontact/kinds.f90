@@ -4,12 +4,10 @@ module mdrcontact_kinds
     use, intrinsic :: iso_fortran_env, only: real64
     implicit none (type, external)
     private
-    public :: wp, long, pi, half_pi
+    public :: wp, pi, half_pi
 
     !> Working precision: IEEE double, the precision of GSL, LAPACK and the C API.
     integer, parameter :: wp = real64
-    !> At least three digits more, for sums that cancel: the x87 format where there is one.
-    integer, parameter :: long = selected_real_kind(18)
     !> The ratio of a circle's circumference to its diameter.
     real(wp), parameter :: pi = 3.141592653589793238462643383279502884_wp
     !> A right angle [radian].

@@ -277,7 +277,7 @@ contains
 
         associate (unused => self)
         end associate
-        allocate (radii(0))
+        radii = [real(wp) ::]
     end function no_breaks
 
     pure function unlimited(self) result(radius)

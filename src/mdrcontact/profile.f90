@@ -89,7 +89,7 @@ contains
 
         associate (unused => self)
         end associate
-        allocate (radii(0))
+        radii = [real(wp) ::]
     end function none
 
     pure function no_inverse(self, depth) result(radius)

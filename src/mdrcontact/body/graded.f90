@@ -421,7 +421,7 @@ contains
 
         associate (unused => self)
         end associate
-        allocate (values(0))
+        values = [real(wp) ::]
     end function ratios
 
     !> Homogeneous layers with the constants of their middles, faces at the knots and the depths.

@@ -142,7 +142,7 @@ contains
 
         associate (unused => self)
         end associate
-        allocate (values(0))
+        values = [real(wp) ::]
     end function ratios
 
     pure subroutine sublayers(self, unit, ratio, depths, layers)
