@@ -38,7 +38,7 @@
  * mdr_profile, mdr_medium, mdr_material, mdr_contact, mdr_friction, mdr_loop, mdr_structure and mdr_law are made by the functions with
  * an `out` argument, belong to the caller, and are freed by mdr_profile_free() and so on, which also set the caller's pointer to
  * NULL. What a handle was made from may be freed at once: it holds copies (but mdr_structure_callback() keeps the user's function
- * and context). A handle never changes after its creation.
+ * and context). A handle never changes after its creation, but for mdr_friction_history.
  *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
@@ -916,6 +916,39 @@ int mdr_friction_field(const mdr_friction *f, const mdr_state *state, const mdr_
  *  @return as mdr_friction_states() */
 int mdr_friction_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double shift[],
                       double force[], double *dissipated);
+
+/** A contact with friction and its past, along any path of normal and tangential loading. It changes: unlike all other handles it must
+ *  not be used by two threads at a time. Made by mdr_friction_history_new(), freed by mdr_friction_history_free(). */
+typedef struct mdr_friction_history mdr_friction_history;
+
+/** A contact that has not been loaded yet.
+ *  @param f    contact with friction on homogeneous bodies, whose springs do not interact: each step is then exact, whatever its size
+ *  @param out  receives the handle
+ *  @return also MDR_EINVALID for other media */
+int mdr_friction_history_new(const mdr_friction *f, mdr_friction_history **out);
+
+/** A copy with the same past, which goes its own way from here.
+ *  @param h    history
+ *  @param out  receives the handle */
+int mdr_friction_history_copy(const mdr_friction_history *h, mdr_friction_history **out);
+
+/** Goes on along a path of steps in which depth and shift change in proportion. After a failure the history is as before the call.
+ *  @param h                 history
+ *  @param normal_given      MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE: what `normal` holds
+ *  @param tangential_given  one of enum mdr_tangential_given: what `tangential` holds
+ *  @param n                 number of steps
+ *  @param normal            [n] depths or normal forces at the ends of the steps, >= 0; 0 parts the bodies
+ *  @param tangential        [n] shifts or tangential forces there, |T| < coefficient F
+ *  @param states            [n] normal states reached
+ *  @param out               [n] tangential states reached: stick_radius is where the last step did not slip, dissipated_energy that
+ *                           since the beginning
+ *  @return also MDR_EUNREACHABLE for a tangential force at which the contact slides, and as mdr_contact_states() */
+int mdr_friction_history_advance(mdr_friction_history *h, int normal_given, int tangential_given, int n, const double normal[],
+                                 const double tangential[], mdr_state states[], mdr_tangential_state out[]);
+
+/** Frees a history and sets *h to NULL. h = NULL and *h = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *h is not a history of friction */
+int mdr_friction_history_free(mdr_friction_history **h);
 
 /** Frees a contact with friction and sets *f to NULL. f = NULL and *f = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *f is not a contact with friction */

@@ -32,6 +32,7 @@ module mdrcontact
                                       data_modulus_radius, data_stiffness_depth, data_stiffness_radius, fit_data_t, &
                                       fit_parameter_t, fit_problem_t, instrument_numbers, loss_cauchy, loss_huber, loss_linear
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
+    use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
     use mdrcontact_history_relaxation, only: contact_history
     use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_creep, step_relaxation, step_response
     use mdrcontact_kinds, only: wp

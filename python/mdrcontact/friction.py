@@ -16,7 +16,7 @@ from .adhesion import code
 from .contact import Contact, State
 from .errors import ArgumentTypeError, InvalidArgumentError
 
-__all__ = ["Friction", "FrictionLoop", "TangentialState"]
+__all__ = ["Friction", "FrictionHistory", "FrictionLoop", "TangentialState"]
 
 _CONTROLS = {"shift": _layout.GIVEN_SHIFT, "force": _layout.GIVEN_TANGENTIAL_FORCE}
 
@@ -205,6 +205,10 @@ class Friction(Value):
         """Line load q_t(x) [modulus length] of the springs along the shift, 0 <= x <= a, any shape; arguments as of `traction`."""
         return self._field(_layout.FIELD_TANGENTIAL_LINE_LOAD, "x", x, shear, self._normal(state, force, depth, radius))
 
+    def history(self) -> FrictionHistory:
+        """A contact that has not been loaded yet, to be led along any path; of homogeneous bodies."""
+        return FrictionHistory(self)
+
     def _normal(
         self, state: State | None, force: ArrayLike | None, depth: ArrayLike | None, radius: ArrayLike | None
     ) -> NDArray[np.float64]:
@@ -254,3 +258,74 @@ class Friction(Value):
         if rows.ndim != 1:
             raise ArgumentTypeError("fields and loops are those of one normal state, not of several")
         return rows
+
+
+_UNLOADED = TangentialState(0.0, 0.0, 0.0, 0.0, 0.0, False)
+
+
+class FrictionHistory:
+    """A contact with friction and its past, along any path of normal and tangential loading: `friction.history()`.
+
+    Springs of homogeneous bodies do not interact, so that every step in which depth and shift change in proportion is exact,
+    whatever its size. It changes as it advances: not for several threads at a time. Each `copy()` goes its own way.
+    """
+
+    def __init__(self, friction: Friction, *, _copy_of: FrictionHistory | None = None) -> None:
+        if not isinstance(friction, Friction):
+            raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
+        if _copy_of is None:
+            created = _native.friction_history_new(friction._handle.address)
+        else:
+            created = _native.friction_history_copy(_copy_of._handle.address)
+        self._handle: Handle = Handle(created, _native.friction_history_free)
+        self.friction = friction
+        self.state: State = State(0.0, 0.0, 0.0, 0.0) if _copy_of is None else _copy_of.state
+        """the normal state reached"""
+        self.shear: TangentialState = _UNLOADED if _copy_of is None else _copy_of.shear
+        """the tangential state reached"""
+
+    def advance(
+        self,
+        *,
+        depth: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+        shift: ArrayLike | None = None,
+        tangential_force: ArrayLike | None = None,
+    ) -> TangentialState:
+        """Goes on to a depth [length] or normal force [modulus length^2], >= 0, and a shift [length] or tangential force
+        [modulus length^2], |T| < coefficient F; arrays of one dimension, which broadcast, are steps one after the other.
+
+        Returns the states at the ends of the steps: `stick_radius` is where the last step did not slip, `dissipated_energy` that
+        since the beginning. After an error the history is as it was.
+        """
+        if (depth is None) == (force is None) or (shift is None) == (tangential_force is None):
+            raise ArgumentTypeError("a step needs one of depth and force, and one of shift and tangential_force")
+        given, normal = (_layout.GIVEN_FORCE, ("force", force)) if depth is None else (_layout.GIVEN_DEPTH, ("depth", depth))
+        along_given, along = _layout.GIVEN_SHIFT, ("shift", shift)
+        if shift is None:
+            along_given, along = _layout.GIVEN_TANGENTIAL_FORCE, ("tangential_force", tangential_force)
+        try:
+            columns: Any = [numbers(name, values) for name, values in (normal, along) if values is not None]
+            steps, along_steps = np.broadcast_arrays(*columns)
+        except ValueError as problem:
+            raise ArgumentTypeError(
+                f"the normal and the tangential steps have shapes that do not broadcast: {problem}"
+            ) from problem
+        if steps.ndim > 1:
+            raise ArgumentTypeError("steps are numbers or arrays of one dimension")
+        if not steps.size:
+            return TangentialState._make([np.empty(0)] * 5 + [np.empty(0, bool)])
+        handle = self._handle.address
+        states, shears = call(_native.friction_history_advance, handle, given, along_given, steps.ravel(), along_steps.ravel())
+        self.state = State(*(float(value) for value in states[-1]))
+        self.shear = TangentialState._make([*(float(value) for value in shears[-1][:5]), bool(shears[-1][5] > 0.5)])
+        if not steps.ndim:
+            return self.shear
+        return TangentialState._make([*shears.T[:5], shears.T[5] > 0.5])
+
+    def copy(self) -> FrictionHistory:
+        """The same past, which goes its own way from here."""
+        return FrictionHistory(self.friction, _copy_of=self)
+
+    def __repr__(self) -> str:
+        return f"<FrictionHistory of {self.friction!r} at depth {self.state.depth:g}, shift {self.shear.shift:g}>"

@@ -82,6 +82,8 @@ module mdrcontact_medium
         procedure :: surface_load => no_surface_load
         !> the medium that answers to a shift along the surface as this one does to a depth: its modulus is G_t(a) = k_t(a)/(2 a)
         procedure :: new_tangential => no_tangential
+        !> whether the load of a spring depends on its own displacement alone, by one factor for all of them
+        procedure :: has_independent_springs => no
         !> first shear of a state, with that medium
         procedure :: new_slip => no_slip
     end type medium_t

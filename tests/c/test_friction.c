@@ -169,9 +169,73 @@ static void weights(void)
     CHECK_STATUS(mdr_weight_j0_tangential(3, xi, 0.6, j0), MDR_EINVALID, "nu = 0.6");
 }
 
+/* A path is the same in one step and in many, refusals leave it as it is, copies go their own way. */
+static void histories(void)
+{
+    mdr_contact *c = on_half_space();
+    mdr_medium *film = NULL;
+    mdr_contact *layered;
+    mdr_friction *f = NULL, *on_film = NULL;
+    mdr_friction_history *h = NULL, *copy = NULL;
+    mdr_state states[POINTS];
+    mdr_tangential_state once, out[POINTS], before;
+    double depth[POINTS], shift[POINTS], limit;
+
+    CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
+    CHECK_STATUS(mdr_friction_history_new(NULL, &h), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(mdr_friction_history_new(f, NULL), MDR_ENULL, "out is NULL");
+    CHECK_SUCCESS(mdr_friction_history_new(f, &h));
+    for (int i = 0; i < POINTS; i++) {
+        depth[i] = 0.5 * (i + 1) / POINTS;
+        shift[i] = 0.1 * (i + 1) / POINTS;
+    }
+    CHECK_STATUS(mdr_friction_history_copy(NULL, &copy), MDR_ENULL, "h is NULL");
+    CHECK_SUCCESS(mdr_friction_history_copy(h, &copy));
+    CHECK_SUCCESS(mdr_friction_history_advance(h, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, POINTS, depth, shift, states, out));
+    CHECK_SUCCESS(mdr_friction_history_advance(copy, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, &depth[POINTS - 1], &shift[POINTS - 1],
+                                               &states[0], &once));
+    CHECK_CLOSE(out[POINTS - 1].tangential_force, once.tangential_force, 1e-13);
+    CHECK_CLOSE(states[0].force, states[POINTS - 1].force, 1e-15);
+    /* G* s while everything sticks from the first touch on: q_t = G* (s/d) (d - g), T = (s/d) (G* over E*) F */
+    CHECK_CLOSE(once.tangential_force, 0.2 * states[0].force * (2.0 - 2.0 * nu) / (2.0 - nu), 1e-12);
+    CHECK_CLOSE(once.dissipated_energy + 1.0, 1.0, 0.0);
+    limit = mu * states[0].force;
+    before = once;
+    fill_untouched(6, &once.shift);
+    CHECK_STATUS(mdr_friction_history_advance(h, 1, 2, 1, depth, &limit, states, &once), MDR_EUNREACHABLE, "slides");
+    CHECK_STATUS(mdr_friction_history_advance(h, 3, 1, 1, depth, shift, states, &once), MDR_EINVALID, "normal_given = 3");
+    CHECK_STATUS(mdr_friction_history_advance(h, 1, 0, 1, depth, shift, states, &once), MDR_EINVALID, "tangential_given = 0");
+    CHECK_STATUS(mdr_friction_history_advance(h, 1, 1, -1, depth, shift, states, &once), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_friction_history_advance(h, 1, 1, 1, NULL, shift, states, &once), MDR_ENULL, "normal is NULL");
+    CHECK_STATUS(mdr_friction_history_advance(h, 1, 1, 1, depth, NULL, states, &once), MDR_ENULL, "tangential is NULL");
+    CHECK_STATUS(mdr_friction_history_advance(h, 1, 1, 1, depth, shift, NULL, &once), MDR_ENULL, "states is NULL");
+    CHECK_STATUS(mdr_friction_history_advance(h, 1, 1, 1, depth, shift, states, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_friction_history_advance(NULL, 1, 1, 1, depth, shift, states, &once), MDR_ENULL, "h is NULL");
+    CHECK_STATUS(mdr_friction_history_advance(h, 1, 1, 1, &(double){-1.0}, shift, states, &once), MDR_EUNREACHABLE, "apart");
+    CHECK_STATUS(mdr_friction_history_advance(h, 1, 1, 1, depth, &(double){NAN}, states, &once), MDR_EINVALID, "shift");
+    CHECK_UNTOUCHED(6, &once.shift);
+    CHECK_SUCCESS(mdr_friction_history_advance(h, 1, 1, 0, NULL, NULL, NULL, NULL));
+    /* by forces back to the state it is in */
+    CHECK_SUCCESS(mdr_friction_history_advance(h, MDR_GIVEN_FORCE, MDR_GIVEN_TANGENTIAL_FORCE, 1, &states[POINTS - 1].force,
+                                               &before.tangential_force, states, &once));
+    CHECK_CLOSE(once.shift, before.shift, 1e-10);
+    CHECK_SUCCESS(mdr_friction_history_free(&copy));
+    CHECK_SUCCESS(mdr_friction_history_free(&h));
+    CHECK_TRUE(h == NULL);
+    CHECK_SUCCESS(mdr_medium_coated(700.0, 0.2, 1.0, E, nu, MDR_MODEL_EXACT, NULL, &film));
+    layered = ball_on(film);
+    CHECK_SUCCESS(mdr_friction_new(layered, mu, &on_film));
+    CHECK_STATUS(mdr_friction_history_new(on_film, &h), MDR_EINVALID, "homogeneous bodies only");
+    CHECK_SUCCESS(mdr_friction_free(&on_film));
+    CHECK_SUCCESS(mdr_contact_free(&layered));
+    CHECK_SUCCESS(mdr_friction_free(&f));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
 int main(void)
 {
     weights();
+    histories();
     partial_slip();
     refusals();
     return check_report("friction");

@@ -112,6 +112,47 @@ def test_weights_of_a_tangential_load():
     assert rise / small == pytest.approx(mdr.weight_i0_tangential(1.0 / 0.7, 0.3), rel=1e-5)
 
 
+def test_history_of_an_oblique_impact():
+    pair = friction(mdr.Homogeneous(STEEL))
+    history, again = pair.history(), pair.history()
+    path = np.concatenate([np.linspace(0.0, 0.1, 30), np.linspace(0.1, 0.0, 40)])
+    shift = np.linspace(0.0, 0.03, 70)
+    found = history.advance(depth=path, shift=shift)
+    assert found.tangential_force.shape == (70,)
+    one_by_one = [again.advance(depth=d, shift=s) for d, s in zip(path, shift, strict=True)]
+    np.testing.assert_array_equal(found.tangential_force, [step.tangential_force for step in one_by_one])
+    assert np.all(np.diff(found.dissipated_energy) >= 0.0)
+    assert history.shear.tangential_force == 0.0 and history.state.radius == 0.0
+    assert "FrictionHistory" in repr(history)
+    # one straight step in place of the whole approach
+    once = pair.history().advance(depth=0.1, shift=shift[29])
+    assert once.tangential_force == pytest.approx(found.tangential_force[29], rel=1e-12)
+
+
+def test_history_copies_and_refusals():
+    pair = friction(mdr.Homogeneous(STEEL))
+    history = pair.history()
+    history.advance(force=1.0, shift=0.0)
+    copy = history.copy()
+    history.advance(force=1.0, tangential_force=0.3)
+    assert copy.shear.tangential_force == 0.0
+    assert copy.advance(force=1.0, tangential_force=0.3) == history.shear
+    with pytest.raises(mdr.UnreachableError, match="slides"):
+        history.advance(force=1.0, tangential_force=MU)
+    assert history.advance(force=1.0, shift=history.shear.shift).tangential_force == pytest.approx(0.3)
+    assert history.advance(force=[], shift=[]).shift.shape == (0,)
+    with pytest.raises(mdr.ArgumentTypeError, match="one of depth and force"):
+        history.advance(depth=1.0, force=1.0, shift=0.0)
+    with pytest.raises(mdr.ArgumentTypeError, match="one of shift"):
+        history.advance(depth=1.0)
+    with pytest.raises(mdr.ArgumentTypeError, match="broadcast"):
+        history.advance(depth=[1.0, 2.0], shift=[0.0, 0.1, 0.2])
+    with pytest.raises(mdr.ArgumentTypeError, match="one dimension"):
+        history.advance(depth=[[1.0]], shift=0.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="homogeneous bodies only"):
+        friction().history()
+
+
 def test_values():
     pair = friction()
     assert pickle.loads(pickle.dumps(pair)) == pair

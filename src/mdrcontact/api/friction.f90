@@ -9,12 +9,13 @@ module mdrcontact_api_friction
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_positive, count_text, error_invalid, error_t, raise, raise_at
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
+    use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
     implicit none (type, external)
     private
     public :: mdr_friction_new, mdr_friction_states, mdr_friction_sliding, mdr_friction_field, mdr_friction_loop
+    public :: mdr_friction_history_new, mdr_friction_history_copy, mdr_friction_history_advance
 
-    !> enum mdr_tangential_given, enum mdr_tangential_field
-    integer(c_int), parameter :: given_shift = 1_c_int, given_tangential_force = 2_c_int
+    !> enum mdr_tangential_field
     integer(c_int), parameter :: field_traction = 1_c_int, field_line_load = 2_c_int
 
 contains
@@ -184,5 +185,80 @@ contains
         force(:n) = forces
         dissipated = 4.0_c_double*turn%dissipated_energy
     end function mdr_friction_loop
+
+    function mdr_friction_history_new(f, out) result(status) bind(C)
+        type(c_ptr), value :: f
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(friction_t), pointer :: friction
+        type(friction_history_t) :: history
+        type(error_t), allocatable :: error
+
+        call open_handle(f, "f", friction, error)
+        if (.not. allocated(error)) call new_friction_history(history, friction, error)
+        status = deliver(history, out, error)
+    end function mdr_friction_history_new
+
+    function mdr_friction_history_copy(h, out) result(status) bind(C)
+        type(c_ptr), value :: h
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(friction_history_t), pointer :: history
+        type(error_t), allocatable :: error
+
+        call open_handle(h, "h", history, error)
+        if (allocated(error)) then
+            status = status_of(error)
+        else
+            status = deliver(history, out, error)
+        end if
+    end function mdr_friction_history_copy
+
+    function mdr_friction_history_advance(h, normal_given, tangential_given, n, normal, tangential, states, out) &
+        result(status) bind(C)
+        type(c_ptr), value :: h
+        integer(c_int), value :: normal_given, tangential_given, n
+        real(c_double), intent(in), optional :: normal(*), tangential(*)
+        type(contact_state_t), intent(inout), optional :: states(*)
+        type(tangential_state_t), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(friction_history_t), pointer :: history
+        type(friction_history_t) :: next
+        type(contact_state_t), allocatable :: normals(:)
+        type(tangential_state_t), allocatable :: tangentials(:)
+        type(error_t), allocatable :: error
+        integer :: i, stat
+
+        call open_handle(h, "h", history, error)
+        call check_count(error, n)
+        call check_array(error, "normal", n, present(normal))
+        call check_array(error, "tangential", n, present(tangential))
+        call check_array(error, "states", n, present(states))
+        call check_array(error, "out", n, present(out))
+        status = status_of(error)
+        if (allocated(error)) return
+        allocate (normals(n), tangentials(n), stat=stat)
+        call check_memory(error, stat)
+        status = status_of(error)
+        if (allocated(error)) return
+        next = history
+        do i = 1, n
+            call next%advance(int(normal_given), normal(i), int(tangential_given), tangential(i), error)
+            if (.not. allocated(error)) call check_results(error, [next%tangential%tangential_force])
+            if (allocated(error)) then
+                call raise_at(error, i)
+                exit
+            end if
+            normals(i) = next%normal
+            tangentials(i) = next%tangential
+        end do
+        status = status_of(error)
+        if (allocated(error) .or. n == 0) return
+        history = next
+        do i = 1, n
+            states(i) = normals(i)
+            out(i) = tangentials(i)
+        end do
+    end function mdr_friction_history_advance
 
 end module mdrcontact_api_friction

@@ -10,6 +10,7 @@ module mdrcontact_api_handles
     use mdrcontact_contact_loop, only: loop_t
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_history_friction, only: friction_t
+    use mdrcontact_history_friction_history, only: friction_history_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_evaluate, only: law_view_t, view_of
@@ -20,7 +21,7 @@ module mdrcontact_api_handles
     private
     public :: deliver, open_handle
     public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free, &
-              mdr_friction_free, mdr_material_free
+              mdr_friction_free, mdr_material_free, mdr_friction_history_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
 
@@ -33,14 +34,15 @@ module mdrcontact_api_handles
     end type handle_t
 
     integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6, &
-                          is_friction = 7, is_material = 8
-    character(len=*), parameter :: kinds(*) = [character(len=13) :: "mdr_profile", "mdr_medium", "mdr_contact", "mdr_loop", &
-                                               "mdr_structure", "mdr_law", "mdr_friction", "mdr_material"]
+                          is_friction = 7, is_material = 8, is_friction_history = 9
+    character(len=*), parameter :: kinds(*) = [character(len=20) :: "mdr_profile", "mdr_medium", "mdr_contact", "mdr_loop", &
+                                               "mdr_structure", "mdr_law", "mdr_friction", "mdr_material", &
+                                               "mdr_friction_history"]
 
     !> The object behind a handle, by the type of the pointer that is to hold it; null after an error. `name` is the argument's.
     interface open_handle
         module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction, &
-                         open_material
+                         open_material, open_friction_history
     end interface open_handle
 
 contains
@@ -202,6 +204,22 @@ contains
         end select
     end subroutine open_material
 
+    subroutine open_friction_history(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(friction_history_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, is_friction_history, inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (friction_history_t)
+            object => inside
+        end select
+    end subroutine open_friction_history
+
     function mdr_profile_free(p) result(status) bind(C)
         type(c_ptr), intent(inout), optional :: p
         integer(c_int) :: status
@@ -257,6 +275,13 @@ contains
 
         status = free(m, is_material)
     end function mdr_material_free
+
+    function mdr_friction_history_free(h) result(status) bind(C)
+        type(c_ptr), intent(inout), optional :: h
+        integer(c_int) :: status
+
+        status = free(h, is_friction_history)
+    end function mdr_friction_history_free
 
     !> Frees what is of the right kind, if there is anything, and sets the caller's pointer to NULL.
     function free(handle, kind) result(status)
@@ -314,6 +339,8 @@ contains
             kind = is_loop
         type is (friction_t)
             kind = is_friction
+        type is (friction_history_t)
+            kind = is_friction_history
         type is (rheology_t)
             kind = is_material
         class is (profile_t)

@@ -23,7 +23,8 @@ module mdrcontact_medium_homogeneous
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: depth_and_force
-        procedure :: is_cheap
+        procedure :: is_cheap => yes
+        procedure :: has_independent_springs => yes
         procedure :: is_pair
         procedure :: is_rigid
         procedure :: upper_share
@@ -141,14 +142,14 @@ contains
         force = 2.0_wp*self%contact_modulus*profile%mdr_moment(a)
     end subroutine depth_and_force
 
-    pure function is_cheap(self) result(answer)
+    pure function yes(self) result(answer)
         class(homogeneous_t), intent(in) :: self
         logical :: answer
 
         associate (unused => self)
         end associate
         answer = .true.
-    end function is_cheap
+    end function yes
 
     !> The half-space of modulus G*; of two, 1/G* = 1/G1* + 1/G2*.
     subroutine new_tangential(self, tangential, error)
