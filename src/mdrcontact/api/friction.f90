@@ -174,7 +174,8 @@ contains
         if (.not. allocated(error)) call shear_of(f, state, shear, error)
         if (.not. allocated(error)) call solve(shear, given, amplitude, turn, error)
         if (.not. allocated(error)) then
-            allocate (shifts(n), forces(n), stat=stat)
+            allocate (shifts(n), stat=stat)
+            if (stat == 0) allocate (forces(n), stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error)) call shear%loop(turn, shifts, forces, error)
@@ -237,7 +238,8 @@ contains
         call check_array(error, "out", n, present(out))
         status = status_of(error)
         if (allocated(error)) return
-        allocate (normals(n), tangentials(n), stat=stat)
+        allocate (normals(n), stat=stat)
+        if (stat == 0) allocate (tangentials(n), stat=stat)
         call check_memory(error, stat)
         status = status_of(error)
         if (allocated(error)) return

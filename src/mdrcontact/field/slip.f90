@@ -16,7 +16,7 @@ module mdrcontact_field_slip
     public :: beside, slip_t, thin
 
     !> Nodes in a panel of stick radii.
-    integer, parameter :: nodes = 12
+    integer, parameter :: nodes = 8
     !> Annuli of slip thinner than this part of the radius: s and T, differences where they are known, are integrated.
     real(wp), parameter :: thin = 0.01_wp
     !> How close to a singular point of the pressure the traction is taken, relative.
