@@ -12,7 +12,7 @@ from pathlib import Path
 
 from make_pictures import save
 
-from mdrcontact.fitting import compare_models, fit
+from mdrcontact.fitting import compare_models, fit, modulus_at_depths
 from mdrcontact.problem.fit_file import load_fit_file
 
 DOCS = Path(__file__).resolve().parent
@@ -32,6 +32,10 @@ def main(folder: Path) -> None:
         arguments = (data, problem.indenter, problem.medium, problem.free)
         result = fit(*arguments, instrument=problem.instrument, **problem.options)
         save(result.plot(), folder / f"fit_{name}.png")
+    problem = load_fit_file(CURVES / "csm_on_oxide.toml")
+    data, _ = problem.read_data(CURVES / "csm_on_oxide.csv")
+    profile = modulus_at_depths(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument)
+    save(profile.plot(), folder / "fit_modulus_against_depth.png")
     problem = load_fit_file(CURVES / "sphere_on_oxide.toml")
     data, _ = problem.read_data(CURVES / "sphere_on_oxide.csv")
     ranking = compare_models(data, problem.indenter, problem.medium, ["coating.E", "depth_offset"])

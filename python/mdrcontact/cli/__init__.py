@@ -12,13 +12,13 @@ from typing import Any
 from .. import __version__
 from ..errors import MDRError, NotOneDiscWarning
 from ..problem import ProblemError
-from . import adhesion, calibrate, compare, curve, example, fit, friction, history, law, stress
+from . import adhesion, calibrate, compare, curve, example, fit, friction, history, law, modulus, stress
 from . import map as map_
 from .files import OutputError
 
 __all__ = ["main"]
 
-COMMANDS = (curve, compare, adhesion, stress, friction, history, law, fit, calibrate, example, map_)
+COMMANDS = (curve, compare, adhesion, stress, friction, history, law, fit, modulus, calibrate, example, map_)
 """Each command is a module with `add(subparsers)`, which sets its `run(arguments)`."""
 
 _DESCRIPTION = """\

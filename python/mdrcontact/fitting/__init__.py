@@ -4,6 +4,7 @@
 from .calibration import as_prior
 from .compare import ModelRanking, RankedModel, compare_models
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, UnloadingPoint
+from .depth_profile import DepthProfile, modulus_at_depths
 from .many import FailedFit, fit_many
 from .oliver_pharr import OliverPharr, oliver_pharr
 from .parameters import Free, Instrument, JointPrior
@@ -27,6 +28,8 @@ __all__ = [
     "ModulusRadius",
     "StiffnessRadius",
     "as_prior",
+    "modulus_at_depths",
+    "DepthProfile",
     "oliver_pharr",
     "OliverPharr",
     "Unloading",

@@ -2,6 +2,7 @@
 """From an instrument's record to a curve: segments, drift, pop-ins, contact point and baseline."""
 
 from .contact_point import Baseline, depth_from_height, find_baseline, find_contact_point
+from .dynamic import without_oscillation
 from .segments import Drift, PopIn, Segment, drift_rate, find_pop_in, find_segments, without_drift
 
 __all__ = [
@@ -16,4 +17,5 @@ __all__ = [
     "find_pop_in",
     "find_segments",
     "without_drift",
+    "without_oscillation",
 ]

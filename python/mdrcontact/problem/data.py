@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from ..errors import MDRError
 from ..fitting import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, Unloading
 from ..fitting.data import Data
+from ..measurement import without_oscillation
 from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
 from .columns import MeasuredTable, TableOptions, describe, read_table
 from .record import KEYS, Cantilever, Record, prepare
@@ -70,6 +71,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     **dict.fromkeys(KEYS),
     "drift": SPEED,
     "upper_part": None,
+    "oscillation": LENGTH,
 }
 _OF_RECORDS = ("height", "deflection", "time", *KEYS)
 
@@ -78,6 +80,8 @@ def check(section: Section) -> None:
     """Refuses keys that do not belong to the kind of data."""
     kind = section.choice("kind", KINDS)
     foreign = set() if kind in _RECORDS else {*_OF_RECORDS}
+    if kind != "stiffness-depth":
+        foreign.add("oscillation")
     foreign |= {"unloading": {"branch", "before_pop_in", "sd", "relative_sd"}}.get(kind, {"upper_part"})
     section.only([key for key in KNOWN if key not in foreign], f"kind = {kind!r}")
 
@@ -224,6 +228,17 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
     if not keep.all():
         notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
     columns = [found[role][2][keep] for role in roles]
+    if "oscillation" in section:
+        with section.words():
+            depth, force, stiffness, keeps = without_oscillation(
+                columns[0], columns[1], columns[2], section.quantity("oscillation")
+            )
+        notes.append("depth, force and stiffness are those at the top of the oscillation (Pharr, Strader, Oliver 2009)")
+        if not keeps.all():
+            notes.append(f"{int((~keeps).sum())} points are left out: the oscillation is so large that contact is lost")
+            if sd is not None:
+                options["sd"] = sd[keep][keeps]
+        columns = [values[keeps] for values in (depth, force, stiffness)]
     return cls(*columns, **options), notes  # type: ignore[arg-type]
 
 

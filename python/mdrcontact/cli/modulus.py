@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact modulus`: the film's modulus at every depth of a dynamic measurement, and at zero depth."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from tqdm import tqdm
+
+from ..fitting import DepthProfile, StiffnessDepth, modulus_at_depths, report
+from ..fitting.quantities import dimension_of, measured, words_of
+from ..problem import ProblemError
+from ..problem.fit_file import load_fit_file
+from ..problem.units import LENGTH, MODULUS, RATIO, practical
+from . import figures, files
+from .table import Column, as_csv, as_text, column
+
+_DESCRIPTION = """\
+Takes every point of a dynamic (CSM) measurement alone: the film's modulus under which the exact contact has the measured stiffness,
+and a straight line through these moduli to zero depth, with its interval.
+
+    mdrcontact modulus csm.csv --problem problem.toml --plot modulus.png --csv modulus.csv --report modulus.html
+
+The problem file is that of `mdrcontact fit` with kind = "stiffness-depth" and sd or relative_sd. One parameter of [fit.free] has no
+prior and is found at each point; the others have priors, and what moving each by its standard deviation does is the common error.
+[data] min_depth and max_depth choose the points; oscillation = "2 nm", the rms amplitude, takes its effect off.
+"""
+
+
+def add(subparsers: Any) -> None:
+    """Adds the command to the command line."""
+    parser = subparsers.add_parser(
+        "modulus",
+        help="film modulus against depth from dynamic (CSM) data, and at zero depth",
+        description=_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("data", type=Path, metavar="DATA", help="a table of depth, force and stiffness")
+    parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="tip, medium, data and fit")
+    files.add_options(parser, "the modulus at each depth")
+    parser.add_argument("--json", type=Path, metavar="FILE.json", help="write the result as JSON")
+    parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it, picture included, as one HTML file")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Computes, prints, writes."""
+    files.check(arguments.csv, arguments.plot, arguments.json, arguments.report, overwrite=arguments.overwrite)
+    if arguments.plot or arguments.report:
+        figures.require(arguments.plot)
+    problem = load_fit_file(arguments.problem)
+    print(f"{problem.title}\n")
+    data, notes = problem.read_data(arguments.data)
+    print("\n".join([str(arguments.data), *(f"  {note}" for note in notes)]))
+    if not isinstance(data, StiffnessDepth):
+        raise ProblemError('[data]: kind must be "stiffness-depth"')
+    with tqdm(total=len(data), unit="points", delay=2.0, disable=None, leave=False) as bar:
+        profile = modulus_at_depths(
+            data,
+            problem.indenter,
+            problem.medium,
+            problem.free,
+            instrument=problem.instrument,
+            known=problem.options.get("known", ()),
+            progress=lambda done: bar.update(),
+        )
+    thickness = getattr(getattr(problem.medium, "lower", problem.medium), "thickness", None)
+    columns = _columns(profile, thickness)
+    words = [*data.warnings, *profile.warnings]
+    print(f"\n{as_text(columns, 20)}\n\n{profile.summary()}")
+    for word in words:
+        print(f"warning: {word}")
+    contents: dict[Path, bytes] = {}
+    if arguments.csv:
+        contents[arguments.csv] = as_csv(columns)
+    if arguments.json:
+        contents[arguments.json] = (json.dumps(_plain(profile, words), indent=2, allow_nan=False) + "\n").encode()
+    if arguments.plot:
+        contents[arguments.plot] = files.rendered(profile.plot(), files.figure_format(arguments.plot))
+    if arguments.report:
+        rows = [[c.title for c in columns]]
+        rows += [[f"{float(c.unit.of(c.values[i])):.5g}" for c in columns] for i in range(len(profile.modulus))]
+        blocks = [report.paragraph(profile.summary()), report.picture(profile.plot(), "modulus against depth")]
+        blocks += [report.heading("Warnings"), report.items(words, doubt=True) if words else report.paragraph("None.")]
+        blocks += [report.heading("What was read"), report.items([f"file {arguments.data}", *notes])]
+        assumed = [f"indenter: {problem.indenter!r}", f"medium: {problem.medium!r}", f"instrument: {problem.instrument!r}"]
+        priors = [f"{words_of(n)}: {measured(n, *f.prior)}" for n, f in problem.free.items() if f.prior]
+        blocks += [report.heading("What was assumed"), report.items([*assumed, *priors])]
+        blocks += [report.heading("Points"), report.table(rows)]
+        contents[arguments.report] = report.page(problem.title, blocks).encode()
+    if contents:
+        print()
+        files.write(contents, arguments.overwrite)
+
+
+def _columns(profile: DepthProfile, thickness: float | None) -> list[Column]:
+    found = profile.analysis
+    unit = practical(dimension_of(profile.name), profile.modulus[np.isfinite(profile.modulus)])
+    columns = [column("depth", found.depth, LENGTH), column("contact depth", found.contact_depth, LENGTH)]
+    columns.append(column("contact radius a", found.radius, LENGTH))
+    if thickness is not None:
+        columns.append(column("a/h", found.radius / thickness, RATIO))
+    columns += [column("E_r", found.reduced_modulus, MODULUS), column("hardness", found.hardness, MODULUS)]
+    columns.append(Column(words_of(profile.name), profile.modulus, unit))
+    columns.append(Column("standard error", profile.standard_error, unit))
+    columns.append(Column("common error", profile.common_error, unit))
+    return columns
+
+
+def _plain(profile: DepthProfile, words: list[str]) -> dict[str, Any]:
+    def numbers(values: Any) -> list[float | None]:
+        return [float(v) if math.isfinite(v) else None for v in values]
+
+    return {
+        "parameter": profile.name,
+        "unit": dimension_of(profile.name).si,
+        "at_zero": profile.at_zero,
+        "at_zero_error": profile.at_zero_error,
+        "interval": list(profile.interval),
+        "slope": profile.slope,
+        "slope_error": profile.slope_error,
+        "depth": numbers(profile.analysis.depth),
+        "radius": numbers(profile.analysis.radius),
+        "modulus": numbers(profile.modulus),
+        "standard_error": numbers(profile.standard_error),
+        "common_error": numbers(profile.common_error),
+        "warnings": words,
+    }
