@@ -153,6 +153,25 @@ static void loop_under_depth_control(const mdr_contact *c)
     CHECK_SUCCESS(mdr_loop_free(&l));
 }
 
+/* A soft spring: the area under F over the position of the machine, by the path itself. */
+static void loop_on_a_spring(const mdr_contact *c)
+{
+    enum { CAPACITY = 20000 };
+    static double position[CAPACITY], F[CAPACITY];
+    double energy = 0, area = 0;
+    int points = 0;
+    mdr_loop *l = NULL;
+
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_SPRING, 1.0, 8000, 0.7, &l));
+    CHECK_SUCCESS(mdr_loop_size(l, &points, NULL, NULL));
+    CHECK_TRUE(points <= CAPACITY);
+    CHECK_SUCCESS(mdr_loop_path(l, CAPACITY, position, NULL, NULL, F));
+    for (int i = 1; i < points; i++) area += 0.5 * (F[i] + F[i - 1]) * (position[i] - position[i - 1]);
+    CHECK_SUCCESS(mdr_loop_dissipated_energy(l, &energy));
+    CHECK_CLOSE(energy, area, 1e-5);
+    CHECK_SUCCESS(mdr_loop_free(&l));
+}
+
 static void without_adhesion(void)
 {
     double d = 1, a = 1, F = 1, energy = 1;
@@ -180,6 +199,7 @@ int main(void)
     loop_refuses(c);
     jkr_pull_off(c);
     loop_under_depth_control(c);
+    loop_on_a_spring(c);
     CHECK_SUCCESS(mdr_contact_free(&c));
     without_adhesion();
     return check_report("loop");

@@ -259,8 +259,25 @@ static void test_long_tables(void)
     }
 }
 
+/* Behind a knot, where f'' jumps, g' rises as the root of the distance: four times the distance, twice the rise. */
+static void roots_start_at_knots(void)
+{
+    const double r[4] = {0.0, 1.0, 2.0, 3.0}, f[4] = {0.0, 0.1, 0.9, 1.3};
+    mdr_profile *p = NULL;
+
+    CHECK_SUCCESS(mdr_profile_table(4, r, f, &p));
+    for (int i = 1; i < 3; i++) {
+        const double x[3] = {r[i], r[i] * (1.0 + 1e-7), r[i] * (1.0 + 4e-7)};
+        double slope[3] = {0.0, 0.0, 0.0};
+        CHECK_SUCCESS(mdr_profile_mdr_slope(p, 3, x, slope));
+        CHECK_CLOSE((slope[2] - slope[0]) / (slope[1] - slope[0]), 2.0, 0.02);
+    }
+    CHECK_SUCCESS(mdr_profile_free(&p));
+}
+
 int main(void)
 {
+    roots_start_at_knots();
     area_function_refuses();
     table_refuses(mdr_profile_table, "r", "f");
     table_refuses(mdr_profile_from_mdr_table, "x", "g");

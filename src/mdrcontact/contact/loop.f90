@@ -4,6 +4,7 @@
 module mdrcontact_contact_loop
     use mdrcontact_contact_branch, only: stable_segment_t
     use mdrcontact_contact_control, only: control_t
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact, only: contact_t, on_loading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_count_within, check_memory, check_positive, error_t, error_unreachable, raise
@@ -235,6 +236,7 @@ contains
         type(contact_state_t), intent(in) :: state
         type(error_t), allocatable, intent(inout) :: error
 
+        call check_cancelled(error)
         if (self%points == size(self%position)) call resize(self, 2*self%points, error)
         if (allocated(error)) return
         self%points = self%points + 1
