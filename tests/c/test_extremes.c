@@ -92,8 +92,49 @@ static void test_counts(void)
     CHECK_INT(count, 7);
 }
 
+/* p at radii whose squares are no numbers, against p(0), against a cone's logarithm, and against its power of r. */
+static void test_pressures_at_the_axis(void)
+{
+    const double r[4] = {0.0, 1e-300, 1e-200, 1e-198}, pi = 3.14159265358979323846;
+    const double exponents[2] = {-0.3, 0.3};
+    double p[4];
+    mdr_profile *ball = NULL, *cone = NULL;
+    mdr_medium *m = NULL;
+    mdr_contact *c = NULL;
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    CHECK_SUCCESS(mdr_profile_cone(0.3, &cone));
+    CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &m));
+    CHECK_SUCCESS(mdr_contact_new(ball, m, NULL, &c));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
+    for (int i = 0; i < 4; i++) CHECK_CLOSE(p[i], 2.0 * 0.5 / pi, 1e-12);
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_contact_new(cone, m, NULL, &c));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
+    CHECK_CLOSE(p[0], INFINITY, 0.0);
+    for (int i = 1; i < 4; i++) CHECK_CLOSE(p[i], 0.5 * tan(0.3) * (log(1.0 / r[i])), 1e-12);
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    for (int k = 0; k < 2; k++) {
+        CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, exponents[k], 0.3, &m));
+        CHECK_SUCCESS(mdr_contact_new(ball, m, NULL, &c));
+        CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
+        for (int i = 1; i < 4; i++) CHECK_CLOSE(p[i], p[0], 1e-8);
+        CHECK_SUCCESS(mdr_contact_free(&c));
+        CHECK_SUCCESS(mdr_contact_new(cone, m, NULL, &c));
+        CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
+        if (exponents[k] > 0.0) CHECK_CLOSE(p[2], p[0], 1e-8);
+        else CHECK_CLOSE(p[2] / p[3], pow(100.0, 0.3), 1e-6);
+        CHECK_SUCCESS(mdr_contact_free(&c));
+        CHECK_SUCCESS(mdr_medium_free(&m));
+    }
+    CHECK_SUCCESS(mdr_profile_free(&cone));
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+}
+
 int main(void)
 {
+    test_pressures_at_the_axis();
     test_profiles();
     test_media();
     test_closed_forms();

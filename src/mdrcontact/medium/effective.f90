@@ -232,7 +232,7 @@ contains
                                  s, ds, error, beyond)
                 if (allocated(error)) return
                 values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds &
-                                            /sqrt((beyond + (lowest - r(i)))*(s + r(i))))
+                                            /(sqrt(beyond + (lowest - r(i)))*sqrt(s + r(i))))
                 if (from_axis) values(i) = values(i) + self%effective_modulus(lowest)*near_axis(profile, lowest)
             end if
             values(i) = values(i)/pi

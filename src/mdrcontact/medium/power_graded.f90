@@ -358,14 +358,15 @@ contains
         real(wp) :: power, near
 
         power = 0.5_wp*(m - 1.0_wp)
-        near = closest*to
-        if (from <= 0.0_wp) near = smallest_panel_ratio*to
+        near = closest*from
+        if (from <= 0.0_wp) near = 4.0_wp*g%lower()
         if (r < from) near = max(behind_corner(1)*from, min(behind_corner(2)*from, behind_corner(3)*(from - r)))
         integral = 0.0_wp
         if (near >= to - from) return
         call graded_rule(near, to - from, no_breaks, huge(1.0_wp), beyond, dx, error)
         if (allocated(error)) return
-        integral = sum(g%slope(from + beyond)*((beyond + (from - r))*((from + r) + beyond))**power*dx) &
+        ! in this order powers of the smallest radii stay numbers
+        integral = sum(slope_of(profile, g, from + beyond)*dx*(beyond + (from - r))**power*((from + r) + beyond)**power) &
                    + near_start(profile, g, from, near, r, m, error)
     end function pressure_between
 
@@ -380,7 +381,7 @@ contains
 
         power = 0.5_wp*(m - 1.0_wp)
         if (start <= 0.0_wp) then
-            growth = log(g%slope(near)/g%slope(0.5_wp*near))/log(2.0_wp) + m
+            growth = exponent_at(g, 0.5_wp*near) + m
             if (growth > 1.0e-6_wp) then
                 integral = g%slope(near)*near**m/growth
             else
@@ -389,8 +390,33 @@ contains
         else if (r < start) then
             integral = (mdr(profile, m, start + near, error) - mdr(profile, m, start, error))*((start - r)*(start + r))**power
         else
-            integral = g%slope(start + near)*(2.0_wp*start)**power*near**(power + 1.0_wp)/(power + 1.0_wp)
+            integral = slope_of(profile, g, start + near)*(2.0_wp*start)**power*near**(power + 1.0_wp)/(power + 1.0_wp)
         end if
     end function near_start
+
+    !> g'(x); nearer to an axis than g is sampled it is a power of x.
+    elemental function slope_of(profile, g, x) result(slope)
+        class(profile_t), intent(in) :: profile
+        type(sampled_function_t), intent(in) :: g
+        real(wp), intent(in) :: x
+        real(wp) :: slope
+        real(wp) :: lowest
+
+        lowest = 2.0_wp*g%lower()
+        if (x >= lowest .or. profile%end_radius() > 0.0_wp) then
+            slope = g%slope(x)
+        else
+            slope = g%slope(lowest)*(x/lowest)**exponent_at(g, lowest)
+        end if
+    end function slope_of
+
+    !> The power of x that g' follows between x and 2 x.
+    pure function exponent_at(g, x) result(exponent)
+        type(sampled_function_t), intent(in) :: g
+        real(wp), intent(in) :: x
+        real(wp) :: exponent
+
+        exponent = log(g%slope(2.0_wp*x)/g%slope(x))/log(2.0_wp)
+    end function exponent_at
 
 end module mdrcontact_medium_power_graded
