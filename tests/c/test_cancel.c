@@ -7,9 +7,9 @@
 
 #include <time.h>
 
-enum { MANY = 400000, ROWS = 400, BALLS = 40, POINTS = 400 };
+enum { MANY = 1000000, ROWS = 400, BALLS = 40, POINTS = 400 };
 
-static const double longest_wait = 0.2, patience = 0.08;
+static const double longest_wait = 0.2, patience = 0.04;
 
 /* When the call began, was last asked, and was told to stop; the longest time without a question. */
 static double began, asked, told, longest_gap;

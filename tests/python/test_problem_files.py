@@ -2,13 +2,14 @@
 """Problem files: what they say, units, and every kind of fault in them."""
 
 import math
+import time
 
 import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
 from mdrcontact.problem import ProblemError, load, read
-from mdrcontact.problem.units import ANGLE, FORCE, LENGTH, MODULUS, UnitError, parse, practical
+from mdrcontact.problem.units import ANGLE, FORCE, LENGTH, MODULUS, UnitError, is_unit, parse, practical
 
 GOOD = """
 [indenter]
@@ -99,6 +100,16 @@ def test_quantities(text, dimension, value):
 def test_texts_that_are_no_quantities(text, dimension, words):
     with pytest.raises(UnitError, match=words):
         parse(text, dimension)
+
+
+@pytest.mark.parametrize("unit", ["m*" * 50000 + "m", "n" * 100000, "(" * 100000, "m" + "**2" * 30000, "m^" + "9" * 100000])
+def test_endless_units_are_refused_at_once(unit):
+    start = time.process_time()
+    assert not is_unit(unit)
+    for text in (f"1 {unit}", "1" * 100000):
+        with pytest.raises(UnitError, match="characters"):
+            parse(text, LENGTH)
+    assert time.process_time() - start < 0.5
 
 
 def test_practical_units():

@@ -52,6 +52,10 @@ RATIO = Dimension("a number", "", "1", (("", 1.0),))
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\W\d_].*?)?\s*")
 
 
+_LONGEST_UNIT, _LONGEST_TEXT = 60, 200
+"""Characters. What is longer is no unit; pint would look for prefixes in it for minutes."""
+
+
 @functools.cache
 def _registry() -> Any:
     import pint  # here, because most who import this package never read a unit
@@ -64,6 +68,8 @@ def to_si(value: float | str, unit: str, dimension: Dimension) -> float:
     """`value` in `unit` as a number in the SI unit of `dimension`."""
     from pint import DimensionalityError
 
+    if len(unit) > _LONGEST_UNIT:
+        raise UnitError(f"there is no unit {unit[:20] + '...'!r} of {len(unit)} characters")
     of_another_kind = UnitError(f'{unit!r} is not a unit of {dimension.name}: write it as in "{dimension.example}"')
     finite = math.isfinite(float(value))
     try:
@@ -87,6 +93,8 @@ def is_unit(text: str) -> bool:
     """Whether a text is a unit of anything, "%" and "-" for plain numbers included."""
     if text in ("%", "-", "1"):
         return True
+    if len(text) > _LONGEST_UNIT:
+        return False
     try:
         _registry().Unit(text)
     except Exception:  # noqa: BLE001 - what is no unit makes pint raise almost anything
@@ -96,6 +104,8 @@ def is_unit(text: str) -> bool:
 
 def parse(text: str, dimension: Dimension) -> float:
     """A text such as "500 nm" as a number in SI units."""
+    if len(text) > _LONGEST_TEXT:
+        raise UnitError(f"{text[:20] + '...'!r} of {len(text)} characters is not {dimension.name}")
     match = _QUANTITY.fullmatch(text)
     if match is None:
         raise UnitError(f'{text!r} is not {dimension.name}: write it as in "{dimension.example}"')
