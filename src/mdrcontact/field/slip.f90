@@ -30,6 +30,8 @@ module mdrcontact_field_slip
         real(wp) :: sliding_shift = 0.0_wp, smallest_stick = 0.0_wp
         !> shift up to which nothing slips [length], greater than 0 under an indenter with a vertical wall, and k_t(a)
         real(wp) :: first_shift = 0.0_wp, stiffness = 0.0_wp
+        !> -ds/dc at c = a where it is known, else 0: what a search begins with
+        real(wp) :: edge_rate = 0.0_wp
     contains
         !> s where the medium knows it directly, sigma, k_t and k_t' at stick radii
         procedure(rates_at), deferred :: rates

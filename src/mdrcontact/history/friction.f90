@@ -247,7 +247,7 @@ contains
                 part = given/slip%force
                 x = log(-expm1_of(2.0_wp/3.0_wp*log(1.0_wp - part), part))
             else
-                x = log(given/slip%sliding_shift)
+                x = log(first_part(given/slip%sliding_shift))
             end if
             call solve_increasing(equation, min(x, -1.0e-6_wp), 1.0_wp, least, most, x, found, error)
             if (allocated(error)) return
@@ -260,6 +260,21 @@ contains
             state%tangential_force = self%coefficient*force
             state%dissipated_energy = self%coefficient**2*dissipated
         end associate
+
+    contains
+
+        !> t = 1 - c^2/a^2 from the shift relative to that of sliding, by t [1 + b (1 - t)] with the slope that it has at the edge.
+        pure function first_part(shift) result(t)
+            real(wp), intent(in) :: shift
+            real(wp) :: t
+            real(wp) :: b
+
+            t = shift
+            if (.not. (self%slip%edge_rate > 0.0_wp .and. self%slip%first_shift <= 0.0_wp)) return
+            b = min(max(0.5_wp*self%slip%edge_rate*self%slip%radius/self%slip%sliding_shift - 1.0_wp, -0.9_wp), 0.9_wp)
+            t = 2.0_wp*shift/((1.0_wp + b) + sqrt((1.0_wp + b)**2 - 4.0_wp*b*shift))
+        end function first_part
+
     end subroutine partial_slip
 
     !> exp(y) - 1 for y = (2/3) ln(1 - part) without cancellation for small parts.

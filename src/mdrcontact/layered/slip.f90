@@ -52,7 +52,7 @@ contains
         !> depth beyond the non-adhesive one, thickness of the first layer [length], E0*/G0* [1]
         real(wp), intent(in) :: excess, unit, ratio
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: even, modulus, rise, depth, force, rate
+        real(wp) :: even, modulus, rise, depth, force
         integer :: j
 
         allocate (self%normal, source=normal)
@@ -67,13 +67,14 @@ contains
         self%profile%radius = springs%a
         self%profile%ratio = ratio
         self%profile%c = springs%v - sheared
+        self%profile%c = self%profile%c(:last_that_counts(self%profile%c))
         even = 1.0_wp
         do j = 1, size(self%profile%c)
             self%profile%at_axis = self%profile%at_axis + self%profile%c(j)*even
             even = -even*real(2*j - 1, wp)/real(2*j, wp)
         end do
         self%sliding_shift = ratio*(depth + excess - self%profile%at_axis)
-        call solve(self, self%radius, depth, force, self%stiffness, rate, error)
+        call solve(self, self%radius, depth, force, self%stiffness, self%edge_rate, error)
         ! without a load at the edge something slips with the slightest shift
         if (allocated(error) .or. excess <= 0.0_wp) return
         self%first_shift = self%sliding_shift - depth
@@ -82,6 +83,17 @@ contains
                        "on a stiff coating: partial slip is known only where it is an annulus at the edge")
         end if
     end subroutine new_layered_slip
+
+    !> Where a series ends but for terms below rounding; at least one is left.
+    pure function last_that_counts(c) result(last)
+        real(wp), intent(in) :: c(:)
+        integer :: last
+
+        do last = size(c), 2, -1
+            if (abs(c(last)) > 0.01_wp*epsilon(c)*maxval(abs(c))) return
+        end do
+        last = 1
+    end function last_that_counts
 
     !> Depth, force, stiffness and slope of the depth of the contact that q* is.
     subroutine solve(self, c, depth, force, stiffness, slope, error, stiffness_slope)

@@ -137,28 +137,44 @@ contains
         real(wp), intent(inout) :: g(0:)
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
-        real(wp), allocatable, dimension(:) :: u, w, even, odd
-        real(wp) :: s(0:ubound(g, 1)), total, slope, integral
-        integer :: i, j, last
+        integer :: last
 
         last = min(ubound(g, 1), size(self%c) - 1)
         call new_rule(rule, size(self%c) + last, error)
         if (allocated(error)) return
-        allocate (u, source=0.5_wp*rule%distance)
-        allocate (w, source=rule%weights)
-        do i = 1, size(u)
-            call sums(self%c, a/self%radius*u(i), total, slope, integral)
-            w(i) = w(i)*(total - self%at_axis)
-        end do
-        s = normalisation(size(g))
-        allocate (even, source=w)
-        allocate (odd, source=u*w)
-        do j = 0, last
-            g(j) = g(j) + s(j)*sum(even)
-            even = (real(4*j + 3, wp)*u*odd - real(2*j + 1, wp)*even)/real(2*j + 2, wp)
-            odd = (real(4*j + 5, wp)*u*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
-        end do
+        call add_moments(size(rule%weights), 0.5_wp*rule%distance, rule%weights, self%c, self%at_axis, a/self%radius, g(:last))
         g = self%ratio*g
     end subroutine moments
+
+    !> Adds int_-1^1 [sum of c_j P_2j(part |u|) - at_axis] s_i P_2i(u) du, i = 0 ..., by a rule for 0 < u < 1.
+    pure subroutine add_moments(n, u, weights, c, at_axis, part, g)
+        !> a multiple of 4: whole vectors
+        integer, intent(in) :: n
+        real(wp), intent(in) :: u(n), weights(n), c(0:), at_axis, part
+        real(wp), intent(inout) :: g(0:)
+        real(wp) :: even(n), odd(n), total(n), s(0:ubound(g, 1)), two(2)
+        integer :: j
+
+        even = 1.0_wp
+        odd = part*u
+        total = c(0) - at_axis
+        do j = 1, ubound(c, 1)
+            two = [real(4*j - 1, wp)*part, real(1 - 2*j, wp)]/real(2*j, wp)
+            even = two(1)*u*odd + two(2)*even
+            two = [real(4*j + 1, wp)*part, real(-2*j, wp)]/real(2*j + 1, wp)
+            odd = two(1)*u*even + two(2)*odd
+            total = total + c(j)*even
+        end do
+        s = normalisation(size(g))
+        even = total*weights
+        odd = u*even
+        do j = 0, ubound(g, 1)
+            g(j) = g(j) + s(j)*sum(even)
+            two = [real(4*j + 3, wp), real(-2*j - 1, wp)]/real(2*j + 2, wp)
+            even = two(1)*u*odd + two(2)*even
+            two = [real(4*j + 5, wp), real(-2*j - 2, wp)]/real(2*j + 3, wp)
+            odd = two(1)*u*even + two(2)*odd
+        end do
+    end subroutine add_moments
 
 end module mdrcontact_layered_slip_profile
