@@ -315,7 +315,8 @@ contains
         spectrum = new_spectrum(matmul(transpose(jacobian), jacobian))
         inverse = spectrum%inverse()
         if (residuals%loss /= loss_linear) inverse = matmul(inverse, matmul(matmul(transpose(scores), scores), inverse))
-        call correlated_spread(outcome%r(residuals%order), outcome%jacobian(residuals%order, inner), inverse, &
+        call correlated_spread(outcome%r(residuals%order), outcome%jacobian(residuals%order, inner), outcome%r(n + 1:), &
+                               outcome%jacobian(n + 1:, inner), inverse, &
                                allocated(residuals%data%sd) .and. residuals%problem%sd_is_absolute, fit%lag_correlation, widening)
         fit%widening(inner) = widening
         slope = residuals%variables%slope_at([(i, i=1, size(u))], u)

@@ -233,3 +233,16 @@ def test_the_ranking_marks_models_that_are_wrong_at_these_contacts():
     text = ranking.summary()
     assert "WRONG HERE" in next(line for line in text.splitlines() if line.startswith("gao "))
     assert "not which model is right" in text and "GPa" in text
+
+
+def test_priors_leave_the_correlation_to_be_seen():
+    """Ten points and six parameters, five of them known beforehand to parts in a million: the widening is that of one parameter."""
+    radius = np.linspace(1e-7, 5e-7, 10)
+    noise = 0.02 * autoregression(np.random.default_rng(4), 10, 0.95)
+    data = mdr.ModulusRadius(radius, np.asarray(FILM.modulus(radius)) * (1.0 + noise), relative_sd=0.02)
+    values = {"thickness": 500e-9, "coating.nu": OXIDE.nu, "substrate.E": SILICON.E, "substrate.nu": SILICON.nu, "area_factor": 1.0}
+    known = {name: mdr.Free(prior=(value, 1e-6 * value)) for name, value in values.items()}
+    alone = mdr.fit(data, mdr.Berkovich(), FILM, ["coating.E"])
+    beside = mdr.fit(data, mdr.Berkovich(), FILM, {"coating.E": None, **known})
+    assert alone.widening["coating.E"] > 1.2
+    assert beside.widening["coating.E"] == pytest.approx(alone.widening["coating.E"], rel=0.02)

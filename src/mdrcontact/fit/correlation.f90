@@ -15,9 +15,9 @@ module mdrcontact_fit_correlation
     !> Values of rho: 0, 0.02, ... 0.98.
     integer, parameter :: values = 50
     real(wp), parameter :: spacing = 0.02_wp
-    !> Directions with smaller eigenvalues, of the matrix scaled to a unit diagonal, are determined by priors, not by the data.
+    !> Directions with smaller eigenvalues, of the matrix scaled to a unit diagonal, are determined by nothing.
     real(wp), parameter :: smallest_eigenvalue = 1.0e-10_wp
-    !> Fewer points above the number of parameters say nothing about rho.
+    !> Fewer points and priors above the number of parameters say nothing about rho.
     integer, parameter :: fewest_contrasts = 5
     !> More cannot come out at the largest rho; only rounding in a direction that nothing determines would say so.
     real(wp), parameter :: most_widening = 20.0_wp
@@ -25,11 +25,13 @@ module mdrcontact_fit_correlation
 contains
 
     !> The mean rho, and by how much the standard error of each parameter is larger than for independent noise, at least 1.
-    subroutine correlated_spread(r, jacobian, inverse, noise_is_known, rho, widening)
+    subroutine correlated_spread(r, jacobian, prior_r, prior_jacobian, inverse, noise_is_known, rho, widening)
         !> residuals of the data in their standard deviations, in their order along the curve
         real(wp), intent(in) :: r(:)
         !> (residuals, parameters): their derivatives
         real(wp), intent(in) :: jacobian(:, :)
+        !> the same of what is known beforehand, whose errors are independent
+        real(wp), intent(in) :: prior_r(:), prior_jacobian(:, :)
         !> covariance of the parameters for independent noise, priors included
         real(wp), intent(in) :: inverse(:, :)
         !> whether the residuals would have variance 1
@@ -45,9 +47,10 @@ contains
         widening = 1.0_wp
         n = size(r)
         p = size(jacobian, 2)
-        if (n < p + fewest_contrasts .or. .not. sum(r**2) > 0.0_wp) return
+        if (n + size(prior_r) < p + fewest_contrasts .or. .not. sum(r**2) > 0.0_wp) return
         do i = 1, values
-            call restricted_likelihood(r, jacobian, (i - 1)*spacing, noise_is_known, likelihood(i), variance(i))
+            call restricted_likelihood(r, jacobian, prior_r, prior_jacobian, (i - 1)*spacing, noise_is_known, likelihood(i), &
+                                       variance(i))
         end do
         weight = exp(likelihood - maxval(likelihood))
         weight = weight/sum(weight)
@@ -65,9 +68,10 @@ contains
         end do
     end subroutine correlated_spread
 
-    !> ln of the restricted likelihood but for a constant, and the variance of the noise at that rho.
-    subroutine restricted_likelihood(r, jacobian, rho, noise_is_known, likelihood, variance)
-        real(wp), intent(in) :: r(:), jacobian(:, :), rho
+    !> ln of the restricted likelihood but for a constant, and the variance of the noise at that rho. A parameter that is known
+    !> beforehand takes no contrast from the data: its prior is one datum more, outside of the autoregression.
+    subroutine restricted_likelihood(r, jacobian, prior_r, prior_jacobian, rho, noise_is_known, likelihood, variance)
+        real(wp), intent(in) :: r(:), jacobian(:, :), prior_r(:), prior_jacobian(:, :), rho
         logical, intent(in) :: noise_is_known
         real(wp), intent(out) :: likelihood, variance
         type(spectrum_t) :: spectrum
@@ -79,12 +83,13 @@ contains
         do j = 1, size(jacobian, 2)
             columns(:, j) = whitened(jacobian(:, j), rho)
         end do
-        spectrum = new_spectrum(matmul(transpose(columns), columns))
+        spectrum = new_spectrum(matmul(transpose(columns), columns) + matmul(transpose(prior_jacobian), prior_jacobian))
         determined = spectrum%eigenvalues > smallest_eigenvalue
-        g = matmul(transpose(spectrum%vectors), matmul(transpose(columns), z)/spectrum%scale)
-        rest = sum(z**2) - sum(g**2/max(spectrum%eigenvalues, smallest_eigenvalue), mask=determined)
+        g = matmul(transpose(columns), z) + matmul(transpose(prior_jacobian), prior_r)
+        g = matmul(transpose(spectrum%vectors), g/spectrum%scale)
+        rest = sum(z**2) + sum(prior_r**2) - sum(g**2/max(spectrum%eigenvalues, smallest_eigenvalue), mask=determined)
         rest = max(rest, tiny(1.0_wp))
-        contrasts = size(r) - count(determined)
+        contrasts = size(r) + size(prior_r) - count(determined)
         logarithm = sum(log(max(spectrum%eigenvalues, smallest_eigenvalue)), mask=determined) + 2.0_wp*sum(log(spectrum%scale)) &
                     + (size(r) - 1)*log(1.0_wp - rho**2)
         variance = rest/contrasts
