@@ -27,7 +27,7 @@ def body(text):
     if not layers:
         return mdr.Homogeneous(base)
     sizes = [tuple(map(float, layer.split(":"))) for layer in layers]
-    return mdr.Layered([(mdr.Elastic(E, nu), h) for h, E, nu in sizes], base)
+    return mdr.Layered([(mdr.Elastic(E, nu), h) for h, E, nu in sizes], base, tolerance=1e-12)
 
 
 @pytest.mark.filterwarnings("ignore::mdrcontact.NotOneDiscWarning")

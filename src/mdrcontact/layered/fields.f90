@@ -91,7 +91,7 @@ contains
 
         solved = .false.
         reached = 0.0_wp
-        call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n, is_fine(kernel, a/kernel%unit, n), error)
+        call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n, 4*n, is_fine(kernel, a/kernel%unit, n), error)
         if (allocated(error)) return
         allocate (h(n, n), stat=status)
         call check_memory(error, status)
@@ -196,7 +196,8 @@ contains
         v = 0.0_wp
         if (kernel%vanishes) return
         n = size(v)
-        call new_moments(moments, kernel, self%a/kernel%unit, 4*n + 4, 4*n, is_fine(kernel, self%a/kernel%unit, n), error)
+        call new_moments(moments, kernel, self%a/kernel%unit, 4*n + 4, 4*n, 4*n, is_fine(kernel, self%a/kernel%unit, n), &
+                         error)
         if (allocated(error)) return
         call interaction_matrix(moments, h)
         s = normalisation(n)

@@ -58,12 +58,12 @@ contains
     end function is_fine
 
     !> The rule that resolves the kernel from one end of a contact of radius a [unit]: of at least `count` nodes, and where the
-    !> kernel is fine of as many as polynomials to order `last` take, closer at the end. Where one rule is too short, as many as
-    !> are needed share the half waves of the polynomials.
-    subroutine contact_rule(rule, a, count, last, fine, error)
+    !> kernel is fine of as many as polynomials of this order take, closer at the end. Where one rule is too short, as many as are
+    !> needed share the half waves of the polynomials.
+    subroutine contact_rule(rule, a, count, order, fine, error)
         type(rule_t), intent(out) :: rule
         real(wp), intent(in) :: a
-        integer, intent(in) :: count, last
+        integer, intent(in) :: count, order
         !> see is_fine
         logical, intent(in) :: fine
         type(error_t), allocatable, intent(inout) :: error
@@ -72,7 +72,7 @@ contains
         integer :: i, nodes, panels, first
 
         nodes = count
-        if (fine) nodes = max(ceiling(1.5_wp/trusted*real(last, wp)), min(24 + nint(16.0_wp*sqrt(sqrt(a))), 256))
+        if (fine) nodes = max(ceiling(1.5_wp/trusted*real(order, wp)), min(24 + nint(16.0_wp*sqrt(sqrt(a))), 256))
         panels = 1
         ! nodes lie closest to the ends of a rule of its own, pi/2 times as far apart where panels join
         if (nodes > largest_rule) panels = ceiling(half_pi*real(nodes, wp)/real(largest_rule, wp))
@@ -99,11 +99,11 @@ contains
     end subroutine contact_rule
 
     !> The moments T_0 ... T_last at contact radius a [unit]; the arguments of contact_rule.
-    subroutine new_moments(self, kernel, a, count, last, fine, error)
+    subroutine new_moments(self, kernel, a, count, order, last, fine, error)
         type(moments_t), intent(out) :: self
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
-        integer, intent(in) :: count, last
+        integer, intent(in) :: count, order, last
         logical, intent(in) :: fine
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
@@ -112,7 +112,7 @@ contains
         integer :: n, half, highest
 
         self%a = a
-        call contact_rule(rule, a, count, last, fine, error)
+        call contact_rule(rule, a, count, order, fine, error)
         if (allocated(error)) return
         n = size(rule%weights)
         highest = n - 1

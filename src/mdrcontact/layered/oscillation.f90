@@ -68,7 +68,7 @@ contains
         matrix = 0.0_wp
         diagonal = 0.0_wp
         do part = 1, 2
-            call new_moments(moments, parts(part), a/parts(part)%unit, 4*n + 4, 6*n, &
+            call new_moments(moments, parts(part), a/parts(part)%unit, 4*n + 4, 6*n, 6*n, &
                              is_fine(parts(part), a/parts(part)%unit, n), error)
             if (allocated(error)) return
             call interaction_matrix(moments, h)

@@ -24,6 +24,8 @@ module mdrcontact_layered_solve
     !> From this size on LAPACK factorizes: beyond a/h of some thousands. Below it a BLAS with threads of its own would start them
     !> for microseconds of work, which costs many times that where the processors are busy.
     integer, parameter :: large = 300
+    !> Moments of a fine kernel beyond this part of the highest order do not show in numbers that depend on them by squares.
+    real(wp), parameter :: needed = 0.6_wp
     !> What the estimate is multiplied by: it has been seen too small by a factor 2.
     real(wp), parameter :: safety = 4.0_wp
     !> Rounding of the kernel and its moments, with some to spare.
@@ -149,7 +151,7 @@ contains
         sides = merge(3, 2, present(profile))
         solution%unknowns = n
         solved = .false.
-        call new_moments(moments, kernel, a/kernel%unit, nodes, 2*(m + n), fine, error)
+        call new_moments(moments, kernel, a/kernel%unit, nodes, ceiling(needed*2*(m + n)), 2*(m + n), fine, error)
         if (allocated(error)) return
         allocate (h(m, n), stat=status)
         call check_memory(error, status)
