@@ -8,7 +8,8 @@ module mdrcontact_field_body_field
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_error, only: error_t
-    use mdrcontact_field_interior, only: components, distinct, interior_field
+    use mdrcontact_field_interior, only: components, interior_field
+    use mdrcontact_field_lattice, only: distinct
     use mdrcontact_field_load, only: load_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)

@@ -16,8 +16,8 @@ module mdrcontact_field_hankel
     private
     public :: hankel_t, new_hankel, depth_t, add_point, add_grid
 
-    !> Wavenumbers and radii that are worked on together.
-    integer, parameter :: slab = 256, radii = 25
+    !> Wavenumbers, radii and depths that are worked on together. OpenBLAS starts threads from products of 2^18 on.
+    integer, parameter :: slab = 256, radii = 25, together = 40
 
     !> How the state at a depth is integrated.
     type :: depth_t
@@ -46,7 +46,7 @@ module mdrcontact_field_hankel
         type(depth_t), pointer :: depths(:) => null()
         real(wp), pointer :: r(:) => null(), sums(:, :, :) => null()
         integer, pointer :: place(:) => null()
-        !> (node, sum, depth in the order of `place`)
+        !> (node, depth in the order of `place`, sum)
         real(wp), allocatable :: columns(:, :, :)
         integer :: first = 0, last = 0, active = 0
         logical :: is_bessel = .false.
@@ -205,7 +205,7 @@ contains
         call sort_descending(depths%last, place)
         grid%place => place
         waves = wave_count(self, depths(place(1)))
-        allocate (grid%columns(slab, size(sums, 2), size(depths)))
+        allocate (grid%columns(slab, size(depths), size(sums, 2)))
         do first = 1, waves, slab
             grid%first = first
             grid%last = min(first + slab - 1, waves)
@@ -232,57 +232,65 @@ contains
             do i = first, last
                 associate (depth => self%depths(self%place(i)))
                     n = min(wave_count(self%hankel, depth), self%last) - self%first + 1
-                    self%columns(n + 1:, :, i) = 0.0_wp
-                    call weighted_state(self%hankel, depth, self%first, self%first + n - 1, self%columns(:n, :, i))
+                    self%columns(n + 1:, i, :) = 0.0_wp
+                    call weighted_state(self%hankel, depth, self%first, self%first + n - 1, self%columns(:n, i, :))
                 end associate
             end do
         end if
     end subroutine grid_work
 
-    !> The radii from first to last of a slab: one product of matrices for every order of the Bessel functions.
+    !> The radii from first to last of a slab: products of matrices for every sum, so small that no BLAS starts threads for them.
     subroutine multiply(self, first, last)
         class(grid_t), intent(inout) :: self
         integer, intent(in) :: first, last
+        real(wp) :: product(radii, together)
         real(wp), allocatable :: j(:, :, :)
-        integer :: i, order, n, m, low, high, group(0:2)
+        integer :: i, n, m, deep, count, place, order, group(0:2)
 
         n = self%last - self%first + 1
         m = last - first + 1
         group = groups(self%hankel)
-        allocate (j(n, 0:2, m))
+        allocate (j(n, m, 0:2))
         do i = 1, m
-            call bessel_table(self%hankel, self%r(first + i - 1), self%first, self%last, j(:, :, i))
+            call bessel_table(self%hankel, self%r(first + i - 1), self%first, self%last, j(:, i, :))
         end do
-        high = 0
+        place = 0
         do order = 0, 2
-            if (group(order) == 0) cycle
-            low = high + 1
-            high = high + group(order)
-            call add_product(self%hankel%along_surface .and. order == 2, j(:, order, :), self%columns(:n, low:high, :self%active), &
-                             self%r(first:last), self%place(:self%active), self%sums(first:last, low:high, :))
+            do i = 1, group(order)
+                place = place + 1
+                if (place == shear_sums) call times_square(self%r(first:last), j(:, :, order))
+                do deep = 1, self%active, together
+                    count = min(together, self%active - deep + 1)
+                    call dgemm("T", "N", m, count, n, 1.0_wp, j(1, 1, order), n, self%columns(1, deep, place), slab, 0.0_wp, &
+                               product, radii)
+                    call add_product(product(:m, :count), self%place(deep:deep + count - 1), self%sums(first:last, place, :))
+                end do
+            end do
         end do
     end subroutine multiply
 
-    !> Adds the products of one order of the Bessel functions to the sums.
-    subroutine add_product(j2_itself, j, columns, r, place, sums)
-        !> whether the last sum is with J2, not J2/r^2
-        logical, intent(in) :: j2_itself
-        !> (node, radius), (node, sum, depth)
-        real(wp), intent(in) :: j(:, :), columns(:, :, :)
+    !> J2/r^2 to J2, for the last shear sum.
+    pure subroutine times_square(r, j)
         real(wp), intent(in) :: r(:)
-        !> which depth each is
-        integer, intent(in) :: place(:)
-        !> (radius, sum, depth)
-        real(wp), intent(inout) :: sums(:, :, :)
-        real(wp), allocatable :: product(:, :, :)
+        !> (node, radius)
+        real(wp), intent(inout) :: j(:, :)
         integer :: i
 
-        allocate (product(size(j, 2), size(columns, 2), size(columns, 3)))
-        call dgemm("T", "N", size(j, 2), size(columns, 2)*size(columns, 3), size(j, 1), 1.0_wp, j, size(j, 1), &
-                   columns, size(columns, 1), 0.0_wp, product, size(j, 2))
+        do i = 1, size(r)
+            j(:, i) = j(:, i)*r(i)**2
+        end do
+    end subroutine times_square
+
+    pure subroutine add_product(product, place, sums)
+        real(wp), intent(in) :: product(:, :)
+        !> which depth each column is
+        integer, intent(in) :: place(:)
+        !> (radius, depth)
+        real(wp), intent(inout) :: sums(:, :)
+        integer :: i
+
         do i = 1, size(place)
-            if (j2_itself) product(:, size(columns, 2), i) = product(:, size(columns, 2), i)*r**2
-            sums(:, :, place(i)) = sums(:, :, place(i)) + product(:, :, i)
+            sums(:, place(i)) = sums(:, place(i)) + product(:, i)
         end do
     end subroutine add_product
 

@@ -4,21 +4,20 @@
 !> In the surface layer: the closed field of a half-space of its material, and the Hankel integral of what the layers below
 !> add; deeper: the Hankel integral of the whole state. z >= 0 points into the body, tension is positive.
 module mdrcontact_field_interior
-    use, intrinsic :: iso_c_binding, only: c_size_t
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_error, only: check_not_negative, error_domain, error_t, raise, to_text
     use mdrcontact_field_half_space, only: add_normal_sums, add_shear_sums, half_space_rule_t, new_half_space_rule, normal_sums, &
                                            shear_sums
     use mdrcontact_field_hankel, only: add_grid, add_point, depth_t, hankel_t, new_hankel
+    use mdrcontact_field_lattice, only: distinct_among, lattice_t, new_lattice
     use mdrcontact_field_load, only: load_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_field_waves, only: faded
-    use mdrcontact_gsl, only: gsl_sort_index
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: interior_field, distinct, components
+    public :: interior_field, components
     public :: u_r, u_t, u_z, s_rr, s_tt, s_zz, s_rz, s_rt, s_tz
 
     !> The components by their place in a result.
@@ -68,8 +67,8 @@ contains
         type(depth_t), allocatable :: depths(:)
         type(layers_t) :: scaled
         real(wp), allocatable :: radii(:), sums(:, :)
+        type(lattice_t) :: lattice
         integer :: team
-        logical :: is_grid
 
         team = 1
         if (present(threads)) team = threads
@@ -78,17 +77,17 @@ contains
         scaled = layers
         scaled%thickness = layers%thickness/load%radius
         allocate (radii, source=r/load%radius)
-        is_grid = forms_grid(r, z)
-        call set_depths(layers, z, below, load%radius, is_grid, depths)
+        call new_lattice(lattice, r, z)
+        call set_depths(layers, z, below, load%radius, lattice%is_grid, depths)
         allocate (sums(normal_sums, size(r)))
-        call find_sums(load, scaled, .false., is_grid, radii, depths, sums, team, error)
+        call find_sums(load, scaled, .false., lattice, radii, depths, sums, team, error)
         if (allocated(error)) return
         call normal_components(layers, depths, radii, load%radius, sums, field)
         if (present(friction)) then
             if (friction /= 0.0_wp) then
                 deallocate (sums)
                 allocate (sums(shear_sums, size(r)))
-                call find_sums(load, scaled, .true., is_grid, radii, depths, sums, team, error)
+                call find_sums(load, scaled, .true., lattice, radii, depths, sums, team, error)
                 if (allocated(error)) return
                 if (present(angle)) then
                     call add_shear_components(layers, depths, radii, load%radius, sums, friction, angle, field)
@@ -123,18 +122,6 @@ contains
         end do
     end subroutine check_points
 
-    !> Whether a product of matrices over the distinct radii and depths does less than sums at every point.
-    function forms_grid(r, z) result(answer)
-        real(wp), intent(in) :: r(:), z(:)
-        logical :: answer
-        integer :: which(size(r))
-        integer, allocatable :: first_r(:), first_z(:)
-
-        call distinct(r, first_r, which)
-        call distinct(z, first_z, which)
-        answer = real(size(first_r), wp)*real(size(first_z), wp) < 4.0_wp*real(size(r), wp) .and. size(first_r) > 1
-    end function forms_grid
-
     pure subroutine set_depths(layers, z, below, unit, is_grid, depths)
         type(layers_t), intent(in) :: layers
         real(wp), intent(in) :: z(:), unit
@@ -160,11 +147,12 @@ contains
     end subroutine set_depths
 
     !> The sums of all points, for a load across or along the surface.
-    subroutine find_sums(load, layers, along_surface, is_grid, r, depths, sums, threads, error)
+    subroutine find_sums(load, layers, along_surface, lattice, r, depths, sums, threads, error)
         class(load_t), intent(in), target :: load
         !> lengths in units of a
         type(layers_t), intent(in) :: layers
-        logical, intent(in) :: along_surface, is_grid
+        logical, intent(in) :: along_surface
+        type(lattice_t), intent(in) :: lattice
         real(wp), intent(in), target :: r(:)
         type(depth_t), intent(in), target :: depths(:)
         real(wp), intent(out), target :: sums(:, :)
@@ -202,8 +190,8 @@ contains
             if (allocated(error)) return
             points%hankel => hankel
             points%order = pack([(i, i=1, size(r))], chosen)
-            if (is_grid) then
-                call add_on_grid(hankel, depths, r, points%order, sums, threads, error)
+            if (lattice%is_grid) then
+                call add_on_grid(hankel, lattice, depths, r, points%order, sums, threads, error)
             else
                 call run_batch(points, size(points%order), 16, 32, threads, error)
             end if
@@ -212,8 +200,9 @@ contains
     end subroutine find_sums
 
     !> The Hankel integrals of chosen points by products of matrices over their distinct radii and depths.
-    subroutine add_on_grid(hankel, depths, r, order, sums, threads, error)
+    subroutine add_on_grid(hankel, lattice, depths, r, order, sums, threads, error)
         type(hankel_t), intent(in) :: hankel
+        type(lattice_t), intent(in) :: lattice
         type(depth_t), intent(in) :: depths(:)
         real(wp), intent(in) :: r(:)
         !> the points meant
@@ -226,8 +215,8 @@ contains
         real(wp), allocatable :: table(:, :, :)
         integer :: i
 
-        call distinct(r(order), first_r, row)
-        call distinct(depths(order)%z, first_z, column)
+        call distinct_among(lattice%row(order), first_r, row)
+        call distinct_among(lattice%column(order), first_z, column)
         allocate (table(size(first_r), size(sums, 1), size(first_z)), source=0.0_wp)
         call add_grid(hankel, depths(order(first_z)), r(order(first_r)), table, threads, error)
         if (allocated(error)) return
@@ -235,33 +224,6 @@ contains
             sums(:, order(i)) = sums(:, order(i)) + table(row(i), :, column(i))
         end do
     end subroutine add_on_grid
-
-    !> The distinct ones of some values: where each occurs first, and which one each value is.
-    subroutine distinct(values, first, which)
-        real(wp), intent(in) :: values(:)
-        integer, allocatable, intent(out) :: first(:)
-        !> same size as values
-        integer, intent(out) :: which(:)
-        integer(c_size_t) :: order(size(values))
-        integer :: i, count
-
-        allocate (first(size(values)))
-        call gsl_sort_index(order, values, 1_c_size_t, size(values, kind=c_size_t))
-        count = 0
-        do i = 1, size(values)
-            associate (here => int(order(i)) + 1)
-                if (i == 1) then
-                    count = 1
-                    first(1) = here
-                else if (values(here) > values(first(count))) then
-                    count = count + 1
-                    first(count) = here
-                end if
-                which(here) = count
-            end associate
-        end do
-        first = first(:count)
-    end subroutine distinct
 
     subroutine points_work(self, first, last, error)
         class(points_t), intent(inout) :: self

@@ -65,6 +65,7 @@ contains
         real(wp), intent(in) :: c(0:), u(:)
         real(wp) :: total(size(u))
         real(wp), dimension(size(u)) :: even, odd, rise
+        real(wp) :: over
         integer :: j
 
         total = 0.0_wp
@@ -74,8 +75,10 @@ contains
         do j = 0, ubound(c, 1)
             total = total + c(j)*rise
             rise = rise + real(4*j + 3, wp)*odd
-            even = (real(4*j + 3, wp)*u*odd - real(2*j + 1, wp)*even)/real(2*j + 2, wp)
-            odd = (real(4*j + 5, wp)*u*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
+            over = 1.0_wp/real(2*j + 2, wp)
+            even = (over*real(4*j + 3, wp))*u*odd - (over*real(2*j + 1, wp))*even
+            over = 1.0_wp/real(2*j + 3, wp)
+            odd = (over*real(4*j + 5, wp))*u*even - (over*real(2*j + 2, wp))*odd
         end do
     end function even_slope
 
