@@ -167,6 +167,9 @@ static void weights(void)
     CHECK_CLOSE(shear[0] + shear[1] + shear[2] + shear[3], i0, 1e-6);
     CHECK_CLOSE(poisson[0] + poisson[1] + poisson[2] + poisson[3], i1, 1e-6);
     CHECK_CLOSE(shear[1], shear[2], 1e-9);
+    /* lines so close to the axis that their squares are no numbers */
+    CHECK_SUCCESS(mdr_lateral_cells(0.3, 2.5e302, 0.25, 0.26, 2, lines, 2, lines, shear, poisson));
+    for (int i = 0; i < 4; i++) CHECK_TRUE(isfinite(shear[i]) && isfinite(poisson[i]));
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, falling, 2, lines, shear, poisson), MDR_EINVALID, "must ascend");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, depth, top, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "z_bottom = 0");
     CHECK_STATUS(mdr_lateral_cells(0.3, -1.0, top, depth, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "a = -1");

@@ -57,7 +57,8 @@ contains
         end do
     end subroutine cell_weights
 
-    !> int D dtheta along the line at distance c from the axis, from v = low to high, where dtheta = c dv/(c^2 + v^2).
+    !> int D dtheta along the line at distance c from the axis, from v = low to high, where dtheta = c dv/(c^2 + v^2), which has no
+    !> squares as dv/(c + v (v/c)).
     pure recursive subroutine edge_integral(slab, c, low, high, panel, integral, depth)
         type(slab_t), intent(in) :: slab
         real(wp), intent(in) :: c, low, high
@@ -79,7 +80,7 @@ contains
             do i = -1, 1, 2
                 v = centre + 0.5_wp*i*length*outer2
                 call outside(slab, hypot(c, v), panel, weights)
-                integral = integral + weights*(0.5_wp*length*c/(c**2 + v**2))
+                integral = integral + weights*(0.5_wp*length/(c + v*(v/c)))
             end do
             return
         end if
@@ -93,7 +94,7 @@ contains
         do i = 1, 4
             v = centre + 0.5_wp*length*node4(i)
             call outside(slab, hypot(c, v), panel, weights)
-            integral = integral + weights*(0.5_wp*length*weight4(i)*c/(c**2 + v**2))
+            integral = integral + weights*(0.5_wp*length*weight4(i)/(c + v*(v/c)))
         end do
     end subroutine edge_integral
 

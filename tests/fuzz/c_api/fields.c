@@ -29,5 +29,5 @@ void fuzz_fields(world *w)
         r[1] = 0.0;
     }
     fill(out);
-    judge("mdr_contact_field", mdr_contact_field(contact, 1 + which % 3, &state, n, r, out), n, out, NOT_NAN);
+    judge("mdr_contact_field", mdr_contact_field(contact, 1 + (take_chance(&w->in) ? 3 + which % 2 : which % 3), &state, n, r, out), n, out, NOT_NAN);
 }

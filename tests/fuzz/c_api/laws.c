@@ -73,6 +73,26 @@ static void evaluate(world *w)
     judge("mdr_law_from_force", status, n, s, NOT_NEGATIVE);
 }
 
+/* The law of another radius, and the work done on the way. */
+static void derive(world *w)
+{
+    const mdr_law *law = some_law(w);
+    const int n = take_count(&w->in), branch = take_code(&w->in, 2);
+    mdr_law *other = NULL;
+    double x[MOST_POINTS], U[MOST_POINTS];
+    int status;
+
+    take_numbers(&w->in, x);
+    fill(U);
+    status = mdr_law_energy(law, branch, n, x, U);
+    judge("mdr_law_energy", status, n, U, FINITE);
+    status = mdr_law_with_radius(law, take_positive(&w->in), &other);
+    judge_object("mdr_law_with_radius", status, other);
+    fill(U);
+    if (other) judge("mdr_law_energy", mdr_law_energy(other, branch, n, x, U), n, U, FINITE);
+    mdr_law_free(&other);
+}
+
 /* What was written is read again, byte for byte. */
 static void write_and_read(world *w)
 {
@@ -100,6 +120,6 @@ void fuzz_laws(world *w)
     switch (take_byte(&w->in) % 3) {
     case 0: make(w); break;
     case 1: evaluate(w); break;
-    default: write_and_read(w); break;
+    default: take_byte(&w->in) % 8 ? write_and_read(w) : derive(w); break;
     }
 }

@@ -65,5 +65,7 @@ void fuzz_laws(world *w);
 void fuzz_structures(world *w);
 void fuzz_fits(world *w);
 void fuzz_formulas(world *w);
+void fuzz_inside(world *w);
+void fuzz_friction(world *w);
 
 #endif

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "world.h"
+
+#include <math.h>
+#include <stddef.h>
+
+enum { PRICE_OF_INSIDE = 8, PRICE_OF_EXACT_INSIDE = 20 };
+
+/* A state of the contact, or seldom none. */
+static mdr_state some_state(world *w, const mdr_contact *contact)
+{
+    const double at = take_positive(&w->in);
+    mdr_state state = {at, at, at, at, 0.0};
+    if (mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &at, &state) != MDR_SUCCESS && take_chance(&w->in)) {
+        state.radius = take_number(&w->in);
+        state.excess = take_number(&w->in);
+    }
+    return state;
+}
+
+/* Stresses and displacements, energies, and the lowest pressure. */
+void fuzz_inside(world *w)
+{
+    const int body = take_code(&w->in, 2), side = take_code(&w->in, 2), n = take_count(&w->in);
+    const double friction = take_chance(&w->in) ? take_number(&w->in) : 0.0;
+    double r[MOST_POINTS], z[MOST_POINTS], angle[MOST_POINTS], out[MOST_POINTS];
+    double pressure[MOST_POINTS], place[MOST_POINTS];
+    mdr_interior inside[MOST_POINTS];
+    int slot, status, count = 0;
+    const mdr_contact *contact = some_contact(w, &slot);
+    mdr_state state;
+
+    take_positives(&w->in, r);
+    take_positives(&w->in, z);
+    take_numbers(&w->in, angle);
+    if (!afford(w, w->contact_is_exact[slot] ? PRICE_OF_EXACT_INSIDE : PRICE_OF_INSIDE)) return;
+    state = some_state(w, contact);
+    if (take_chance(&w->in)) {
+        for (int i = 0; i < MOST_POINTS; i++) r[i] = state.radius * fmod(r[i], 3.0), z[i] = state.radius * fmod(z[i], 3.0);
+    }
+    status = mdr_contact_interior(contact, body, &state, side, friction, n, r, z, take_chance(&w->in) ? angle : NULL, inside);
+    judge_status("mdr_contact_interior", status);
+    for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
+        if (isnan(inside[i].u_z + inside[i].u_r)) finding("mdr_contact_interior", "success with NaN", i);
+        if (isnan(inside[i].s_zz) || isnan(inside[i].s_rz)) finding("mdr_contact_interior", "success with NaN", i);
+    }
+    fill(out);
+    status = mdr_contact_layer_energies(contact, body, &state, MOST_POINTS, out, &count);
+    judge("mdr_contact_layer_energies", status, count < MOST_POINTS ? count : MOST_POINTS, out, FINITE);
+    fill(pressure), fill(place);
+    status = mdr_contact_energy(contact, &state, pressure, place);
+    judge("mdr_contact_energy", status, 1, pressure, FINITE);
+    judge("mdr_contact_energy", status, 1, place, FINITE);
+    fill(pressure), fill(place);
+    status = mdr_contact_lowest_pressure(contact, &state, pressure, place);
+    judge("mdr_contact_lowest_pressure", status, 1, pressure, FINITE);
+    judge("mdr_contact_lowest_pressure", status, 1, place, NOT_NEGATIVE);
+}
+
+/* Partial slip: states, a loop, a path. */
+void fuzz_friction(world *w)
+{
+    enum { MEMBERS = 6 };
+    const double coefficient = take_chance(&w->in) ? take_positive(&w->in) : 0.3;
+    const int given = take_code(&w->in, 2), normal = take_code(&w->in, 2), n = take_count(&w->in);
+    double in[MOST_POINTS], path[MOST_POINTS], out[MOST_POINTS], other[MOST_POINTS], lost[MOST_POINTS];
+    mdr_tangential_state found[MOST_POINTS];
+    mdr_state states[MOST_POINTS], state;
+    mdr_friction *f = NULL;
+    mdr_friction_history *h = NULL;
+    int slot, status;
+    const mdr_contact *contact = some_contact(w, &slot);
+
+    take_numbers(&w->in, in);
+    take_positives(&w->in, path);
+    if (!afford(w, w->contact_is_exact[slot] ? PRICE_OF_EXACT_INSIDE : PRICE_OF_INSIDE)) return;
+    status = mdr_friction_new(contact, coefficient, &f);
+    judge_object("mdr_friction_new", status, f);
+    if (!f) return;
+    state = some_state(w, contact);
+    status = mdr_friction_states(f, &state, given, n, in, found);
+    judge_status("mdr_friction_states", status);
+    for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
+        const double numbers[MEMBERS] = {found[i].shift, found[i].tangential_force, found[i].stick_radius, found[i].stiffness,
+                                         found[i].dissipated_energy, found[i].sliding};
+        for (int k = 0; k < MEMBERS; k++) if (!isfinite(numbers[k])) finding("mdr_friction_states", "no number", k);
+    }
+    if (status == MDR_SUCCESS && n > 0) {
+        fill(out);
+        status = mdr_friction_field(f, &state, found, take_code(&w->in, 2), n, path, out);
+        judge("mdr_friction_field", status, n, out, NOT_NAN);
+    }
+    fill(out), fill(other), fill(lost);
+    status = mdr_friction_sliding(f, &state, out, other);
+    judge("mdr_friction_sliding", status, 1, out, NOT_NEGATIVE);
+    judge("mdr_friction_sliding", status, 1, other, NOT_NEGATIVE);
+    fill(out), fill(other);
+    status = mdr_friction_loop(f, &state, given, path[0], n, out, other, lost);
+    judge("mdr_friction_loop", status, n, out, FINITE);
+    judge("mdr_friction_loop", status, n, other, FINITE);
+    judge("mdr_friction_loop", status, 1, lost, NOT_NEGATIVE);
+    status = mdr_friction_history_new(f, &h);
+    judge_object("mdr_friction_history_new", status, h);
+    if (h) judge_status("mdr_friction_history_advance", mdr_friction_history_advance(h, normal, given, n, path, in, states, found));
+    judge_status("mdr_friction_history_free", mdr_friction_history_free(&h));
+    judge_status("mdr_friction_free", mdr_friction_free(&f));
+}
