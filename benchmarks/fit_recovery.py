@@ -10,6 +10,10 @@ Run: python benchmarks/fit_recovery.py [--repetitions 200] [--lag 0.9] [--area-s
 
 from __future__ import annotations
 
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before any library is loaded
+
 import argparse
 import itertools
 import time

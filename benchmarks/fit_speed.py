@@ -8,6 +8,10 @@ in closed form, and under a sphere, where it is the root of g(a) = d. Run: pytho
 
 from __future__ import annotations
 
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before any library is loaded
+
 import math
 import time
 from collections.abc import Callable

@@ -28,6 +28,7 @@ typedef struct mdr_law_view {
     uint64_t mask, half;    /**< These bits of y, and the bit of the panel's middle. */
     const double *force;    /**< [8] for each panel: F in powers of y less the middle. */
     const double *contact;  /**< [16] for each panel: a and k likewise. */
+    const double *energy;   /**< For each panel: U in its middle. */
     const mdr_law *law;     /**< Asked everywhere else. */
     int branch;             /**< The same; one of enum mdr_branch. */
     int shift;              /**< Of the bits, to give the panel. */
@@ -105,6 +106,29 @@ static inline int mdr_law_view_force_slope(const mdr_law_view *view, double d, d
         return MDR_SUCCESS;
     }
     return mdr_law_force(view->law, view->branch, d, F, slope);
+}
+
+/** All of the state at one depth, as mdr_law_at_depth().
+ *  @param view   view of a law
+ *  @param d      indentation depth [length]
+ *  @param point  receives the state */
+static inline int mdr_law_view_state(const mdr_law_view *view, double d, mdr_law_point *point)
+{
+    if (d >= view->lowest && d <= view->highest) {
+        double t, rate, work = 0.0;
+        const uint64_t panel = mdr_law_panel(view, view->scale * d + view->offset, &t);
+        const double *const c = view->force + 8 * panel, *const a_and_k = view->contact + 16 * panel;
+        point->depth = d;
+        point->force = mdr_law_polynomial_with_slope(c, t, &rate);
+        point->slope = view->scale * rate;
+        point->radius = mdr_law_polynomial(a_and_k, t);
+        point->stiffness = mdr_law_polynomial(a_and_k + 8, t);
+        for (int i = 7; i >= 0; --i) work = work * t + c[i] * (1.0 / (i + 1)); /* of F from the middle to t */
+        point->energy = view->energy[panel] + work * t / view->scale;
+        point->beyond = 0.0;
+        return MDR_SUCCESS;
+    }
+    return mdr_law_at_depth(view->law, view->branch, d, point);
 }
 
 #ifdef __cplusplus

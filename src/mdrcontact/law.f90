@@ -19,11 +19,11 @@ module mdrcontact_law
                                 error_t, error_unreachable, raise, raise_at, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
-    use mdrcontact_law_evaluate, only: count_within, energy_at, point_at, run_points
+    use mdrcontact_law_evaluate, only: count_within, energy_at, point_at, point_in, run_points
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial, polynomial_with_slope
     use mdrcontact_law_segments, only: compile_segments, fold_margin
     use mdrcontact_law_table, only: below_range, interval_for, interval_in, law_table_t, no_contact, scale_table, segment_for, &
-                                    values_below, values_in
+                                    values_in
     use mdrcontact_law_verify, only: largest_error
     use mdrcontact_profile_power_law, only: power_law_t
     implicit none (type, external)
@@ -282,16 +282,17 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> on_loading or on_unloading (default)
         integer, intent(in), optional :: branch
-        integer :: way
+        integer :: way, interval
 
         way = on_unloading
         if (present(branch)) way = branch
         call check_branch(error, way)
         call check_below(error, "depth", depth, self%by_depth)
         if (allocated(error)) return
+        interval = interval_for(self%by_depth, way, min(depth, self%by_depth%highest))
         point%depth = depth
-        call point_at(self%by_depth, way, depth, point%force, point%slope, point%radius, point%stiffness)
-        call add_energy(self, interval_for(self%by_depth, way, min(depth, self%by_depth%highest)), point)
+        call point_in(self%by_depth, interval, depth, point%force, point%slope, point%radius, point%stiffness)
+        call add_energy(self, interval, point)
     end subroutine at_depth
 
     !> The state under force F: there is one at every force down to 0, with adhesion down to pull-off on unloading.
@@ -562,13 +563,8 @@ contains
         point%depth = depth
         if (segment == 0) return
         interval = below_range
-        if (within >= self%by_depth%lowest) then
-            interval = interval_in(self%by_depth, segment, within)
-            call values_in(self%by_depth, interval, within, point%force, point%slope, point%radius, point%stiffness)
-            point%force = point%force + point%slope*(depth - within)
-        else
-            call values_below(self%by_depth, depth, point%force, point%slope, point%radius, point%stiffness)
-        end if
+        if (within >= self%by_depth%lowest) interval = interval_in(self%by_depth, segment, within)
+        call point_in(self%by_depth, interval, depth, point%force, point%slope, point%radius, point%stiffness)
         call add_energy(self, interval, point)
     end subroutine follow
 

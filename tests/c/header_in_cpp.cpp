@@ -6,8 +6,10 @@ int main()
 {
     mdr_profile *p = nullptr;
     if (mdr_profile_paraboloid(1.0, &p) != MDR_SUCCESS || mdr_profile_free(&p) != MDR_SUCCESS) return 1;
-    mdr_law_view view = {1.0, -1.0, 0.0, 0.0, 0, 0, nullptr, nullptr, nullptr, MDR_ON_UNLOADING, 0};
+    mdr_law_view view = {1.0, -1.0, 0.0, 0.0, 0, 0, nullptr, nullptr, nullptr, nullptr, MDR_ON_UNLOADING, 0};
     double F, slope;
     if (mdr_law_view_force(&view, 0.5, &F) != MDR_ENULL || mdr_law_view_force_slope(&view, 0.5, &F, &slope) != MDR_ENULL) return 1;
+    mdr_law_point point;
+    if (mdr_law_view_state(&view, 0.5, &point) != MDR_ENULL) return 1;
     return p == nullptr ? 0 : 1;
 }

@@ -64,7 +64,12 @@ static void test_bits(double work_of_adhesion, double flat, int branch)
     CHECK_INT(differences(law, branch, d, F, slope, a, k), 0);
     CHECK_INT(memcmp(F, only_F, sizeof F) + memcmp(F, also_F, sizeof F) + memcmp(slope, also_slope, sizeof F), 0);
     for (int i = 0; i < N; ++i) {
-        double one, other, rise, external;
+        double one, other, rise, external, U;
+        mdr_law_point state, point;
+        CHECK_SUCCESS(mdr_law_view_state(&view, d[i], &state));
+        CHECK_SUCCESS(mdr_law_at_depth(law, branch, d[i], &point));
+        CHECK_SUCCESS(mdr_law_energy(law, branch, 1, &d[i], &U));
+        CHECK_TRUE(memcmp(&state, &point, sizeof state) == 0 && same(state.energy, U));
         CHECK_SUCCESS(mdr_law_view_force(&view, d[i], &one));
         CHECK_SUCCESS(mdr_law_view_force_slope(&view, d[i], &other, &rise));
         CHECK_SUCCESS(mdr_law_force(law, branch, d[i], &external, NULL));
@@ -74,6 +79,7 @@ static void test_bits(double work_of_adhesion, double flat, int branch)
     CHECK_TRUE(work_of_adhesion > 0.0 ? inside == 0 : inside > N / 3);
     CHECK_INT(mdr_law_view_force(&view, 2.0, &F[0]), MDR_EDOMAIN);
     CHECK_INT(mdr_law_view_force_slope(&view, NAN, &F[0], &slope[0]), MDR_EINVALID);
+    CHECK_STATUS(mdr_law_view_state(&view, NAN, &(mdr_law_point){0}), MDR_EINVALID, "depth = NaN");
     CHECK_SUCCESS(mdr_law_free(&law));
 }
 

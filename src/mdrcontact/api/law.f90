@@ -12,8 +12,8 @@ module mdrcontact_api_law
     use mdrcontact_law_evaluate, only: law_view_t, view_of
     implicit none (type, external)
     private
-    public :: mdr_law_options_init, mdr_law_new, mdr_law_with_radius, mdrcontact_law_force, mdr_law_view_of, mdr_law_at_depth, &
-              mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_text
+    public :: mdr_law_options_init, mdr_law_new, mdr_law_with_radius, mdrcontact_law_force, mdrcontact_law_at_depth, &
+              mdr_law_view_of, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_text
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
@@ -124,6 +124,24 @@ contains
         if (present(slope)) slope = point%slope
     end function mdrcontact_law_force
 
+    !> The same.
+    function mdrcontact_law_at_depth(law, branch, d, point) result(status) bind(C)
+        type(c_ptr), value :: law
+        integer(c_int), value :: branch
+        real(c_double), value :: d
+        type(law_point_t), intent(inout), optional :: point
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        type(law_point_t) :: found
+        type(error_t), allocatable :: error
+
+        call open_handle(law, "law", inside, error)
+        call check_given(error, "point", present(point))
+        if (.not. allocated(error)) call inside%at_depth(d, found, error, int(branch))
+        status = status_of(error)
+        if (.not. allocated(error)) point = found
+    end function mdrcontact_law_at_depth
+
     function mdr_law_view_of(law, branch, view) result(status) bind(C)
         type(c_ptr), value :: law
         integer(c_int), value :: branch
@@ -141,23 +159,6 @@ contains
         view%law = law
         view%branch = branch
     end function mdr_law_view_of
-
-    function mdr_law_at_depth(law, branch, d, point) result(status) bind(C)
-        type(c_ptr), value :: law
-        integer(c_int), value :: branch
-        real(c_double), value :: d
-        type(law_point_t), intent(inout), optional :: point
-        integer(c_int) :: status
-        type(contact_law_t), pointer :: inside
-        type(law_point_t) :: found
-        type(error_t), allocatable :: error
-
-        call open_handle(law, "law", inside, error)
-        call check_given(error, "point", present(point))
-        if (.not. allocated(error)) call inside%at_depth(d, found, error, int(branch))
-        status = status_of(error)
-        if (.not. allocated(error)) point = found
-    end function mdr_law_at_depth
 
     function mdr_law_at_force(law, branch, f, point) result(status) bind(C)
         type(c_ptr), value :: law

@@ -14,13 +14,25 @@ typedef struct handle {
 static const int64_t live_tag = INT64_C(7239381865347100001);
 
 int mdrcontact_law_force(const mdr_law *law, int branch, double d, double *F, double *slope);
+int mdrcontact_law_at_depth(const mdr_law *law, int branch, double d, mdr_law_point *point);
+
+/* The view of a law if it has the answer, else NULL. */
+static const mdr_law_view *view_for(const mdr_law *law, int branch, double d)
+{
+    const handle *inside = (const handle *)law;
+    if (!inside || inside->tag != live_tag || !(d >= inside->view.lowest && d <= inside->view.highest)) return NULL;
+    return branch == MDR_ON_LOADING || branch == MDR_ON_UNLOADING ? &inside->view : NULL;
+}
 
 int mdr_law_force(const mdr_law *law, int branch, double d, double *F, double *slope)
 {
-    const handle *inside = (const handle *)law;
-    if (inside && inside->tag == live_tag && F && d >= inside->view.lowest && d <= inside->view.highest
-        && (branch == MDR_ON_LOADING || branch == MDR_ON_UNLOADING)) {
-        return slope ? mdr_law_view_force_slope(&inside->view, d, F, slope) : mdr_law_view_force(&inside->view, d, F);
-    }
-    return mdrcontact_law_force(law, branch, d, F, slope);
+    const mdr_law_view *view = view_for(law, branch, d);
+    if (!view || !F) return mdrcontact_law_force(law, branch, d, F, slope);
+    return slope ? mdr_law_view_force_slope(view, d, F, slope) : mdr_law_view_force(view, d, F);
+}
+
+int mdr_law_at_depth(const mdr_law *law, int branch, double d, mdr_law_point *point)
+{
+    const mdr_law_view *view = view_for(law, branch, d);
+    return view && point ? mdr_law_view_state(view, d, point) : mdrcontact_law_at_depth(law, branch, d, point);
 }

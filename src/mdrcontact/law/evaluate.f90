@@ -7,11 +7,11 @@ module mdrcontact_law_evaluate
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_interval, only: shift_of
-    use mdrcontact_law_table, only: below_range, energy_below, energy_in, interval_for, law_table_t, no_contact, value_in, &
-                                    values_below, values_in
+    use mdrcontact_law_table, only: below_range, energy_below, energy_in, interval_for, law_table_t, no_contact, values_below, &
+                                    values_in
     implicit none (type, external)
     private
-    public :: law_view_t, view_of, value_at, point_at, energy_at, run_points, count_within
+    public :: law_view_t, view_of, point_at, point_in, energy_at, run_points, count_within
 
     !> struct mdr_law_view of include/mdrcontact_law.h: the interval of a table in which nothing has to be looked for.
     type, bind(C) :: law_view_t
@@ -20,8 +20,8 @@ module mdrcontact_law_evaluate
         real(c_double) :: scale = 0.0_c_double, offset = 0.0_c_double
         !> bits of y that number the panel, and the bit of its middle
         integer(c_int64_t) :: mask = 0_c_int64_t, half = 0_c_int64_t
-        !> first coefficients of F or d, and of a and k
-        type(c_ptr) :: force = c_null_ptr, contact = c_null_ptr
+        !> first coefficients of F or d, and of a and k; first energy, by depth
+        type(c_ptr) :: force = c_null_ptr, contact = c_null_ptr, energy = c_null_ptr
         !> whom to ask outside
         type(c_ptr) :: law = c_null_ptr
         integer(c_int) :: branch = on_unloading, shift = 0_c_int
@@ -70,36 +70,29 @@ contains
         view%mask = not(2_c_int64_t*view%half - 1_c_int64_t)
         view%force = c_loc(table%other(1)%c)
         view%contact = c_loc(table%contact(1)%radius%c)
+        if (allocated(table%energy)) view%energy = c_loc(table%energy)
     end function view_of
 
-    !> F(d) or d(F) at finite s, which is at most the highest unless the table is continued; 0 where the bodies are apart.
-    pure function value_at(table, branch, s) result(value)
-        type(law_table_t), intent(in) :: table
-        integer, intent(in) :: branch
-        real(wp), intent(in) :: s
-        real(wp) :: value
-        real(wp) :: slope, radius, stiffness
-        integer :: interval
-
-        interval = interval_for(table, branch, s)
-        if (interval > 0) then
-            value = value_in(table, interval, s)
-        else
-            call point_at(table, branch, s, value, slope, radius, stiffness)
-        end if
-    end function value_at
-
-    !> F or d, its slope, a and k; all 0 where the bodies are apart. Beyond the range a and k are those at its end.
+    !> F or d, its slope, a and k at finite s, which is at most the highest unless the table is continued; all 0 where the bodies are
+    !> apart. Beyond the range a and k are those at its end.
     pure subroutine point_at(table, branch, s, other, slope, radius, stiffness)
         type(law_table_t), intent(in) :: table
         integer, intent(in) :: branch
         real(wp), intent(in) :: s
         real(wp), intent(out) :: other, slope, radius, stiffness
+
+        call point_in(table, interval_for(table, branch, min(s, table%highest)), s, other, slope, radius, stiffness)
+    end subroutine point_at
+
+    !> point_at where the interval is known, as interval_for says at the lesser of s and the highest.
+    pure subroutine point_in(table, interval, s, other, slope, radius, stiffness)
+        type(law_table_t), intent(in) :: table
+        integer, intent(in) :: interval
+        real(wp), intent(in) :: s
+        real(wp), intent(out) :: other, slope, radius, stiffness
         real(wp) :: within
-        integer :: interval
 
         within = min(s, table%highest)
-        interval = interval_for(table, branch, within)
         if (interval > 0) then
             call values_in(table, interval, within, other, slope, radius, stiffness)
             if (s > within) other = other + slope*(s - within)
@@ -111,7 +104,7 @@ contains
             radius = 0.0_wp
             stiffness = 0.0_wp
         end if
-    end subroutine point_at
+    end subroutine point_in
 
     !> int F dd along the branch, from first touch or, with adhesion, from pull-off; 0 where the bodies are apart.
     pure function energy_at(table, interval, s) result(energy)
@@ -146,6 +139,7 @@ contains
         type(points_t) :: points
         type(error_t), allocatable :: unused
 
+        points%is_quick = .true.
         points%table => table
         points%view = view_of(table)
         points%branch = branch

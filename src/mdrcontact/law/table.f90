@@ -10,7 +10,7 @@ module mdrcontact_law_table
     private
     public :: contact_rows_t, law_table_t, table_segment_t
     public :: interval_for, segment_for, interval_in, below_range, no_contact
-    public :: value_in, values_in, values_below, energy_in, energy_below, find_direct, add_energies, scale_table
+    public :: values_in, values_below, energy_in, energy_below, find_direct, add_energies, scale_table
 
     !> What interval_for says where there is no interval: below the compiled range of a contact without adhesion; open.
     integer, parameter :: below_range = -1, no_contact = 0
@@ -113,18 +113,6 @@ contains
         end do
         interval = low
     end function interval_in
-
-    !> F(d) or d(F) in an interval.
-    pure function value_in(self, interval, s) result(value)
-        type(law_table_t), intent(in) :: self
-        integer, intent(in) :: interval
-        real(wp), intent(in) :: s
-        real(wp) :: value
-        type(place_t) :: place
-
-        place = interval_place(self%intervals(interval), s)
-        value = polynomial(self%other(place%panel)%c, place%t)
-    end function value_in
 
     !> F or d, its derivative with respect to s along the branch, a and k in an interval.
     pure subroutine values_in(self, interval, s, other, slope, radius, stiffness)
