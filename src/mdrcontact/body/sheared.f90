@@ -12,14 +12,14 @@ module mdrcontact_body_sheared
     use mdrcontact_material, only: material_t
     implicit none (type, external)
     private
-    public :: sheared_body_t, new_sheared_body, new_twisted_body
+    public :: sheared_body_t, new_sheared_body
 
     !> Another body under shear.
     type, extends(body_t) :: sheared_body_t
         private
         class(body_t), allocatable :: body
         !> parts of chi_L and chi_T in the response, together 1
-        real(wp) :: in_plane_part = 0.0_wp, anti_plane_part = 1.0_wp
+        real(wp) :: in_plane_part = 0.0_wp, anti_plane_part = 0.0_wp
         real(wp) :: modulus = 0.0_wp
     contains
         procedure :: response
@@ -51,17 +51,6 @@ contains
         self%modulus = surface%tangential()
     end subroutine new_sheared_body
 
-    !> The body under a traction around an axis: chi_T alone, and 4 G0 in place of the modulus.
-    subroutine new_twisted_body(self, body)
-        type(sheared_body_t), intent(out) :: self
-        class(body_t), intent(in) :: body
-        type(material_t) :: surface
-
-        surface = body%surface_material()
-        allocate (self%body, source=body)
-        self%modulus = 4.0_wp*surface%shear()
-    end subroutine new_twisted_body
-
     pure subroutine response(self, k, sigma, chi)
         class(sheared_body_t), intent(in) :: self
         complex(wp), intent(in) :: k
@@ -69,7 +58,6 @@ contains
         complex(wp) :: in_plane_sigma, in_plane_chi
 
         call self%body%anti_plane_response(k, sigma, chi)
-        if (self%in_plane_part <= 0.0_wp) return
         call self%body%in_plane_response(k, in_plane_sigma, in_plane_chi)
         sigma = self%in_plane_part*in_plane_sigma + self%anti_plane_part*sigma
         chi = self%in_plane_part*in_plane_chi + self%anti_plane_part*chi
