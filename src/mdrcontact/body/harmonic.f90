@@ -91,7 +91,7 @@ contains
 
         associate (unused => self)
         end associate
-        allocate (values(0))
+        values = [real(wp) ::]
     end function ratios
 
 end module mdrcontact_body_harmonic
