@@ -31,7 +31,7 @@ module mdrcontact_fit_medium_of
         !> layers of a stack, depths of a graded medium
         integer :: layers = 0
         !> what the model leaves to choose; the constant of a stack's model is among the parameters instead
-        type(model_options_t) :: options
+        type(model_options_t) :: options = model_options_t()
         !> the finished medium for medium_given
         class(medium_t), allocatable :: object
     end type medium_choice_t
