@@ -59,14 +59,16 @@ contains
 
         reached = huge(reached)
         n = ceiling(1.5_wp*first_unknowns(kernel, tolerance, a/kernel%unit, is_kinked=.false., to_edge=.false.))
-        do while (n <= most_unknowns)
+        n = min(n, most_unknowns)
+        do
             call check_cancelled(error)
             if (allocated(error)) return
             call expand(self, kernel, profile, a, excess, n, reached, solved, error)
             if (allocated(error)) return
             if (.not. solved) exit
             if (reached <= tolerance) return
-            n = next_unknowns(n, reached/tolerance)
+            if (n >= most_unknowns) exit
+            n = min(next_unknowns(n, reached/tolerance), most_unknowns)
         end do
         call raise(error, error_no_convergence, "the fields of the exact layered medium did not reach the relative tolerance "// &
                    to_text(tolerance)//" at contact radius "//to_text(a)//": they reached "//to_text(reached)// &

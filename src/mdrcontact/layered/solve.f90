@@ -86,8 +86,8 @@ contains
             if (reached <= tolerance) return
             ! more unknowns do not help against rounding
             if (solution%rounding > tolerance) exit
-            n = next_unknowns(n, reached/tolerance)
-            if (n > most_unknowns) exit
+            if (n >= most_unknowns) exit
+            n = min(next_unknowns(n, reached/tolerance), most_unknowns)
         end do
         call raise(error, error_no_convergence, "the exact layered medium did not reach the relative tolerance "// &
                    to_text(tolerance)//" at contact radius "//to_text(a)//": it reached "//to_text(reached))
