@@ -690,20 +690,23 @@ int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], doub
 /** The history of a contact with a viscoelastic body: depth, radius and force along a path in time, of which one is prescribed.
  *
  *  Before the first time the bodies are apart and at rest; what is prescribed then is reached in a jump, and is linear in time in
- *  between. Exact for materials that all relax in proportion, each at a constant Poisson's ratio (a homogeneous body, layers on a
- *  rigid base), and for any homogeneous one: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest depth.
+ *  between. Materials that all relax in proportion, each at a constant Poisson's ratio (layers on a rigid base), and homogeneous
+ *  bodies follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the maximum.
+ *  Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all layers, for
+ *  materials with a glassy and a relaxed limit, indenters without a flat end and the model exact.
  *  @param c      contact
  *  @param given  one of enum mdr_given
+ *  @param tolerance  of marching, relative to the largest depth, radius and force; 1e-9 to 1e-2, 1e-5 is a good choice
  *  @param n      number of times
  *  @param time   [n] strictly ascending [time]
  *  @param in     [n] depths, < 0 where the bodies are apart [length], forces >= 0 [modulus length^2] or radii >= 0 [length]
  *  @param d      [n] or NULL: depths [length]
  *  @param a      [n] or NULL: contact radii, 0 where the bodies are apart [length]
  *  @param F      [n] or NULL: forces [modulus length^2]
- *  @return MDR_EINVALID also for elastic bodies, and for histories that are not covered: a contact that shrinks under a prescribed
- *          force or radius, or that shrinks and grows again; MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
-int mdr_contact_history(const mdr_contact *c, int given, int n, const double time[], const double in[], double d[], double a[],
-                        double F[]);
+ *  @return MDR_EINVALID also for elastic bodies, for what can be marched only and is not offered, and where a contact that grows
+ *          again would not be one disc; MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_contact_history(const mdr_contact *c, int given, double tolerance, int n, const double time[], const double in[],
+                        double d[], double a[], double F[]);
 
 /** The dynamic stiffness k* = k' + i k'' of a contact with a viscoelastic body that oscillates by little about a contact radius; the
  *  energy lost in a cycle is pi k'' times the amplitude squared. Exact for any materials, power laws included, under the model

@@ -131,6 +131,7 @@ class Contact(Value):
         depth: ArrayLike | None = None,
         force: ArrayLike | None = None,
         radius: ArrayLike | None = None,
+        tolerance: float = 1e-5,
     ) -> History:
         """The path of a contact with a viscoelastic body in time, of which one of depth, force and radius is prescribed.
 
@@ -138,11 +139,14 @@ class Contact(Value):
         depth, force, radius : one of them, as many values; linear in time in between, the first value is reached in a jump.
             Depths may be negative where the bodies are apart
 
-        Exact for bodies whose materials relax in proportion, each at a constant Poisson's ratio (a layer on a rigid base), and for
-        homogeneous ones: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest depth. Refused
-        (InvalidArgumentError): contacts that shrink and grow again, or shrink under a prescribed force or radius.
+        tolerance : where steps in time are taken, relative to the largest depth, radius and force, 1e-9 to 1e-2
+
+        Bodies whose materials relax in proportion, each at a constant Poisson's ratio (a layer on a rigid base), and homogeneous
+        ones follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest
+        depth. Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all
+        layers, for materials with a glassy and a relaxed limit, indenters without a flat end and the model "exact".
         """
-        return history.history(self._handle.address, time, depth, force, radius)
+        return history.history(self._handle.address, time, depth, force, radius, tolerance)
 
     def dynamic_stiffness(
         self,

@@ -43,7 +43,9 @@ class History(NamedTuple):
 _GIVEN = {"depth": _layout.GIVEN_DEPTH, "force": _layout.GIVEN_FORCE, "radius": _layout.GIVEN_RADIUS}
 
 
-def history(contact: int, time: ArrayLike, depth: ArrayLike | None, force: ArrayLike | None, radius: ArrayLike | None) -> History:
+def history(
+    contact: int, time: ArrayLike, depth: ArrayLike | None, force: ArrayLike | None, radius: ArrayLike | None, tolerance: float
+) -> History:
     """The history of a contact's handle."""
     prescribed = {"depth": depth, "force": force, "radius": radius}
     given = [name for name, values in prescribed.items() if values is not None]
@@ -56,7 +58,7 @@ def history(contact: int, time: ArrayLike, depth: ArrayLike | None, force: Array
         )
     if not t.size:
         return History(t, t.copy(), t.copy(), t.copy())
-    status, *columns = _native.contact_history(contact, _GIVEN[given[0]], t, values)
+    status, *columns = _native.contact_history(contact, _GIVEN[given[0]], number("tolerance", tolerance), t, values)
     check(status)
     return History(t, *columns)
 

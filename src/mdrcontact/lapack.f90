@@ -4,7 +4,7 @@ module mdrcontact_lapack
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: dgemm, dgemv, dpotrf, dpotrs, dsyev
+    public :: dgels, dgemm, dgemv, dpotrf, dpotrs, dsyev
 
     interface
         !> Cholesky factor of a symmetric positive definite matrix.
@@ -35,6 +35,15 @@ module mdrcontact_lapack
             real(wp), intent(out) :: w(*)
             integer, intent(out) :: info
         end subroutine dsyev
+
+        !> Least squares for a full-rank a of m >= n rows; the solutions are the first n rows of b.
+        subroutine dgels(trans, m, n, nrhs, a, lda, b, ldb, work, lwork, info)
+            import :: wp
+            character(len=1), intent(in) :: trans
+            integer, intent(in) :: m, n, nrhs, lda, ldb, lwork
+            real(wp), intent(inout) :: a(lda, *), b(ldb, *), work(*)
+            integer, intent(out) :: info
+        end subroutine dgels
 
         !> Product of matrices, alpha A B + beta C.
         subroutine dgemm(transa, transb, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc)

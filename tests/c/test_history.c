@@ -77,24 +77,26 @@ static void test_histories(void)
     CHECK_SUCCESS(mdr_medium_viscoelastic(1, film, &h, NULL, MDR_MODEL_EXACT, NULL, &coated));
     CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &contact));
     CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &gel));
-    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, N, t, held, NULL, a, F));
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, t, held, NULL, a, F));
     for (int i = 0; i < N; i++) {
         CHECK_CLOSE(a[i], sqrt(0.5), 1e-12);
         CHECK_CLOSE(F[i], 4.0 / 3.0 * 2.0 / 0.6 * relaxation(t[i]) * pow(0.5, 1.5), 1e-11);
     }
-    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_FORCE, N, t, held, d, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_FORCE, 1e-5, N, t, held, d, NULL, NULL));
     CHECK_TRUE(d[0] < d[1] && d[1] < d[2] && d[2] < d[3]);
-    CHECK_SUCCESS(mdr_contact_history(gel, MDR_GIVEN_DEPTH, N, t, held, d, a, F));
+    CHECK_SUCCESS(mdr_contact_history(gel, MDR_GIVEN_DEPTH, 1e-5, N, t, held, d, a, F));
     for (int i = 1; i < N; i++) CHECK_CLOSE(F[i] / F[0], relaxation(t[i]) / 3.5, 1e-9);
-    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 0, NULL, NULL, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, 0, NULL, NULL, NULL, NULL, NULL));
 
-    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, N, backward, held, untouched, NULL, NULL),
+    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, backward, held, untouched, NULL, NULL),
                  MDR_EINVALID, "ascending");
-    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, N, t, again, untouched, NULL, NULL), MDR_EINVALID, "grows again");
-    CHECK_STATUS(mdr_contact_history(contact, 9, N, t, held, untouched, NULL, NULL), MDR_EINVALID, "given = 9");
-    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, -1, t, held, untouched, NULL, NULL), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, N, NULL, held, untouched, NULL, NULL), MDR_ENULL, "time");
-    CHECK_STATUS(mdr_contact_history(NULL, MDR_GIVEN_DEPTH, N, t, held, untouched, NULL, NULL), MDR_ENULL, "c");
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, t, again, NULL, a, F));
+    CHECK_TRUE(a[2] < a[1] && a[2] < a[3] && F[2] < F[1]);
+    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 0.0, N, t, again, untouched, NULL, NULL), MDR_EINVALID, "tolerance");
+    CHECK_STATUS(mdr_contact_history(contact, 9, 1e-5, N, t, held, untouched, NULL, NULL), MDR_EINVALID, "given = 9");
+    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, -1, t, held, untouched, NULL, NULL), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, NULL, held, untouched, NULL, NULL), MDR_ENULL, "time");
+    CHECK_STATUS(mdr_contact_history(NULL, MDR_GIVEN_DEPTH, 1e-5, N, t, held, untouched, NULL, NULL), MDR_ENULL, "c");
     CHECK_STATUS(mdr_contact_from_depth(contact, 1, held, untouched, NULL, NULL, NULL), MDR_EINVALID, "history");
     CHECK_STATUS(mdr_medium_modulus(body, 1, held, untouched), MDR_EINVALID, "history");
     state.depth = 0.5;

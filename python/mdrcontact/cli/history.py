@@ -76,7 +76,8 @@ def run(arguments: argparse.Namespace) -> None:
     if problem.history is None:
         raise ProblemError(f'{arguments.problem}: the table [history] is missing: write it with path = "ramp", depth and rise_time')
     path = problem.history
-    history = problem.contact().history(path.time, **{path.name: path.values})
+    prescribed: dict[str, Any] = {path.name: path.values}
+    history = problem.contact().history(path.time, **prescribed)
     table = columns(history)
     print(f"{problem.title}\n")
     print(as_text(table, 12))

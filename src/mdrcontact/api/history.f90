@@ -16,9 +16,10 @@ module mdrcontact_api_history
 
 contains
 
-    function mdr_contact_history(c, given, n, time, in, d, a, f) result(status) bind(C)
+    function mdr_contact_history(c, given, tolerance, n, time, in, d, a, f) result(status) bind(C)
         type(c_ptr), value :: c
         integer(c_int), value :: given, n
+        real(c_double), value :: tolerance
         real(c_double), intent(in), optional :: time(*), in(*)
         real(c_double), intent(inout), optional :: d(*), a(*), f(*)
         integer(c_int) :: status
@@ -36,7 +37,7 @@ contains
         allocate (values(n, 3), stat=stat)
         call check_memory(error, stat)
         if (.not. allocated(error)) then
-            call contact_history(contact, int(given), time(:n), in(:n), values(:, 1), values(:, 2), values(:, 3), error)
+            call contact_history(contact, int(given), time(:n), in(:n), values(:, 1), values(:, 2), values(:, 3), error, tolerance)
         end if
         do i = 1, 3
             if (.not. allocated(error)) call check_results(error, values(:, i))

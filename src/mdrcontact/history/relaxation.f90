@@ -6,6 +6,7 @@ module mdrcontact_history_relaxation
     use mdrcontact_contact_values, only: contact_states, given_depth, given_force, given_radius
     use mdrcontact_error, only: check_not_negative, check_table, count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_history_relaxation_follow, only: follow_depth, follow_force
+    use mdrcontact_history_relaxation_steps, only: march_through
     use mdrcontact_kinds, only: wp
     use mdrcontact_material_prony, only: prony_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
@@ -13,11 +14,13 @@ module mdrcontact_history_relaxation
     private
     public :: contact_history
 
+    real(wp), parameter :: default_tolerance = 1.0e-5_wp, smallest_tolerance = 1.0e-9_wp, largest_tolerance = 1.0e-2_wp
+
 contains
 
     !> Depth, radius and force at each time, of which one is prescribed. Before the first time the bodies are apart and at rest;
     !> what is prescribed then is reached in a jump. In between it is linear in time.
-    subroutine contact_history(contact, given, time, values, depth, radius, force, error)
+    subroutine contact_history(contact, given, time, values, depth, radius, force, error, tolerance)
         !> with a viscoelastic body
         type(contact_t), intent(in) :: contact
         !> given_depth, given_force or given_radius
@@ -29,8 +32,14 @@ contains
         !> same size as time
         real(wp), intent(out) :: depth(:), radius(:), force(:)
         type(error_t), allocatable, intent(out) :: error
+        !> where steps in time are taken: relative to the largest depth, radius and force; default 1e-5
+        real(wp), intent(in), optional :: tolerance
+        real(wp) :: accuracy
         integer :: i
+        logical :: covered
 
+        accuracy = default_tolerance
+        if (present(tolerance)) accuracy = tolerance
         depth = 0.0_wp
         radius = 0.0_wp
         force = 0.0_wp
@@ -38,6 +47,10 @@ contains
             call raise(error, error_invalid, "given = "//count_text(given)//" is not allowed: it must be 1 (depth), 2 (force) "// &
                        "or 3 (radius)")
             return
+        end if
+        if (.not. (accuracy >= smallest_tolerance .and. accuracy <= largest_tolerance)) then
+            call raise(error, error_invalid, "tolerance = "//to_text(accuracy)//" is not allowed: it must be at least "// &
+                       to_text(smallest_tolerance)//" and at most "//to_text(largest_tolerance))
         end if
         call check_table(error, "time", time, word(given), values, 1)
         if (given /= given_depth) then
@@ -48,7 +61,10 @@ contains
         if (allocated(error)) return
         select type (medium => contact%equilibrium%medium)
         type is (viscoelastic_t)
-            call of_proportional(contact, medium, given, time, values, depth, radius, force, error)
+            covered = medium%is_proportional
+            if (covered) call of_proportional(contact, medium, given, time, values, depth, radius, force, covered, error)
+            if (allocated(error) .or. covered) return
+            call march_through(contact, medium, given, time, values, accuracy, depth, radius, force, error)
         class default
             call raise(error, error_invalid, "the body is elastic: its states do not depend on time")
         end select
@@ -63,25 +79,21 @@ contains
         if (given == given_force) name = "force"
     end function word
 
-    !> A body whose materials relax in proportion.
-    subroutine of_proportional(contact, medium, given, time, values, depth, radius, force, error)
+    !> A body whose materials relax in proportion, as far as its history follows from the elastic curve.
+    subroutine of_proportional(contact, medium, given, time, values, depth, radius, force, covered, error)
         type(contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
         integer, intent(in) :: given
         real(wp), intent(in) :: time(:), values(:)
         real(wp), intent(inout) :: depth(:), radius(:), force(:)
+        logical, intent(out) :: covered
         type(error_t), allocatable, intent(out) :: error
         type(contact_t) :: elastic
         type(prony_t) :: phi
-        logical :: covered
 
-        if (.not. medium%is_proportional) then
-            call raise(error, error_invalid, "histories of a body whose materials do not relax in proportion are not offered")
-            return
-        end if
+        covered = .false.
         call new_contact(elastic, contact%equilibrium%profile, medium%reference, error)
         if (allocated(error)) return
-        covered = .false.
         phi = medium%relaxation_shape(shortest_step(time), max(time(size(time)) - time(1), shortest_step(time)))
         if (phi%viscosity > 0.0_wp .and. values(1) > 0.0_wp .and. given /= given_force .and. &
             .not. medium%materials(1)%is_power_law()) then
@@ -101,10 +113,6 @@ contains
             if (.not. allocated(error)) call follow_depth(elastic, phi, time, depth, radius, force, covered, error)
             covered = covered .and. all(depth(2:) >= depth(:size(depth) - 1))
         end select
-        if (.not. allocated(error) .and. .not. covered) then
-            call raise(error, error_invalid, "this history is not offered: the contact shrinks and grows again, or "// &
-                       "shrinks under a prescribed "//word(given))
-        end if
     end subroutine of_proportional
 
     !> Depths of the elastic contact at radii.

@@ -1,0 +1,174 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What a viscoelastic body remembers (theory of time 5): w^(k, t) = c(k, .) * dq^(k, .), with
+!>     c(k; s) = 1/E0*(s) + c~(k; s),    1/E0* = J_g + sum J_l/(1 + s th_l),    c~ = X_g(k) + sum R_m(k)/(1 + s th_m).
+!>
+!> The first part is local in x. The times of the second are common to all k, spread over those of the materials, and R_m(k) are
+!> found by least squares from elastic compliances at real s.
+module mdrcontact_history_relaxation_memory
+    use mdrcontact_body_surface, only: new_surface, surface_t
+    use mdrcontact_error, only: error_invalid, error_no_convergence, error_t, raise
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_lapack, only: dgels
+    use mdrcontact_material_prony, only: creep_of, creep_t
+    use mdrcontact_medium_viscoelastic, only: viscoelastic_t
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    implicit none (type, external)
+    private
+    public :: memory_t, new_memory
+
+    !> Nodes in a panel of wavenumbers, the phase that a panel resolves, and what chi may be beyond the last one.
+    integer, parameter :: panel_nodes = 16
+    real(wp), parameter :: largest_phase = 8.0_wp, negligible = 1.0e-15_wp
+    !> Numbers of common times to try, and how far beyond them and how densely the transform is sampled.
+    integer, parameter :: counts(*) = [6, 10, 14, 18, 24, 32, 40]
+    integer, parameter :: samples_per_time = 4
+    real(wp), parameter :: beyond = 30.0_wp
+
+    !> Memory of one body for contacts up to one radius.
+    type :: memory_t
+        !> local: J_g, J_l and 1/th_l
+        type(creep_t) :: local
+        !> wavenumbers and weights, 2/pi included; none for a homogeneous body [1/length]
+        real(wp), allocatable :: k(:), weights(:)
+        !> X_g(k), R_m(k) (size(k), size(time)), and th_m
+        real(wp), allocatable :: instant(:), rest(:, :), time(:)
+        !> shortest time of the body [time]
+        real(wp) :: shortest = 1.0_wp
+    end type memory_t
+
+contains
+
+    !> The memory of a body whose materials have a glassy and a relaxed limit.
+    subroutine new_memory(self, medium, radius, tolerance, error)
+        type(memory_t), intent(out) :: self
+        type(viscoelastic_t), intent(in) :: medium
+        !> largest contact radius [length], and relative error of the common times
+        real(wp), intent(in) :: radius, tolerance
+        type(error_t), allocatable, intent(out) :: error
+        type(creep_t) :: creep
+        real(wp) :: longest, misfit
+        integer :: i
+
+        self%shortest = huge(1.0_wp)
+        longest = 0.0_wp
+        do i = 1, size(medium%materials)
+            associate (material => medium%materials(i))
+                if (.not. (medium%has_glassy() .and. material%shear%limit > 0.0_wp)) then
+                    call raise(error, error_invalid, "this history is offered for materials with a glassy and a relaxed limit "// &
+                               "only: no power laws, no dashpots, no liquids")
+                    return
+                end if
+                creep = creep_of(material%shear)
+                if (size(creep%rate) == 0) cycle
+                self%shortest = min(self%shortest, 1.0_wp/maxval(material%shear%rate))
+                longest = max(longest, 1.0_wp/minval(creep%rate))
+            end associate
+        end do
+        self%local = creep_of(medium%materials(1)%contact_series(1.0_wp, 1.0_wp))
+        allocate (self%k(0), self%weights(0))
+        if (size(medium%thickness) == 0) then
+            allocate (self%instant(0), self%rest(0, 0), self%time(0))
+            return
+        end if
+        call place_waves(self, medium, radius)
+        do i = 1, size(counts)
+            call fit_times(self, medium, counts(i), longest, misfit, error)
+            if (allocated(error) .or. misfit <= tolerance) return
+        end do
+        call raise(error, error_no_convergence, "the memory of this body spreads over too many times")
+    end subroutine new_memory
+
+    !> chi(k)/E0* at real s.
+    pure function compliance(medium, s, k) result(values)
+        type(viscoelastic_t), intent(in) :: medium
+        real(wp), intent(in) :: s, k(:)
+        real(wp) :: values(size(k))
+        complex(wp), dimension(size(medium%thickness) + 1) :: shear, poisson
+        complex(wp) :: sigma, chi
+        type(surface_t) :: surface
+        integer :: i, n
+
+        n = size(medium%materials)
+        shear = 1.0_wp
+        poisson = 0.0_wp
+        shear(:n) = medium%materials%complex_shear(cmplx(s, kind=wp))
+        poisson(:n) = medium%materials%complex_poisson(cmplx(s, kind=wp))
+        surface = new_surface(shear, poisson, medium%thickness, medium%rigid_base)
+        do i = 1, size(k)
+            call surface%normal_response(cmplx(k(i), kind=wp), sigma, chi)
+            values(i) = real(chi*(1.0_wp - poisson(1))/(2.0_wp*shear(1)), wp)
+        end do
+    end function compliance
+
+    !> Panels of wavenumbers that grow from where all layers together are seen, and resolve the widest contact.
+    subroutine place_waves(self, medium, radius)
+        type(memory_t), intent(inout) :: self
+        type(viscoelastic_t), intent(in) :: medium
+        real(wp), intent(in) :: radius
+        real(wp) :: low, width, nodes(panel_nodes), weights(panel_nodes), last(1), scale
+        integer :: panel
+        integer, parameter :: most_panels = 2000
+
+        call unit_rule(nodes, weights)
+        low = 0.0_wp
+        width = min(0.25_wp/sum(medium%thickness), largest_phase/radius)
+        scale = maxval(abs(compliance(medium, 1.0_wp/self%shortest, [width])))
+        do panel = 1, most_panels
+            self%k = [self%k, low + width*nodes]
+            self%weights = [self%weights, 2.0_wp/pi*width*weights]
+            low = low + width
+            last = compliance(medium, 1.0_wp/self%shortest, [low])
+            scale = max(scale, abs(last(1)))
+            if (low*medium%thickness(1) > 3.0_wp .and. abs(last(1)) <= negligible*scale) exit
+            width = min(low, largest_phase/radius, 2.0_wp/medium%thickness(1))
+        end do
+    end subroutine place_waves
+
+    subroutine unit_rule(nodes, weights)
+        real(wp), intent(out) :: nodes(:), weights(:)
+        type(error_t), allocatable :: error
+
+        call gauss_legendre(nodes, weights, error)
+        if (allocated(error)) weights = 0.0_wp
+    end subroutine unit_rule
+
+    !> X_g and R_m for so many common times, log-Chebyshev between the shortest and the longest.
+    subroutine fit_times(self, medium, count, longest, misfit, error)
+        type(memory_t), intent(inout) :: self
+        type(viscoelastic_t), intent(in) :: medium
+        integer, intent(in) :: count
+        real(wp), intent(in) :: longest
+        !> largest error of c~ at the samples, relative to its largest value
+        real(wp), intent(out) :: misfit
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: matrix(:, :), factor(:, :), values(:, :), wanted(:, :), work(:)
+        real(wp) :: s, part
+        integer :: i, rows, info
+
+        misfit = 0.0_wp
+        rows = samples_per_time*count
+        if (allocated(self%time)) deallocate (self%time)
+        allocate (self%time(count))
+        do i = 1, count
+            part = 0.5_wp*(1.0_wp + cos(pi*(real(i, wp) - 0.5_wp)/real(count, wp)))
+            self%time(i) = self%shortest*(longest/self%shortest)**part
+        end do
+        self%instant = compliance(medium, 1.0e18_wp/self%shortest, self%k)
+        allocate (matrix(rows, count), values(rows, size(self%k)), work(64*rows))
+        do i = 1, rows
+            s = (longest*beyond)**(-1)*(longest/self%shortest*beyond**2)**(real(i - 1, wp)/real(rows - 1, wp))
+            matrix(i, :) = 1.0_wp/(1.0_wp + s*self%time)
+            values(i, :) = compliance(medium, s, self%k) - self%instant
+        end do
+        allocate (factor, source=matrix)
+        allocate (wanted, source=values)
+        call dgels("N", rows, count, size(self%k), factor, rows, values, rows, work, size(work), info)
+        if (info /= 0) then
+            call raise(error, error_no_convergence, "the memory of this body could not be found")
+            return
+        end if
+        self%rest = transpose(values(:count, :))
+        misfit = maxval(abs(matmul(matrix, values(:count, :)) - wanted))/max(maxval(abs(self%instant)), maxval(abs(wanted)))
+    end subroutine fit_times
+
+end module mdrcontact_history_relaxation_memory

@@ -1,0 +1,105 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Functions of x on panels of Gauss-Lobatto nodes: their ends are nodes.
+module mdrcontact_history_relaxation_panels
+    use mdrcontact_kinds, only: pi, wp
+    implicit none (type, external)
+    private
+    public :: panels_t, new_panels, interpolate, per_panel
+
+    !> Nodes in a panel.
+    integer, parameter :: per_panel = 16
+
+    type :: panels_t
+        !> (0:count) ends; nodes and weights, (per_panel*count)
+        real(wp), allocatable :: ends(:), x(:), weights(:)
+    end type panels_t
+
+contains
+
+    !> Nodes between ascending ends.
+    pure function new_panels(ends) result(self)
+        real(wp), intent(in) :: ends(0:)
+        type(panels_t) :: self
+        real(wp) :: nodes(per_panel), weights(per_panel)
+        integer :: i, first
+
+        call lobatto(nodes, weights)
+        allocate (self%ends(0:ubound(ends, 1)))
+        self%ends = ends
+        allocate (self%x(per_panel*ubound(ends, 1)), self%weights(per_panel*ubound(ends, 1)))
+        do i = 1, ubound(ends, 1)
+            first = per_panel*(i - 1)
+            self%x(first + 1:first + per_panel) = ends(i - 1) + (ends(i) - ends(i - 1))*nodes
+            self%x(first + per_panel) = ends(i)
+            self%weights(first + 1:first + per_panel) = (ends(i) - ends(i - 1))*weights
+        end do
+    end function new_panels
+
+    !> Values (size(x), :) of functions with the given values at the nodes, by each panel's polynomial; 0 beyond the last end.
+    pure function interpolate(panels, values, x) result(found)
+        type(panels_t), intent(in) :: panels
+        real(wp), intent(in) :: values(:, :), x(:)
+        real(wp) :: found(size(x), size(values, 2))
+        real(wp) :: nodes(per_panel), weights(per_panel), barycentric(per_panel), u, row(per_panel)
+        integer :: i, j, panel, first
+
+        call lobatto(nodes, weights)
+        do i = 1, per_panel
+            barycentric(i) = 1.0_wp
+            do j = 1, per_panel
+                if (j /= i) barycentric(i) = barycentric(i)/(nodes(i) - nodes(j))
+            end do
+        end do
+        barycentric = barycentric/maxval(abs(barycentric))
+        found = 0.0_wp
+        if (size(panels%x) == 0) return
+        panel = 1
+        do i = 1, size(x)
+            if (x(i) > panels%ends(ubound(panels%ends, 1))) cycle
+            if (x(i) < panels%ends(panel - 1)) panel = 1
+            do while (x(i) > panels%ends(panel))
+                panel = panel + 1
+            end do
+            u = (x(i) - panels%ends(panel - 1))/(panels%ends(panel) - panels%ends(panel - 1))
+            first = per_panel*(panel - 1)
+            j = minloc(abs(u - nodes), dim=1)
+            if (abs(u - nodes(j)) < 4.0_wp*epsilon(u)) then
+                found(i, :) = values(first + j, :)
+            else
+                row = barycentric/(u - nodes)
+                found(i, :) = matmul(row/sum(row), values(first + 1:first + per_panel, :))
+            end if
+        end do
+    end function interpolate
+
+    !> Gauss-Lobatto nodes and weights on [0, 1].
+    pure subroutine lobatto(nodes, weights)
+        real(wp), intent(out) :: nodes(per_panel), weights(per_panel)
+        integer, parameter :: n = per_panel - 1
+        real(wp) :: x, before, here, next, step
+        integer :: i, l, trial
+
+        do i = 0, n
+            x = -cos(pi*real(i, wp)/real(n, wp))
+            do trial = 1, 50
+                before = 1.0_wp
+                here = x
+                do l = 1, n - 1
+                    next = (real(2*l + 1, wp)*x*here - real(l, wp)*before)/real(l + 1, wp)
+                    before = here
+                    here = next
+                end do
+                ! zeros of (1 - x^2) P_n'
+                step = (x*here - before)/(real(n + 1, wp)*here)
+                if (i == 0 .or. i == n) step = 0.0_wp
+                x = x - step
+                if (abs(step) < 1.0e-16_wp) exit
+            end do
+            nodes(i + 1) = 0.5_wp*(1.0_wp + x)
+            weights(i + 1) = 1.0_wp/(real(n*(n + 1), wp)*here**2)
+        end do
+        nodes(1) = 0.0_wp
+        nodes(per_panel) = 1.0_wp
+    end subroutine lobatto
+
+end module mdrcontact_history_relaxation_panels
