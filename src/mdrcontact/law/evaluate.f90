@@ -73,8 +73,8 @@ contains
         if (allocated(table%energy)) view%energy = c_loc(table%energy)
     end function view_of
 
-    !> F or d, its slope, a and k at finite s, which is at most the highest unless the table is continued; all 0 where the bodies are
-    !> apart. Beyond the range a and k are those at its end.
+    !> F or d, its slope, a and k at finite s, which is at most the highest unless the table is continued; all 0 where the bodies
+    !> are apart. Beyond the range a and k are those at its end.
     pure subroutine point_at(table, branch, s, other, slope, radius, stiffness)
         type(law_table_t), intent(in) :: table
         integer, intent(in) :: branch
