@@ -2,8 +2,8 @@
 !> The forward model: what the instrument reads at given parameters of the problem.
 module mdrcontact_fit_predict
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
-                                error_unreachable, raise, to_text
+    use mdrcontact_error, only: check_finite, check_memory, check_not_negative, check_positive, error_domain, error_invalid, &
+                                error_t, error_unreachable, raise, to_text
     use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_fit_branches, only: separate
     use mdrcontact_fit_body, only: body_count, make_body
@@ -151,11 +151,20 @@ contains
         integer, intent(in), optional :: order(:)
         type(equilibrium_t) :: equilibrium
         type(force_curve_t) :: curve
-        real(wp) :: d(size(y)), sd(size(y)), smallest
-        logical :: reached(size(y)), approaches(size(y))
-        integer :: branch(size(y))
+        real(wp), allocatable :: d(:), sd(:)
+        integer, allocatable :: branch(:)
+        real(wp) :: smallest
+        logical :: reached, everywhere
+        integer :: i, n, stat
 
-        allocate (a(size(y)), source=0.0_wp)
+        n = size(y)
+        allocate (a(n), stat=stat)
+        if (stat == 0) allocate (d(n), stat=stat)
+        if (stat == 0) allocate (sd(n), stat=stat)
+        if (stat == 0) allocate (branch(n), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        a = 0.0_wp
         d = data%x - instrument(at_depth_offset)
         if (instrument(at_frame_compliance) /= 0.0_wp) then
             d = d - instrument(at_frame_compliance)*(data%y - instrument(at_force_offset))
@@ -168,7 +177,11 @@ contains
         if (.not. instrument(at_work_of_adhesion) > 0.0_wp) smallest = minval(d, mask=d > 0.0_wp)
         call new_force_curve(curve, equilibrium, smallest, maxval(d), error)
         if (allocated(error)) return
-        call curve%at(d, y, a, reached)
+        everywhere = .true.
+        do i = 1, n
+            call curve%at(d(i), y(i), a(i), reached)
+            everywhere = everywhere .and. reached
+        end do
         if (instrument(at_work_of_adhesion) > 0.0_wp) then
             branch = on_unloading
             if (allocated(data%branch)) branch = data%branch
@@ -177,15 +190,15 @@ contains
                 if (allocated(data%sd)) sd = data%sd
                 call separate(order, branch, data%y - instrument(at_force_offset), sd, 0.0_wp, y)
             else
-                approaches = branch == on_loading
-                where ((approaches .and. d < 0.0_wp) .or. d < curve%pull_off_depth())
-                    y = 0.0_wp
-                    a = 0.0_wp
-                end where
+                do i = 1, n
+                    if (.not. ((branch(i) == on_loading .and. d(i) < 0.0_wp) .or. d(i) < curve%pull_off_depth())) cycle
+                    y(i) = 0.0_wp
+                    a(i) = 0.0_wp
+                end do
             end if
         end if
         y = y + instrument(at_force_offset)
-        if (.not. all(reached)) call raise(error, error_unreachable, "depth = "//to_text(maxval(d))//" cannot be reached by "// &
+        if (.not. everywhere) call raise(error, error_unreachable, "depth = "//to_text(maxval(d))//" cannot be reached by "// &
                                            "this indenter on this medium")
     end subroutine predict_force
 

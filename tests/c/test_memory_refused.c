@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One large request for memory is refused, each in turn: the call must say so, or do without. This program brings its own malloc and
+ * realloc. Each trial is a process of its own, since the run-time system of Fortran ends one that asks without a status: where the
+ * library still does, mostly to copy whole objects, the number of such requests is known here and must not grow.
+ */
+#define _GNU_SOURCE
+#include "check.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+void *__libc_malloc(size_t size);
+void *__libc_realloc(void *old, size_t size);
+
+enum { LARGE = 65536, POINTS = 8500, ROWS = 100, NUMBERS = 13, SURVIVED = 42 };
+
+/* Large requests so far, and which one is refused; 0: none. */
+static int requests, refused;
+
+static int is_refused(size_t size)
+{
+    return size >= LARGE && ++requests == refused;
+}
+
+void *malloc(size_t size)
+{
+    return is_refused(size) ? NULL : __libc_malloc(size);
+}
+
+void *realloc(void *old, size_t size)
+{
+    return is_refused(size) ? NULL : __libc_realloc(old, size);
+}
+
+static double x[POINTS], y[POINTS], out[POINTS];
+static int labels[ROWS * ROWS * 10];
+static mdr_profile *ball, *tip;
+static mdr_medium *half_space, *film;
+static mdr_contact *contact, *on_film, *by_tip;
+static mdr_law *law;
+static mdr_structure *voxels;
+
+static int profile(void) { mdr_profile *p = NULL; return mdr_profile_table(POINTS, x, y, &p); }
+static int mdr_table(void) { mdr_profile *p = NULL; return mdr_profile_from_mdr_table(POINTS, x, y, &p); }
+static int medium(void) { mdr_medium *m = NULL; return mdr_medium_table(POINTS - 1, x + 1, x + 1, &m); }
+static int contact_of_tip(void) { mdr_contact *c = NULL; return mdr_contact_new(tip, half_space, NULL, &c); }
+static int contact_on_film(void) { mdr_contact *c = NULL; return mdr_contact_new(ball, film, NULL, &c); }
+static int states(void) { return mdr_contact_from_depth(contact, POINTS, x, NULL, NULL, out, NULL); }
+static int states_on_film(void) { return mdr_contact_from_depth(on_film, 3, x + 100, NULL, NULL, out, NULL); }
+static int states_of_tip(void) { return mdr_contact_from_depth(by_tip, 3, x + 100, NULL, NULL, out, NULL); }
+static int field(void) { return field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 2.0, POINTS, x, out); }
+static int loop(void) { mdr_loop *l = NULL; return mdr_loop_new(contact, MDR_CONTROL_DEPTH, 0.5, POINTS, 0.0, &l); }
+static int make_voxels(void)
+{
+    const int size[3] = {ROWS, ROWS, 10};
+    const double E[2] = {1.0, 2.0}, nu[2] = {0.3, 0.3}, spacing[3] = {0.1, 0.1, 0.1};
+    mdr_structure *s = NULL;
+    return mdr_structure_voxels(size, labels, 2, E, nu, spacing, 1.0, 0.3, NULL, &s);
+}
+static int place(void) { return mdr_structure_modulus(voxels, 1, x + 9, x + 9, x + 99, out); }
+static int write_law(void)
+{
+    static char text[3000000];
+    int length = 0, status = mdr_law_write(law, text, (int)sizeof text, &length);
+    mdr_law *again = NULL;
+    return status == MDR_SUCCESS ? mdr_law_read(text, length, &again) : status;
+}
+static int fit(int free, int (*end)(const mdr_fit_problem *))
+{
+    mdr_fit_problem problem;
+    mdr_fit_parameter p[NUMBERS - 1];
+    mdr_fit_problem_init(&problem);
+    problem.data_kind = MDR_FIT_FORCE_DEPTH;
+    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
+    problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;
+    problem.parameters = p;
+    problem.parameter_count = NUMBERS - 1;
+    problem.check_units = 0;
+    for (int i = 0; i < NUMBERS - 1; i++) p[i] = (mdr_fit_parameter){0.0, -INFINITY, INFINITY, 0.0, 0.0, i == free};
+    p[0].value = p[1].value = 1.0;
+    p[2].value = 0.3;
+    p[7].value = INFINITY;
+    p[8].value = 0.75;
+    for (int i = 9; i < NUMBERS - 1; i++) p[i].value = 1.0;
+    return end(&problem);
+}
+static int predicted(const mdr_fit_problem *p) { return mdr_fit_predict(p, POINTS, x, y, NULL, out, NULL); }
+static int solved(const mdr_fit_problem *p)
+{
+    return mdr_fit_solve(p, POINTS, x, y, NULL, NULL, NULL, NULL, NULL, NULL, NULL, out, NULL, NULL);
+}
+static int predict(void) { return fit(-1, predicted); }
+static int solve(void) { return fit(1, solved); }
+
+/* In a process of its own. 0 if it came to its end with a status that may be. */
+static int dies(int (*call)(void), int number, int *count)
+{
+    int ends[2], result, died;
+    pid_t child;
+
+    if (pipe(ends) != 0) return 1;
+    fflush(NULL);
+    child = fork();
+    if (child == 0) {
+        int status;
+        if (freopen("/dev/null", "w", stderr) == NULL) _exit(1);
+        requests = 0;
+        refused = number;
+        status = call();
+        refused = 0;
+        if (write(ends[1], &requests, sizeof requests) < 0) _exit(1);
+        _exit(status == MDR_SUCCESS || (number > 0 && status == MDR_ENOMEMORY) ? SURVIVED : status);
+    }
+    close(ends[1]);
+    *count = 0;
+    if (read(ends[0], count, sizeof *count) < 0) *count = 0;
+    close(ends[0]);
+    waitpid(child, &result, 0);
+    died = !(WIFEXITED(result) && WEXITSTATUS(result) == SURVIVED);
+    return died;
+}
+
+static void refuse_each(const char *name, int known, int (*call)(void))
+{
+    int count, unused, deaths = 0;
+
+    CHECK_TRUE(!dies(call, 0, &count));
+    /* of many a part */
+    for (int k = 1; k <= count; k += count > 20 ? 7 : 1) deaths += dies(call, k, &unused);
+    printf("%s: %d large requests, %d of those refused without a status\n", name, count, deaths);
+    CHECK_TRUE(deaths <= known);
+}
+
+int main(void)
+{
+    const int size[3] = {ROWS, ROWS, 10};
+    const double E[2] = {1.0, 2.0}, nu[2] = {0.3, 0.3}, spacing[3] = {0.1, 0.1, 0.1};
+    mdr_law_options options;
+
+    for (int i = 0; i < POINTS; i++) x[i] = i * 1e-4, y[i] = x[i] * x[i] * (1.0 + 0.01 * sin(30.0 * x[i]));
+    for (int i = 0; i < ROWS * ROWS * 10; i++) labels[i] = i % 2;
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    CHECK_SUCCESS(mdr_profile_table(POINTS, x, y, &tip));
+    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &half_space));
+    CHECK_SUCCESS(mdr_medium_table(POINTS - 1, x + 1, x + 1, &film));
+    CHECK_SUCCESS(mdr_contact_new(ball, half_space, NULL, &contact));
+    CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &on_film));
+    CHECK_SUCCESS(mdr_contact_new(tip, half_space, NULL, &by_tip));
+    CHECK_SUCCESS(mdr_structure_voxels(size, labels, 2, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
+    mdr_law_options_init(&options);
+    options.tolerance = 1e-12;
+    CHECK_SUCCESS(mdr_law_new(contact, 0.5, &options, &law));
+
+    refuse_each("table of f", 2, profile);
+    refuse_each("table of g", 2, mdr_table);
+    refuse_each("table of E_eff", 4, medium);
+    refuse_each("contact of a table", 4, contact_of_tip);
+    refuse_each("contact on a table", 8, contact_on_film);
+    refuse_each("states", 0, states);
+    refuse_each("states on a table", 3, states_on_film);
+    refuse_each("states of a table", 0, states_of_tip);
+    refuse_each("field", 0, field);
+    refuse_each("loop", 2, loop);
+    refuse_each("law written and read", 0, write_law);
+    refuse_each("voxels", 1, make_voxels);
+    refuse_each("place among voxels", 0, place);
+    refuse_each("prediction", 1, predict);
+    refuse_each("fit", 25, solve);
+    return check_report("refused memory");
+}
