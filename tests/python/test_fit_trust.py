@@ -246,3 +246,13 @@ def test_priors_leave_the_correlation_to_be_seen():
     beside = mdr.fit(data, mdr.Berkovich(), FILM, {"coating.E": None, **known})
     assert alone.widening["coating.E"] > 1.2
     assert beside.widening["coating.E"] == pytest.approx(alone.widening["coating.E"], rel=0.02)
+
+
+def test_the_end_of_a_search_is_not_called_a_bound_of_the_user():
+    """A bound of one's own is called that; what ends where nothing was given is the end of the search."""
+    free = {"coating.E": mdr.Free(60e9, upper=65e9)}
+    result = mdr.fit(mdr.ForceDepth(DEPTH, FORCE, relative_sd=0.01), BALL, FILM, free)
+    assert "at its upper bound" in result.doubts("coating.E")
+    result = mdr.fit(mdr.ForceDepth(DEPTH, FORCE, relative_sd=0.01), BALL, FILM, ["coating.E"])
+    result.at_bound["coating.E"] = 1
+    assert any("end of what is allowed or searched" in words for words in result.doubts("coating.E"))

@@ -48,8 +48,7 @@ def _search(result: FitResult) -> list[str]:
         )
     for name, side in result.at_bound.items():
         if side:
-            end = "upper" if side > 0 else "lower"
-            words.append(f"{name} = {result.estimates[name]:.4g} lies at its {end} bound: it has no standard error")
+            words.append(f"{name} = {result.estimates[name]:.4g} lies {result.bound_words(name)}; it has no standard error")
     return words
 
 

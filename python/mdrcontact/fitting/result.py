@@ -235,7 +235,7 @@ class FitResult:
         value, error = self.estimates[name], self.standard_errors[name]
         if self.at_bound[name]:
             unit = unit_of(name, value)
-            return f"{value / unit.factor:.4g} {unit.symbol}".rstrip() + ", at a bound"
+            return f"{value / unit.factor:.4g} {unit.symbol}".rstrip() + ", no standard error"
         # an offset may well be 0, but not be vaguer than the whole curve is long
         reach = {"depth_offset": self.data.x, "force_offset": self.data.y}.get(name)
         largest = abs(value) if reach is None else float(np.ptp(reach))
@@ -249,13 +249,20 @@ class FitResult:
         if not self.converged:
             words.append("not converged")
         if self.at_bound[name]:
-            words.append("at its " + ("upper" if self.at_bound[name] > 0 else "lower") + " bound")
-            return words
+            return [*words, self.bound_words(name)]
         if self.widening[name] > 1.3:
             words.append(f"error widened {self.widening[name]:.2g} times for correlated residuals")
         if self.describes_data is False:
             words.append("THE MODEL MISSES THE DATA")
         return words
+
+    def bound_words(self, name: str) -> str:
+        """Which bound an estimate lies at: one that was given, or the end of the range that the search covers."""
+        side, entry = self.at_bound[name], self.problem.free[name]
+        end = "upper" if side > 0 else "lower"
+        if math.isfinite(entry.upper if side > 0 else entry.lower):
+            return f"at its {end} bound"
+        return f"at the {end} end of what is allowed or searched: the data do not limit it, or it began too far away"
 
     @property
     def describes_data(self) -> bool | None:
