@@ -549,6 +549,16 @@ int mdr_medium_stiffness(const mdr_medium *m, int n, const double a[], double ou
  *  @return also MDR_EINVALID for other media, MDR_EDOMAIN where the medium is not defined, MDR_ENOCONVERGENCE */
 int mdr_medium_tangential_modulus(const mdr_medium *m, int n, const double a[], double out[]);
 
+/** The torsional stiffness M/phi of a contact that sticks all over and is twisted about its axis: 16 G a^3/3 of a homogeneous body,
+ *  exact for homogeneous media with E and nu, for coated, layered and graded ones under the model MDR_MODEL_EXACT, and for pairs of
+ *  these.
+ *  @param m    medium
+ *  @param n    number of radii
+ *  @param a    [n] contact radii > 0 [length]
+ *  @param out  [n] stiffnesses [modulus length^3]
+ *  @return also MDR_EINVALID for other media, MDR_EDOMAIN where the medium is not defined, MDR_ENOCONVERGENCE */
+int mdr_medium_torsional_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
+
 /** Frees a medium and sets *m to NULL. m = NULL and *m = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *m is not a medium */
 int mdr_medium_free(mdr_medium **m);

@@ -82,6 +82,8 @@ module mdrcontact_medium
         procedure :: surface_load => no_surface_load
         !> the medium that answers to a shift along the surface as this one does to a depth: its modulus is G_t(a) = k_t(a)/(2 a)
         procedure :: new_tangential => no_tangential
+        !> the stiffness against a twist about the axis, M/phi [modulus length^3]
+        procedure :: torsional_stiffness => no_torsion
         !> whether the load of a spring depends on its own displacement alone, by one factor for all of them
         procedure :: has_independent_springs => no
         !> first shear of a state, with that medium
@@ -326,6 +328,20 @@ contains
                    "gao-series, gao-power)")
         if (.not. allocated(error)) allocate (tangential, source=self)
     end subroutine no_tangential
+
+    subroutine no_torsion(self, a, values, error)
+        class(medium_t), intent(in) :: self
+        !> contact radii [length]
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self, also_unused => a)
+        end associate
+        values = 0.0_wp
+        call raise(error, error_invalid, "the torsional stiffness of this medium is not known: use a homogeneous one with E "// &
+                   "and nu, or a coated, layered or graded one with the model exact")
+    end subroutine no_torsion
 
     subroutine no_slip(self, tangential, profile, a, excess, slip, error)
         class(medium_t), intent(in) :: self

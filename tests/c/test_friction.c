@@ -93,6 +93,15 @@ static void refusals(void)
     CHECK_STATUS(mdr_medium_tangential_modulus(rigid, 2, a, G), MDR_EINVALID, "rigid");
     CHECK_UNTOUCHED(2, G);
     CHECK_SUCCESS(mdr_medium_tangential_modulus(film, 0, NULL, NULL));
+    CHECK_STATUS(mdr_medium_torsional_stiffness(NULL, 2, a, G), MDR_ENULL, "m is NULL");
+    CHECK_STATUS(mdr_medium_torsional_stiffness(modulus, 2, a, G), MDR_EINVALID, "give E and nu");
+    CHECK_STATUS(mdr_medium_torsional_stiffness(film, 2, bad, G), MDR_EINVALID, "entry 2 of a");
+    CHECK_STATUS(mdr_medium_torsional_stiffness(film, 2, a, NULL), MDR_ENULL, "out is NULL");
+    CHECK_UNTOUCHED(2, G);
+    CHECK_SUCCESS(mdr_medium_torsional_stiffness(film, 2, a, G));
+    /* between film and substrate */
+    CHECK_TRUE(G[0] > 16.0 / 3.0 * E / (2.0 + 2.0 * nu) * pow(a[0], 3.0) && G[0] < 16.0 / 3.0 * 700.0 / 2.4 * pow(a[0], 3.0));
+    fill_untouched(2, G);
     CHECK_SUCCESS(mdr_medium_tangential_modulus(film, 2, a, a));
     CHECK_TRUE(a[0] > a[1]);
     CHECK_SUCCESS(mdr_medium_free(&rigid));

@@ -153,6 +153,16 @@ def test_history_copies_and_refusals():
         friction().history()
 
 
+def test_torsional_stiffness():
+    radii = np.array([[0.1, 1.0], [3.0, 20.0]])
+    shear = STEEL.E / (2.0 + 2.0 * STEEL.nu)
+    np.testing.assert_allclose(mdr.Homogeneous(STEEL).torsional_stiffness(radii), 16.0 / 3.0 * shear * radii**3, rtol=1e-14)
+    film = mdr.Coated(HARD, 1.0, STEEL)
+    np.testing.assert_allclose(mdr.Pair(film, film).torsional_stiffness(radii), 0.5 * film.torsional_stiffness(radii), rtol=1e-10)
+    with pytest.raises(mdr.InvalidArgumentError, match="torsional stiffness of this medium is not known"):
+        mdr.Coated(HARD, 1.0, STEEL, "gao").torsional_stiffness(1.0)
+
+
 def test_values():
     pair = friction()
     assert pickle.loads(pickle.dumps(pair)) == pair

@@ -42,6 +42,12 @@ class Medium(Value):
         """
         return evaluate("a", a, lambda radii: _native.medium_tangential_modulus(self._handle.address, radii))
 
+    def torsional_stiffness(self, a: ArrayLike) -> FloatOrArray:
+        """M/phi [modulus length^3] at contact radii a > 0 [length], any shape, of a contact that sticks all over and is twisted
+        about its axis: 16 G a^3/3 of a homogeneous body. Known, exactly, for homogeneous media with E and nu, the model "exact" and
+        pairs of these."""
+        return evaluate("a", a, lambda radii: _native.medium_torsional_stiffness(self._handle.address, radii))
+
     def tangential_stiffness(self, a: ArrayLike) -> FloatOrArray:
         """k_t(a) = dT/ds = 2 a G_t(a) [modulus length] at contact radii a > 0 [length], any shape; see `tangential_modulus`."""
         return 2.0 * numbers("a", a) * self.tangential_modulus(a)

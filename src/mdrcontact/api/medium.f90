@@ -15,7 +15,7 @@ module mdrcontact_api_medium
     private
     public :: mdr_medium_rigid, mdr_medium_pair
     public :: mdr_medium_homogeneous, mdr_medium_contact_modulus, mdr_medium_modulus, mdr_medium_stiffness
-    public :: mdr_medium_tangential_modulus
+    public :: mdr_medium_tangential_modulus, mdr_medium_torsional_stiffness
 
 contains
 
@@ -123,6 +123,27 @@ contains
         if (.not. allocated(error) .and. n > 0) out(:n) = modulus
         status = status_of(error)
     end function mdr_medium_tangential_modulus
+
+    function mdr_medium_torsional_stiffness(m, n, a, out) result(status) bind(C)
+        type(c_ptr), value :: m
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: a(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        class(medium_t), pointer :: medium
+        real(c_double), allocatable :: stiffness(:)
+        type(error_t), allocatable :: error
+
+        ! checks media and radii, and gives E_eff, which is overwritten
+        call evaluate(m, n, a, present(out), stiffness, error)
+        if (.not. allocated(error) .and. n > 0) then
+            call open_handle(m, "m", medium, error)
+            if (.not. allocated(error)) call medium%torsional_stiffness(a(:n), stiffness, error)
+            if (.not. allocated(error)) call check_positive_results(error, stiffness)
+        end if
+        if (.not. allocated(error) .and. n > 0) out(:n) = stiffness
+        status = status_of(error)
+    end function mdr_medium_torsional_stiffness
 
     !> E_eff(a) at checked radii.
     subroutine evaluate(m, n, a, has_out, modulus, error)

@@ -12,7 +12,7 @@ module mdrcontact_body_sheared
     use mdrcontact_material, only: material_t
     implicit none (type, external)
     private
-    public :: sheared_body_t, new_sheared_body
+    public :: sheared_body_t, new_sheared_body, new_twisted_body
 
     !> Another body under shear.
     type, extends(body_t) :: sheared_body_t
@@ -50,6 +50,18 @@ contains
         self%in_plane_part = (1.0_wp - surface%poisson)/(2.0_wp - surface%poisson)
         self%modulus = surface%tangential()
     end subroutine new_sheared_body
+
+    !> The body under a traction around an axis: shear across the plane alone, and 4 G0 in place of the modulus.
+    pure subroutine new_twisted_body(self, body)
+        type(sheared_body_t), intent(out) :: self
+        class(body_t), intent(in) :: body
+        type(material_t) :: surface
+
+        surface = body%surface_material()
+        allocate (self%body, source=body)
+        self%anti_plane_part = 1.0_wp
+        self%modulus = 4.0_wp*surface%shear()
+    end subroutine new_twisted_body
 
     pure subroutine response(self, k, sigma, chi)
         class(sheared_body_t), intent(in) :: self

@@ -6,7 +6,7 @@
 module mdrcontact_layered_exact
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_body, only: body_t
-    use mdrcontact_body_sheared, only: new_sheared_body, sheared_body_t
+    use mdrcontact_body_sheared, only: new_sheared_body, new_twisted_body, sheared_body_t
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_field_load, only: load_t
@@ -20,6 +20,7 @@ module mdrcontact_layered_exact
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
     use mdrcontact_layered_slip, only: layered_slip_t, new_layered_slip
     use mdrcontact_layered_solve, only: solution_t, solve
+    use mdrcontact_layered_torsion, only: torsional_ratio
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium, only: lower_body, medium_t, upper_body
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
@@ -71,6 +72,7 @@ module mdrcontact_layered_exact
         procedure :: energies
         procedure :: surface_load
         procedure :: new_tangential
+        procedure :: torsional_stiffness
         procedure :: new_slip
     end type layered_exact_t
 
@@ -451,31 +453,46 @@ contains
         class(layered_exact_t), intent(in) :: self
         class(medium_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
-        type(layered_exact_t) :: own, lower, upper
+        type(layered_exact_t) :: own
 
-        if (allocated(self%parts)) then
-            call new_under_shear(lower, self, self%pressed, self%parts(lower_body)%share, error)
-            if (.not. allocated(error)) call new_under_shear(upper, self, self%counterbody, self%parts(upper_body)%share, error)
-            if (.not. allocated(error)) call new_exact_pair(own, lower, upper, error)
-        else
-            call new_under_shear(own, self, self%pressed, 1.0_wp, error)
-        end if
+        call new_under_shear(own, self, .false., error)
         if (.not. allocated(error)) allocate (tangential, source=own)
     end subroutine new_tangential
 
-    !> One body under shear.
-    subroutine new_under_shear(medium, normal, body, share, error)
+    !> The medium under shear in one direction, or around the axis.
+    subroutine new_under_shear(medium, normal, twisted, error)
         type(layered_exact_t), intent(out) :: medium
-        type(layered_exact_t), intent(in) :: normal
+        class(layered_exact_t), intent(in) :: normal
+        logical, intent(in) :: twisted
+        type(error_t), allocatable, intent(inout) :: error
+        type(layered_exact_t) :: lower, upper
+
+        if (allocated(normal%parts)) then
+            call new_body_under_shear(lower, normal%tolerance, normal%pressed, normal%parts(lower_body)%share, twisted, error)
+            if (allocated(error)) return
+            call new_body_under_shear(upper, normal%tolerance, normal%counterbody, normal%parts(upper_body)%share, twisted, error)
+            if (.not. allocated(error)) call new_exact_pair(medium, lower, upper, error)
+        else
+            call new_body_under_shear(medium, normal%tolerance, normal%pressed, 1.0_wp, twisted, error)
+        end if
+    end subroutine new_under_shear
+
+    subroutine new_body_under_shear(medium, tolerance, body, share, twisted, error)
+        type(layered_exact_t), intent(out) :: medium
         class(body_t), allocatable, intent(in) :: body
-        !> its part of the compliance, 0 if it is rigid
-        real(wp), intent(in) :: share
-        type(error_t), allocatable, intent(out) :: error
+        !> relative tolerance, and part of the compliance, 0 if the body is rigid
+        real(wp), intent(in) :: tolerance, share
+        logical, intent(in) :: twisted
+        type(error_t), allocatable, intent(inout) :: error
         type(sheared_body_t) :: sheared
 
         if (allocated(body)) then
-            call new_sheared_body(sheared, body)
-            call new_exact_from_body(medium, sheared, error, normal%tolerance)
+            if (twisted) then
+                call new_twisted_body(sheared, body)
+            else
+                call new_sheared_body(sheared, body)
+            end if
+            call new_exact_from_body(medium, sheared, error, tolerance)
         else if (share > 0.0_wp) then
             call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
                        "not known: give E and nu")
@@ -483,7 +500,24 @@ contains
             medium%surface_modulus = ieee_value(1.0_wp, ieee_positive_inf)
             medium%tolerance = largest_tolerance
         end if
-    end subroutine new_under_shear
+    end subroutine new_body_under_shear
+
+    subroutine torsional_stiffness(self, a, values, error)
+        class(layered_exact_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(layered_exact_t) :: twisted
+        integer :: i
+
+        values = 0.0_wp
+        call new_under_shear(twisted, self, .true., error)
+        do i = 1, size(a)
+            if (allocated(error)) return
+            call torsional_ratio(twisted%kernel, self%tolerance, a(i), values(i), error)
+            values(i) = values(i)*4.0_wp/3.0_wp*twisted%surface_modulus*a(i)**3
+        end do
+    end subroutine torsional_stiffness
 
     subroutine new_slip(self, tangential, profile, a, excess, slip, error)
         class(layered_exact_t), intent(in) :: self

@@ -192,9 +192,11 @@ contains
     end subroutine add_order
 
     !> H_ij for i >= j, i < rows, j < columns, without `diagonal`; what lies above the diagonal is not defined.
-    pure subroutine interaction_matrix(moments, h)
+    pure subroutine interaction_matrix(moments, h, h_odd)
         type(moments_t), intent(in) :: moments
         real(wp), intent(out) :: h(0:, 0:)
+        !> the same between odd polynomials, sqrt((4i + 3)/2) P_(2i+1)(u); same shape
+        real(wp), intent(out), optional :: h_odd(0:, 0:)
         real(wp) :: s(0:ubound(h, 1)), even(0:ubound(h, 1) + ubound(h, 2) + 1), odd(0:ubound(h, 1) + ubound(h, 2))
         real(wp), dimension(0:ubound(h, 1) + ubound(h, 2)) :: over_even, over_odd
         integer :: c, j, last
@@ -217,6 +219,11 @@ contains
         s = sqrt(moments%a/pi)*normalisation(size(s))
         do c = 0, ubound(h, 2)
             h(c:, c) = s(c)*s(c:)*even(c:ubound(h, 1))
+            if (present(h_odd)) then
+                do j = c, ubound(h, 1)
+                    h_odd(j, c) = 0.5_wp*moments%a/pi*sqrt(real(4*c + 3, wp)*real(4*j + 3, wp))*odd(j)
+                end do
+            end if
             last = last - 1
             do j = c + 1, last + 1
                 even(j) = even(j) + (real(4*c + 3, wp)*over_even(j))*(odd(j - 1) - odd(j))

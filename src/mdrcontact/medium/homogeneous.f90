@@ -30,6 +30,7 @@ module mdrcontact_medium_homogeneous
         procedure :: upper_share
         procedure :: half_space_modulus
         procedure :: new_tangential
+        procedure :: torsional_stiffness
     end type homogeneous_t
 
 contains
@@ -150,6 +151,32 @@ contains
         end associate
         answer = .true.
     end function yes
+
+    !> (16/3) G a^3; of two bodies 1/G = 1/G1 + 1/G2.
+    subroutine torsional_stiffness(self, a, values, error)
+        class(homogeneous_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        class(medium_t), allocatable :: known
+        type(material_t) :: material
+        real(wp) :: moduli(2)
+
+        values = 0.0_wp
+        ! of the same media
+        call self%new_tangential(known, error)
+        if (allocated(error)) return
+        moduli = ieee_value(1.0_wp, ieee_positive_inf)
+        if (allocated(self%pressed)) then
+            material = self%pressed%surface_material()
+            moduli(1) = material%shear()
+        end if
+        if (allocated(self%counterbody)) then
+            material = self%counterbody%surface_material()
+            moduli(2) = material%shear()
+        end if
+        values = 16.0_wp/3.0_wp*in_series(moduli(1), moduli(2))*a**3
+    end subroutine torsional_stiffness
 
     !> The half-space of modulus G*; of two, 1/G* = 1/G1* + 1/G2*.
     subroutine new_tangential(self, tangential, error)
