@@ -6,6 +6,7 @@
 !>
 !> The depth is linear in time between samples; the cost grows as their number times that of the exponentials in phi.
 module mdrcontact_history_relaxation_follow
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_states, given_force
@@ -127,6 +128,8 @@ contains
         before%fraction = 1.0_wp
         now = before
         do i = 2, size(time)
+            call check_cancelled(error)
+            if (allocated(error)) return
             rate = (depth(i) - depth(i - 1))/(time(i) - time(i - 1))
             ! grows again at once, or would have to at the end of the step?
             if (i > 2) then
@@ -284,6 +287,8 @@ contains
         impulse = 0.0_wp
         elastic(1) = creep%instant*force(1)
         do i = 2, size(force)
+            call check_cancelled(error)
+            if (allocated(error)) return
             length = time(i) - time(i - 1)
             rate = (force(i) - force(i - 1))/length
             pull = creep%instant*rate + creep%fluidity*force(i - 1) + sum(creep%weight*creep%rate*rise)
