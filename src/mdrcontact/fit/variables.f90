@@ -20,6 +20,8 @@ module mdrcontact_fit_variables
     real(wp), parameter :: smallest_poisson = -0.999_wp, largest_poisson = 0.5_wp
     !> ln of the largest ratio to the start that is tried
     real(wp), parameter :: widest_logarithm = 9.0_wp
+    !> A parameter this close to a bound, in parts of it, lies at it.
+    real(wp), parameter :: rounding = 1.0e-13_wp
 
     !> The free parameters, and how each is scaled.
     type :: variables_t
@@ -200,8 +202,13 @@ contains
 
         p = self%number_at(i, u)
         side = 0
-        if (p <= self%lower(i)) side = -1
-        if (p >= self%upper(i)) side = 1
+        ! a bound that has been through logarithms and roots has lost its last digits
+        if (abs(self%lower(i)) <= huge(p)) then
+            if (p - self%lower(i) <= rounding*max(abs(self%lower(i)), self%scale(i))) side = -1
+        end if
+        if (abs(self%upper(i)) <= huge(p)) then
+            if (self%upper(i) - p <= rounding*max(abs(self%upper(i)), self%scale(i))) side = 1
+        end if
     end function is_outside
 
 end module mdrcontact_fit_variables
