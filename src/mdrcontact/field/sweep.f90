@@ -183,7 +183,8 @@ contains
         real(wp), intent(in) :: s, nu
         real(wp) :: m(2, 2)
 
-        m = reshape([1.0_wp, 1.0_wp, s, s + 3.0_wp - 4.0_wp*nu], [2, 2])
+        m(:, 1) = [1.0_wp, 1.0_wp]
+        m(:, 2) = [s, s + 3.0_wp - 4.0_wp*nu]
     end function displaced_down
 
     !> Their tractions.
@@ -191,7 +192,8 @@ contains
         real(wp), intent(in) :: s, nu
         real(wp) :: m(2, 2)
 
-        m = reshape([-1.0_wp, -1.0_wp, -(1.0_wp - 2.0_wp*nu + s), -(2.0_wp*(1.0_wp - nu) + s)], [2, 2])
+        m(:, 1) = [-1.0_wp, -1.0_wp]
+        m(:, 2) = [-(1.0_wp - 2.0_wp*nu + s), -(2.0_wp*(1.0_wp - nu) + s)]
     end function traction_down
 
     !> Displacements, times 2 mu, of the modes that fade upward, without e^t.
@@ -199,7 +201,8 @@ contains
         real(wp), intent(in) :: t, nu
         real(wp) :: m(2, 2)
 
-        m = reshape([1.0_wp, -1.0_wp, t, 3.0_wp - 4.0_wp*nu - t], [2, 2])
+        m(:, 1) = [1.0_wp, -1.0_wp]
+        m(:, 2) = [t, 3.0_wp - 4.0_wp*nu - t]
     end function displaced_up
 
     !> Their tractions.
@@ -207,14 +210,17 @@ contains
         real(wp), intent(in) :: t, nu
         real(wp) :: m(2, 2)
 
-        m = reshape([1.0_wp, -1.0_wp, t - (1.0_wp - 2.0_wp*nu), 2.0_wp*(1.0_wp - nu) - t], [2, 2])
+        m(:, 1) = [1.0_wp, -1.0_wp]
+        m(:, 2) = [t - (1.0_wp - 2.0_wp*nu), 2.0_wp*(1.0_wp - nu) - t]
     end function traction_up
 
     pure function inverse(m) result(other)
         real(wp), intent(in) :: m(2, 2)
         real(wp) :: other(2, 2)
 
-        other = reshape([m(2, 2), -m(2, 1), -m(1, 2), m(1, 1)], [2, 2])/(m(1, 1)*m(2, 2) - m(1, 2)*m(2, 1))
+        other(:, 1) = [m(2, 2), -m(2, 1)]
+        other(:, 2) = [-m(1, 2), m(1, 1)]
+        other = other/(m(1, 1)*m(2, 2) - m(1, 2)*m(2, 1))
     end function inverse
 
 end module mdrcontact_field_sweep
