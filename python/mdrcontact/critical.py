@@ -14,6 +14,7 @@ from .errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from .interior import Interior, layer_energies
 from .material import RIGID
 from .medium import Coated, Homogeneous, Layered, Pair
+from .profile import FlatPunch
 
 __all__ = ["Critical", "Failure", "Layer", "Maximum"]
 
@@ -246,6 +247,8 @@ def first_failure(
 ) -> tuple[Failure, ...]:
     """What `Contact.first_failure` returns."""
     wanted = _wanted(contact, strengths, body)
+    if isinstance(contact.indenter, FlatPunch):
+        return _under_punch(contact, wanted, body, friction)
     radii = _radii(contact, largest_radius, body)
     coarse: dict[float, _Search] = {}
     fine: dict[float, _Search] = {}
@@ -266,6 +269,20 @@ def first_failure(
             ratio(radius, fine)
             search = fine[radius]
             found.append(Failure(mode, place, strength, search._state, _measure(search, mode, place)))
+    return tuple(sorted(found, key=lambda failure: float(failure.state.force)))
+
+
+def _under_punch(contact: Any, wanted: list[tuple[str, int, float]], body: str, friction: float) -> tuple[Failure, ...]:
+    """A contact of one radius: its stresses grow with the depth, so that one state tells all."""
+    state = contact.at_depth(1e-3 * contact.indenter.radius)
+    search = _Search(contact, state, body, friction)
+    found = []
+    for mode, place, strength in wanted:
+        top = _measure(search, mode, place)
+        at_edge = math.hypot(top.r - state.radius, top.z) < 5.0 * _OFF_EDGE * state.radius
+        if top.value > 0.0 and not at_edge:
+            reached = contact.at_depth(float(state.depth) * strength / top.value)
+            found.append(Failure(mode, place, strength, reached, top._replace(value=strength)))
     return tuple(sorted(found, key=lambda failure: float(failure.state.force)))
 
 

@@ -233,6 +233,25 @@ def test_hertz_yields_where_it_is_known_to():
     assert largest.z == pytest.approx(0.04808645, rel=1e-3)
 
 
+def test_first_failure_under_a_flat_punch():
+    """One contact radius: stresses grow with the depth. The film yields at the edge, where stresses are infinite, and has no entry."""
+    contact = mdr.Contact(mdr.FlatPunch(1.0), CONTACT.medium)
+    failures = contact.first_failure({"yield": [50.0, 60.0], "interface shear": [30.0], "tension": [None, 5.0]}, friction=0.1)
+    assert [failure.mode for failure in failures].count("yield") == 1 and len(failures) == 3
+    for failure in failures:
+        field = contact.interior(failure.at.r, failure.at.z, failure.state, side="above", friction=0.1, angle=failure.at.angle)
+        measure = {
+            "yield": field.von_mises,
+            "interface shear": np.hypot(field.s_rz, field.s_tz),
+            "tension": field.principal[..., 0],
+        }
+        assert measure[failure.mode] == pytest.approx(failure.strength, rel=1e-9)
+    # half the strength at half the force
+    half = contact.first_failure({"interface shear": [15.0]}, friction=0.1)[0]
+    whole = next(failure for failure in failures if failure.mode == "interface shear")
+    assert half.state.force == pytest.approx(0.5 * whole.state.force, rel=1e-9)
+
+
 def test_first_failure_is_where_a_strength_is_reached():
     failures = CONTACT.first_failure({"yield": [None, 60.0], "interface shear": [30.0]}, largest_radius=3.0)
     assert [failure.mode for failure in failures] == ["yield", "interface shear"]
