@@ -234,7 +234,7 @@ def test_hertz_yields_where_it_is_known_to():
 
 
 def test_first_failure_under_a_flat_punch():
-    """One contact radius: stresses grow with the depth. The film yields at the edge, where stresses are infinite, and has no entry."""
+    """One contact radius: stresses grow with the depth. The film yields at the edge, where they are infinite: no entry."""
     contact = mdr.Contact(mdr.FlatPunch(1.0), CONTACT.medium)
     failures = contact.first_failure({"yield": [50.0, 60.0], "interface shear": [30.0], "tension": [None, 5.0]}, friction=0.1)
     assert [failure.mode for failure in failures].count("yield") == 1 and len(failures) == 3

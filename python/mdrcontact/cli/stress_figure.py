@@ -40,6 +40,8 @@ def _title(problem: Problem, found: Inside) -> str:
 
 
 def _draw_map(figure: Any, axis: Any, found: Inside, length: Unit, what: str) -> None:
+    from matplotlib.ticker import MaxNLocator
+
     values = [np.asarray(layer.field.von_mises if what == "von_mises" else layer.field.principal[..., 0]) for layer in found.maps]
     finite = np.concatenate([v[np.isfinite(v)] for v in values])
     # a singular edge must not use up all colours
@@ -52,8 +54,9 @@ def _draw_map(figure: Any, axis: Any, found: Inside, length: Unit, what: str) ->
     for layer, value in zip(found.maps, values, strict=True):
         shown = np.clip(unit.of(value), levels[0], levels[-1])
         drawn = axis.contourf(length.of(layer.x), length.of(layer.z), shown.T, levels, cmap=colours)
-    bar = figure.colorbar(drawn, ax=axis, shrink=0.9)
-    bar.set_label(f"{'von Mises stress' if what == 'von_mises' else 'largest principal stress (red: tension)'} [{unit.symbol}]")
+    # as high as the map, whose height follows from equal scales
+    bar = figure.colorbar(drawn, cax=axis.inset_axes((1.03, 0.0, 0.035, 1.0)), ticks=MaxNLocator(6))
+    bar.set_label(f"{'von Mises stress' if what == 'von_mises' else 'principal stress (red: tension)'} [{unit.symbol}]")
     dark = "#ffffff" if what == "von_mises" else "#000000"
     a = float(found.state.radius)
     for depth in found.faces[1:]:
