@@ -5,16 +5,14 @@ from __future__ import annotations
 
 import argparse
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from ..contact import State
-from ..friction import Friction, FrictionLoop, TangentialState
-from ..problem import Problem, ProblemError, load
-from ..problem.friction import Sliding
+from ..problem import ProblemError, load
 from ..problem.units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, Dimension, practical
 from . import files
+from .cycles import Cycles, cycles
 from .table import Column, as_csv, as_text, column, number
 
 _DESCRIPTION = """\
@@ -33,19 +31,7 @@ The problem file has one table more than for the other commands:
                                               # without either from 1 % to 150 % of the shift of sliding
 """
 
-_FROM, _TO, _COUNT = 0.01, 1.5, 12
 _ROWS = 24
-
-
-class Cycles(NamedTuple):
-    """The cycles of one normal state."""
-
-    friction: Friction
-    state: State
-    sliding_shift: float
-    turns: TangentialState
-    energies: np.ndarray[Any, np.dtype[np.float64]]
-    loops: tuple[FrictionLoop, ...]
 
 
 def add(subparsers: Any) -> None:
@@ -84,20 +70,6 @@ def run(arguments: argparse.Namespace) -> None:
     if results:
         print()
         files.write(results, arguments.overwrite)
-
-
-def cycles(problem: Problem, sliding: Sliding, *, with_loops: bool) -> Cycles:
-    """The cycles of the amplitudes that the problem gives."""
-    friction = Friction(problem.contact(), sliding.coefficient)
-    state = problem.control.states(friction.contact, slice(-1, None)).one(0)
-    limit = float(friction.sliding_shift(state))
-    amplitudes = np.array(sliding.amplitudes) if sliding.amplitudes else np.geomspace(_FROM, _TO, _COUNT) * limit
-    at = friction.at_shift if sliding.control == "shift" else friction.at_tangential_force
-    turns = at(amplitudes, state)
-    energies = np.asarray(friction.cycle_energy(amplitudes, sliding.control, state))
-    chosen = sorted({*range(len(amplitudes) - 1, -1, -max(1, len(amplitudes) // 4))})
-    loops = tuple(friction.loop(amplitudes[i], sliding.control, state=state) for i in chosen) if with_loops else ()
-    return Cycles(friction, state, limit, turns, energies, loops)
 
 
 def columns(found: Cycles) -> list[Column]:

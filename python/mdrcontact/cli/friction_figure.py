@@ -7,8 +7,8 @@ import numpy as np
 
 from ..problem import Problem
 from ..problem.units import ENERGY, FORCE, LENGTH, practical
+from .cycles import Cycles
 from .figures import COLOURS, _figure, _render, _style
-from .friction import Cycles
 
 
 def friction_figure(problem: Problem, found: Cycles, form: str) -> bytes:

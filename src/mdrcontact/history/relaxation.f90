@@ -52,10 +52,10 @@ contains
             call raise(error, error_invalid, "tolerance = "//to_text(accuracy)//" is not allowed: it must be at least "// &
                        to_text(smallest_tolerance)//" and at most "//to_text(largest_tolerance))
         end if
-        call check_table(error, "time", time, word(given), values, 1)
+        call check_table(error, "time", time, trim(word(given)), values, 1)
         if (given /= given_depth) then
             do i = 1, size(values)
-                call check_not_negative(error, word(given), values(i), i)
+                call check_not_negative(error, trim(word(given)), values(i), i)
             end do
         end if
         if (allocated(error)) return
@@ -72,7 +72,7 @@ contains
 
     pure function word(given) result(name)
         integer, intent(in) :: given
-        character(len=merge(5, 6, given == given_depth .or. given == given_force)) :: name
+        character(len=6) :: name
 
         name = "radius"
         if (given == given_depth) name = "depth"
@@ -98,7 +98,7 @@ contains
         if (phi%viscosity > 0.0_wp .and. values(1) > 0.0_wp .and. given /= given_force .and. &
             .not. medium%materials(1)%is_power_law()) then
             call raise(error, error_invalid, " = "//to_text(values(1))//" is not allowed: a body with a dashpot in "// &
-                       "parallel bears any jump; begin with 0", word(given), 1)
+                       "parallel bears any jump; begin with 0", trim(word(given)), 1)
             return
         end if
         select case (given)
