@@ -17,8 +17,10 @@ module mdrcontact_field_lattice
 
 contains
 
+    !> The lattice of points (r, z).
     subroutine new_lattice(self, r, z)
         type(lattice_t), intent(out) :: self
+        !> same size [length]
         real(wp), intent(in) :: r(:), z(:)
         integer, allocatable :: rows(:), columns(:)
 
