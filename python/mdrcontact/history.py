@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,9 +14,6 @@ from .errors import ArgumentTypeError, InvalidArgumentError
 from .material import Elastic, PowerLawRheology, Viscoelastic
 from .medium import Coated, Homogeneous, Layered
 from .profile import FlatPunch
-
-if TYPE_CHECKING:
-    from .contact import Contact
 
 __all__ = ["History"]
 
@@ -64,7 +61,7 @@ def history(
 
 
 def dynamic_stiffness(
-    contact: Contact, omega: ArrayLike, radius: ArrayLike | None, depth: ArrayLike | None, force: ArrayLike | None
+    contact: Any, omega: ArrayLike, radius: ArrayLike | None, depth: ArrayLike | None, force: ArrayLike | None
 ) -> ComplexOrArray:
     """See `Contact.dynamic_stiffness`."""
     given = {name: value for name, value in (("radius", radius), ("depth", depth), ("force", force)) if value is not None}
@@ -84,13 +81,13 @@ def dynamic_stiffness(
     return values.reshape(w.shape) if w.ndim else complex(values[0])
 
 
-def step(contact: Contact, kind: int, time: ArrayLike, radius: float | None) -> FloatOrArray:
+def step(contact: Any, kind: int, time: ArrayLike, radius: float | None) -> FloatOrArray:
     """See `Contact.relaxation` and `Contact.creep`."""
     a = number("radius", _radius(contact, {}) if radius is None else radius)
     return evaluate("time", time, lambda t: _native.contact_step_response(contact._handle.address, kind, a, t))
 
 
-def _radius(contact: Contact, given: dict[str, ArrayLike]) -> Any:
+def _radius(contact: Any, given: dict[str, ArrayLike]) -> Any:
     """The contact radius of a flat punch, or of the relaxed body at a depth or force."""
     if isinstance(contact.indenter, FlatPunch):
         return contact.indenter.radius

@@ -21,7 +21,9 @@ module mdrcontact_body
         procedure(response_at), deferred :: response
         !> the same two for the compliance under shear in the plane of the wave, k C_L = ((1 - nu0)/G0) sigma, and across it,
         !> k C_T = (1/G0) sigma
-        procedure(response_at), deferred :: in_plane_response, anti_plane_response
+        procedure(response_at), deferred :: in_plane_response
+        !> see in_plane_response
+        procedure(response_at), deferred :: anti_plane_response
         !> the surface material
         procedure(material_of), deferred :: surface_material
         !> sigma(0) in the plane and across it; 0 on a rigid base [1]

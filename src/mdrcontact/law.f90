@@ -19,7 +19,7 @@ module mdrcontact_law
                                 error_t, error_unreachable, raise, raise_at, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
-    use mdrcontact_law_evaluate, only: count_within, energy_at, point_at, point_in, run_points
+    use mdrcontact_law_evaluate, only: count_within, energy_at, point_at, point_in, run_points, wanted_t
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial, polynomial_with_slope
     use mdrcontact_law_segments, only: compile_segments, fold_margin
     use mdrcontact_law_table, only: below_range, interval_for, interval_in, law_table_t, no_contact, scale_table, segment_for, &
@@ -437,19 +437,24 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> same size as depths: F [modulus length^2], dF/dd [modulus length], a [length], k [modulus length]; what is not given is
         !> not computed
-        real(wp), intent(inout), optional, contiguous :: force(:), slope(:), radius(:), stiffness(:)
+        real(wp), intent(inout), optional, target, contiguous :: force(:), slope(:), radius(:), stiffness(:)
         !> on_loading or on_unloading (default)
         integer, intent(in), optional :: branch
         !> at least 1 (default), or 0 for as many as OpenMP offers; few points stay on one
         integer, intent(in), optional :: threads
+        type(wanted_t) :: wanted
         integer :: way, team
         logical :: all_direct
 
-        call check_arrays(error, size(depths), force, slope, radius, stiffness, branch, threads, way, team)
+        if (present(force)) wanted%other => force
+        if (present(slope)) wanted%slope => slope
+        if (present(radius)) wanted%radius => radius
+        if (present(stiffness)) wanted%stiffness => stiffness
+        call check_call(error, size(depths), wanted, branch, threads, way, team)
         all_direct = count_within(depths, self%by_depth%direct%lowest, self%by_depth%direct%highest) == size(depths)
         if (.not. all_direct) call check_depths(error, self, depths)
         if (allocated(error)) return
-        call run_points(self%by_depth, way, depths, all_direct, team, force, slope, radius, stiffness)
+        call run_points(self%by_depth, way, depths, all_direct, team, wanted)
     end subroutine from_depths
 
     !> The states under many forces: at_force for arrays, as from_depths.
@@ -460,15 +465,20 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> same size as forces: d [length], dd/dF [1/(modulus length)], a [length], k [modulus length]; what is not given is not
         !> computed
-        real(wp), intent(inout), optional, contiguous :: depth(:), compliance(:), radius(:), stiffness(:)
+        real(wp), intent(inout), optional, target, contiguous :: depth(:), compliance(:), radius(:), stiffness(:)
         !> on_loading or on_unloading (default)
         integer, intent(in), optional :: branch
         !> at least 1 (default), or 0 for as many as OpenMP offers; few points stay on one
         integer, intent(in), optional :: threads
+        type(wanted_t) :: wanted
         integer :: way, team, i
         logical :: all_direct
 
-        call check_arrays(error, size(forces), depth, compliance, radius, stiffness, branch, threads, way, team)
+        if (present(depth)) wanted%other => depth
+        if (present(compliance)) wanted%slope => compliance
+        if (present(radius)) wanted%radius => radius
+        if (present(stiffness)) wanted%stiffness => stiffness
+        call check_call(error, size(forces), wanted, branch, threads, way, team)
         if (allocated(error)) return
         all_direct = count_within(forces, self%by_force%direct%lowest, self%by_force%direct%highest) == size(forces)
         if (.not. all_direct) then
@@ -479,7 +489,7 @@ contains
                 return
             end do
         end if
-        call run_points(self%by_force, way, forces, all_direct, team, depth, compliance, radius, stiffness)
+        call run_points(self%by_force, way, forces, all_direct, team, wanted)
     end subroutine from_forces
 
     !> Raises unless the law has a state at each depth.
@@ -499,10 +509,10 @@ contains
     end subroutine check_depths
 
     !> What from_depths and from_forces take beside the points.
-    pure subroutine check_arrays(error, n, other, slope, radius, stiffness, branch, threads, way, team)
+    subroutine check_call(error, n, wanted, branch, threads, way, team)
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: n
-        real(wp), intent(in), optional :: other(:), slope(:), radius(:), stiffness(:)
+        type(wanted_t), intent(in) :: wanted
         integer, intent(in), optional :: branch, threads
         integer, intent(out) :: way, team
 
@@ -512,18 +522,18 @@ contains
         if (present(threads)) team = threads
         call check_branch(error, way)
         call check_threads(error, team)
-        call check_size(error, n, other)
-        call check_size(error, n, slope)
-        call check_size(error, n, radius)
-        call check_size(error, n, stiffness)
-    end subroutine check_arrays
+        call check_size(error, n, wanted%other)
+        call check_size(error, n, wanted%slope)
+        call check_size(error, n, wanted%radius)
+        call check_size(error, n, wanted%stiffness)
+    end subroutine check_call
 
-    pure subroutine check_size(error, n, array)
+    subroutine check_size(error, n, array)
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: n
-        real(wp), intent(in), optional :: array(:)
+        real(wp), pointer, intent(in) :: array(:)
 
-        if (.not. present(array)) return
+        if (.not. associated(array)) return
         if (size(array) == n) return
         call raise(error, error_invalid, "the arrays have "//count_text(n)//" and "//count_text(size(array))// &
                    " entries: they must have the same number")

@@ -333,6 +333,7 @@ contains
         class(medium_t), intent(in) :: self
         !> contact radii [length]
         real(wp), intent(in) :: a(:)
+        !> M/phi [modulus length^3]
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 

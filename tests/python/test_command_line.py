@@ -305,7 +305,7 @@ def test_progress_appears_when_it_takes_long(monkeypatch):
         def isatty(self):
             return True
 
-    problem = load(PROBLEMS[0])
+    problem = load(ELASTIC[0])
     for patience, shown in ((0.0, True), (60.0, False)):
         terminal = Terminal()
         monkeypatch.setattr(sys, "stderr", terminal)

@@ -18,16 +18,21 @@ contains
         type(c_ptr), value :: law
         integer(c_int), value :: branch, n
         real(c_double), intent(in), optional :: d(n)
-        real(c_double), intent(inout), optional :: f(n), slope(n), a(n), k(n)
+        real(c_double), intent(inout), optional, target :: f(n), slope(n), a(n), k(n)
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
+        real(c_double), pointer, contiguous :: out_1(:), out_2(:), out_3(:), out_4(:)
         type(error_t), allocatable :: error
 
         call open_handle(law, "law", inside, error)
         call check_count(error, n)
         call check_array(error, "d", n, present(d))
         if (.not. allocated(error) .and. present(d)) then
-            call inside%from_depths(d, error, f, slope, a, k, int(branch), wanted_threads())
+            call point_to(n, f, out_1)
+            call point_to(n, slope, out_2)
+            call point_to(n, a, out_3)
+            call point_to(n, k, out_4)
+            call inside%from_depths(d, error, out_1, out_2, out_3, out_4, int(branch), wanted_threads())
         end if
         status = status_of(error)
     end function mdr_law_from_depth
@@ -36,16 +41,21 @@ contains
         type(c_ptr), value :: law
         integer(c_int), value :: branch, n
         real(c_double), intent(in), optional :: f(n)
-        real(c_double), intent(inout), optional :: d(n), compliance(n), a(n), k(n)
+        real(c_double), intent(inout), optional, target :: d(n), compliance(n), a(n), k(n)
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
+        real(c_double), pointer, contiguous :: out_1(:), out_2(:), out_3(:), out_4(:)
         type(error_t), allocatable :: error
 
         call open_handle(law, "law", inside, error)
         call check_count(error, n)
         call check_array(error, "F", n, present(f))
         if (.not. allocated(error) .and. present(f)) then
-            call inside%from_forces(f, error, d, compliance, a, k, int(branch), wanted_threads())
+            call point_to(n, d, out_1)
+            call point_to(n, compliance, out_2)
+            call point_to(n, a, out_3)
+            call point_to(n, k, out_4)
+            call inside%from_forces(f, error, out_1, out_2, out_3, out_4, int(branch), wanted_threads())
         end if
         status = status_of(error)
     end function mdr_law_from_force
@@ -68,5 +78,15 @@ contains
         end if
         status = status_of(error)
     end function mdr_law_energy
+
+    !> An array, or null where there is none: absent arrays of fixed shape are no valid arguments where a shape is assumed.
+    subroutine point_to(n, array, pointer)
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in), optional, target :: array(n)
+        real(c_double), pointer, contiguous, intent(out) :: pointer(:)
+
+        pointer => null()
+        if (present(array)) pointer => array
+    end subroutine point_to
 
 end module mdrcontact_api_law_batch

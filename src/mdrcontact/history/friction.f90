@@ -45,6 +45,7 @@ module mdrcontact_history_friction
     type :: friction_t
         !> to be read only
         type(contact_t) :: contact
+        !> of friction, > 0 [1]
         real(wp) :: coefficient = 0.0_wp
         !> what answers to a shift as the contact's medium does to a depth: its modulus is G_t(a) = k_t(a)/(2 a)
         class(medium_t), allocatable :: tangential
@@ -335,6 +336,7 @@ contains
         type(tangential_state_t), intent(in) :: state
         !> 0 <= x <= a [length]
         real(wp), intent(in) :: x(:)
+        !> (size(x))
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
@@ -349,6 +351,7 @@ contains
         type(tangential_state_t), intent(in) :: state
         !> 0 <= r <= a [length]
         real(wp), intent(in) :: r(:)
+        !> (size(r))
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 

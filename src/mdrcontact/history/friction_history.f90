@@ -25,6 +25,7 @@ module mdrcontact_history_friction_history
         type(springs_t) :: springs
         !> the states reached, all 0 at first; energy dissipated since then
         type(contact_state_t), public :: normal
+        !> see normal
         type(tangential_state_t), public :: tangential
     contains
         procedure :: advance
@@ -66,9 +67,11 @@ contains
         class(friction_history_t), intent(inout) :: self
         !> given_depth or given_force, and d [length] or F [modulus length^2] at the end of the step, >= 0
         integer, intent(in) :: normal_given
+        !> see normal_given
         real(wp), intent(in) :: normal
         !> given_shift or given_tangential_force, and s [length] or T [modulus length^2] at its end, |T| < mu F
         integer, intent(in) :: tangential_given
+        !> see tangential_given
         real(wp), intent(in) :: tangential
         type(error_t), allocatable, intent(out) :: error
         type(contact_state_t) :: state

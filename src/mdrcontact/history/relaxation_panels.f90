@@ -9,6 +9,7 @@ module mdrcontact_history_relaxation_panels
     !> Nodes in a panel.
     integer, parameter :: per_panel = 16
 
+    !> Adjoining panels on which functions are known at Lobatto's nodes.
     type :: panels_t
         !> (0:count) ends; nodes and weights, (per_panel*count)
         real(wp), allocatable :: ends(:), x(:), weights(:)

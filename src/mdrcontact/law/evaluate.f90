@@ -11,7 +11,7 @@ module mdrcontact_law_evaluate
                                     values_in
     implicit none (type, external)
     private
-    public :: law_view_t, view_of, point_at, point_in, energy_at, run_points, count_within
+    public :: law_view_t, view_of, point_at, point_in, energy_at, run_points, count_within, wanted_t
 
     !> struct mdr_law_view of include/mdrcontact_law.h: the interval of a table in which nothing has to be looked for.
     type, bind(C) :: law_view_t
@@ -27,15 +27,24 @@ module mdrcontact_law_evaluate
         integer(c_int) :: branch = on_unloading, shift = 0_c_int
     end type law_view_t
 
-    !> Points of a table and where their values go; null: not wanted.
+    !> Where values at points go; null: not wanted. Pointers, as absent arrays of assumed shape cannot be handed on without a
+    !> descriptor of nothing.
+    type :: wanted_t
+        !> the force at depths or the depth under forces, its slope
+        real(wp), pointer, contiguous :: other(:) => null(), slope(:) => null()
+        !> contact radius and contact stiffness
+        real(wp), pointer, contiguous :: radius(:) => null(), stiffness(:) => null()
+    end type wanted_t
+
+    !> Points of a table.
     type, extends(batch_t) :: points_t
         type(law_table_t), pointer :: table => null()
         type(law_view_t) :: view
         integer :: branch = on_unloading
         !> whether all points lie within the view
         logical :: all_direct = .false.
-        real(wp), pointer, contiguous :: s(:) => null(), other(:) => null(), slope(:) => null(), radius(:) => null(), &
-                                         stiffness(:) => null()
+        real(wp), pointer, contiguous :: s(:) => null()
+        type(wanted_t) :: wanted
     contains
         procedure :: work
     end type points_t
@@ -127,7 +136,7 @@ contains
     end function energy_at
 
     !> point_at for many points, on `threads` threads (0: as many as the runtime offers); what is not given is not computed.
-    subroutine run_points(table, branch, s, all_direct, threads, other, slope, radius, stiffness)
+    subroutine run_points(table, branch, s, all_direct, threads, wanted)
         type(law_table_t), intent(in), target :: table
         integer, intent(in) :: branch
         real(wp), intent(in), target, contiguous :: s(:)
@@ -135,7 +144,7 @@ contains
         logical, intent(in) :: all_direct
         integer, intent(in) :: threads
         !> same size as s
-        real(wp), intent(inout), optional, target, contiguous :: other(:), slope(:), radius(:), stiffness(:)
+        type(wanted_t), intent(in) :: wanted
         type(points_t) :: points
         type(error_t), allocatable :: unused
 
@@ -145,10 +154,7 @@ contains
         points%branch = branch
         points%all_direct = all_direct
         points%s => s
-        if (present(other)) points%other => other
-        if (present(slope)) points%slope => slope
-        if (present(radius)) points%radius => radius
-        if (present(stiffness)) points%stiffness => stiffness
+        points%wanted = wanted
         call run_batch(points, size(s), block_size, smallest_parallel, threads, unused)
     end subroutine run_points
 
@@ -171,19 +177,19 @@ contains
         real(wp) :: other, slope, radius, stiffness
         integer :: i
 
-        associate (view => self%view)
+        associate (view => self%view, wanted => self%wanted)
             if (view%lowest <= view%highest) then
-                call mdrcontact_law_points(view, last - first + 1, c_loc(self%s(first)), place(self%other, first), &
-                                           place(self%slope, first), place(self%radius, first), place(self%stiffness, first))
+                call mdrcontact_law_points(view, last - first + 1, c_loc(self%s(first)), place(wanted%other, first), &
+                                           place(wanted%slope, first), place(wanted%radius, first), place(wanted%stiffness, first))
             end if
             if (self%all_direct) return
             do i = first, last
                 if (self%s(i) >= view%lowest .and. self%s(i) <= view%highest) cycle
                 call point_at(self%table, self%branch, self%s(i), other, slope, radius, stiffness)
-                if (associated(self%other)) self%other(i) = other
-                if (associated(self%slope)) self%slope(i) = slope
-                if (associated(self%radius)) self%radius(i) = radius
-                if (associated(self%stiffness)) self%stiffness(i) = stiffness
+                if (associated(wanted%other)) wanted%other(i) = other
+                if (associated(wanted%slope)) wanted%slope(i) = slope
+                if (associated(wanted%radius)) wanted%radius(i) = radius
+                if (associated(wanted%stiffness)) wanted%stiffness(i) = stiffness
             end do
         end associate
     end subroutine work

@@ -24,11 +24,17 @@ module mdrcontact_material_rheology
         !> G(t) = modulus (t/time)^(-exponent); an exponent of 0 means that it is not
         real(wp) :: modulus = 0.0_wp, time = 0.0_wp, exponent = 0.0_wp
     contains
+        !> whether G(t) is a power law, without a glassy and a relaxed limit
         procedure :: is_power_law
+        !> whether G does not depend on time
         procedure :: is_elastic
+        !> G(t), the shear relaxation modulus [modulus]
         procedure :: relaxation
+        !> J(t), the shear compliance [1/modulus]
         procedure :: creep
+        !> s times the Laplace transform of G(t) [modulus]
         procedure :: complex_shear
+        !> Poisson's ratio at s [1]
         procedure :: complex_poisson
         procedure :: glassy
         procedure :: relaxed
@@ -136,6 +142,7 @@ contains
     !> G(t) at t > 0 [modulus].
     elemental function relaxation(self, t) result(value)
         class(rheology_t), intent(in) :: self
+        !> > 0 [time]
         real(wp), intent(in) :: t
         real(wp) :: value
 
@@ -149,6 +156,7 @@ contains
     !> J(t) at times t > 0, the shear compliance: strain under a constant stress of 1 [1/modulus].
     pure function creep(self, t) result(values)
         class(rheology_t), intent(in) :: self
+        !> > 0 [time]
         real(wp), intent(in) :: t(:)
         real(wp) :: values(size(t))
         type(creep_t) :: series
@@ -167,6 +175,7 @@ contains
     !> Q(s) of the shear modulus [modulus]; G*(omega) at s = i omega.
     elemental function complex_shear(self, s) result(value)
         class(rheology_t), intent(in) :: self
+        !> real part >= 0, s = i omega of an oscillation [1/time]
         complex(wp), intent(in) :: s
         complex(wp) :: value
 
@@ -180,6 +189,7 @@ contains
     !> Poisson's ratio at s.
     elemental function complex_poisson(self, s) result(value)
         class(rheology_t), intent(in) :: self
+        !> as of complex_shear [1/time]
         complex(wp), intent(in) :: s
         complex(wp) :: value
         complex(wp) :: shear

@@ -23,12 +23,15 @@ module mdrcontact_medium_viscoelastic
 
     !> Materials from the surface down, the substrate last, unless the base is rigid.
     type, extends(medium_t) :: viscoelastic_t
+        !> from the surface down
         type(rheology_t), allocatable :: materials(:)
         !> of the layers [length]
         real(wp), allocatable :: thickness(:)
+        !> below the last layer, in place of a half-space
         logical :: rigid_base = .false.
         !> the model by which elastic bodies of this shape are solved
         integer :: model = models%exact
+        !> the model's options
         type(model_options_t) :: options
         !> whether all materials relax in proportion: every state then follows from the elastic ones (theory of time 3)
         logical :: is_proportional = .false.
@@ -60,6 +63,7 @@ contains
         type(rheology_t), intent(in) :: materials(:)
         !> of the layers, > 0: none for a homogeneous half-space [length]
         real(wp), intent(in) :: thickness(:)
+        !> below the last layer, in place of a half-space
         logical, intent(in) :: rigid_base
         !> one of models%..., and its options
         integer, intent(in) :: model
