@@ -297,6 +297,30 @@ def test_figures_without_matplotlib(problem, capsys, monkeypatch):
     assert main(["curve", problem]) == 0
 
 
+def test_what_a_rigid_indenter_would_have_cost(capsys):
+    path = ROOT / "examples" / "problems" / "diamond_on_tin.toml"
+    assert main(["curve", str(path)]) == 0
+    out, _ = capsys.readouterr()
+    film = mdr.Coated(mdr.Elastic(450e9, 0.25), 1e-6, mdr.Elastic(210e9, 0.30), "exact")
+    both = mdr.Contact(mdr.Sphere(1e-5), mdr.Pair(film, mdr.Homogeneous(mdr.Elastic(1141e9, 0.07))))
+    ends = np.array([1e-9, 100e-9])
+    excess = 100 * (mdr.Contact(mdr.Sphere(1e-5), film).at_depth(ends).force / both.at_depth(ends).force - 1)
+    assert f"{excess[0]:+.1f} % off at the first depth, {excess[1]:+.1f} % at the last." in out
+    assert 20 < excess[1] < excess[0] < 40
+
+
+def test_compare_takes_the_indenter_into_every_model(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["compare", str(ROOT / "examples" / "problems" / "diamond_on_tin.toml"), "--csv", "compare.csv"]) == 0
+    head, rows = _rows("compare.csv")
+    deepest = {row[0]: float(row[head.index("force [mN]")]) for row in rows}
+    diamond = mdr.Homogeneous(mdr.Elastic(1141e9, 0.07))
+    for model in ("gao", "bec", "exact"):
+        film = mdr.Coated(mdr.Elastic(450e9, 0.25), 1e-6, mdr.Elastic(210e9, 0.30), model)
+        force = mdr.Contact(mdr.Sphere(1e-5), mdr.Pair(film, diamond)).at_depth(100e-9).force
+        assert deepest[model] == pytest.approx(force / 1e-3, rel=1e-9)
+
+
 def test_progress_appears_when_it_takes_long(monkeypatch):
     from mdrcontact.cli import solve
     from mdrcontact.problem import load
