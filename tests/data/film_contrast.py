@@ -64,7 +64,8 @@ def gauss(n):
 NODES, WEIGHTS = gauss(56)
 
 
-def solve(contrast, nu0, nu1, a):
+def coefficients(contrast, nu0, nu1, a):
+    """c and v, the line loads per E0* of depth 1 and of the profile in s_j P_2j(x/a), with r and g of the edge."""
     contrast, nu0, nu1, a = (mp.mpf(v) for v in (contrast, nu0, nu1, a))
     n = int(12 * mp.sqrt(a)) + 18
     s = [mp.sqrt(mp.mpf(4 * j + 1) / 2) for j in range(n)]
@@ -96,7 +97,12 @@ def solve(contrast, nu0, nu1, a):
     one, g = mp.matrix(n, 1), mp.matrix(n, 1)
     one[0] = mp.sqrt(2)
     g[0], g[1] = 2 * s[0] * a**2 / 3, 2 * s[1] * a**2 * 2 / 15
-    c, v = mp.lu_solve(matrix, one), mp.lu_solve(matrix, g)
+    return mp.lu_solve(matrix, one), mp.lu_solve(matrix, g), r, s
+
+
+def solve(contrast, nu0, nu1, a):
+    c, v, r, _ = coefficients(contrast, nu0, nu1, a)
+    a, n = mp.mpf(a), len(r)
     edge = 1 - sum(r[i] * c[i] for i in range(n))
     depth = (a**2 - sum(r[i] * v[i] for i in range(n))) / edge
     return c[0] / mp.sqrt(2), edge, depth, a * mp.sqrt(2) * (depth * c[0] - v[0])

@@ -101,6 +101,26 @@ def test_surface_values_are_those_of_the_contact():
     assert field.s_zz[:3] == pytest.approx(-CONTACT.pressure(r[:3], STATE), rel=1e-9)
 
 
+def test_high_contrast_to_ten_digits():
+    """Six equations a wavenumber in 80 digits (tests/data/stress_contrast.py) share nothing with the sweep."""
+    rows = list(csv.DictReader((DATA / "stress_contrast.csv").read_text().splitlines()))
+    assert len(rows) == 12
+    for case in ("1e4", "1e-4"):
+        points = [row for row in rows if row["contrast"] == case]
+        nu, base, a = (float(points[0][name]) for name in ("nu_film", "nu_base", "a"))
+        film = mdr.Coated(mdr.Elastic(2 * (1 + nu), nu), 1.0, mdr.Elastic(2 * (1 + base) / float(case), base))
+        contact = mdr.Contact(mdr.Paraboloid(1.0), film)
+        state = contact.at_radius(a)
+        assert state.depth == pytest.approx(float(points[0]["depth"]), rel=1e-12)
+        for names in (("u_r", "u_z"), ("s_rr", "s_tt", "s_zz", "s_rz")):
+            largest = max(abs(float(row[name])) for row in points for name in names)
+            for row in points:
+                side = "below" if row["layer"] == "1" else "above"
+                field = contact.interior(float(row["r"]), float(row["z"]), state, side=side)
+                for name in names:
+                    assert getattr(field, name) == pytest.approx(float(row[name]), abs=1e-10 * largest), (row, name)
+
+
 def test_adhesive_and_flat_edges_are_infinite():
     adhesive = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(TIN, 1.0, STEEL, "exact"), work_of_adhesion=1.0)
     state = adhesive.at_radius(1.0)
