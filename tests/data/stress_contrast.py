@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes stress_contrast.csv: stresses under a paraboloid on one film at contrasts of 1e4 and 1e-4, to 15 digits (needs mpmath).
 
-The line load is that of film_contrast.py. The field of each wavenumber solves six equations - free shear and pressure at the surface,
+The line load is that of film_contrast.py. The field of each wavenumber solves six equations - free shear, pressure at the surface,
 four continuities at the interface - for six amplitudes, without a sweep; sums over wavenumbers are Gauss rules in octaves.
 Film of thickness 1 and shear modulus 1 on a half-space of shear modulus 1/contrast, R = 1.
 """
