@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # From a bare Debian or Ubuntu machine to force-depth curves of real coated bodies: ./quickstart.sh
-# Installs what is missing (asks for sudo if need be), makes .venv with the package, computes examples/problems/*.toml.
+# Installs what is missing (asks for sudo if need be), makes .venv with the package, computes every problem of examples/problems.
 # Run again at any time; what is up to date is left alone.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -16,15 +16,7 @@ say "2/3 Python package in .venv"
 install_python_package all
 
 say "3/3 Contact of coated bodies"
-for problem in examples/problems/*.toml; do
-    name=$(basename "$problem" .toml)
-    note "$problem"
-    .venv/bin/mdrcontact curve "$problem" --csv "output/$name.csv" --plot "output/$name.png" --overwrite
-    .venv/bin/mdrcontact compare "$problem" --plot "output/$name-models.png" --overwrite
-    if grep -q '^\[adhesion\]' "$problem"; then
-        .venv/bin/mdrcontact adhesion "$problem" --csv "output/$name-loop.csv" --plot "output/$name-loop.png" --overwrite
-    fi
-done
+examples/problems/run.sh .venv/bin/mdrcontact output
 
 say "Done in $SECONDS s. Plots and tables:"
 for file in output/*.png output/*.csv; do
@@ -33,6 +25,6 @@ done
 say "Next"
 note "source .venv/bin/activate"
 note "mdrcontact curve --help                      what a problem file may hold"
-note "cp $problem mine.toml"
+note "cp examples/problems/sio2_on_si.toml mine.toml"
 note "mdrcontact curve mine.toml --plot mine.png   with your own indenter and coating in mine.toml"
 note "./runtests.sh                                every test, in Fortran, C and Python"

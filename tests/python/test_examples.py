@@ -3,6 +3,7 @@
 
 import re
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -30,6 +31,19 @@ def test_scripts(script, tmp_path):
     figure = tmp_path / f"{script.stem}.png"
     assert f"written: {figure.name}" in out
     assert figure.read_bytes()[:8] == b"\x89PNG\r\n\x1a\n" and figure.stat().st_size > 20_000
+
+
+@pytest.mark.slow
+def test_problems(tmp_path):
+    """What quickstart.sh computes: every problem by the commands that its sections ask for, with tables and figures."""
+    assert "examples/problems/run.sh " in (ROOT / "quickstart.sh").read_text(encoding="utf-8")
+    run([ROOT / "examples/problems/run.sh", Path(sys.executable).with_name("mdrcontact"), tmp_path], tmp_path)
+    written = {path.name for path in tmp_path.iterdir() if path.stat().st_size > 200}
+    problems = {path.stem for path in (ROOT / "examples/problems").glob("*.toml")}
+    extra = {"afm_on_pdms": "loop", "tin_on_steel": "stress friction"}
+    for name in problems:
+        endings = [""] + [f"-{end}" for end in extra.get(name, "").split()]
+        assert {f"{name}{end}.{kind}" for end in endings for kind in ("png", "csv")} <= written
 
 
 @pytest.mark.slow
