@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What states of exactly solved layers cost, in units of one atan + log of the C library measured in the same run, beside the bound
+ * that each is held to. Prints a section of docs/benchmarks.md; exit status 1 if a bound is missed. */
+#define _POSIX_C_SOURCE 200809L
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "mdrcontact.h"
+
+enum { ROUNDS = 9, POINTS = 4096, ARRAY = 200, FIT_POINTS = 500, PROFILES = 4, RADII = 3, FILMS = 3, FEW = 16, MANY = 1000 };
+
+/* Processor time: what other programs of the machine take does not count. */
+static double busy(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void check(int status)
+{
+    char text[512];
+    if (status == MDR_SUCCESS) return;
+    mdr_last_error(text, sizeof text);
+    fprintf(stderr, "%s: %s\n", mdr_status_name(status), text);
+    exit(EXIT_FAILURE);
+}
+
+static double least(double a, double b) { return a < b ? a : b; }
+
+/* Seconds of one atan + log. */
+static double unit(void)
+{
+    double sum = 0.0;
+    const double start = busy();
+    for (int round = 0; round < 8; ++round) {
+        for (int i = 0; i < POINTS; ++i) sum += atan(0.01 + 0.013 * i) + log(0.01 + 0.013 * i);
+    }
+    if (sum == 0.5) printf("never\n");
+    return (busy() - start) / (8.0 * POINTS);
+}
+
+/* Units that one call of work takes: the least of some rounds, each of the work and of the unit by turns. */
+static double cost(void (*work)(void *), void *with)
+{
+    double spent = INFINITY, one = INFINITY, start = busy();
+    work(with);
+    const int calls = 1 + (int)(2e-3 / (busy() - start + 1e-9));
+    for (int round = 0; round < ROUNDS; ++round) {
+        start = busy();
+        for (int call = 0; call < calls; ++call) work(with);
+        spent = least(spent, (busy() - start) / calls);
+        one = least(one, unit());
+    }
+    return spent / one;
+}
+
+static int missed = 0;
+
+static void report(const char *what, const char *under, double figure, double bound)
+{
+    const int held = figure <= bound;
+    if (!held) ++missed;
+    printf(bound < 10.0 ? "| %s | %s | %.2f | %.2f | %s |\n" : "| %s | %s | %.0f | %.0f | %s |\n", what, under, figure, bound,
+           held ? "held" : "missed");
+    fflush(stdout);
+}
+
+/* A contact and the states asked of it. */
+typedef struct states {
+    const mdr_contact *contact;
+    int count;
+    double given[ARRAY], depth[ARRAY], radius[ARRAY], force[ARRAY], stiffness[ARRAY];
+} states;
+
+static void from_radius(void *with)
+{
+    states *s = with;
+    check(mdr_contact_from_radius(s->contact, s->count, s->given, s->depth, s->radius, s->force, s->stiffness));
+}
+
+static void from_depth(void *with)
+{
+    states *s = with;
+    check(mdr_contact_from_depth(s->contact, s->count, s->given, s->depth, s->radius, s->force, s->stiffness));
+}
+
+/* Layers of thickness 1 in all on a substrate, E falling or rising to that of the substrate, 1. */
+typedef struct layers {
+    int count;
+    double young[MANY], poisson[MANY], thickness[MANY];
+} layers;
+
+static void make_medium(void *with)
+{
+    layers *body = with;
+    mdr_medium *medium = NULL;
+    check(mdr_medium_layered(body->count, body->young, body->poisson, body->thickness, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &medium));
+    mdr_medium_free(&medium);
+}
+
+static mdr_medium *fill_layers(layers *body, int count, double contrast)
+{
+    mdr_medium *medium = NULL;
+    body->count = count;
+    for (int i = 0; i < count; ++i) {
+        body->young[i] = contrast + (1.0 - contrast) * (count > 1 ? (i + 0.5) / count : 0.0);
+        body->poisson[i] = 0.3;
+        body->thickness[i] = 1.0 / count;
+    }
+    check(mdr_medium_layered(count, body->young, body->poisson, body->thickness, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &medium));
+    return medium;
+}
+
+static const char *const profile_names[PROFILES] = {"paraboloid", "cone", "flat-ended cone", "rounded cone"};
+
+/* Flat and rounded ends to 0.4 a. */
+static mdr_profile *new_profile(int which, double a)
+{
+    mdr_profile *profile = NULL;
+    check(which == 0   ? mdr_profile_paraboloid(1.0, &profile)
+          : which == 1 ? mdr_profile_cone(0.1, &profile)
+          : which == 2 ? mdr_profile_flat_cone(0.4 * a, 0.1, &profile)
+                       : mdr_profile_rounded_cone(0.4 * a, 0.1, &profile));
+    return profile;
+}
+
+/* One film: a state from its radius, the same from its depth, and an array of depths against the radii that it finds. */
+static void film_states(double contrast)
+{
+    static const double radii[RADII] = {1.0, 10.0, 100.0};
+    static const double of_radius[RADII] = {200.0, 800.0, 4000.0}, of_depth[RADII] = {600.0, 2000.0, 10000.0};
+    static layers body;
+    mdr_medium *film = fill_layers(&body, 1, contrast);
+
+    for (int which = 0; which < PROFILES; ++which) {
+        /* g is not smooth */
+        const double kinked = which > 0 ? 3.0 : 1.0;
+        for (int i = 0; i < RADII; ++i) {
+            char under[80];
+            states one = {.count = 1}, all = {.count = ARRAY};
+            mdr_profile *profile = new_profile(which, radii[i]);
+            mdr_contact *contact = NULL;
+            check(mdr_contact_new(profile, film, NULL, &contact));
+            snprintf(under, sizeof under, "%s, E0/E1 = %g, a/h = %g", profile_names[which], contrast, radii[i]);
+            one.contact = all.contact = contact;
+            one.given[0] = radii[i];
+            report("from a radius", under, cost(from_radius, &one), kinked * of_radius[i]);
+            one.given[0] = one.depth[0];
+            report("from a depth", under, cost(from_depth, &one), kinked * of_depth[i]);
+            for (int j = 0; j < ARRAY; ++j) all.given[j] = one.given[0] * (0.5 + 0.5 * (j + 1.0) / ARRAY);
+            const double depths = cost(from_depth, &all);
+            for (int j = 0; j < ARRAY; ++j) all.given[j] = all.radius[j];
+            report("200 depths against their radii", under, depths / cost(from_radius, &all), 1.5);
+            mdr_contact_free(&contact);
+            mdr_profile_free(&profile);
+        }
+    }
+    mdr_medium_free(&film);
+}
+
+static void medium_cost(double contrast)
+{
+    static layers body;
+    char under[80];
+    mdr_medium *film = fill_layers(&body, 1, contrast);
+    mdr_medium_free(&film);
+    snprintf(under, sizeof under, "one film, E0/E1 = %g", contrast);
+    report("making the medium", under, cost(make_medium, &body), 30000.0);
+}
+
+static void layers_cost(int count, double bound)
+{
+    static layers body;
+    char under[80];
+    states one = {.count = 1, .given = {1.0}};
+    mdr_medium *medium = fill_layers(&body, count, 10.0);
+    mdr_profile *profile = new_profile(0, 1.0);
+    mdr_contact *contact = NULL;
+    check(mdr_contact_new(profile, medium, NULL, &contact));
+    one.contact = contact;
+    snprintf(under, sizeof under, "paraboloid, %d layers, a = all of them", count);
+    report("from a radius", under, cost(from_radius, &one), bound);
+    mdr_contact_free(&contact);
+    mdr_profile_free(&profile);
+    mdr_medium_free(&medium);
+}
+
+/* A force-depth curve of a film, with noise of 1 %, from which its modulus and thickness are found again. */
+typedef struct curve {
+    double depth[FIT_POINTS], force[FIT_POINTS], sd[FIT_POINTS];
+    mdr_fit_problem problem;
+    mdr_fit_parameter parameters[64];
+} curve;
+
+static void solve_fit(void *with)
+{
+    curve *c = with;
+    mdr_fit_summary summary;
+    check(mdr_fit_solve(&c->problem, FIT_POINTS, c->depth, c->force, NULL, c->sd, NULL, NULL, NULL, NULL, NULL, NULL, NULL,
+                        &summary));
+}
+
+static void fit_cost(void)
+{
+    /* R, then E, nu, h of the film, E, nu of the substrate, and a constant that the model has not */
+    static const double values[] = {10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1.0};
+    static curve c;
+    unsigned long long state = 20140101;
+    int count;
+    mdr_fit_problem_init(&c.problem);
+    c.problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
+    c.problem.medium = MDR_FIT_MEDIUM_STACK;
+    c.problem.parameters = c.parameters;
+    check(mdr_fit_parameter_count(&c.problem, &count));
+    c.problem.parameter_count = count;
+    for (int i = 0; i < count; ++i) {
+        c.parameters[i] = (mdr_fit_parameter){.lower = -INFINITY, .upper = INFINITY};
+        if (i < (int)(sizeof values / sizeof *values)) c.parameters[i].value = values[i];
+    }
+    mdr_fit_parameter *instrument = &c.parameters[count - MDR_FIT_INSTRUMENT_COUNT];
+    instrument[MDR_FIT_INDENTER_MODULUS].value = INFINITY;
+    instrument[MDR_FIT_CONTACT_DEPTH_FACTOR].value = 0.75;
+    instrument[MDR_FIT_STIFFNESS_FACTOR].value = 1.0;
+    instrument[MDR_FIT_CONTACT_DEPTH_SCALE].value = 1.0;
+    instrument[MDR_FIT_AREA_FACTOR].value = 1.0;
+    for (int i = 0; i < FIT_POINTS; ++i) c.depth[i] = 0.2e-9 + 99.8e-9 * i / (FIT_POINTS - 1);
+    check(mdr_fit_predict(&c.problem, FIT_POINTS, c.depth, c.depth, NULL, c.force, NULL));
+    for (int i = 0; i < FIT_POINTS; ++i) {
+        /* a sum of uniform numbers, of standard deviation 1 */
+        double noise = -6.0;
+        for (int j = 0; j < 12; ++j) {
+            state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+            noise += (double)(state >> 11) * 0x1p-53;
+        }
+        c.sd[i] = 0.01 * c.force[i];
+        c.force[i] += c.sd[i] * noise;
+    }
+    c.parameters[1] = (mdr_fit_parameter){.value = 60e9, .lower = 1e9, .upper = 1e12, .is_free = 1};
+    c.parameters[3] = (mdr_fit_parameter){.value = 450e-9, .lower = 1e-9, .upper = 1e-5, .is_free = 1};
+    report("fit of 500 points", "E and h of a film under a paraboloid", cost(solve_fit, &c), 345000.0);
+}
+
+int main(void)
+{
+    static const double contrasts[FILMS] = {0.01, 2.0, 100.0};
+    double one = INFINITY;
+    for (int i = 0; i < 100; ++i) one = least(one, unit());
+    printf("\n## States of exactly solved layers\n\n"
+           "Made by `benchmarks/exact_states.c`, all in one run; processor time of one thread in units of one atan + log of this\n"
+           "run, %.1f ns. Flat and rounded ends reach to 0.4 a.\n\n",
+           1e9 * one);
+    printf("| what | under what | figure | bound | |\n|---|---|---|---|---|\n");
+    for (int i = 0; i < FILMS; ++i) film_states(contrasts[i]);
+    for (int i = 0; i < FILMS; ++i) medium_cost(contrasts[i]);
+    layers_cost(FEW, 1500.0);
+    layers_cost(MANY, 15000.0);
+    fit_cost();
+    if (missed) fprintf(stderr, "%d bounds are missed\n", missed);
+    return missed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
