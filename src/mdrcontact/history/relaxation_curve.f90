@@ -59,13 +59,33 @@ contains
             end do
         else
             allocate (states(size(depths)))
-            call contact_states(self%contact, given_depth, depths, states, error)
+            call find_states(self%contact, depths, states, error)
             if (allocated(error)) return
             if (present(force)) force = states%force
             if (present(radius)) radius = states%radius
             if (present(stiffness)) stiffness = states%stiffness
         end if
     end subroutine at_depths
+
+    !> States at depths > 0; on a homogeneous body under an indenter whose g(x) has an inverse they need no search.
+    subroutine find_states(contact, depths, states, error)
+        type(contact_t), intent(in) :: contact
+        real(wp), intent(in) :: depths(:)
+        type(contact_state_t), intent(out) :: states(:)
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i
+
+        associate (equilibrium => contact%equilibrium)
+            if (.not. contact%is_formula() .or. .not. equilibrium%profile%radius_from_mdr(depths(1)) > 0.0_wp) then
+                call contact_states(contact, given_depth, depths, states, error)
+                return
+            end if
+            do i = 1, size(depths)
+                call contact%at_radius(equilibrium%profile%radius_from_mdr(depths(i)), states(i), error)
+                if (allocated(error)) return
+            end do
+        end associate
+    end subroutine find_states
 
     !> Depths at which the curve is not analytic, ascending [length].
     subroutine break_depths(contact, depths, error)

@@ -132,10 +132,7 @@ contains
             if (allocated(error)) return
             rate = (depth(i) - depth(i - 1))/(time(i) - time(i - 1))
             ! grows again at once, or would have to at the end of the step?
-            if (i > 2) then
-                call look_back(path, phi, rise, time(i - 1), before, behind)
-                if (.not. retreats(phi, behind, rate)) covered = .false.
-            end if
+            if (i > 2) covered = retreats(phi, behind, rate)
             z = phi%rate*(time(i) - time(i - 1))
             rise = exp(-min(z, 700.0_wp))*rise + (depth(i) - depth(i - 1))*mean_decay(z)
             call find_edge(path, phi, rise, rate, time(i), depth(i), before, now)
@@ -221,7 +218,7 @@ contains
         type(retreat_t), intent(in) :: before
         type(retreat_t), intent(out) :: place
         real(wp) :: weight(size(rise)), z(size(rise)), rest(size(rise))
-        real(wp) :: now, value, slope, low, high, x, next, length, climb
+        real(wp) :: now, value, slope, low, high, x, next, step, length, climb
         integer :: i, n, p
 
         n = size(rise)
@@ -248,16 +245,20 @@ contains
         high = 1.0_wp
         x = min(value/max(climb*(phi%limit + sum(weight)), tiny(x)), 1.0_wp)
         do i = 1, most_steps
-            rest = exp(-min(z*(1.0_wp - x), 700.0_wp))
-            slope = climb*(phi%limit + sum(weight*rest))
-            next = value - climb*x*(phi%limit + sum(weight*rest*mean_decay(z*x)))
+            rest = weight*exp(-min(z*(1.0_wp - x), 700.0_wp))
+            slope = climb*(phi%limit + sum(rest))
+            next = value - climb*x*(phi%limit + sum(rest*mean_decay(z*x)))
             if (next >= 0.0_wp) low = x
             if (next <= 0.0_wp) high = x
             if (.not. slope > 0.0_wp) exit
-            next = x + next/slope
+            ! Halley's step, of third order
+            step = next/slope
+            step = step/(1.0_wp + max(-0.5_wp, min(0.5_wp*step*climb*sum(z*rest)/slope, 1.0_wp)))
+            next = x + step
             if (.not. (next >= low .and. next <= high)) next = 0.5_wp*(low + high)
-            if (abs(next - x) <= 4.0_wp*epsilon(x)) exit
+            step = abs(next - x)
             x = next
+            if (step <= 1.0e-6_wp .or. high - low <= 4.0_wp*epsilon(x)) exit
         end do
         place%fraction = x
     end subroutine find_edge

@@ -12,9 +12,9 @@ module mdrcontact_history_relaxation_path
     private
     public :: path_t, new_path, mean_decay, partial_integrals
 
-    !> Coefficients of a panel, and nodes of the rule that finds moments at small rates; what rate times length is small and large.
-    integer, parameter :: most = 16, fewest = 4, moment_nodes = 8
-    real(wp), parameter :: slow = 1.0_wp, fast = 500.0_wp
+    !> Coefficients of a panel; up to which rate times length their moments are sums of powers, and of how many.
+    integer, parameter :: most = 16, fewest = 4, powers = 22
+    real(wp), parameter :: slow = 16.0_wp
     !> Digits that k has on each panel.
     real(wp), parameter :: digits_wanted = 13.0_wp
     !> Panels double in depth from first contact on, so many times at most.
@@ -125,7 +125,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer :: n
 
-        do n = 1, max(largest, moment_nodes)
+        do n = 1, largest
             call gauss_legendre(rules%nodes(:n, n), rules%weights(:n, n), error)
             if (allocated(error)) return
             rules%to_coefficients(:n, :n, n) = legendre(2.0_wp*rules%nodes(:n, n) - 1.0_wp, rules%weights(:n, n), n)
@@ -186,8 +186,8 @@ contains
 
     subroutine integrate(self)
         type(path_t), intent(inout) :: self
-        real(wp) :: moments(most, size(self%rates)), decay(size(self%rates)), length, before, rise
-        integer :: i, j, n, made
+        real(wp) :: moments(size(self%rates), most), decay(size(self%rates)), length, before, rise
+        integer :: i, l, n, made
 
         allocate (self%load(size(self%rates), 0:self%count), self%rise(size(self%rates), 0:self%count))
         self%load(:, 0) = 0.0_wp
@@ -198,53 +198,73 @@ contains
             length = self%time(i) - self%time(i - 1)
             rise = self%depth(i) - self%depth(i - 1)
             n = self%terms(i)
-            if (abs(length - before) > 1.0e-14_wp*length .or. n > made) then
+            ! lengths are known to the rounding of the times
+            if (abs(length - before) > 4.0_wp*epsilon(length)*max(abs(self%time(i)), abs(self%time(i - 1))) .or. n > made) then
                 before = length
                 made = max(n, 1)
-                do j = 1, size(self%rates)
-                    decay(j) = exp(-min(self%rates(j)*length, 700.0_wp))
-                    call moments_of(self%rates(j)*length, made, self%rules, moments(:, j))
-                end do
+                call moments_of(self%rates*length, made, moments, decay)
             end if
             self%load(:, i) = decay*self%load(:, i - 1)
-            self%rise(:, i) = decay*self%rise(:, i - 1) + rise*moments(1, :)
-            do j = 1, size(self%rates)
-                self%load(j, i) = self%load(j, i) + rise*sum(moments(:n, j)*self%stiffness(:n, i))
+            self%rise(:, i) = decay*self%rise(:, i - 1) + rise*moments(:, 1)
+            do l = 1, n
+                self%load(:, i) = self%load(:, i) + (rise*self%stiffness(l, i))*moments(:, l)
             end do
         end do
     end subroutine integrate
 
-    !> int_0^1 P_l(2 x - 1) exp(-z (1 - x)) dx = exp(-z/2) i_l(z/2), l < n.
-    subroutine moments_of(z, n, rules, moments)
-        real(wp), intent(in) :: z
+    !> int_0^1 P_l(2 x - 1) exp(-z (1 - x)) dx = exp(-z/2) i_l(z/2), l < n, and exp(-z), for each z.
+    subroutine moments_of(z, n, moments, decay)
+        real(wp), intent(in) :: z(:)
         integer, intent(in) :: n
-        type(rules_t), intent(in) :: rules
-        real(wp), intent(inout) :: moments(:)
-        real(wp) :: decays(moment_nodes)
-        integer :: l, status
+        real(wp), intent(inout) :: moments(:, :)
+        real(wp), intent(out) :: decay(:)
+        real(wp) :: root(size(z)), row(n)
+        integer :: j, l, status
 
-        if (z <= 0.0_wp) then
-            moments(:n) = 0.0_wp
-            moments(1) = 1.0_wp
-        else if (z <= slow .and. n <= moment_nodes) then
-            associate (m => moment_nodes)
-                decays = exp(-z*(1.0_wp - rules%nodes(:m, m)))
-                do l = 0, n - 1
-                    moments(l + 1) = sum(rules%to_coefficients(l + 1, :m, m)*decays)/real(2*l + 1, wp)
+        root = exp(-0.5_wp*min(z, 1400.0_wp))
+        decay = root**2
+        call moments_of_slow(z, root, n, moments)
+        do j = 1, size(z)
+            if (z(j) <= slow) cycle
+            if (z(j) > n**2) then
+                ! upwards, which keeps digits as long as n^2 is small beside z
+                moments(j, 1) = (1.0_wp - decay(j))/z(j)
+                if (n > 1) moments(j, 2) = (1.0_wp + decay(j))/z(j) - 2.0_wp*moments(j, 1)/z(j)
+                do l = 1, n - 2
+                    moments(j, l + 2) = moments(j, l) - real(4*l + 2, wp)/z(j)*moments(j, l + 1)
                 end do
-            end associate
-        else if (z > fast) then
-            ! upwards, which keeps digits as long as n^2 is small beside z
-            moments(1) = 1.0_wp/z
-            moments(2) = (1.0_wp - 2.0_wp/z)/z
-            do l = 1, n - 2
-                moments(l + 2) = moments(l) - real(4*l + 2, wp)/z*moments(l + 1)
-            end do
-        else
-            status = gsl_sf_bessel_il_scaled_array(n - 1, 0.5_wp*z, moments)
-            if (status /= gsl_success) moments(:n) = 0.0_wp
-        end if
+            else
+                status = gsl_sf_bessel_il_scaled_array(n - 1, 0.5_wp*z(j), row)
+                moments(j, :n) = merge(row, 0.0_wp, status == gsl_success)
+            end if
+        end do
     end subroutine moments_of
+
+    !> The same for z at most `slow`, x = z/2: exp(-x) x^l/(2 l + 1)!! s_l with s_l = sum_k (x^2/2)^k/(k! (2 l + 3) ... (2 l + 2 k + 1)),
+    !> which is summed for the two highest l, and s_(l-1) = s_l + x^2/((2 l + 1)(2 l + 3)) s_(l+1).
+    pure subroutine moments_of_slow(z, root, n, moments)
+        real(wp), intent(in) :: z(:), root(:)
+        integer, intent(in) :: n
+        real(wp), intent(inout) :: moments(:, :)
+        real(wp), dimension(size(z)) :: x, factor
+        integer :: k, l
+
+        x = min(0.5_wp*z, 0.5_wp*slow)
+        do l = max(n - 2, 0), n - 1
+            moments(:, l + 1) = 1.0_wp
+            do k = powers, 1, -1
+                moments(:, l + 1) = 1.0_wp + moments(:, l + 1)*x**2*(1.0_wp/real(2*k*(2*l + 2*k + 1), wp))
+            end do
+        end do
+        do l = n - 2, 1, -1
+            moments(:, l) = moments(:, l + 1) + moments(:, l + 2)*x**2*(1.0_wp/real((2*l + 1)*(2*l + 3), wp))
+        end do
+        factor = root
+        do l = 1, n
+            moments(:, l) = factor*moments(:, l)
+            factor = factor*x*(1.0_wp/real(2*l + 1, wp))
+        end do
+    end subroutine moments_of_slow
 
     !> (1 - exp(-x))/x.
     elemental function mean_decay(x) result(value)
@@ -267,19 +287,17 @@ contains
         !> 0 to 1
         real(wp), intent(in) :: fraction
         real(wp), intent(out) :: load(:)
-        real(wp) :: k(most), coefficients(most), moments(most), length, rise
-        integer :: j, n
+        real(wp) :: k(most), moments(size(self%rates), most), decay(size(self%rates)), length, rise
+        integer :: l, n
 
         n = self%terms(panel)
         length = fraction*(self%time(panel) - self%time(panel - 1))
         rise = fraction*(self%depth(panel) - self%depth(panel - 1))
         call polynomial(self%stiffness(:n, panel), fraction*self%rules%nodes(:n, n), k(:n))
-        do j = 1, n
-            coefficients(j) = sum(self%rules%to_coefficients(j, :n, n)*k(:n))
-        end do
-        do j = 1, size(self%rates)
-            call moments_of(self%rates(j)*length, n, self%rules, moments)
-            load(j) = exp(-min(self%rates(j)*length, 700.0_wp))*self%load(j, panel - 1) + rise*sum(moments(:n)*coefficients(:n))
+        call moments_of(self%rates*length, n, moments, decay)
+        load = decay*self%load(:, panel - 1)
+        do l = 1, n
+            load = load + rise*sum(self%rules%to_coefficients(l, :n, n)*k(:n))*moments(:, l)
         end do
     end subroutine partial_integrals
 

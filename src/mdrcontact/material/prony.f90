@@ -6,6 +6,7 @@
 !> of the compliance, whose transform is 1/Q.
 module mdrcontact_material_prony
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_lapack, only: dsyev
     implicit none (type, external)
     private
     public :: prony_t, creep_t, creep_of, power_law_series, merged
@@ -182,8 +183,8 @@ contains
 
     !> (t/time)^(-exponent) as a sum of exponentials, relative to its size at the longest time good to `tolerance` between the
     !> times given: the trapezoidal rule of (1/Gamma(a)) int exp(-rate t) rate^a d(ln rate). What is faster than both the
-    !> shortest time and the tolerance show becomes a dashpot, what is slower a single term.
-    pure function power_law_series(time, exponent, shortest, longest, tolerance) result(series)
+    !> shortest time and the tolerance show becomes a dashpot, what is slower a few terms.
+    function power_law_series(time, exponent, shortest, longest, tolerance) result(series)
         !> unit of time > 0, and 0 < exponent < 1
         real(wp), intent(in) :: time, exponent
         !> > 0, ascending [time]
@@ -213,6 +214,38 @@ contains
         series%rate(1) = slow_rate/slow_weight
         series%viscosity = series%weight(size(series%weight))/series%rate(size(series%rate)) &
                            /(exp(step*(1.0_wp - exponent)) - 1.0_wp)
+        call gather_slow(series, longest)
     end function power_law_series
+
+    !> Replaces the terms that hardly decay within a time by few others of the same first moments: Gauss's rule for their weights,
+    !> by Lanczos's recursion (Golub, Welsch, Math. Comp. 23 (1969) 221). The error is that of exp(-x), 0 <= x <= 1.
+    subroutine gather_slow(series, longest)
+        type(prony_t), intent(inout) :: series
+        real(wp), intent(in) :: longest
+        integer, parameter :: few = 6
+        real(wp) :: matrix(few, few), nodes(few), work(34*few)
+        real(wp), allocatable :: vectors(:, :), next(:)
+        integer :: slow, i, info
+
+        slow = count(series%rate*longest <= 1.0_wp)
+        if (slow <= few) return
+        allocate (vectors(slow, few), next(slow))
+        vectors(:, 1) = sqrt(series%weight(:slow)/sum(series%weight(:slow)))
+        matrix = 0.0_wp
+        do i = 1, few - 1
+            next = series%rate(:slow)*vectors(:, i)
+            matrix(i, i) = dot_product(vectors(:, i), next)
+            ! twice is enough
+            next = next - matmul(vectors(:, :i), matmul(next, vectors(:, :i)))
+            next = next - matmul(vectors(:, :i), matmul(next, vectors(:, :i)))
+            matrix(i, i + 1) = norm2(next)
+            vectors(:, i + 1) = next/matrix(i, i + 1)
+        end do
+        matrix(few, few) = dot_product(vectors(:, few), series%rate(:slow)*vectors(:, few))
+        call dsyev("V", "U", few, matrix, few, nodes, work, size(work), info)
+        if (info /= 0 .or. .not. nodes(1) > 0.0_wp) return
+        series%weight = [sum(series%weight(:slow))*matrix(1, :)**2, series%weight(slow + 1:)]
+        series%rate = [nodes, series%rate(slow + 1:)]
+    end subroutine gather_slow
 
 end module mdrcontact_material_prony

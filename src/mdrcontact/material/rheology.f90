@@ -13,7 +13,7 @@ module mdrcontact_material_rheology
     public :: rheology_t, new_viscoelastic, new_power_law_rheology, new_elastic_rheology, same_shape
 
     !> Relative error of power laws that are written as sums of exponentials.
-    real(wp), parameter :: series_tolerance = 1.0e-12_wp
+    real(wp), parameter :: series_tolerance = 5.0e-14_wp
 
     !> A material. Made by new_..., never changed.
     type :: rheology_t
@@ -243,7 +243,7 @@ contains
 
     !> The contact modulus E*(t) of a half-space as a sum of exponentials. With a constant bulk modulus
     !> E* = Q + 9K/4 - (27 K^2/4)/(3K + 4Q), whose last part is a compliance.
-    pure function contact_series(self, shortest, longest) result(series)
+    function contact_series(self, shortest, longest) result(series)
         class(rheology_t), intent(in) :: self
         !> times between which a power law is to hold, > 0 [time]
         real(wp), intent(in) :: shortest, longest

@@ -9,6 +9,7 @@ module mdrcontact_medium_viscoelastic
     use mdrcontact_material_prony, only: prony_t
     use mdrcontact_material_rheology, only: rheology_t, same_shape
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
     use mdrcontact_model, only: model_options_t, models, new_medium
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -70,6 +71,7 @@ contains
         type(model_options_t), intent(in) :: options
         type(error_t), allocatable, intent(out) :: error
         type(material_t) :: elastic(size(thickness) + 1)
+        type(homogeneous_t) :: homogeneous
         type(stack_t) :: body
         integer :: i
 
@@ -90,10 +92,14 @@ contains
             if (allocated(error)) return
             call reference_material(materials(i), elastic(i), error)
         end do
-        if (.not. allocated(error)) then
+        if (allocated(error)) return
+        if (size(thickness) == 0) then
+            call new_homogeneous(homogeneous, elastic(1))
+            allocate (self%reference, source=homogeneous)
+        else
             call new_stack(body, elastic(:size(thickness)), thickness, elastic(size(thickness) + 1), error, rigid_base)
+            if (.not. allocated(error)) call new_medium(self%reference, body, model, error, options)
         end if
-        if (.not. allocated(error)) call new_medium(self%reference, body, model, error, options)
     end subroutine new_viscoelastic_medium
 
     !> The elastic material that stands for a relaxing one.
@@ -113,7 +119,7 @@ contains
     end subroutine reference_material
 
     !> What multiplies the reference body's contact modulus, where all materials relax in proportion [1].
-    pure function relaxation_shape(self, shortest, longest) result(series)
+    function relaxation_shape(self, shortest, longest) result(series)
         class(viscoelastic_t), intent(in) :: self
         !> times between which it is needed, > 0 [time]
         real(wp), intent(in) :: shortest, longest
