@@ -9,7 +9,7 @@ module mdrcontact_contact
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, equilibrium_t, &
                                               new_equilibrium
     use mdrcontact_contact_exact_zeta, only: exact_zeta
-    use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
+    use mdrcontact_error, only: check_choice, check_finite, check_not_negative, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_field_body_field, only: body_field
     use mdrcontact_field_energy, only: layer_energies
@@ -106,10 +106,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         call check_not_negative(error, "work_of_adhesion", work_of_adhesion)
-        if (all(rule /= [adhesion_automatic, adhesion_paper, adhesion_energy])) then
-            call raise(error, error_invalid, "adhesion_rule = "//count_text(rule)//" is not allowed: it must be 0 (automatic), "// &
-                       "1 (paper) or 2 (energy)")
-        end if
+        call check_choice(error, "adhesion_rule", rule, adhesion_automatic, adhesion_energy, &
+                          "0 (automatic), 1 (paper) or 2 (energy)")
         if (.not. allocated(error) .and. work_of_adhesion > 0.0_wp .and. self%equilibrium%medium%is_viscoelastic()) then
             call raise(error, error_invalid, " = "//to_text(work_of_adhesion)//" is not allowed with a viscoelastic body: how "// &
                        "much its edge holds depends on how fast it moves, on a scale that this theory does not have", &
@@ -223,9 +221,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: branch
 
-        if (branch == on_loading .or. branch == on_unloading) return
-        call raise(error, error_invalid, "branch = "//count_text(branch)//" is not allowed: it must be 1 (loading) or "// &
-                   "2 (unloading)")
+        call check_choice(error, "branch", branch, on_loading, on_unloading, "1 (loading) or 2 (unloading)")
     end subroutine check_branch
 
     !> The stable state at a given value s of what a machine controls: depth, force, or the far end of a spring.

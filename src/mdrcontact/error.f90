@@ -9,8 +9,9 @@ module mdrcontact_error
     use mdrcontact_padded_text, only: padded_count, padded_number
     implicit none (type, external)
     private
-    public :: error_t, raise, check_memory, check_count_within, check_finite, check_positive, check_not_negative, check_poisson, &
-              check_inclination, check_table, count_text, explain, raise_at, to_text
+    public :: error_t, raise, explain, raise_at, count_text, to_text
+    public :: check_memory, check_choice, check_count_from, check_count_within, check_same_size, check_finite, check_positive, &
+              check_not_negative, check_within, check_poisson, check_inclination, check_table
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file, error_cancelled
 
@@ -121,16 +122,43 @@ contains
         if (stat /= 0) call raise(error, error_memory, "not enough memory")
     end subroutine check_memory
 
+    !> Raises unless first <= choice <= last; `allowed` are the codes and what they mean.
+    pure subroutine check_choice(error, name, choice, first, last, allowed)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name, allowed
+        integer, intent(in) :: choice, first, last
+
+        if (choice >= first .and. choice <= last) return
+        call raise(error, error_invalid, name//" = "//count_text(choice)//" is not allowed: it must be "//allowed)
+    end subroutine check_choice
+
+    !> Raises unless count >= smallest.
+    pure subroutine check_count_from(error, name, count, smallest)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        integer, intent(in) :: count, smallest
+
+        call check_choice(error, name, count, smallest, huge(1), "at least "//count_text(smallest))
+    end subroutine check_count_from
+
     !> Raises unless smallest <= count <= largest.
     pure subroutine check_count_within(error, name, count, smallest, largest)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name
         integer, intent(in) :: count, smallest, largest
 
-        if (count >= smallest .and. count <= largest) return
-        call raise(error, error_invalid, name//" = "//count_text(count)//" is not allowed: it must be from "// &
-                   count_text(smallest)//" to "//count_text(largest))
+        call check_choice(error, name, count, smallest, largest, "from "//count_text(smallest)//" to "//count_text(largest))
     end subroutine check_count_within
+
+    !> Raises unless two arrays that go together have as many entries.
+    pure subroutine check_same_size(error, first, second)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: first, second
+
+        if (first == second) return
+        call raise(error, error_invalid, "the arrays have "//count_text(first)//" and "//count_text(second)// &
+                   " entries: they must have the same number")
+    end subroutine check_same_size
 
     !> Raises unless `value` is finite and greater than zero.
     pure subroutine check_positive(error, name, value, entry)
@@ -157,6 +185,18 @@ contains
         end if
         call raise_value(error, name, value, "it must be finite and at least 0", entry)
     end subroutine check_not_negative
+
+    !> Raises unless smallest <= value <= largest.
+    pure subroutine check_within(error, name, value, smallest, largest)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        real(wp), intent(in) :: value, smallest, largest
+
+        if (ieee_is_finite(value)) then
+            if (value >= smallest .and. value <= largest) return
+        end if
+        call raise_value(error, name, value, "it must be from "//to_text(smallest)//" to "//to_text(largest))
+    end subroutine check_within
 
     !> Raises unless `value` is a Poisson's ratio of a stable isotropic body, -1 < nu <= 1/2.
     pure subroutine check_poisson(error, name, value, entry)

@@ -15,8 +15,8 @@ module mdrcontact_law
     use mdrcontact_contact_range, only: coordinate_before, coordinate_beyond, coordinates_between
     use mdrcontact_contact, only: check_branch, contact_t, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_finite, check_positive, count_text, error_domain, error_invalid, error_no_convergence, &
-                                error_t, error_unreachable, raise, raise_at, to_text
+    use mdrcontact_error, only: check_finite, check_positive, check_same_size, check_within, count_text, error_domain, &
+                                error_invalid, error_no_convergence, error_t, error_unreachable, raise, raise_at, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
     use mdrcontact_law_evaluate, only: count_within, energy_at, point_at, point_in, run_points, wanted_t
@@ -118,10 +118,7 @@ contains
         if (present(options)) chosen = options
         if (.not. allocated(chosen%description)) chosen%description = ""
         call check_positive(error, "largest_depth", largest_depth)
-        if (.not. (chosen%tolerance >= smallest_tolerance .and. chosen%tolerance <= largest_tolerance)) then
-            call raise(error, error_invalid, "tolerance = "//to_text(chosen%tolerance)//" is not allowed: it must be at least "// &
-                       to_text(smallest_tolerance)//" and at most "//to_text(largest_tolerance))
-        end if
+        call check_within(error, "tolerance", chosen%tolerance, smallest_tolerance, largest_tolerance)
         if (chosen%smallest_depth == 0.0_wp) chosen%smallest_depth = default_decades*largest_depth
         call check_positive(error, "smallest_depth", chosen%smallest_depth)
         if (allocated(error)) return
@@ -533,10 +530,7 @@ contains
         integer, intent(in) :: n
         real(wp), pointer, intent(in) :: array(:)
 
-        if (.not. associated(array)) return
-        if (size(array) == n) return
-        call raise(error, error_invalid, "the arrays have "//count_text(n)//" and "//count_text(size(array))// &
-                   " entries: they must have the same number")
+        if (associated(array)) call check_same_size(error, n, size(array))
     end subroutine check_size
 
     !> The lowest force under which a branch has a state.

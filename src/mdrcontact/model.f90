@@ -29,7 +29,6 @@ module mdrcontact_model
     private
     public :: models, model_table, new_medium, find_model, model_position
     public :: model_options_t, option_names, option_values, options_of, with_constant
-    public :: base_elastic, base_any, base_rigid
 
     !> Codes of the models, enum mdr_model of the C header.
     type :: model_codes_t

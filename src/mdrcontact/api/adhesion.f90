@@ -8,7 +8,7 @@ module mdrcontact_api_adhesion
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_choice, check_count_from, error_t
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     implicit none (type, external)
     private
@@ -16,7 +16,7 @@ module mdrcontact_api_adhesion
     public :: mdr_loop_new, mdr_loop_size, mdr_loop_path, mdr_loop_jumps, mdr_loop_dissipated_energy
 
     !> enum mdr_control
-    integer(c_int), parameter :: by_force = 0_c_int, by_depth = 1_c_int, by_spring = 2_c_int
+    integer, parameter :: by_force = 0, by_depth = 1, by_spring = 2
 
 contains
 
@@ -34,8 +34,7 @@ contains
         integer :: n
 
         call open_handle(c, "c", contact, error)
-        if (capacity < 0) call raise(error, error_invalid, "capacity = "//count_text(int(capacity))// &
-                                     " is not allowed: it must be at least 0")
+        call check_count_from(error, "capacity", int(capacity), 0)
         call choose_control(chosen, control, 0.0_c_double, .false., error)
         if (.not. allocated(error)) call contact%pull_off(chosen, state, error, others)
         status = status_of(error)
@@ -139,20 +138,22 @@ contains
         real(c_double), intent(in) :: spring_stiffness
         logical, intent(in) :: spring_allowed
         type(error_t), allocatable, intent(inout) :: error
-        character(len=:), allocatable :: allowed
 
-        if (allocated(error)) return
-        if (control == by_force) then
-            chosen = force_control
-        else if (control == by_depth) then
-            chosen = depth_control
-        else if (control == by_spring .and. spring_allowed) then
-            call spring_control(chosen, spring_stiffness, error)
+        if (spring_allowed) then
+            call check_choice(error, "control", int(control), by_force, by_spring, &
+                              "MDR_CONTROL_FORCE (0), MDR_CONTROL_DEPTH (1) or MDR_CONTROL_SPRING (2)")
         else
-            allowed = "MDR_CONTROL_FORCE (0) or MDR_CONTROL_DEPTH (1)"
-            if (spring_allowed) allowed = "MDR_CONTROL_FORCE (0), MDR_CONTROL_DEPTH (1) or MDR_CONTROL_SPRING (2)"
-            call raise(error, error_invalid, "control = "//count_text(int(control))//" is not allowed: it must be "//allowed)
+            call check_choice(error, "control", int(control), by_force, by_depth, "MDR_CONTROL_FORCE (0) or MDR_CONTROL_DEPTH (1)")
         end if
+        if (allocated(error)) return
+        select case (control)
+        case (by_force)
+            chosen = force_control
+        case (by_depth)
+            chosen = depth_control
+        case default
+            call spring_control(chosen, spring_stiffness, error)
+        end select
     end subroutine choose_control
 
 end module mdrcontact_api_adhesion

@@ -5,7 +5,7 @@ module mdrcontact_api_arrays
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use mdrcontact_api_status, only: check_given
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, error_domain, &
+    use mdrcontact_error, only: check_count_from, check_finite, check_not_negative, check_positive, count_text, error_domain, &
                                 error_invalid, error_no_convergence, error_t, raise, to_text
     implicit none (type, external)
     private
@@ -20,7 +20,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int), intent(in) :: n
 
-        if (n < 0) call raise(error, error_invalid, "n = "//count_text(int(n))//" is not allowed: it must be at least 0")
+        call check_count_from(error, "n", int(n), 0)
     end subroutine check_count
 
     !> Raises unless the array is there or has no elements.

@@ -10,7 +10,7 @@ module mdrcontact_api_contact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_field, contact_states, given_depth, given_force, given_radius
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
-    use mdrcontact_error, only: check_table, count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_count_from, check_memory, check_table, count_text, error_invalid, error_t, raise
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_table, radius_law_t
@@ -74,10 +74,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(c_double), pointer :: radius(:), values(:)
 
-        if (options%zeta_count < 0) then
-            call raise(error, error_invalid, "zeta_count = "//count_text(int(options%zeta_count))// &
-                       " is not allowed: it must be at least 0")
-        end if
+        call check_count_from(error, "zeta_count", int(options%zeta_count), 0)
         call check_given(error, "zeta_radius", c_associated(options%zeta_radius))
         call check_given(error, "zeta", c_associated(options%zeta))
         if (allocated(error)) return

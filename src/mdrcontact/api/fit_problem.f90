@@ -9,7 +9,7 @@ module mdrcontact_api_fit_problem
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_count_from, check_count_within, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_fit_body, only: indenter_given
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_none
     use mdrcontact_fit_problem, only: check_problem, data_force_depth, fit_data_t, fit_problem_t, loss_linear, parameter_count
@@ -60,7 +60,8 @@ module mdrcontact_api_fit_problem
         type(c_ptr) :: counterbody_options = c_null_ptr
     end type c_fit_problem_t
 
-    integer(c_int), parameter :: most_layers = 100000_c_int
+    !> More are no layers whose parameters can be counted.
+    integer, parameter :: most_layers = 100000
 
 contains
 
@@ -98,18 +99,6 @@ contains
         status = status_of(error)
     end function mdr_fit_parameter_count
 
-    !> Raises unless the number of layers is one whose parameters can be counted.
-    subroutine check_layers(name, layers, error)
-        character(len=*), intent(in) :: name
-        integer(c_int), intent(in) :: layers
-        type(error_t), allocatable, intent(inout) :: error
-
-        if (allocated(error)) return
-        if (layers >= 1 .and. layers <= most_layers) return
-        call raise(error, error_invalid, name//" = "//count_text(int(layers))//" is not allowed: it must be at least 1 and at "// &
-                   "most "//count_text(int(most_layers)))
-    end subroutine check_layers
-
     !> Kinds and choices, without objects and parameters.
     subroutine read_kinds(given, problem, error)
         type(c_fit_problem_t), intent(in) :: given
@@ -138,7 +127,7 @@ contains
         type(medium_choice_t), intent(out) :: choice
         type(error_t), allocatable, intent(inout) :: error
 
-        call check_layers(name, layers, error)
+        call check_count_within(error, name, int(layers), 1, most_layers)
         call read_medium_options(error, options, choice%options)
         choice%kind = int(kind)
         choice%model = int(model)
@@ -163,10 +152,8 @@ contains
         call read_options(error, "problem", structure, c_loc(given), c_sizeof(given))
         if (allocated(error)) return
         branch = given%branch
-        if (given%parameter_count < 0) call raise(error, error_invalid, "parameter_count = "// &
-                                                  count_text(int(given%parameter_count))//" is not allowed: it must be at least 0")
-        if (given%prior_count < 0) call raise(error, error_invalid, "prior_count = "//count_text(int(given%prior_count))// &
-                                              " is not allowed: it must be at least 0")
+        call check_count_from(error, "parameter_count", int(given%parameter_count), 0)
+        call check_count_from(error, "prior_count", int(given%prior_count), 0)
         call check_given(error, "parameters", c_associated(given%parameters))
         call read_kinds(given, problem, error)
         if (allocated(error)) return

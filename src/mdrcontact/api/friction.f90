@@ -7,7 +7,8 @@ module mdrcontact_api_friction
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_positive, count_text, error_invalid, error_t, raise, raise_at
+    use mdrcontact_error, only: check_choice, check_count_from, check_memory, check_positive, count_text, error_invalid, &
+                                error_t, raise, raise_at
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
     implicit none (type, external)
@@ -16,7 +17,7 @@ module mdrcontact_api_friction
     public :: mdr_friction_history_new, mdr_friction_history_copy, mdr_friction_history_advance
 
     !> enum mdr_tangential_field
-    integer(c_int), parameter :: field_traction = 1_c_int, field_line_load = 2_c_int
+    integer, parameter :: field_traction = 1, field_line_load = 2
 
 contains
 
@@ -130,10 +131,7 @@ contains
 
         call check_given(error, "shear", present(shear))
         call check_in_out(error, n, "r", present(r), present(out))
-        if (all(field /= [field_traction, field_line_load])) then
-            call raise(error, error_invalid, "field = "//count_text(int(field))//" is not allowed: it must be 1 (traction) or "// &
-                       "2 (line load)")
-        end if
+        call check_choice(error, "field", int(field), field_traction, field_line_load, "1 (traction) or 2 (line load)")
         if (.not. allocated(error)) call shear_of(f, state, sheared, error)
         if (.not. allocated(error)) then
             allocate (values(n), stat=stat)
@@ -163,10 +161,8 @@ contains
         real(c_double), allocatable :: shifts(:), forces(:)
         type(error_t), allocatable :: error
         integer :: stat
-        integer(c_int), parameter :: fewest = 3_c_int
 
-        call check_count(error, n)
-        if (n < fewest) call raise(error, error_invalid, "n = "//count_text(int(n))//" is not allowed: it must be at least 3")
+        call check_count_from(error, "n", int(n), 3)
         call check_array(error, "shift", n, present(shift))
         call check_array(error, "force", n, present(force))
         call check_given(error, "dissipated", present(dissipated))

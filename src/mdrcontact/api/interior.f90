@@ -7,14 +7,14 @@ module mdrcontact_api_interior
     use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_choice, check_count_from, check_memory, error_t
     use mdrcontact_field_interior, only: components
     implicit none (type, external)
     private
     public :: mdr_contact_interior, mdr_contact_layer_energies
 
     !> enum mdr_body, enum mdr_side
-    integer(c_int), parameter :: lower_body = 1_c_int, upper_body = 2_c_int, side_below = 1_c_int, side_above = 2_c_int
+    integer, parameter :: lower_body = 1, upper_body = 2, side_below = 1, side_above = 2
 
 contains
 
@@ -33,9 +33,9 @@ contains
         integer :: stat
 
         call open_handle(c, "c", contact, error)
-        call check_choice(error, "body", body, "1 (lower) or 2 (upper)")
+        call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
         call check_given(error, "state", present(state))
-        call check_choice(error, "side", side, "1 (below) or 2 (above)")
+        call check_choice(error, "side", int(side), side_below, side_above, "1 (below) or 2 (above)")
         call check_count(error, n)
         call check_array(error, "r", n, present(r))
         call check_array(error, "z", n, present(z))
@@ -69,10 +69,9 @@ contains
         integer :: n
 
         call open_handle(c, "c", contact, error)
-        call check_choice(error, "body", body, "1 (lower) or 2 (upper)")
+        call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
         call check_given(error, "state", present(state))
-        if (capacity < 0) call raise(error, error_invalid, "capacity = "//count_text(int(capacity))// &
-                                     " is not allowed: it must be at least 0")
+        call check_count_from(error, "capacity", int(capacity), 0)
         call check_array(error, "out", capacity, present(out))
         call check_given(error, "count", present(count))
         if (.not. allocated(error)) call contact%layer_energy(state, body == upper_body, energies, error)
@@ -82,15 +81,5 @@ contains
         n = min(size(energies), int(capacity))
         if (present(out)) out(:n) = energies(:n)
     end function mdr_contact_layer_energies
-
-    !> Raises unless a choice is 1 or 2: the values of both enumerations.
-    subroutine check_choice(error, name, choice, allowed)
-        type(error_t), allocatable, intent(inout) :: error
-        character(len=*), intent(in) :: name, allowed
-        integer(c_int), intent(in) :: choice
-
-        if (choice == lower_body .or. choice == side_above) return
-        call raise(error, error_invalid, name//" = "//count_text(int(choice))//" is not allowed: it must be "//allowed)
-    end subroutine check_choice
 
 end module mdrcontact_api_interior

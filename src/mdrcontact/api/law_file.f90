@@ -5,7 +5,7 @@ module mdrcontact_api_law_file
     use mdrcontact_api_law, only: read_text
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_given, check_memory, status_of
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_count_from, check_memory, error_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_file, only: law_from_text, law_to_text, load_law, save_law
     implicit none (type, external)
@@ -83,9 +83,7 @@ contains
         type(error_t), allocatable :: error
 
         call check_given(error, "buffer", c_associated(buffer))
-        if (length < 0) then
-            call raise(error, error_invalid, "length = "//count_text(int(length))//" is not allowed: it must be at least 0")
-        end if
+        call check_count_from(error, "length", int(length), 0)
         text = "" ! gfortran 12 would call its length uninitialized
         if (.not. allocated(error)) call read_buffer(buffer, int(length), text, error)
         if (.not. allocated(error)) call law_from_text(law, text, error)

@@ -6,7 +6,7 @@ module mdrcontact_api_material
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_status, only: check_given, check_memory, status_of
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_choice, check_memory, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
@@ -163,10 +163,7 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(m, "m", rheology, error)
-        if (limit /= glassy .and. limit /= relaxed) then
-            call raise(error, error_invalid, "limit = "//count_text(int(limit))//" is not allowed: it must be 1 (glassy) or "// &
-                       "2 (relaxed)")
-        end if
+        call check_choice(error, "limit", int(limit), glassy, relaxed, "1 (glassy) or 2 (relaxed)")
         if (.not. allocated(error)) then
             if (limit == glassy) then
                 call rheology%glassy(material, error)

@@ -5,7 +5,7 @@ module mdrcontact_api_medium_options
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_loc, c_null_char, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_count_from, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_model, only: find_model, model_options_t, model_position, model_table
     implicit none (type, external)
@@ -60,10 +60,7 @@ contains
         position = model_position(int(model))
         call check_given(error, "name", present(name))
         if (position == 0) call raise_model(error, model)
-        if (length < len(model_table%name) + 1) then
-            call raise(error, error_invalid, "length = "//count_text(int(length))//" is not allowed: it must be at least "// &
-                       count_text(len(model_table%name) + 1))
-        end if
+        call check_count_from(error, "length", int(length), len(model_table%name) + 1)
         if (.not. allocated(error)) call write_name(model_table(position)%name, name(:length))
         status = status_of(error)
     end function mdr_model_name

@@ -8,7 +8,7 @@ module mdrcontact_api_structure
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
-    use mdrcontact_error, only: count_text, error_callback, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_count_from, check_memory, count_text, error_callback, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
     use mdrcontact_lateral_medium, only: new_lateral_medium
@@ -235,7 +235,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, stat
 
-        if (n < 1) call raise(error, error_invalid, "phases = "//count_text(int(n))//" is not allowed: it must be at least 1")
+        call check_count_from(error, "phases", int(n), 1)
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))
         if (allocated(error)) return

@@ -2,6 +2,7 @@
 !> From a given depth or force to the non-adhesive state: the contact radius that has it, found where every law is nearly straight.
 module mdrcontact_contact_inversion
     use mdrcontact_contact_control, only: control_t
+    use mdrcontact_contact_range, only: first_guess
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
@@ -42,8 +43,6 @@ module mdrcontact_contact_inversion
 
     !> ln of the smallest contact radius searched: its cube is still a normal number.
     real(wp), parameter :: smallest_log = -230.0_wp
-    !> ln of the contact radius at which the search for a radius begins.
-    real(wp), parameter :: first_guess = -35.0_wp
     !> Up to this relative change of a - end radius states are taken as linear: its square is below rounding.
     real(wp), parameter :: linear = 5.0e-9_wp
     !> The same where a state is solved for, to a tolerance far above the square.

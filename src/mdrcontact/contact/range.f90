@@ -26,7 +26,7 @@ module mdrcontact_contact_range
     real(wp), parameter :: adhesion_over = 0.05_wp
     !> Extrema lie less than this far below the radius where d0 = dl (in ln a).
     real(wp), parameter :: room_below = 10.0_wp
-    !> The smallest ln a that is looked at, and where the search for the first extremum begins.
+    !> The smallest ln a that is looked at, and where the search for a radius begins.
     real(wp), parameter :: smallest_log = -200.0_wp, first_guess = -35.0_wp
     !> Closer to a flat end, as a part of its radius, a - b has no digits left.
     real(wp), parameter :: closest = 1.0e-12_wp

@@ -5,7 +5,7 @@ module mdrcontact_contact_values
     use mdrcontact_contact, only: check_branch, contact_t
     use mdrcontact_contact_inversion, only: neighbours_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise, raise_at
+    use mdrcontact_error, only: check_choice, check_count_within, check_same_size, error_t, raise_at
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: lower_body, upper_body
     implicit none (type, external)
@@ -75,9 +75,9 @@ contains
         team = 1
         if (present(threads)) team = threads
         call check_threads(error, team)
-        call check_choice(error, "given", given, given_radius)
+        call check_choice(error, "given", given, given_depth, given_radius, "1 (depth), 2 (force) or 3 (radius)")
         if (present(branch) .and. given /= given_radius) call check_branch(error, branch)
-        call check_sizes(error, size(input), size(states))
+        call check_same_size(error, size(input), size(states))
         if (allocated(error)) return
         batch%contact => contact
         batch%given = given
@@ -139,8 +139,8 @@ contains
         wanted = 1
         if (present(threads)) wanted = threads
         call check_threads(error, wanted)
-        call check_choice(error, "field", field, field_displacement_upper)
-        call check_sizes(error, size(positions), size(values))
+        call check_count_within(error, "field", field, field_pressure, field_displacement_upper)
+        call check_same_size(error, size(positions), size(values))
         if (allocated(error)) return
         batch%contact => contact
         batch%field = field
@@ -180,26 +180,5 @@ contains
             if (allocated(error)) return
         end do
     end subroutine evaluate_field
-
-    pure subroutine check_choice(error, name, choice, last)
-        type(error_t), allocatable, intent(inout) :: error
-        character(len=*), intent(in) :: name
-        integer, intent(in) :: choice, last
-
-        if (choice < 1 .or. choice > last) then
-            call raise(error, error_invalid, name//" = "//count_text(choice)//" is not allowed: it must be at least 1 and "// &
-                       "at most "//count_text(last))
-        end if
-    end subroutine check_choice
-
-    pure subroutine check_sizes(error, given, found)
-        type(error_t), allocatable, intent(inout) :: error
-        integer, intent(in) :: given, found
-
-        if (given /= found) then
-            call raise(error, error_invalid, "the arrays have "//count_text(given)//" and "//count_text(found)// &
-                       " entries: they must have the same number")
-        end if
-    end subroutine check_sizes
 
 end module mdrcontact_contact_values

@@ -23,7 +23,7 @@ module mdrcontact_fit_body
     private
     public :: fit_body_t, indenter_count, body_count, make_body
     public :: indenter_given, indenter_paraboloid, indenter_sphere, indenter_cone, indenter_power_law, indenter_flat_punch, &
-              indenter_flat_cone, indenter_flat_paraboloid, indenter_rounded_cone, indenter_area_function, area_terms
+              indenter_flat_cone, indenter_flat_paraboloid, indenter_rounded_cone, indenter_area_function
 
     !> Kinds of indenter; their parameters are the arguments of the shape's `new_...` procedure, in its order.
     integer, parameter :: indenter_given = 0, indenter_paraboloid = 1, indenter_sphere = 2, indenter_cone = 3, &

@@ -3,8 +3,8 @@
 module mdrcontact_fit_problem
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, error_invalid, error_t, &
-                                raise, to_text
+    use mdrcontact_error, only: check_choice, check_count_from, check_finite, check_not_negative, check_positive, count_text, &
+                                error_invalid, error_t, raise, to_text
     use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_fit_order, only: ascending
     use mdrcontact_fit_body, only: body_count, fit_body_t
@@ -136,13 +136,9 @@ contains
         if (self%data_kind < data_force_depth .or. self%data_kind > data_stiffness_radius) then
             call raise(error, error_invalid, "data_kind = "//count_text(self%data_kind)//" is not allowed: it must be 1 to 4")
         end if
-        if (self%loss < loss_linear .or. self%loss > loss_cauchy) then
-            call raise(error, error_invalid, "loss = "//count_text(self%loss)//" is not allowed: it must be 0 (linear), 1 "// &
-                       "(Huber) or 2 (Cauchy)")
-        end if
+        call check_choice(error, "loss", self%loss, loss_linear, loss_cauchy, "0 (linear), 1 (Huber) or 2 (Cauchy)")
         call check_positive(error, "loss_scale", self%loss_scale)
-        if (self%max_iterations < 1) call raise(error, error_invalid, "max_iterations = "//count_text(self%max_iterations)// &
-                                                " is not allowed: it must be at least 1")
+        call check_count_from(error, "max_iterations", self%max_iterations, 1)
         if (allocated(self%prior_weights)) then
             if (size(self%prior_weights, 2) /= expected) then
                 call raise(error, error_invalid, "prior_weights has "//count_text(size(self%prior_weights, 2))// &

@@ -4,7 +4,8 @@ module mdrcontact_history_relaxation
     use mdrcontact_contact, only: contact_t, new_contact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_states, given_depth, given_force, given_radius
-    use mdrcontact_error, only: check_not_negative, check_table, count_text, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_choice, check_not_negative, check_table, check_within, error_invalid, error_t, raise, &
+                                to_text
     use mdrcontact_history_relaxation_follow, only: follow_depth, follow_force
     use mdrcontact_history_relaxation_steps, only: march_through
     use mdrcontact_kinds, only: wp
@@ -43,15 +44,9 @@ contains
         depth = 0.0_wp
         radius = 0.0_wp
         force = 0.0_wp
-        if (given < given_depth .or. given > given_radius) then
-            call raise(error, error_invalid, "given = "//count_text(given)//" is not allowed: it must be 1 (depth), 2 (force) "// &
-                       "or 3 (radius)")
-            return
-        end if
-        if (.not. (accuracy >= smallest_tolerance .and. accuracy <= largest_tolerance)) then
-            call raise(error, error_invalid, "tolerance = "//to_text(accuracy)//" is not allowed: it must be at least "// &
-                       to_text(smallest_tolerance)//" and at most "//to_text(largest_tolerance))
-        end if
+        call check_choice(error, "given", given, given_depth, given_radius, "1 (depth), 2 (force) or 3 (radius)")
+        if (allocated(error)) return
+        call check_within(error, "tolerance", accuracy, smallest_tolerance, largest_tolerance)
         call check_table(error, "time", time, trim(word(given)), values, 1)
         if (given /= given_depth) then
             do i = 1, size(values)

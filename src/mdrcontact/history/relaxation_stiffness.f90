@@ -4,7 +4,7 @@
 module mdrcontact_history_relaxation_stiffness
     use mdrcontact_body_harmonic, only: harmonic_t, new_harmonic
     use mdrcontact_contact, only: contact_t
-    use mdrcontact_error, only: check_positive, count_text, error_domain, error_invalid, error_t, raise, raise_at, to_text
+    use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_oscillation, only: complex_modulus
@@ -81,9 +81,7 @@ contains
         integer :: i, j
 
         values = 0.0_wp
-        if (step /= step_relaxation .and. step /= step_creep) then
-            call raise(error, error_invalid, "step = "//count_text(step)//" is not allowed: it must be 1 (relaxation) or 2 (creep)")
-        end if
+        call check_choice(error, "step", step, step_relaxation, step_creep, "1 (relaxation) or 2 (creep)")
         do i = 1, size(time)
             call check_positive(error, "time", time(i), i)
         end do

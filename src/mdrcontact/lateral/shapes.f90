@@ -3,7 +3,7 @@
 module mdrcontact_lateral_shapes
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_poisson, error_invalid, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_poisson, check_within, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_density, only: lateral_density
     use mdrcontact_lateral_panels, only: depth_rule, radius_rule, rule_t
@@ -57,10 +57,7 @@ contains
         if (present(exponent)) self%exponent = exponent
         call new_power_mean(mean, self%exponent, [background%shear()], error)
         call check_poisson(error, "reference_nu", self%reference_nu)
-        if (.not. (self%tolerance >= 1.0e-10_wp .and. self%tolerance <= 0.1_wp)) then
-            call raise(error, error_invalid, "tolerance = "//to_text(self%tolerance)// &
-                       " is not allowed: it must be from 1e-10 to 0.1")
-        end if
+        call check_within(error, "tolerance", self%tolerance, 1.0e-10_wp, 0.1_wp)
     end subroutine new_shapes
 
     !> Rules of rising order until two agree.

@@ -8,7 +8,7 @@ module mdrcontact_layered_exact
     use mdrcontact_body, only: body_t
     use mdrcontact_body_sheared, only: new_sheared_body, new_twisted_body, sheared_body_t
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_within, error_invalid, error_t, raise
     use mdrcontact_field_load, only: load_t
     use mdrcontact_field_profile_load, only: new_profile_load, profile_load_t
     use mdrcontact_field_slip, only: slip_t
@@ -98,11 +98,8 @@ contains
 
         call disable_gsl_abort()
         if (present(tolerance)) then
-            if (.not. (tolerance >= smallest_tolerance .and. tolerance <= largest_tolerance)) then
-                call raise(error, error_invalid, "tolerance = "//to_text(tolerance)//" is not allowed: it must be at least "// &
-                           to_text(smallest_tolerance)//" and at most "//to_text(largest_tolerance))
-                return
-            end if
+            call check_within(error, "tolerance", tolerance, smallest_tolerance, largest_tolerance)
+            if (allocated(error)) return
             self%tolerance = tolerance
         end if
         allocate (self%pressed, source=body)
