@@ -8,7 +8,7 @@
 !> Contact, adhesion and fitting are written in these terms and never ask which kind of medium they hold.
 module mdrcontact_medium
     use mdrcontact_body, only: body_t
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_field_load, only: load_t
     use mdrcontact_field_slip, only: slip_t
     use mdrcontact_kinds, only: wp
@@ -88,6 +88,8 @@ module mdrcontact_medium
         procedure :: has_independent_springs => no
         !> first shear of a state, with that medium
         procedure :: new_slip => no_slip
+        !> a copy, or error_memory; those with arrays that grow with a caller's data override it
+        procedure :: copy_to
     end type medium_t
 
     !> E_eff of a medium as a function of the contact radius.
@@ -301,6 +303,16 @@ contains
         end associate
         value = 0.0_wp
     end function zero
+
+    recursive subroutine copy_to(self, copy, error)
+        class(medium_t), intent(in) :: self
+        class(medium_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
+
+        allocate (copy, source=self, stat=stat)
+        call check_memory(error, stat)
+    end subroutine copy_to
 
     subroutine no_surface_load(self, profile, a, excess, load, error)
         class(medium_t), intent(in) :: self

@@ -164,14 +164,15 @@ contains
         !> what exact media made one after the other have in common
         type(layered_shared_t), intent(inout), optional :: shared
         type(model_options_t) :: chosen
-        type(layered_exact_t) :: exact
+        type(layered_exact_t), allocatable :: exact
 
         if (present(options)) chosen = options
         call check_model(body, model, error)
         if (allocated(error)) return
         if (model == models%exact) then
+            allocate (exact)
             call new_layered_exact(exact, body, error, chosen%tolerance, shared)
-            allocate (medium, source=exact)
+            call move_alloc(exact, medium)
             return
         end if
         select type (body)
@@ -250,10 +251,11 @@ contains
         integer, intent(in) :: model
         type(model_options_t), intent(in) :: options
         type(error_t), allocatable, intent(inout) :: error
-        type(graded_t) :: graded
+        type(graded_t), allocatable :: graded
 
+        allocate (graded)
         call new_graded(graded, body, error, gao_options(model, options))
-        allocate (medium, source=graded)
+        call move_alloc(graded, medium)
     end subroutine new_graded_medium
 
     subroutine new_layered_medium(medium, body, model, options, error)

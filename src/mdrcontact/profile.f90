@@ -5,6 +5,7 @@
 !> integral, which each shape provides in closed form where there is one.
 !> Popov, Phys. Mesomech. 17 (2014) 50, equations (3) and (4).
 module mdrcontact_profile
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -42,6 +43,8 @@ module mdrcontact_profile
         procedure :: powers => no_powers
         !> whether it is a paraboloid, or a sphere, which is one near its axis
         procedure :: is_spherical
+        !> a copy, or error_memory; those with arrays that grow with a caller's data override it
+        procedure :: copy_to
     end type profile_t
 
     abstract interface
@@ -121,6 +124,16 @@ contains
         call self%powers(exponents, coefficients)
         answer = size(exponents) > 0 .and. all(exponents == 2.0_wp)
     end function is_spherical
+
+    recursive subroutine copy_to(self, copy, error)
+        class(profile_t), intent(in) :: self
+        class(profile_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
+
+        allocate (copy, source=self, stat=stat)
+        call check_memory(error, stat)
+    end subroutine copy_to
 
     !> sqrt(x^2 - b^2) without cancellation, 0 for x <= b: the root that every flat end and tangent point brings into g(x).
     elemental function root_beyond(x, b) result(root)

@@ -3,7 +3,7 @@
 module mdrcontact_api_adhesion
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact, only: contact_t
@@ -55,13 +55,16 @@ contains
         integer(c_int) :: status
         type(contact_t), pointer :: contact
         type(control_t) :: chosen
-        type(loop_t) :: loop
+        type(loop_t), allocatable :: loop
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (loop)
         call open_handle(c, "c", contact, error)
         call choose_control(chosen, control, spring_stiffness, .true., error)
         if (.not. allocated(error)) call new_loop(loop, contact, chosen, largest, int(points), error)
-        status = deliver(loop, out, error)
+        call move_alloc(loop, object)
+        status = hand_over(object, out, error)
     end function mdr_loop_new
 
     function mdr_loop_size(l, points, turning_point, jumps) result(status) bind(C)

@@ -3,7 +3,7 @@
 module mdrcontact_api_contact
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results_or_infinity
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_unloading
@@ -47,11 +47,13 @@ contains
         integer(c_int) :: status
         class(profile_t), pointer :: indenter
         class(medium_t), pointer :: body
-        type(contact_t) :: contact
+        type(contact_t), allocatable :: contact
+        class(*), allocatable :: object
         type(c_contact_options_t), target :: given
         type(contact_options_t) :: chosen
         type(error_t), allocatable :: error
 
+        allocate (contact)
         call read_options(error, "options", options, c_loc(given), c_sizeof(given))
         call open_handle(profile, "profile", indenter, error)
         call open_handle(medium, "medium", body, error)
@@ -64,7 +66,8 @@ contains
         end if
         if (given%zeta_count /= 0 .and. .not. allocated(error)) call read_zeta(given, chosen%zeta, error)
         if (.not. allocated(error)) call new_contact(contact, indenter, body, error, chosen)
-        status = deliver(contact, out, error)
+        call move_alloc(contact, object)
+        status = hand_over(object, out, error)
     end function mdr_contact_new
 
     !> zeta(a) from the table in the options.

@@ -160,8 +160,7 @@ contains
         if (problem%body%indenter == indenter_given) then
             call open_handle(given%profile, "profile", profile, error)
             if (allocated(error)) return
-            allocate (problem%body%profile, source=profile, stat=stat)
-            call check_memory(error, stat)
+            call profile%copy_to(problem%body%profile, error)
             if (allocated(error)) return
         end if
         call take_object(given%medium_object, "medium_object", problem%body%medium, error)
@@ -193,13 +192,11 @@ contains
         type(medium_choice_t), intent(inout) :: choice
         type(error_t), allocatable, intent(inout) :: error
         class(medium_t), pointer :: medium
-        integer :: stat
 
         if (choice%kind /= medium_given .or. allocated(error)) return
         call open_handle(handle, name, medium, error)
         if (allocated(error)) return
-        allocate (choice%object, source=medium, stat=stat)
-        call check_memory(error, stat)
+        call medium%copy_to(choice%object, error)
     end subroutine take_object
 
     !> The data; force and sd may be absent.

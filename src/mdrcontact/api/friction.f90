@@ -3,7 +3,7 @@
 module mdrcontact_api_friction
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, check_results_or_infinity
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: deliver, hand_over, open_handle
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -27,12 +27,15 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(contact_t), pointer :: contact
-        type(friction_t) :: friction
+        type(friction_t), allocatable :: friction
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (friction)
         call open_handle(c, "c", contact, error)
         if (.not. allocated(error)) call new_friction(friction, contact, coefficient, error)
-        status = deliver(friction, out, error)
+        call move_alloc(friction, object)
+        status = hand_over(object, out, error)
     end function mdr_friction_new
 
     !> First shear of a normal state.
@@ -188,12 +191,15 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(friction_t), pointer :: friction
-        type(friction_history_t) :: history
+        type(friction_history_t), allocatable :: history
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (history)
         call open_handle(f, "f", friction, error)
         if (.not. allocated(error)) call new_friction_history(history, friction, error)
-        status = deliver(history, out, error)
+        call move_alloc(history, object)
+        status = hand_over(object, out, error)
     end function mdr_friction_history_new
 
     function mdr_friction_history_copy(h, out) result(status) bind(C)

@@ -19,7 +19,7 @@ module mdrcontact_api_handles
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: deliver, open_handle
+    public :: deliver, hand_over, open_handle
     public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free, &
               mdr_friction_free, mdr_material_free, mdr_friction_history_free
 
@@ -47,34 +47,48 @@ module mdrcontact_api_handles
 
 contains
 
-    !> Puts a copy of a finished object behind a new handle and writes the handle to `out`, unless there was an error.
+    !> Puts a copy of a finished object of few numbers behind a new handle, and the handle into `out`, unless there was an error.
     function deliver(object, out, error) result(status)
         class(*), intent(in) :: object
+        type(c_ptr), intent(inout), optional :: out
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int) :: status
+        class(*), allocatable :: copy
+        integer :: stat
+
+        if (.not. allocated(error)) then
+            allocate (copy, source=object, stat=stat)
+            call check_memory(error, stat)
+        end if
+        status = hand_over(copy, out, error)
+    end function deliver
+
+    !> The same with the object itself, whose arrays may be large: they are not copied, since gfortran ends the process where there
+    !> is no memory for the copy of a component.
+    function hand_over(object, out, error) result(status)
+        class(*), allocatable, intent(inout) :: object
         type(c_ptr), intent(inout), optional :: out
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
         type(handle_t), pointer :: inside
         integer :: stat
 
-        nullify (inside)
         call check_given(error, "out", present(out))
         if (.not. allocated(error)) then
             allocate (inside, stat=stat)
-            if (stat == 0) allocate (inside%object, source=object, stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error)) then
+            call move_alloc(object, inside%object)
             out = c_loc(inside)
             select type (law => inside%object)
             type is (contact_law_t)
                 inside%view = view_of(law%by_depth)
                 inside%view%law = out
             end select
-        else if (associated(inside)) then
-            deallocate (inside)
         end if
         status = status_of(error)
-    end function deliver
+    end function hand_over
 
     subroutine open_profile(handle, name, object, error)
         type(c_ptr), intent(in) :: handle

@@ -3,7 +3,7 @@
 module mdrcontact_api_law
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_loc, &
                                            c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_contact, only: check_branch, contact_t
@@ -52,11 +52,13 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(contact_t), pointer :: inside
-        type(contact_law_t) :: law
+        type(contact_law_t), allocatable :: law
+        class(*), allocatable :: object
         type(c_law_options_t), target :: given
         type(law_options_t) :: chosen
         type(error_t), allocatable :: error
 
+        allocate (law)
         call read_options(error, "options", options, c_loc(given), c_sizeof(given))
         call open_handle(contact, "contact", inside, error)
         chosen%smallest_depth = given%smallest_depth
@@ -64,7 +66,8 @@ contains
         chosen%continue_beyond = given%continue_beyond /= 0_c_int
         if (.not. allocated(error)) call read_text(given%description, chosen%description, error)
         if (.not. allocated(error)) call new_contact_law(law, inside, largest_depth, error, chosen)
-        status = deliver(law, out, error)
+        call move_alloc(law, object)
+        status = hand_over(object, out, error)
     end function mdr_law_new
 
     function mdr_law_with_radius(law, radius, out) result(status) bind(C)
@@ -73,12 +76,15 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
-        type(contact_law_t) :: other
+        type(contact_law_t), allocatable :: other
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (other)
         call open_handle(law, "law", inside, error)
         if (.not. allocated(error)) call inside%with_radius(radius, other, error)
-        status = deliver(other, out, error)
+        call move_alloc(other, object)
+        status = hand_over(object, out, error)
     end function mdr_law_with_radius
 
     !> The text at a C pointer; empty for null.

@@ -3,7 +3,7 @@
 module mdrcontact_api_law_file
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_null_char, c_ptr
     use mdrcontact_api_law, only: read_text
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_error, only: check_count_from, check_memory, error_t
     use mdrcontact_law, only: contact_law_t
@@ -34,16 +34,19 @@ contains
         type(c_ptr), value :: path
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(contact_law_t) :: law
+        type(contact_law_t), allocatable :: law
+        class(*), allocatable :: object
         character(len=:), allocatable :: name
         type(error_t), allocatable :: error
 
+        allocate (law)
         call check_given(error, "path", c_associated(path))
         if (.not. allocated(error)) then
             call read_text(path, name, error)
             if (.not. allocated(error)) call load_law(law, name//c_null_char, error)
         end if
-        status = deliver(law, out, error)
+        call move_alloc(law, object)
+        status = hand_over(object, out, error)
     end function mdr_law_load
 
     !> Writes nothing but the length where the buffer is too short.
@@ -78,16 +81,19 @@ contains
         integer(c_int), value :: length
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(contact_law_t) :: law
+        type(contact_law_t), allocatable :: law
+        class(*), allocatable :: object
         character(len=:), allocatable :: text
         type(error_t), allocatable :: error
 
+        allocate (law)
         call check_given(error, "buffer", c_associated(buffer))
         call check_count_from(error, "length", int(length), 0)
         text = "" ! gfortran 12 would call its length uninitialized
         if (.not. allocated(error)) call read_buffer(buffer, int(length), text, error)
         if (.not. allocated(error)) call law_from_text(law, text, error)
-        status = deliver(law, out, error)
+        call move_alloc(law, object)
+        status = hand_over(object, out, error)
     end function mdr_law_read
 
     !> The characters of a buffer as text.

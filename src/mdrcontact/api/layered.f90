@@ -5,7 +5,7 @@ module mdrcontact_api_layered
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: deliver
+    use mdrcontact_api_handles, only: deliver, hand_over
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_body, only: body_t
@@ -118,6 +118,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
         class(medium_t), allocatable :: medium
+        class(*), allocatable :: object
         type(model_options_t) :: chosen
 
         call read_medium_options(error, options, chosen)
@@ -125,7 +126,8 @@ contains
         if (allocated(error)) then
             status = status_of(error)
         else
-            status = deliver(medium, out, error)
+            call move_alloc(medium, object)
+            status = hand_over(object, out, error)
         end if
     end function deliver_model
 

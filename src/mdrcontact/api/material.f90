@@ -3,7 +3,7 @@
 module mdrcontact_api_material
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: deliver, hand_over, open_handle
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_status, only: check_given, check_memory, status_of
     use mdrcontact_error, only: check_choice, check_memory, error_invalid, error_t, raise

@@ -3,7 +3,7 @@
 module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: deliver, hand_over, open_handle
     use mdrcontact_api_status, only: check_memory, status_of, wanted_threads
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_material, only: material_t, new_material
@@ -59,6 +59,7 @@ contains
         integer(c_int) :: status
         class(medium_t), pointer :: first, second
         class(medium_t), allocatable :: medium
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
         call open_handle(lower, "lower", first, error)
@@ -67,7 +68,8 @@ contains
         if (allocated(error)) then
             status = status_of(error)
         else
-            status = deliver(medium, out, error)
+            call move_alloc(medium, object)
+            status = hand_over(object, out, error)
         end if
     end function mdr_medium_pair
 

@@ -4,7 +4,7 @@ module mdrcontact_api_profile_data
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_status, only: check_memory
     use mdrcontact_error, only: error_invalid, error_t, raise, raise_at
     use mdrcontact_profile, only: profile_t
@@ -24,14 +24,17 @@ contains
         real(c_double), value :: min_height, max_height
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(sampled_profile_t) :: profile
+        type(sampled_profile_t), allocatable :: profile
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (profile)
         call check_count(error, n)
         if (n == 0) call raise(error, error_invalid, "coefficients is empty: at least C0 is needed")
         call check_array(error, "coefficients", n, present(coefficients))
         if (.not. allocated(error)) call new_area_function_profile(profile, coefficients(:n), min_height, max_height, error)
-        status = deliver(profile, out, error)
+        call move_alloc(profile, object)
+        status = hand_over(object, out, error)
     end function mdr_profile_area_function
 
     function mdr_profile_table(n, r, f, out) result(status) bind(C)
@@ -39,15 +42,18 @@ contains
         real(c_double), intent(in), optional :: r(*), f(*)
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(sampled_profile_t) :: profile
+        type(sampled_profile_t), allocatable :: profile
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (profile)
         call check_count(error, n)
         call check_not_empty(error, "r", n, 3)
         call check_array(error, "r", n, present(r))
         call check_array(error, "f", n, present(f))
         if (.not. allocated(error)) call new_tabulated_profile(profile, r(:n), f(:n), error)
-        status = deliver(profile, out, error)
+        call move_alloc(profile, object)
+        status = hand_over(object, out, error)
     end function mdr_profile_table
 
     function mdr_profile_from_mdr_table(n, x, g, out) result(status) bind(C)
@@ -55,15 +61,18 @@ contains
         real(c_double), intent(in), optional :: x(*), g(*)
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(sampled_profile_t) :: profile
+        type(sampled_profile_t), allocatable :: profile
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (profile)
         call check_count(error, n)
         call check_not_empty(error, "x", n, 3)
         call check_array(error, "x", n, present(x))
         call check_array(error, "g", n, present(g))
         if (.not. allocated(error)) call new_profile_from_mdr(profile, x(:n), g(:n), error)
-        status = deliver(profile, out, error)
+        call move_alloc(profile, object)
+        status = hand_over(object, out, error)
     end function mdr_profile_from_mdr_table
 
     function mdr_profile_callback(height, context, largest_radius, out) result(status) bind(C)
@@ -73,12 +82,15 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(c_function_t) :: f
-        type(sampled_profile_t) :: profile
+        type(sampled_profile_t), allocatable :: profile
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (profile)
         call new_c_function(f, "height", height, context, error)
         if (.not. allocated(error)) call new_profile_from_function(profile, f, largest_radius, error)
-        status = deliver(profile, out, error)
+        call move_alloc(profile, object)
+        status = hand_over(object, out, error)
     end function mdr_profile_callback
 
     function mdr_profile_sum(n, terms, out) result(status) bind(C)
@@ -86,16 +98,19 @@ contains
         type(c_ptr), intent(in), optional :: terms(*)
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(profile_sum_t) :: profile
+        type(profile_sum_t), allocatable :: profile
+        class(*), allocatable :: object
         type(profile_term_t), allocatable :: copies(:)
         type(error_t), allocatable :: error
 
+        allocate (profile)
         call check_count(error, n)
         if (n == 0) call raise(error, error_invalid, "terms is empty: at least one is needed")
         call check_array(error, "terms", n, present(terms))
         if (.not. allocated(error)) call copy_terms(terms(:n), copies, error)
         if (.not. allocated(error)) call new_profile_sum(profile, copies, error)
-        status = deliver(profile, out, error)
+        call move_alloc(profile, object)
+        status = hand_over(object, out, error)
     end function mdr_profile_sum
 
     subroutine copy_terms(terms, copies, error)
@@ -113,8 +128,7 @@ contains
                 call raise_at(error, i)
                 return
             end if
-            allocate (copies(i)%profile, source=term, stat=stat)
-            call check_memory(error, stat)
+            call term%copy_to(copies(i)%profile, error)
             if (allocated(error)) return
         end do
     end subroutine copy_terms

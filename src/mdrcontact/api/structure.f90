@@ -5,7 +5,7 @@ module mdrcontact_api_structure
                                            c_associated, c_size_t, c_sizeof
     use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
     use mdrcontact_api_arrays, only: check_array, check_count
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: deliver, hand_over, open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
     use mdrcontact_error, only: check_count_from, check_memory, count_text, error_callback, error_invalid, error_t, raise
@@ -73,10 +73,12 @@ contains
         type(structure_options_t), target :: chosen
         type(material_t) :: background, material
         type(shape_t), allocatable :: shapes(:)
-        type(shapes_t) :: structure
+        type(shapes_t), allocatable :: structure
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
         integer :: i, stat
 
+        allocate (structure)
         chosen = default_options()
         call read_options(error, "options", options, c_loc(chosen), c_sizeof(chosen))
         call new_material(background, e, nu, error)
@@ -100,7 +102,8 @@ contains
             if (ieee_is_nan(chosen%reference_nu)) chosen%reference_nu = nu
             call new_shapes(structure, background, shapes, error, chosen%reference_nu, chosen%tolerance, chosen%exponent)
         end if
-        status = deliver(structure, out, error)
+        call move_alloc(structure, object)
+        status = hand_over(object, out, error)
     end function mdr_structure_shapes
 
     function mdr_structure_voxels(size, labels, phases, e, nu, spacing, below_e, below_nu, options, out) result(status) bind(C)
@@ -114,12 +117,14 @@ contains
         type(structure_options_t), target :: chosen
         type(material_t) :: below
         type(material_t), allocatable :: materials(:), beside
-        type(voxels_t) :: structure
+        type(voxels_t), allocatable :: structure
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
         integer, allocatable :: cells(:, :, :)
         real(wp), allocatable :: reference_nu
         integer :: stat
 
+        allocate (structure)
         chosen = default_options()
         call read_options(error, "options", options, c_loc(chosen), c_sizeof(chosen))
         call check_given(error, "size", present(size))
@@ -150,7 +155,8 @@ contains
             call new_voxels(structure, cells, materials, spacing, below, error, beside, chosen%origin, int(chosen%images), &
                             reference_nu, chosen%exponent)
         end if
-        status = deliver(structure, out, error)
+        call move_alloc(structure, object)
+        status = hand_over(object, out, error)
     end function mdr_structure_voxels
 
     function mdr_structure_callback(field, context, reference_nu, options, out) result(status) bind(C)
@@ -211,14 +217,17 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         class(structure_t), pointer :: structure
-        type(tabulated_medium_t) :: medium
+        type(tabulated_medium_t), allocatable :: medium
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (medium)
         call open_handle(s, "s", structure, error)
         if (.not. allocated(error)) then
             call new_lateral_medium(medium, structure, x, y, smallest_radius, largest_radius, error, int(points))
         end if
-        status = deliver(medium, out, error)
+        call move_alloc(medium, object)
+        status = hand_over(object, out, error)
     end function mdr_structure_medium
 
     function default_options() result(options)

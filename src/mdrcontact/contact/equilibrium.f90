@@ -61,7 +61,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> zeta(a) of (9); without it, or not allocated: 1
         type(radius_law_t), allocatable, intent(in), optional :: zeta
-        type(scaled_profile_t) :: scaled
+        type(scaled_profile_t), allocatable :: scaled
 
         if (medium%is_rigid()) then
             call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable body", "medium")
@@ -74,7 +74,8 @@ contains
                        ", is larger than the largest contact radius of the medium, "//to_text(medium%largest_radius()))
             return
         end if
-        allocate (self%medium, source=medium)
+        call medium%copy_to(self%medium, error)
+        if (allocated(error)) return
         self%last_radius = largest_contact_radius(profile, medium)
         self%is_formula = medium%is_cheap()
         self%roughness = medium%roughness()
@@ -82,16 +83,17 @@ contains
             if (allocated(zeta)) then
                 call check_zeta(profile, medium, zeta, error)
                 if (allocated(error)) return
+                allocate (scaled)
                 call new_scaled_profile(scaled, profile, zeta, error)
                 if (allocated(error)) return
-                allocate (self%profile, source=scaled)
+                call move_alloc(scaled, self%profile)
                 self%last_radius = min(self%last_radius, zeta%largest_radius())
                 self%is_formula = .false.
                 self%roughness = max(self%roughness, interpolation_roughness)
                 return
             end if
         end if
-        allocate (self%profile, source=profile)
+        call profile%copy_to(self%profile, error)
     end subroutine new_equilibrium
 
     subroutine check_zeta(profile, medium, zeta, error)

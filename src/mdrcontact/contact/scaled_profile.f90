@@ -47,8 +47,9 @@ contains
         real(wp), allocatable :: breaks(:)
         integer :: i
 
-        allocate (self%profile, source=profile)
-        self%zeta = zeta
+        call profile%copy_to(self%profile, error)
+        if (.not. allocated(error)) call zeta%copy_to(self%zeta, error)
+        if (allocated(error)) return
         call gauss_legendre(self%t, self%w, error)
         if (allocated(error)) return
         allocate (breaks, source=self%break_radii())

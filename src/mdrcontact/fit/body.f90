@@ -105,7 +105,7 @@ contains
         select case (self%indenter)
         case (indenter_given)
             if (allocated(self%profile)) then
-                allocate (profile, source=self%profile)
+                call self%profile%copy_to(profile, error)
             else
                 call raise(error, error_invalid, "the indenter is missing: a profile must be given")
             end if

@@ -69,7 +69,7 @@ contains
         select case (choice%kind)
         case (medium_given)
             if (allocated(choice%object)) then
-                allocate (medium, source=choice%object)
+                call choice%object%copy_to(medium, error)
             else
                 call raise(error, error_invalid, "the medium is missing: it must be given")
             end if

@@ -36,7 +36,7 @@ contains
         end if
         if (allocated(error)) return
         if (upper%is_rigid()) then
-            allocate (medium, source=lower)
+            call lower%copy_to(medium, error)
             return
         end if
         if (lower%is_viscoelastic() .or. upper%is_viscoelastic()) then
@@ -86,12 +86,14 @@ contains
         !> solved
         class(medium_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
-        type(layered_exact_t) :: first, second, exact
+        type(layered_exact_t) :: first, second
+        type(layered_exact_t), allocatable :: exact
 
+        allocate (exact)
         call as_exact(lower, first)
         call as_exact(upper, second)
         call new_exact_pair(exact, first, second, error)
-        if (.not. allocated(error)) allocate (medium, source=exact)
+        if (.not. allocated(error)) call move_alloc(exact, medium)
     end subroutine add_exactly
 
     subroutine as_exact(medium, exact)
@@ -111,13 +113,14 @@ contains
         class(medium_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
         class(effective_medium_t), allocatable :: first, second
-        type(series_t) :: series
+        type(series_t), allocatable :: series
 
+        allocate (series)
         call as_effective(lower, first, error)
         if (.not. allocated(error)) call as_effective(upper, second, error)
         if (allocated(error)) return
         call new_series(series, first, second)
-        allocate (medium, source=series)
+        call move_alloc(series, medium)
     end subroutine add_in_series
 
     !> A body by its effective modulus.

@@ -1,8 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The user's own effective modulus E_eff(a): a table or a function (theory 3, last item).
 module mdrcontact_medium_tabulated
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_radius_law, only: interpolation_roughness, new_radius_law_from_function, &
                                                 new_radius_law_from_table, radius_law_t
@@ -23,6 +24,7 @@ module mdrcontact_medium_tabulated
         procedure :: largest_radius
         procedure :: breaks
         procedure :: roughness
+        procedure :: copy_to
     end type tabulated_medium_t
 
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
@@ -57,6 +59,23 @@ contains
         if (present(accuracy)) tolerance = accuracy
         call new_radius_law_from_function(self%law, modulus, "the modulus", smallest_radius, largest_radius, tolerance, error)
     end subroutine new_medium_from_function
+
+    recursive subroutine copy_to(self, copy, error)
+        class(tabulated_medium_t), intent(in) :: self
+        class(medium_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
+
+        allocate (copy, mold=self, stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        select type (copy)
+        class is (tabulated_medium_t)
+            call self%law%copy_to(copy%law, error)
+        end select
+        if (allocated(self%pressed)) allocate (copy%pressed, source=self%pressed)
+        if (allocated(self%counterbody)) allocate (copy%counterbody, source=self%counterbody)
+    end subroutine copy_to
 
     elemental function effective_modulus(self, a) result(value)
         class(tabulated_medium_t), intent(in) :: self

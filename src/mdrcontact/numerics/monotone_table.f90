@@ -4,6 +4,7 @@
 !> GSL computes the slopes once; the function then is plain data that can be copied and shared between threads.
 module mdrcontact_numerics_monotone_table
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_ptr, c_ptr, c_size_t
+    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_error, only: error_invalid, error_memory, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort, gsl_interp_steffen, gsl_spline_alloc, gsl_spline_eval_deriv, &
                               gsl_spline_free, gsl_spline_init, gsl_success
@@ -22,6 +23,7 @@ module mdrcontact_numerics_monotone_table
         real(wp), allocatable :: x(:), y(:), slopes(:)
     contains
         procedure :: value
+        procedure :: copy_to
         procedure :: at
         procedure :: slope_at
     end type monotone_table_t
@@ -81,6 +83,16 @@ contains
             slope = 2.0_wp*first
         end if
     end function end_slope
+
+    pure subroutine copy_to(self, copy, error)
+        class(monotone_table_t), intent(in) :: self
+        type(monotone_table_t), intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+
+        call copy_array(self%x, copy%x, error)
+        call copy_array(self%y, copy%y, error)
+        call copy_array(self%slopes, copy%slopes, error)
+    end subroutine copy_to
 
     function value(self, x) result(y)
         class(monotone_table_t), intent(inout) :: self

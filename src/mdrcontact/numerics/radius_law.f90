@@ -4,10 +4,11 @@
 !> It is interpolated in ln a, and constant below its smallest radius: forces are integrated from first contact.
 module mdrcontact_numerics_radius_law
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_error, only: check_positive, check_table, error_callback, error_invalid, error_memory, &
+    use mdrcontact_error, only: check_memory, check_positive, check_table, error_callback, error_invalid, error_memory, &
                                 error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -29,6 +30,7 @@ module mdrcontact_numerics_radius_law
         real(wp), allocatable :: breaks(:)
     contains
         procedure :: at
+        procedure :: copy_to
         procedure :: slope_at
         procedure :: smallest_radius
         procedure :: largest_radius
@@ -113,6 +115,27 @@ contains
                                   spread(.false., 1, size(octaves(log(smallest), log(largest))) - 1), tolerance, error, most=most)
         if (.not. allocated(error)) self%breaks = fine_edges(self%sampled)
     end subroutine new_radius_law_from_function
+
+    pure subroutine copy_to(self, copy, error)
+        class(radius_law_t), intent(in) :: self
+        type(radius_law_t), intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
+
+        copy%smallest = self%smallest
+        copy%largest = self%largest
+        call copy_array(self%breaks, copy%breaks, error)
+        if (allocated(error)) return
+        if (allocated(self%table)) then
+            allocate (copy%table, stat=stat)
+            call check_memory(error, stat)
+            if (stat == 0) call self%table%copy_to(copy%table, error)
+        else if (allocated(self%sampled)) then
+            allocate (copy%sampled, stat=stat)
+            call check_memory(error, stat)
+            if (stat == 0) call self%sampled%copy_to(copy%sampled, error)
+        end if
+    end subroutine copy_to
 
     !> The value at radius a <= largest_radius().
     elemental function at(self, a) result(y)

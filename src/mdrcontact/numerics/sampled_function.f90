@@ -9,6 +9,7 @@ module mdrcontact_numerics_sampled_function
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
@@ -50,6 +51,7 @@ module mdrcontact_numerics_sampled_function
         procedure :: panels
         procedure :: edge
         procedure :: move_to
+        procedure :: copy_to
         procedure :: values_in
         procedure :: slopes_in
         procedure :: degree_in
@@ -223,6 +225,19 @@ contains
         call move_alloc(from_root, self%from_root)
         call move_alloc(coefficients, self%coefficients)
     end subroutine resize
+
+    pure subroutine copy_to(self, copy, error)
+        class(sampled_function_t), intent(in) :: self
+        type(sampled_function_t), intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+
+        call copy_array(self%edges, copy%edges, error)
+        call copy_array(self%from_root, copy%from_root, error)
+        call copy_array(self%coefficients, copy%coefficients, error)
+        call copy_array(self%derivatives, copy%derivatives, error)
+        call copy_array(self%used, copy%used, error)
+        call copy_array(self%integrals, copy%integrals, error)
+    end subroutine copy_to
 
     subroutine integrate_panels(self)
         type(sampled_function_t), intent(inout) :: self

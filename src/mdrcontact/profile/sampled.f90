@@ -4,6 +4,7 @@
 module mdrcontact_profile_sampled
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_transform, only: new_transform, transform_t
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
@@ -30,6 +31,7 @@ module mdrcontact_profile_sampled
         procedure :: largest_radius
         procedure :: end_radius
         procedure :: break_radii
+        procedure :: copy_to
     end type sampled_profile_t
 
     real(wp), parameter :: height_tolerance = 1.0e-14_wp, transform_tolerance = 2.0e-14_wp
@@ -95,6 +97,25 @@ contains
         call f%move_to(self%f)
         call finish(self, flat_radius, breaks, error)
     end subroutine sample_from_height
+
+    recursive subroutine copy_to(self, copy, error)
+        class(sampled_profile_t), intent(in) :: self
+        class(profile_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(sampled_profile_t), allocatable :: own
+        integer :: stat
+
+        allocate (own, stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        call self%f%copy_to(own%f, error)
+        if (.not. allocated(error)) call self%g%copy_to(own%g, error)
+        call copy_array(self%breaks, own%breaks, error)
+        own%f_exponent = self%f_exponent
+        own%g_exponent = self%g_exponent
+        own%flat_radius = self%flat_radius
+        call move_alloc(own, copy)
+    end subroutine copy_to
 
     !> Takes g = `mdr` on [0, largest] and transforms it back to f.
     subroutine sample_from_mdr(self, mdr, largest, flat_radius, breaks, error)

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Sums of indenters: f and g are linear in each other, so the MDR profile of a sum is the sum of the MDR profiles.
 module mdrcontact_profile_sum
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: merged_breaks
@@ -31,6 +31,7 @@ module mdrcontact_profile_sum
         procedure :: has_wall
         procedure :: break_radii
         procedure :: powers
+        procedure :: copy_to
     end type profile_sum_t
 
 contains
@@ -47,8 +48,35 @@ contains
             if (.not. allocated(terms(i)%profile)) call raise(error, error_invalid, "a term of the sum holds no profile")
         end do
         if (allocated(error)) return
-        self%terms = terms
+        call copy_terms(terms, self%terms, error)
     end subroutine new_profile_sum
+
+    recursive subroutine copy_to(self, copy, error)
+        class(profile_sum_t), intent(in) :: self
+        class(profile_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(profile_sum_t), allocatable :: own
+        integer :: stat
+
+        allocate (own, stat=stat)
+        call check_memory(error, stat)
+        if (stat == 0) call copy_terms(self%terms, own%terms, error)
+        call move_alloc(own, copy)
+    end subroutine copy_to
+
+    recursive subroutine copy_terms(terms, copies, error)
+        type(profile_term_t), intent(in) :: terms(:)
+        type(profile_term_t), allocatable, intent(out) :: copies(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, stat
+
+        allocate (copies(size(terms)), stat=stat)
+        call check_memory(error, stat)
+        do i = 1, size(terms)
+            if (allocated(error)) return
+            call terms(i)%profile%copy_to(copies(i)%profile, error)
+        end do
+    end subroutine copy_terms
 
     elemental function height(self, x) result(y)
         class(profile_sum_t), intent(in) :: self
