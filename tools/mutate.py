@@ -3,115 +3,127 @@
 """Whether the tests notice a wrong coefficient: applies single mutations to the sources and runs the tests that should fail.
 
     tools/mutate.py --check              whether every mutation still fits the sources
-    tools/mutate.py [NUMBER ...]         all of them, or some, in a copy under build/mutants; a table on standard output
+    tools/mutate.py [NUMBER ...]         all of them, or some, in a copy under build/mutants
+    tools/mutate.py --table              the outcomes so far, as the table of docs/faults.md
 
-A mutation is a file of src/mdrcontact, a text that occurs in it once, what stands there instead, and the tests (a pattern of
-ctest). It is caught when the library no longer builds, a test fails, or a test takes more than two minutes.
+A mutation (tools/mutations.py) is a text that occurs once in a file, what stands there instead, and the tests that should notice.
+It is caught when the library no longer builds, a test fails, or a test takes more than two minutes. Only the programs of those
+tests are built again. Run it by the Python that has the package installed, from these sources.
 """
 
 from __future__ import annotations
 
+import json
+import os
+import re
 import shutil
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
+
+from mutations import MUTATIONS
 
 ROOT = Path(__file__).resolve().parent.parent
 COPY = ROOT / "build" / "mutants"
-SOURCE = Path("src/mdrcontact")
-
-MUTATIONS = [
-    ("numerics/monotone_table.f90", "abs(slope) > 2.0_wp*abs(first)", "abs(slope) > 3.0_wp*abs(first)", "monotone"),
-    ("numerics/monotone_table.f90", "slope = 2.0_wp*first", "slope = 3.0_wp*first", "monotone"),
-    ("numerics/monotone_table.f90", "slope = first + (first - second)*share", "slope = first - (first - second)*share", "monotone"),
-    ("numerics/monotone_table.f90", "(3.0_wp*rise - 2.0_wp*self%slopes(low)", "(3.0_wp*rise - 1.0_wp*self%slopes(low)", "profile"),
-    ("numerics/sampled_function.f90", "do j = size(c), 2, -1\n            b3", "do j = size(c), 3, -1\n            b3", "profile"),
-    ("numerics/sampled_function.f90", "smallest_root = 1.0e-5_wp", "smallest_root = 1.0e-1_wp", "profile"),
-    ("gsl_handler.c", "while (atomic_load(&handler_state) != SWITCHED) {", "while (0) {", "gsl_handler"),
-    ("lateral/voxels.f90", "last = floor(place) + self%images*n", "last = floor(place) + self%images*n + 1", "lateral_structures"),
-    ("lateral/voxels.f90", "first = floor(place) - self", "first = floor(place) + 1 - self", "lateral_structures"),
-    ("lateral/voxels.f90", "modulo(i, n) + 1", "modulo(i + 1, n) + 1", "lateral_structures"),
-    ("lateral/voxels.f90", "most_images = 100", "most_images = 2000000000", "c_lateral"),
-    ("lateral/medium.f90", "most_points = 1000000", "most_points = 2147483647", "c_lateral"),
-    ("lateral/structure.f90", "value = 2.0_wp*shear/(1.0_wp - poisson)", "value = 2.0_wp*shear/(1.0_wp + poisson)", "lateral"),
-    ("contact/loop.f90", "most_points = 1000000", "most_points = 2147483647", "c_loop"),
-    ("contact/loop.f90", "0.5_wp*control%force_weight", "1.0_wp*control%force_weight", "adhesion|loop"),
-    ("law/sound.f90", "positive = all(b >= 0.0_wp)", "positive = all(b >= -huge(b))", "test_law$"),
-    ("law/sound.f90", "all(table%end_values >= 0.0_wp)", "all(table%end_values >= -huge(1.0_wp))", "test_law$"),
-    ("law/sound.f90", "all(table%powers >= -rounding)", "all(table%powers >= -huge(1.0_wp))", "test_law$"),
-    ("law/sound.f90", "sound = table%end_radius >= 0.0_wp .and.", "sound =", "test_law$"),
-    ("law/file.f90", "stat = 1\n        end if\n        if (stat == 0) then\n            allocate", "stat = 0\n        end if\n"
-     "        if (stat == 0) then\n            allocate", "test_law$|fuzz_replay_law"),
-    ("law/crc32.f90", "-306674912_int32", "-306674911_int32", "test_law$|c_law"),
-    ("law/compile.f90", "table%powers(3) = table%powers(1) - 1.0_wp", "table%powers(3) = table%powers(1)", "law"),
-    ("law/interval.f90", "even_slope = even + q*c(7)", "even_slope = even + 0.5_wp*q*c(7)", "law"),
-    ("law/interval.f90", "self%side*(0.5_wp*rate/max", "self%side*(rate/max", "law"),
-    ("file.c", "if (problem == 0 && rename(beside, place) != 0)", "if (0)", "c_files"),
-    ("file.c", "if (problem != 0) unlink(beside);", "", "c_files"),
-    ("file.c", "if (S_ISREG(facts.st_mode) && access(place, W_OK) == 0) return place;", "return place;", "c_files"),
-    ("file.c", "if (S_ISLNK(facts.st_mode)) {", "if (0) {", "c_files"),
-    ("file.c", "} else if (!S_ISREG(facts.st_mode)) {", "} else if (0) {", "c_files"),
-    ("file.c", "if (mode) fchmod(file, mode);", "", "c_files"),
-    ("profile/transform.f90", "if (.not. self%forward) y = y/half_pi", "if (.not. self%forward) y = 1.1_wp*y/half_pi", "profile"),
-    ("profile/transform.f90", "separation = 0.25_wp", "separation = 0.75_wp", "profile"),
-    ("profile/transform.f90", "far_distance = 3.0_wp", "far_distance = 0.5_wp", "profile"),
-    ("profile/transform.f90", "binomial(k - 1, 0)*(2*k - 1)/(2*k)", "binomial(k - 1, 0)*(2*k + 1)/(2*k)", "profile"),
-    ("profile/transform.f90", "if (last > child) self%moments", "if (.false.) self%moments", "profile"),
-    ("profile/transform.f90", "sum(weights*phi/sqrt(2.0_wp*x - s**2))", "sum(weights*phi/sqrt(2.0_wp*x + s**2))", "profile"),
-    ("profile/sampled.f90", "if (here < before - rounding) then", "if (here < -huge(here)) then", "profile"),
-    ("profile/sampled.f90", "roots(flat_ends + count + 1:) = .true.", "roots(flat_ends + count + 1:) = .false.", "profile"),
-    ("layered/legendre.f90", "real(4*c + 5, wp)*over_odd(j)", "real(4*c + 3, wp)*over_odd(j)", "layered_reference"),
-    ("layered/legendre.f90", "even(0) = even(0) + 4.0_wp*moments%shift", "even(0) = even(0) + 2.0_wp*moments%shift", "layered"),
-    ("layered/solve.f90", "solution%force = a*(beyond*sums(1) - sums(4))", "solution%force = a*beyond*sums(1)", "layered"),
-    ("layered/solve.f90", "solution%modulus = 0.5_wp*sums(1)", "solution%modulus = 0.501_wp*sums(1)", "layered_reference"),
-]  # fmt: skip
-"""file, text, replacement, tests"""
+OUTCOMES = ROOT / "build" / "mutants.json"
+PAGE = ROOT / "docs" / "faults.md"
+MARKS = "<!-- made by tools/mutate.py --table -->", "<!-- end -->"
 
 
 def main(arguments: list[str]) -> int:
-    stale = [f"{name}: {text!r}" for name, text, _, _ in MUTATIONS if (ROOT / SOURCE / name).read_text().count(text) != 1]
+    stale = [f"{i + 1} {m[0]}: {m[1]!r}" for i, m in enumerate(MUTATIONS) if _place(ROOT, m[0]).read_text().count(m[1]) != 1]
     for line in stale:
         print(f"does not fit any more: {line}")
     if stale or arguments == ["--check"]:
         return 1 if stale else 0
-    chosen = [int(number) - 1 for number in arguments] or list(range(len(MUTATIONS)))
-    _copy_sources()
-    caught = 0
-    for number in chosen:
-        name, text, replacement, tests = MUTATIONS[number]
-        place = COPY / SOURCE / name
-        original = place.read_text()
-        place.write_text(original.replace(text, replacement))
-        try:
-            outcome = _outcome(tests)
-        finally:
-            place.write_text(original)
-        caught += outcome != "survived"
-        print(f"| {number + 1} | {name} | `{' '.join(text.split())}` | `{' '.join(replacement.split())}` | {outcome} |", flush=True)
-    print(f"{caught} of {len(chosen)} caught")
-    return 0 if caught >= 0.95 * len(chosen) else 1
+    outcomes = json.loads(OUTCOMES.read_text()) if OUTCOMES.exists() else {}
+    if arguments != ["--table"]:
+        _copy_sources()
+        for number in arguments or map(str, range(1, len(MUTATIONS) + 1)):
+            mutation = MUTATIONS[int(number) - 1]
+            outcomes[_key(mutation)] = _outcome(mutation)
+            print(number, mutation[0], mutation[1], outcomes[_key(mutation)], flush=True)
+            OUTCOMES.write_text(json.dumps(outcomes))
+        return 0
+    rows = [[str(i + 1), m[0], _code(m[1]), _code(m[2]), outcomes.get(_key(m), "not run")] for i, m in enumerate(MUTATIONS)]
+    caught = sum(row[-1] not in ("survived", "not run") for row in rows)
+    lines = [f"{caught} of {len(rows)} are caught.", "", "| | File | Text | Instead | |", "|---|---|---|---|---|"]
+    lines += [f"| {' | '.join(row)} |" for row in rows]
+    before, after = PAGE.read_text().split(MARKS[0])[0], PAGE.read_text().split(MARKS[1])[1]
+    PAGE.write_text(before + "\n".join([MARKS[0], *lines, MARKS[1]]) + after)
+    print(lines[0])
+    return 0 if caught >= 0.95 * len(rows) else 1
+
+
+def _key(mutation: tuple[str, ...]) -> str:
+    return "\t".join(mutation[:3])
+
+
+def _code(text: str) -> str:
+    words = " ".join(text.split()).replace("|", "\\|")
+    return f"`{words}`" if words else ""
+
+
+def _place(root: Path, name: str) -> Path:
+    if name.startswith("python:"):
+        return root / "python/mdrcontact" / name.removeprefix("python:")
+    return root / "src/mdrcontact" / name
 
 
 def _copy_sources() -> None:
-    for folder in ("src", "include", "tests", "cmake", "examples"):
+    for folder in ("src", "include", "tests", "cmake", "examples", "docs"):
         shutil.copytree(ROOT / folder, COPY / folder, dirs_exist_ok=True)
     shutil.copy2(ROOT / "CMakeLists.txt", COPY)
+    shutil.copy2(ROOT / "pyproject.toml", COPY)
+    package = find_spec("mdrcontact")
+    if package is None or package.origin is None:
+        raise SystemExit("the Python package is not installed")
+    skipped = shutil.ignore_patterns("__pycache__")
+    shutil.copytree(Path(package.origin).parent, COPY / "python/mdrcontact", dirs_exist_ok=True, ignore=skipped)
     _run("cmake", "-S", COPY, "-B", COPY / "build", "-G", "Ninja", "-DMDRCONTACT_BUILD_EXAMPLES=OFF", check=True)
-    _run("cmake", "--build", COPY / "build", check=True)
 
 
-def _outcome(tests: str) -> str:
-    if _run("cmake", "--build", COPY / "build").returncode:
+def _outcome(mutation: tuple[str, str, str, str]) -> str:
+    name, text, replacement, tests = mutation
+    place = _place(COPY, name)
+    original = place.read_text()
+    place.write_text(original.replace(text, replacement))
+    try:
+        return _python_outcome(tests.split()) if name.startswith("python:") else _native_outcome(tests.split())
+    finally:
+        place.write_text(original)
+
+
+def _native_outcome(patterns: list[str]) -> str:
+    listed = _run("ctest", "--test-dir", COPY / "build", "-N", "-R", "|".join(patterns), "-E", "grind|export|names|threads")
+    tests = re.findall(r"Test +#\d+: (\S+)", listed.stdout)
+    if not tests:
+        raise SystemExit(f"no test is called {' or '.join(patterns)}")
+    targets = [re.sub(r"^c_", "test_c_", re.sub(r"^fuzz_replay_", "replay_", test)) for test in tests]
+    if _run("cmake", "--build", COPY / "build", "--target", *targets).returncode:
         return "does not build"
-    result = _run(
-        "ctest", "--test-dir", COPY / "build", "-R", tests, "-E", "grind|export", "--timeout", "120", "--stop-on-failure",
-        "--no-tests=error",
-    )  # fmt: skip
+    chosen = "^(" + "|".join(tests) + ")$"
+    result = _run("ctest", "--test-dir", COPY / "build", "-R", chosen, "--timeout", "120", "--stop-on-failure")
     return "caught" if result.returncode else "survived"
 
 
-def _run(*command: object, check: bool = False) -> subprocess.CompletedProcess[bytes]:
-    return subprocess.run([str(word) for word in command], capture_output=True, check=check)
+def _python_outcome(files: list[str]) -> str:
+    places = [COPY / "tests/python" / name for name in files]
+    options = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:randomly"]
+    try:
+        result = _run(sys.executable, "-m", "pytest", *options, *places, timeout=600)
+    except subprocess.TimeoutExpired:
+        return "caught"
+    if result.returncode not in (0, 1, 2):
+        raise SystemExit(result.stdout)
+    return "caught" if result.returncode else "survived"
+
+
+def _run(*command: object, check: bool = False, timeout: float | None = None) -> subprocess.CompletedProcess[str]:
+    here = {**os.environ, "PYTHONPATH": str(COPY / "python"), "PYTHONDONTWRITEBYTECODE": "1", "OPENBLAS_NUM_THREADS": "1"}
+    words = [str(word) for word in command]
+    return subprocess.run(words, capture_output=True, text=True, check=check, timeout=timeout, env=here, cwd=COPY)
 
 
 if __name__ == "__main__":
