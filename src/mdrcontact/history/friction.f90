@@ -9,6 +9,7 @@ module mdrcontact_history_friction
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
+    use mdrcontact_field, only: check_positions
     use mdrcontact_field_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t
@@ -379,19 +380,10 @@ contains
         character(len=*), intent(in) :: name
         real(wp), intent(in) :: positions(:)
         type(error_t), allocatable, intent(inout) :: error
-        integer :: i
 
         call check_finite(error, "shift of the tangential state", state%shift)
         call check_not_negative(error, "stick_radius of the tangential state", state%stick_radius)
-        do i = 1, size(positions)
-            call check_not_negative(error, name, positions(i), i)
-            if (allocated(error)) return
-            if (positions(i) > self%radius) then
-                call raise(error, error_domain, " = "//to_text(positions(i))//" is not allowed: it must be at most the contact "// &
-                           "radius, "//to_text(self%radius), name, i)
-                return
-            end if
-        end do
+        call check_positions(error, name, positions, self%radius)
     end subroutine check_inside
 
 end module mdrcontact_history_friction
