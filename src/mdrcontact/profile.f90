@@ -41,6 +41,8 @@ module mdrcontact_profile
         procedure :: radius_from_mdr => no_inverse
         !> g as a sum of powers c x^s where it is one
         procedure :: powers => no_powers
+        !> f' where it is piecewise linear
+        procedure :: linear_pieces => no_pieces
         !> whether it is a paraboloid, or a sphere, which is one near its axis
         procedure :: is_spherical
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
@@ -115,6 +117,17 @@ contains
         end associate
         allocate (exponents(0), coefficients(0))
     end subroutine no_powers
+
+    pure subroutine no_pieces(self, radii, slopes, curvatures)
+        class(profile_t), intent(in) :: self
+        !> f'(r) = slopes(i) + curvatures(i) r from radii(i), ascending from 0, to the next [length], [1], [1/length]; none where f'
+        !> is not such a function
+        real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
+
+        associate (unused => self)
+        end associate
+        allocate (radii(0), slopes(0), curvatures(0))
+    end subroutine no_pieces
 
     pure function is_spherical(self) result(answer)
         class(profile_t), intent(in) :: self

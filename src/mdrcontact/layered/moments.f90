@@ -2,13 +2,14 @@
 !> What a contact of layered bodies takes of an indenter: the even Legendre coefficients of g on the contact,
 !> G_j = int_-1^1 g(a |u|) s_j P_2j(u) du.
 !>
-!> Powers of x have closed forms. Elsewhere g is integrated between the radii where it is not analytic, with room for the
+!> Powers of x, and indenters with piecewise linear f', have closed forms. Elsewhere g is integrated between the radii where it is not analytic, with room for the
 !> square roots that start there.
 module mdrcontact_layered_moments
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: normalisation
+    use mdrcontact_layered_piecewise, only: piecewise_moments
     use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
     use mdrcontact_layered_slip_profile, only: slip_profile_t
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
@@ -32,7 +33,7 @@ contains
         real(wp), intent(in) :: a
         real(wp), intent(out) :: g(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: exponents(:), coefficients(:)
+        real(wp), allocatable :: exponents(:), coefficients(:), radii(:), slopes(:), curvatures(:)
         integer :: i
 
         select type (profile)
@@ -48,7 +49,12 @@ contains
                 call add_power(exponents(i), coefficients(i)*a**exponents(i), g)
             end do
         else
-            call integrate(profile, a, g, error)
+            call profile%linear_pieces(radii, slopes, curvatures)
+            if (size(radii) > 0) then
+                call piecewise_moments(radii, slopes, curvatures, a, g)
+            else
+                call integrate(profile, a, g, error)
+            end if
         end if
         g = g*normalisation(size(g))
     end subroutine profile_moments

@@ -22,6 +22,7 @@ module mdrcontact_profile_flat_cone
         procedure :: mdr_moment
         procedure :: end_radius
         procedure :: break_radii
+        procedure :: linear_pieces
     end type flat_cone_t
 
 contains
@@ -100,5 +101,14 @@ contains
 
         radii = [self%flat_radius]
     end function break_radii
+
+    pure subroutine linear_pieces(self, radii, slopes, curvatures)
+        class(flat_cone_t), intent(in) :: self
+        real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
+
+        radii = [0.0_wp, self%flat_radius]
+        slopes = [0.0_wp, self%tangent]
+        curvatures = [0.0_wp, 0.0_wp]
+    end subroutine linear_pieces
 
 end module mdrcontact_profile_flat_cone

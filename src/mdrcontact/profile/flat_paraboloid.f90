@@ -22,6 +22,7 @@ module mdrcontact_profile_flat_paraboloid
         procedure :: mdr_moment
         procedure :: end_radius
         procedure :: break_radii
+        procedure :: linear_pieces
     end type flat_paraboloid_t
 
 contains
@@ -98,5 +99,14 @@ contains
 
         radii = [self%flat_radius]
     end function break_radii
+
+    pure subroutine linear_pieces(self, radii, slopes, curvatures)
+        class(flat_paraboloid_t), intent(in) :: self
+        real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
+
+        radii = [0.0_wp, self%flat_radius]
+        slopes = [0.0_wp, 0.0_wp]
+        curvatures = [0.0_wp, 1.0_wp/self%curvature_radius]
+    end subroutine linear_pieces
 
 end module mdrcontact_profile_flat_paraboloid

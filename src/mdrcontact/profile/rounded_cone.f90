@@ -23,6 +23,7 @@ module mdrcontact_profile_rounded_cone
         procedure :: mdr_slope
         procedure :: mdr_moment
         procedure :: break_radii
+        procedure :: linear_pieces
     end type rounded_cone_t
 
 contains
@@ -112,5 +113,14 @@ contains
 
         radii = [self%blend_radius]
     end function break_radii
+
+    pure subroutine linear_pieces(self, radii, slopes, curvatures)
+        class(rounded_cone_t), intent(in) :: self
+        real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
+
+        radii = [0.0_wp, self%blend_radius]
+        slopes = [0.0_wp, self%tangent]
+        curvatures = [self%tangent/self%blend_radius, 0.0_wp]
+    end subroutine linear_pieces
 
 end module mdrcontact_profile_rounded_cone
