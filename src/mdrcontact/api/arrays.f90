@@ -5,13 +5,13 @@ module mdrcontact_api_arrays
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
     use mdrcontact_api_status, only: check_given
-    use mdrcontact_error, only: check_count_from, check_finite, check_not_negative, check_positive, count_text, error_domain, &
-                                error_invalid, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_count_from, check_finite, check_memory, check_not_negative, check_positive, count_text, &
+                                error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     implicit none (type, external)
     private
     public :: check_count, check_array, check_in_out, check_not_empty, check_each_finite, check_each_positive, &
               check_each_not_negative, check_each_within
-    public :: check_results, check_results_or_infinity, check_positive_results
+    public :: make_room, check_results, check_results_or_infinity, check_positive_results
 
 contains
 
@@ -122,6 +122,18 @@ contains
             end if
         end do
     end subroutine check_each_within
+
+    !> Room for n results, unless there is an error: they are written to the caller's array when all of them are known.
+    pure subroutine make_room(error, n, values)
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int), intent(in) :: n
+        real(c_double), allocatable, intent(out) :: values(:)
+        integer :: stat
+
+        if (allocated(error)) return
+        allocate (values(n), stat=stat)
+        call check_memory(error, stat)
+    end subroutine make_room
 
     !> Raises unless all results are finite: from numbers that are far apart they can leave the number range.
     pure subroutine check_results(error, values)

@@ -2,8 +2,8 @@
 !> The closed forms for an incompressible coating, for C.
 module mdrcontact_api_closed_forms
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_arrays, only: check_each_positive, check_in_out, check_results
-    use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
+    use mdrcontact_api_arrays, only: check_each_positive, check_in_out, check_results, make_room
+    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_contact_closed_form_values, only: closed_form_values, of_adhesive_depth, of_cone_force, of_paraboloid_force, &
                                                      of_reduced_depth
     use mdrcontact_contact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale
@@ -116,19 +116,15 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
         real(c_double), allocatable :: values(:)
-        integer :: stat
 
         call check_in_out(error, n, name, present(radii), present(out))
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, name, radii(:n))
-        if (.not. allocated(error) .and. n > 0) then
-            allocate (values(n), stat=stat)
-            call check_memory(error, stat)
-        end if
+        call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             call closed_form_values(form, radii(:n), numbers, values, wanted_threads())
             call check_results(error, values)
+            if (.not. allocated(error)) out(:n) = values
         end if
-        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function write_form
 

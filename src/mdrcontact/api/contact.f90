@@ -2,10 +2,11 @@
 !> The contact of an indenter with a medium, its states and their fields, for C.
 module mdrcontact_api_contact
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results_or_infinity
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results_or_infinity, &
+                                     make_room
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: read_options
-    use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
+    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_field, contact_states, given_depth, given_force, given_radius
@@ -187,15 +188,11 @@ contains
         type(contact_t), pointer :: contact
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: stat
 
         call open_handle(c, "c", contact, error)
         call check_given(error, "state", present(state))
         call check_in_out(error, n, "r", present(r), present(out))
-        if (.not. allocated(error)) then
-            allocate (values(n), stat=stat)
-            call check_memory(error, stat)
-        end if
+        call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             call contact_field(contact, int(field), state, r(:n), values, error, wanted_threads())
             if (.not. allocated(error)) call check_results_or_infinity(error, values)

@@ -2,8 +2,9 @@
 !> The inversion of measured data, for C.
 module mdrcontact_api_fit
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use mdrcontact_api_arrays, only: make_room
     use mdrcontact_api_fit_problem, only: read_data, read_problem
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_interval, only: interval_quantile, profile_interval
@@ -95,20 +96,14 @@ contains
         type(fit_data_t) :: data
         type(error_t), allocatable :: error
         real(c_double), allocatable :: model(:), radii(:)
-        integer :: stat
 
         call check_given(error, "fitted", present(fitted))
         if (.not. allocated(error)) call read_problem(problem, chosen, branch, error)
         if (.not. allocated(error)) call read_data(branch, n, x, y, force, data=data, error=error)
         if (.not. allocated(error)) call check_points(data, chosen, error)
-        if (.not. allocated(error)) then
-            allocate (model(n), stat=stat)
-            if (stat == 0) allocate (radii(n), stat=stat)
-            call check_memory(error, stat)
-        end if
-        if (.not. allocated(error)) then
-            call predict(chosen, chosen%parameters%value, data, model, error, radius=radii)
-        end if
+        call make_room(error, n, model)
+        call make_room(error, n, radii)
+        if (.not. allocated(error)) call predict(chosen, chosen%parameters%value, data, model, error, radius=radii)
         status = status_of(error)
         if (allocated(error)) return
         fitted(:n) = model

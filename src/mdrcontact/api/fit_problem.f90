@@ -3,11 +3,11 @@
 module mdrcontact_api_fit_problem
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr, &
                                            c_size_t, c_sizeof
-    use mdrcontact_api_arrays, only: check_count
+    use mdrcontact_api_arrays, only: check_count, make_room
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_options, only: read_options
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_count_from, check_count_within, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_fit_body, only: indenter_given
@@ -227,11 +227,9 @@ contains
         real(c_double), intent(in), optional :: given(*)
         real(c_double), allocatable, intent(out) :: column(:)
         type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
 
-        if (allocated(error) .or. .not. present(given)) return
-        allocate (column(n), stat=stat)
-        call check_memory(error, stat)
+        if (.not. present(given)) return
+        call make_room(error, n, column)
         if (.not. allocated(error)) column(:) = given(:n)
     end subroutine read_column
 

@@ -2,9 +2,9 @@
 !> Contacts with friction, for C.
 module mdrcontact_api_friction
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, check_results_or_infinity
+    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, check_results_or_infinity, make_room
     use mdrcontact_api_handles, only: deliver, hand_over, open_handle
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_choice, check_count_from, check_memory, check_positive, count_text, error_invalid, &
@@ -130,16 +130,12 @@ contains
         type(first_shear_t) :: sheared
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: stat
 
         call check_given(error, "shear", present(shear))
         call check_in_out(error, n, "r", present(r), present(out))
         call check_choice(error, "field", int(field), field_traction, field_line_load, "1 (traction) or 2 (line load)")
         if (.not. allocated(error)) call shear_of(f, state, sheared, error)
-        if (.not. allocated(error)) then
-            allocate (values(n), stat=stat)
-            call check_memory(error, stat)
-        end if
+        call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             if (field == field_traction) then
                 call sheared%traction(shear, r(:n), values, error)
@@ -163,7 +159,6 @@ contains
         type(tangential_state_t) :: turn
         real(c_double), allocatable :: shifts(:), forces(:)
         type(error_t), allocatable :: error
-        integer :: stat
 
         call check_count_from(error, "n", int(n), 3)
         call check_array(error, "shift", n, present(shift))
@@ -172,11 +167,8 @@ contains
         call check_positive(error, "amplitude", amplitude)
         if (.not. allocated(error)) call shear_of(f, state, shear, error)
         if (.not. allocated(error)) call solve(shear, given, amplitude, turn, error)
-        if (.not. allocated(error)) then
-            allocate (shifts(n), stat=stat)
-            if (stat == 0) allocate (forces(n), stat=stat)
-            call check_memory(error, stat)
-        end if
+        call make_room(error, n, shifts)
+        call make_room(error, n, forces)
         if (.not. allocated(error)) call shear%loop(turn, shifts, forces, error)
         if (.not. allocated(error)) call check_results(error, [shifts, forces])
         status = status_of(error)

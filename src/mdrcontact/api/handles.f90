@@ -5,10 +5,10 @@
 !> a handle of another object by its type. A freed handle loses its tag, which catches some uses after the end but cannot catch all.
 module mdrcontact_api_handles
     use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_loop, only: loop_t
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_history_friction, only: friction_t
     use mdrcontact_history_friction_history, only: friction_history_t
     use mdrcontact_lateral_structure, only: structure_t

@@ -2,11 +2,11 @@
 !> Histories of contacts with viscoelastic bodies, for C.
 module mdrcontact_api_history
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results
+    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
     use mdrcontact_api_handles, only: open_handle
-    use mdrcontact_api_status, only: check_memory, status_of
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_contact, only: contact_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_history_relaxation, only: contact_history
     use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_response
     use mdrcontact_kinds, only: wp
@@ -89,18 +89,16 @@ contains
         type(contact_t), pointer :: contact
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: stat
 
         call open_handle(c, "c", contact, error)
         call check_in_out(error, n, "time", present(time), present(out))
+        call make_room(error, n, values)
+        if (.not. allocated(error) .and. n > 0) then
+            call step_response(contact, int(step), time(:n), radius, values, error)
+            if (.not. allocated(error)) call check_results(error, values)
+            if (.not. allocated(error)) out(:n) = values
+        end if
         status = status_of(error)
-        if (allocated(error) .or. n == 0) return
-        allocate (values(n), stat=stat)
-        call check_memory(error, stat)
-        if (.not. allocated(error)) call step_response(contact, int(step), time(:n), radius, values, error)
-        if (.not. allocated(error)) call check_results(error, values)
-        status = status_of(error)
-        if (.not. allocated(error)) out(:n) = values
     end function mdr_contact_step_response
 
 end module mdrcontact_api_history

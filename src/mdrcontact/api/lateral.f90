@@ -3,9 +3,9 @@
 module mdrcontact_api_lateral
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_finite, check_each_not_negative
-    use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
-    use mdrcontact_error, only: check_count_within, check_not_negative, check_poisson, check_positive, error_invalid, &
-                                error_t, raise, to_text
+    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
+    use mdrcontact_error, only: check_count_within, check_memory, check_not_negative, check_poisson, check_positive, &
+                                error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_cells, only: cell_weights
     use mdrcontact_lateral_field, only: space_rule, space_rule_size

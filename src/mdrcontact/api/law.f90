@@ -5,9 +5,9 @@ module mdrcontact_api_law
                                            c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: read_options
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: check_branch, contact_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_law, only: contact_law_t, default_law_tolerance, law_options_t, law_point_t, new_contact_law
     use mdrcontact_law_evaluate, only: law_view_t, view_of
     implicit none (type, external)

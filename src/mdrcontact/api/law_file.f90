@@ -4,7 +4,7 @@ module mdrcontact_api_law_file
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_null_char, c_ptr
     use mdrcontact_api_law, only: read_text
     use mdrcontact_api_handles, only: hand_over, open_handle
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: check_count_from, check_memory, error_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_file, only: law_from_text, law_to_text, load_law, save_law

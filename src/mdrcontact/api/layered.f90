@@ -7,11 +7,10 @@ module mdrcontact_api_layered
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: deliver, hand_over
     use mdrcontact_api_medium_options, only: read_medium_options
-    use mdrcontact_api_status, only: check_memory, status_of
     use mdrcontact_body, only: body_t
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
@@ -123,12 +122,8 @@ contains
 
         call read_medium_options(error, options, chosen)
         if (.not. allocated(error)) call new_medium(medium, body, int(model), error, chosen)
-        if (allocated(error)) then
-            status = status_of(error)
-        else
-            call move_alloc(medium, object)
-            status = hand_over(object, out, error)
-        end if
+        call move_alloc(medium, object)
+        status = hand_over(object, out, error)
     end function deliver_model
 
     !> Layers that have been checked, on a substrate or, with an infinite substrate_e, on a rigid base.

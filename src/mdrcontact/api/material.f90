@@ -2,10 +2,10 @@
 !> Viscoelastic materials and the media made of them, for C.
 module mdrcontact_api_material
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results
-    use mdrcontact_api_handles, only: deliver, hand_over, open_handle
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results, make_room
+    use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_medium_options, only: read_medium_options
-    use mdrcontact_api_status, only: check_given, check_memory, status_of
+    use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: check_choice, check_memory, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, new_material
@@ -101,22 +101,18 @@ contains
         type(rheology_t), pointer :: material
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: stat
 
         call open_handle(m, "m", material, error)
         call check_in_out(error, n, "t", present(t), present(out))
+        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "t", t(:n))
+        call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
-            call check_each_positive(error, "t", t(:n))
-            allocate (values(n), stat=stat)
-            call check_memory(error, stat)
-            if (.not. allocated(error)) then
-                if (is_creep) then
-                    values = material%creep(t(:n))
-                else
-                    values = material%relaxation(t(:n))
-                end if
-                call check_results(error, values)
+            if (is_creep) then
+                values = material%creep(t(:n))
+            else
+                values = material%relaxation(t(:n))
             end if
+            call check_results(error, values)
             if (.not. allocated(error)) out(:n) = values
         end if
         status = status_of(error)

@@ -2,9 +2,9 @@
 !> Homogeneous media, and the modulus and stiffness of any medium, for C.
 module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results
+    use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results, make_room
     use mdrcontact_api_handles, only: deliver, hand_over, open_handle
-    use mdrcontact_api_status, only: check_memory, status_of, wanted_threads
+    use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t
@@ -16,6 +16,9 @@ module mdrcontact_api_medium
     public :: mdr_medium_rigid, mdr_medium_pair
     public :: mdr_medium_homogeneous, mdr_medium_contact_modulus, mdr_medium_modulus, mdr_medium_stiffness
     public :: mdr_medium_tangential_modulus, mdr_medium_torsional_stiffness
+
+    !> What is asked of a medium.
+    integer, parameter :: of_modulus = 1, of_stiffness = 2, of_tangential_modulus = 3, of_torsional_stiffness = 4
 
 contains
 
@@ -65,12 +68,8 @@ contains
         call open_handle(lower, "lower", first, error)
         call open_handle(upper, "upper", second, error)
         if (.not. allocated(error)) call new_pair(medium, first, second, error)
-        if (allocated(error)) then
-            status = status_of(error)
-        else
-            call move_alloc(medium, object)
-            status = hand_over(object, out, error)
-        end if
+        call move_alloc(medium, object)
+        status = hand_over(object, out, error)
     end function mdr_medium_pair
 
     function mdr_medium_modulus(m, n, a, out) result(status) bind(C)
@@ -79,12 +78,8 @@ contains
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-        real(c_double), allocatable :: modulus(:)
-        type(error_t), allocatable :: error
 
-        call evaluate(m, n, a, present(out), modulus, error)
-        if (.not. allocated(error) .and. n > 0) out(:n) = modulus
-        status = status_of(error)
+        status = write_values(m, of_modulus, n, a, out)
     end function mdr_medium_modulus
 
     function mdr_medium_stiffness(m, n, a, out) result(status) bind(C)
@@ -92,19 +87,9 @@ contains
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status, i
-        real(c_double), allocatable :: modulus(:)
-        type(error_t), allocatable :: error
+        integer(c_int) :: status
 
-        call evaluate(m, n, a, present(out), modulus, error)
-        if (.not. allocated(error) .and. n > 0) then
-            do i = 1, n
-                modulus(i) = 2.0_c_double*a(i)*modulus(i)
-            end do
-            call check_positive_results(error, modulus)
-        end if
-        if (.not. allocated(error) .and. n > 0) out(:n) = modulus
-        status = status_of(error)
+        status = write_values(m, of_stiffness, n, a, out)
     end function mdr_medium_stiffness
 
     function mdr_medium_tangential_modulus(m, n, a, out) result(status) bind(C)
@@ -113,17 +98,8 @@ contains
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-        class(medium_t), pointer :: medium
-        class(medium_t), allocatable, target :: tangential
-        real(c_double), allocatable :: modulus(:)
-        type(error_t), allocatable :: error
 
-        call open_handle(m, "m", medium, error)
-        if (.not. allocated(error)) call check_deformable(medium, error)
-        if (.not. allocated(error)) call medium%new_tangential(tangential, error)
-        if (.not. allocated(error)) call evaluate_medium(tangential, n, a, present(out), modulus, error)
-        if (.not. allocated(error) .and. n > 0) out(:n) = modulus
-        status = status_of(error)
+        status = write_values(m, of_tangential_modulus, n, a, out)
     end function mdr_medium_tangential_modulus
 
     function mdr_medium_torsional_stiffness(m, n, a, out) result(status) bind(C)
@@ -132,64 +108,55 @@ contains
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-        class(medium_t), pointer :: medium
-        real(c_double), allocatable :: stiffness(:)
-        type(error_t), allocatable :: error
 
-        ! checks media and radii, and gives E_eff, which is overwritten
-        call evaluate(m, n, a, present(out), stiffness, error)
-        if (.not. allocated(error) .and. n > 0) then
-            call open_handle(m, "m", medium, error)
-            if (.not. allocated(error)) call medium%torsional_stiffness(a(:n), stiffness, error)
-            if (.not. allocated(error)) call check_positive_results(error, stiffness)
-        end if
-        if (.not. allocated(error) .and. n > 0) out(:n) = stiffness
-        status = status_of(error)
+        status = write_values(m, of_torsional_stiffness, n, a, out)
     end function mdr_medium_torsional_stiffness
 
-    !> E_eff(a) at checked radii.
-    subroutine evaluate(m, n, a, has_out, modulus, error)
+    !> A quantity of a deformable medium at radii > 0; nothing is written before all of it is known.
+    function write_values(m, quantity, n, a, out) result(status)
         type(c_ptr), intent(in) :: m
+        integer, intent(in) :: quantity
         integer(c_int), intent(in) :: n
         real(c_double), intent(in), optional :: a(*)
-        logical, intent(in) :: has_out
-        real(c_double), allocatable, intent(out) :: modulus(:)
-        type(error_t), allocatable, intent(out) :: error
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
         class(medium_t), pointer :: medium
+        class(medium_t), allocatable, target :: tangential
+        real(c_double), allocatable :: values(:)
+        type(error_t), allocatable :: error
+        integer :: i
 
         call open_handle(m, "m", medium, error)
-        if (.not. allocated(error)) call check_deformable(medium, error)
-        if (.not. allocated(error)) call evaluate_medium(medium, n, a, has_out, modulus, error)
-    end subroutine evaluate
-
-    subroutine check_deformable(medium, error)
-        class(medium_t), intent(in) :: medium
-        type(error_t), allocatable, intent(inout) :: error
-
-        if (.not. medium%is_rigid()) return
-        call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable body", "m")
-    end subroutine check_deformable
-
-    subroutine evaluate_medium(medium, n, a, has_out, modulus, error)
-        class(medium_t), intent(in), target :: medium
-        integer(c_int), intent(in) :: n
-        real(c_double), intent(in), optional :: a(*)
-        logical, intent(in) :: has_out
-        real(c_double), allocatable, intent(out) :: modulus(:)
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
-
-        call check_in_out(error, n, "a", present(a), has_out)
-        if (allocated(error) .or. n == 0) return
-        call check_each_positive(error, "a", a(:n))
-        call check_each_within(error, "a", a(:n), medium%smallest_radius(), medium%largest_radius(), "the medium", &
-                               trim(medium%why_it_ends()))
-        if (allocated(error)) return
-        allocate (modulus(n), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        call modulus_values(medium, a(:n), modulus, wanted_threads(), error)
-        if (.not. allocated(error)) call check_positive_results(error, modulus)
-    end subroutine evaluate_medium
+        if (.not. allocated(error)) then
+            if (medium%is_rigid()) call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable "// &
+                                              "body", "m")
+        end if
+        call check_in_out(error, n, "a", present(a), present(out))
+        if (.not. allocated(error) .and. quantity == of_tangential_modulus) then
+            call medium%new_tangential(tangential, error)
+            medium => tangential
+        end if
+        if (.not. allocated(error) .and. n > 0) then
+            call check_each_positive(error, "a", a(:n))
+            call check_each_within(error, "a", a(:n), medium%smallest_radius(), medium%largest_radius(), "the medium", &
+                                   trim(medium%why_it_ends()))
+        end if
+        call make_room(error, n, values)
+        if (.not. allocated(error) .and. n > 0) then
+            if (quantity == of_torsional_stiffness) then
+                call medium%torsional_stiffness(a(:n), values, error)
+            else
+                call modulus_values(medium, a(:n), values, wanted_threads(), error)
+            end if
+            if (quantity == of_stiffness .and. .not. allocated(error)) then
+                do i = 1, n
+                    values(i) = 2.0_c_double*a(i)*values(i)
+                end do
+            end if
+            if (.not. allocated(error)) call check_positive_results(error, values)
+            if (.not. allocated(error)) out(:n) = values
+        end if
+        status = status_of(error)
+    end function write_values
 
 end module mdrcontact_api_medium

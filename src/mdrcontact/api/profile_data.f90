@@ -5,8 +5,7 @@ module mdrcontact_api_profile_data
     use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: hand_over, open_handle
-    use mdrcontact_api_status, only: check_memory
-    use mdrcontact_error, only: error_invalid, error_t, raise, raise_at
+    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, raise_at
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_area_function, only: new_area_function_profile
     use mdrcontact_profile_sampled, only: sampled_profile_t

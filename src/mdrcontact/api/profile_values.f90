@@ -2,10 +2,10 @@
 !> Height, slope and MDR profile of an indenter at given radii, for C.
 module mdrcontact_api_profile_values
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_each_not_negative, check_each_within, check_in_out, &
-                                     check_results_or_infinity
+    use mdrcontact_api_arrays, only: check_each_not_negative, check_each_within, check_in_out, check_results_or_infinity, &
+                                     make_room
     use mdrcontact_api_handles, only: open_handle
-    use mdrcontact_api_status, only: check_memory, status_of, wanted_threads
+    use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: error_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_values, only: of_height, of_mdr, of_mdr_slope, of_slope, profile_values
@@ -66,7 +66,6 @@ contains
         class(profile_t), pointer :: profile
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: stat
 
         call open_handle(p, "p", profile, error)
         call check_in_out(error, n, name, present(radii), present(out))
@@ -74,15 +73,12 @@ contains
             call check_each_not_negative(error, name, radii(:n))
             call check_each_within(error, name, radii(:n), 0.0_c_double, profile%largest_radius(), "the profile")
         end if
-        if (.not. allocated(error) .and. n > 0) then
-            allocate (values(n), stat=stat)
-            call check_memory(error, stat)
-        end if
+        call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             call profile_values(profile, quantity, radii(:n), values, wanted_threads())
             call check_results_or_infinity(error, values)
+            if (.not. allocated(error)) out(:n) = values
         end if
-        if (.not. allocated(error) .and. n > 0) out(:n) = values
         status = status_of(error)
     end function write_values
 

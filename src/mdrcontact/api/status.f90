@@ -2,10 +2,10 @@
 !> From an `error_t` to the status of a C call and the calling thread's error text.
 module mdrcontact_api_status
     use, intrinsic :: iso_c_binding, only: c_char, c_int
-    use mdrcontact_error, only: check_memory, error_null, error_t, raise, success
+    use mdrcontact_error, only: error_null, error_t, raise, success
     implicit none (type, external)
     private
-    public :: status_of, check_given, check_memory, wanted_threads
+    public :: status_of, check_given, wanted_threads
 
     interface
         subroutine mdrcontact_store_error(status, words, length, argument, argument_length, text_length, entry) bind(C)

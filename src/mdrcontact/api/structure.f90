@@ -4,10 +4,10 @@ module mdrcontact_api_structure
     use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, &
                                            c_associated, c_size_t, c_sizeof
     use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
-    use mdrcontact_api_arrays, only: check_array, check_count
+    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, make_room
     use mdrcontact_api_handles, only: deliver, hand_over, open_handle
     use mdrcontact_api_options, only: read_options
-    use mdrcontact_api_status, only: check_given, check_memory, status_of, wanted_threads
+    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_error, only: check_count_from, check_memory, count_text, error_callback, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
@@ -191,18 +191,12 @@ contains
         class(structure_t), pointer :: structure
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: stat
 
         call open_handle(s, "s", structure, error)
-        call check_count(error, n)
-        call check_array(error, "x", n, present(x))
+        call check_in_out(error, n, "x", present(x), present(out))
         call check_array(error, "y", n, present(y))
         call check_array(error, "a", n, present(a))
-        call check_array(error, "out", n, present(out))
-        if (.not. allocated(error)) then
-            allocate (values(n), stat=stat)
-            call check_memory(error, stat)
-        end if
+        call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             call structure_values(structure, x(:n), y(:n), a(:n), values, wanted_threads(), error)
         end if
