@@ -72,7 +72,7 @@ def _place(root: Path, name: str) -> Path:
 
 
 def _copy_sources() -> None:
-    for folder in ("src", "include", "tests", "cmake", "examples", "docs"):
+    for folder in ("src", "include", "tests", "cmake", "examples", "docs", "python"):
         shutil.copytree(ROOT / folder, COPY / folder, dirs_exist_ok=True)
     shutil.copy2(ROOT / "CMakeLists.txt", COPY)
     shutil.copy2(ROOT / "pyproject.toml", COPY)
@@ -81,7 +81,8 @@ def _copy_sources() -> None:
         raise SystemExit("the Python package is not installed")
     skipped = shutil.ignore_patterns("__pycache__")
     shutil.copytree(Path(package.origin).parent, COPY / "python/mdrcontact", dirs_exist_ok=True, ignore=skipped)
-    _run("cmake", "-S", COPY, "-B", COPY / "build", "-G", "Ninja", "-DMDRCONTACT_BUILD_EXAMPLES=OFF", check=True)
+    options = ["-DMDRCONTACT_BUILD_EXAMPLES=OFF", "-DMDRCONTACT_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
+    _run("cmake", "-S", COPY, "-B", COPY / "build", "-G", "Ninja", *options, check=True)
 
 
 def _outcome(mutation: tuple[str, str, str, str]) -> str:
@@ -90,7 +91,12 @@ def _outcome(mutation: tuple[str, str, str, str]) -> str:
     original = place.read_text()
     place.write_text(original.replace(text, replacement))
     try:
-        return _python_outcome(tests.split()) if name.startswith("python:") else _native_outcome(tests.split())
+        files = [test for test in tests.split() if test.endswith(".py")]
+        patterns = [test for test in tests.split() if test not in files]
+        outcome = _native_outcome(patterns) if patterns else "survived"
+        if outcome == "survived" and files:
+            outcome = _python_outcome(files, is_native=not name.startswith("python:"))
+        return outcome
     finally:
         place.write_text(original)
 
@@ -108,7 +114,14 @@ def _native_outcome(patterns: list[str]) -> str:
     return "caught" if result.returncode else "survived"
 
 
-def _python_outcome(files: list[str]) -> str:
+def _python_outcome(files: list[str], *, is_native: bool) -> str:
+    package = COPY / "python/mdrcontact"
+    installed = next(Path(find_spec("mdrcontact").origin).parent.glob("_native*.so"))
+    if is_native:
+        if _run("cmake", "--build", COPY / "build", "--target", "mdrcontact_python").returncode:
+            return "does not build"
+        installed = COPY / "build/python" / installed.name
+    shutil.copy2(installed, package)
     places = [COPY / "tests/python" / name for name in files]
     options = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:randomly"]
     try:

@@ -12,6 +12,7 @@ from records import REDUCED, indentation
 import mdrcontact as mdr
 from mdrcontact.cli import main
 from mdrcontact.fitting.calibration import together
+from mdrcontact.fitting.quantities import dimension_of
 
 DIAMOND = mdr.Elastic(1141e9, 0.07)
 NU = 0.17
@@ -191,3 +192,8 @@ def test_bad_tip_files(folder, capsys, text, words):
         (folder / "tip.toml").write_text(text)
     assert main(["fit", str(folder / "film.txt"), "--problem", str(folder / "measure.toml")]) == 2
     assert words in capsys.readouterr().err
+
+
+def test_units_of_an_area_function():
+    """A = C0 h^2 + C1 h + C2 sqrt(h) + ...: C1 is a length, C2 a length^1.5."""
+    assert [dimension_of(f"indenter.C{i}").si for i in (1, 2, 3)] == ["m^1", "m^1.5", "m^1.75"]

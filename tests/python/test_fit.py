@@ -45,6 +45,18 @@ EVERY = [
 ]
 
 
+def test_information_criteria_are_those_of_akaike_and_schwarz():
+    """Of 60 points with known noise and two parameters; of ten with unknown noise one parameter more."""
+    found = mdr.fit(noisy(1), BALL, START, ["coating.E", "substrate.E"], sd_is_absolute=True)
+    sd = 0.01 * FORCE
+    likelihood = -0.5 * np.sum(((found.data.y - found.fitted) / sd) ** 2 + np.log(2.0 * math.pi * sd**2))
+    assert found.log_likelihood == pytest.approx(likelihood, rel=1e-3)
+    assert found.aic == pytest.approx(-2.0 * found.log_likelihood + 4.0 + 12.0 / 57.0, rel=1e-12)
+    assert found.bic == pytest.approx(-2.0 * found.log_likelihood + 2.0 * math.log(60.0), rel=1e-12)
+    few = mdr.fit(mdr.ForceDepth(DEPTH[::6], noisy(1).y[::6]), BALL, START, ["coating.E", "substrate.E"])
+    assert few.aic == pytest.approx(-2.0 * few.log_likelihood + 6.0 + 24.0 / 6.0, rel=1e-12)
+
+
 @pytest.mark.parametrize(("indenter", "medium", "free"), EVERY, ids=[f"{type(i).__name__}-{f[-1]}" for i, _, f in EVERY])
 def test_the_forward_model_is_that_of_contact_and_exact_data_give_the_truth(indenter, medium, free):
     """Every indenter and medium: the curve of Contact, an independent inversion, is met to 1e-8 and its parameters are found."""
@@ -203,6 +215,10 @@ def test_wrong_models_are_found_out():
     bias = {entry.model: entry.bias["coating.E"] for entry in ranking.models}
     assert bias["exact"] == 0.0
     assert bias["wave"] > 0.2
+    best = ranking.models[0]
+    for entry in ranking.models:
+        assert entry.weight == pytest.approx(best.weight * math.exp(-0.5 * (entry.result.aic - best.result.aic)), rel=1e-9)
+    assert sum(entry.weight for entry in ranking.models) == pytest.approx(1.0, rel=1e-12)
     assert "exact" in ranking.summary()
 
 

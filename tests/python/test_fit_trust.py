@@ -8,6 +8,7 @@ import math
 import numpy as np
 import pytest
 from conftest import OXIDE, SILICON
+from scipy import stats
 
 import mdrcontact as mdr
 
@@ -51,6 +52,17 @@ def test_the_three_intervals_know_of_the_correlation():
     width = np.ptp(result.interval("coating.E"))
     assert np.ptp(result.interval("coating.E", method="profile")) == pytest.approx(width, rel=0.05)
     assert np.ptp(result.interval("coating.E", method="monte-carlo", draws=100, seed=1)) == pytest.approx(width, rel=0.4)
+
+
+def test_correlated_residuals_have_fewer_degrees_of_freedom():
+    """Student's quantile of an interval is that of as many independent residuals as the widening says."""
+    noise = 0.01 * autoregression(np.random.default_rng(3), DEPTH.size, 0.9)
+    result = mdr.fit(mdr.ForceDepth(DEPTH, FORCE * (1.0 + noise)), BALL, FILM, ["coating.E"])
+    widening = result.widening["coating.E"]
+    assert widening > 2.0
+    freedom = max(result.degrees_of_freedom / widening**2, 1.0)
+    quantile = stats.t.ppf(0.975, freedom)
+    assert np.ptp(result.interval("coating.E")) == pytest.approx(2.0 * quantile * result.standard_errors["coating.E"], rel=1e-9)
 
 
 def test_a_pattern_in_eleven_residuals_is_seen():

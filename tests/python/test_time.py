@@ -201,6 +201,13 @@ def test_a_homogeneous_contact_that_grows_again():
     assert held.work > 0.0
 
 
+def test_work_of_a_fast_indentation():
+    """Long before anything relaxes F = c d^1.5, whose work is 2/5 of the last F d."""
+    time = np.linspace(0.0, 1e-6, 400)
+    history = mdr.Contact(mdr.Paraboloid(1.0), BODIES["A"]).history(time, depth=0.3 * time / 1e-6)
+    assert history.work == pytest.approx(0.4 * history.force[-1] * 0.3, rel=1e-4)
+
+
 def test_unloading_under_force():
     contact = mdr.Contact(mdr.Paraboloid(1.0), BODIES["F1"])
     by_force = contact.history(

@@ -64,6 +64,15 @@ def test_loubet_and_pile_up():
         assert found.area[0] == pytest.approx(24.5 * found.contact_depth[0] ** 2, rel=1e-9)
 
 
+def test_the_stiffness_factor_divides_the_modulus():
+    """E_r = S/(2 beta a) at the same contact radius."""
+    data = mdr.StiffnessDepth([300e-9], [10e-3], [86e3], relative_sd=0.01)
+    one, two = mdr.oliver_pharr(data, TIP), mdr.oliver_pharr(data, TIP, mdr.Instrument(stiffness_factor=1.05))
+    assert two.area[0] == pytest.approx(one.area[0], rel=1e-12)
+    assert one.reduced_modulus[0] == pytest.approx(86e3 / (2.0 * np.sqrt(one.area[0] / np.pi)), rel=1e-12)
+    assert two.reduced_modulus[0] == pytest.approx(one.reduced_modulus[0] / 1.05, rel=1e-12)
+
+
 def test_frame_compliance_is_taken_off():
     frame = 1e-7
     bare = mdr.StiffnessDepth([300e-9], [10e-3], [86e3], relative_sd=0.01)
