@@ -223,7 +223,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         associate (equilibrium => self%equilibrium)
-            if (upper .and. .not. equilibrium%medium%is_pair()) then
+            if (upper .and. .not. equilibrium%medium%is_pair) then
                 call raise(error, error_invalid, " = upper is not allowed: the indenter is rigid", "body")
                 return
             end if

@@ -28,6 +28,10 @@ module mdrcontact_medium
     type, abstract :: medium_t
         !> the body that is pressed and, of two deformable ones, the upper one, where they are known; not allocated else
         class(body_t), allocatable :: pressed, counterbody
+        !> whether it stands for two deformable bodies
+        logical :: is_pair = .false.
+        !> what the upper body takes of a change of depth, where that is the same at all radii: 0 if the indenter is rigid [1]
+        real(wp) :: share_of_upper = 0.0_wp
     contains
         !> E_eff(a), equation (10) [modulus]
         procedure(radius_function), deferred :: modulus
@@ -66,14 +70,14 @@ module mdrcontact_medium
         procedure :: smallest_radius => zero
         !> relative accuracy of E_eff and its slope where they are interpolated between samples; 0 where they are computed
         procedure :: roughness => zero
-        !> whether the medium stands for two deformable bodies
-        procedure :: is_pair => no
         !> whether its states depend on time: it has no elastic ones
         procedure :: is_viscoelastic => no
         !> whether it does not deform: one body of a pair, no medium by itself
         procedure :: is_rigid => no
-        !> what the upper body takes of a small change of depth at radius a: 0 if the indenter is rigid [1]
-        procedure :: upper_share => zero_share
+        !> what the upper body takes of a small change of depth at radius a [1]
+        procedure :: upper_share
+        !> makes it the medium of two bodies
+        procedure :: set_pair
         !> displacement of one of the surfaces from that of both together
         procedure :: take_share
         !> elastic energy of the lower and of the upper body
@@ -186,16 +190,26 @@ contains
                    "homogeneous or solved exactly, or an effective modulus")
     end subroutine no_energies
 
-    elemental function zero_share(self, a) result(share)
+    elemental function upper_share(self, a) result(share)
         class(medium_t), intent(in) :: self
         !> contact radius [length]
         real(wp), intent(in) :: a
         real(wp) :: share
 
-        associate (unused => self, also_unused => a)
+        associate (unused => a)
         end associate
-        share = 0.0_wp
-    end function zero_share
+        share = self%share_of_upper
+    end function upper_share
+
+    !> The bodies are those of two media.
+    subroutine set_pair(self, lower, upper)
+        class(medium_t), intent(inout) :: self
+        class(medium_t), intent(in) :: lower, upper
+
+        self%is_pair = .true.
+        if (allocated(lower%pressed)) allocate (self%pressed, source=lower%pressed)
+        if (allocated(upper%pressed)) allocate (self%counterbody, source=upper%pressed)
+    end subroutine set_pair
 
     subroutine nonadhesive_depth(self, profile, a, value, error)
         class(medium_t), intent(in) :: self

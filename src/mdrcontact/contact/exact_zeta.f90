@@ -62,7 +62,7 @@ contains
         if (medium%is_exact() .or. .not. thickness > 0.0_wp) then
             call raise(error, error_invalid, "the exact zeta is not allowed here: it needs a coated, layered or graded body "// &
                        "under an approximate model")
-        else if (.not. medium%is_pair()) then
+        else if (.not. medium%is_pair) then
             call new_layered_exact(exact, medium%pressed, error)
         else if (allocated(medium%pressed) .and. allocated(medium%counterbody)) then
             call new_layered_exact(lower, medium%pressed, error)

@@ -67,7 +67,6 @@ module mdrcontact_layered_exact
         procedure :: zeta
         procedure :: body
         procedure :: accuracy
-        procedure :: is_pair
         procedure :: take_share
         procedure :: energies
         procedure :: surface_load
@@ -157,18 +156,10 @@ contains
         self%depth = min(lower%depth, upper%depth)
         if (lower%kernel%vanishes .or. upper%kernel%vanishes) self%depth = max(lower%depth, upper%depth)
         self%tolerance = min(lower%tolerance, upper%tolerance)
-        if (allocated(lower%pressed)) allocate (self%pressed, source=lower%pressed)
-        if (allocated(upper%pressed)) allocate (self%counterbody, source=upper%pressed)
+        call self%set_pair(lower, upper)
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (.not. allocated(error)) call add_kernels(lower%kernel, upper%kernel, self%parts%share, self%kernel, error)
     end subroutine new_exact_pair
-
-    pure function is_pair(self) result(answer)
-        class(layered_exact_t), intent(in) :: self
-        logical :: answer
-
-        answer = allocated(self%parts)
-    end function is_pair
 
     !> A copy of the body that the medium was made of.
     subroutine body(self, copy)

@@ -16,18 +16,15 @@ module mdrcontact_medium_homogeneous
     !> A half-space of one material, or two of them pressed together.
     type, extends(effective_medium_t) :: homogeneous_t
         private
-        !> E* [modulus], and its part of the upper body, E*/E2* [1]
-        real(wp) :: contact_modulus = 0.0_wp, share_of_upper = 0.0_wp
-        logical :: two = .false.
+        !> E* [modulus]
+        real(wp) :: contact_modulus = 0.0_wp
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: depth_and_force
         procedure :: is_cheap => yes
         procedure :: has_independent_springs => yes
-        procedure :: is_pair
         procedure :: is_rigid
-        procedure :: upper_share
         procedure :: half_space_modulus
         procedure :: new_tangential
         procedure :: torsional_stiffness
@@ -62,9 +59,7 @@ contains
 
         self%contact_modulus = in_series(lower%contact_modulus, upper%contact_modulus)
         self%share_of_upper = self%contact_modulus/upper%contact_modulus
-        self%two = .true.
-        if (allocated(lower%pressed)) allocate (self%pressed, source=lower%pressed)
-        if (allocated(upper%pressed)) allocate (self%counterbody, source=upper%pressed)
+        call self%set_pair(lower, upper)
     end subroutine new_homogeneous_pair
 
     !> E* [modulus]; infinite for a rigid body.
@@ -75,29 +70,12 @@ contains
         modulus = self%contact_modulus
     end function half_space_modulus
 
-    pure function is_pair(self) result(answer)
-        class(homogeneous_t), intent(in) :: self
-        logical :: answer
-
-        answer = self%two
-    end function is_pair
-
     pure function is_rigid(self) result(answer)
         class(homogeneous_t), intent(in) :: self
         logical :: answer
 
         answer = self%contact_modulus > huge(1.0_wp)
     end function is_rigid
-
-    elemental function upper_share(self, a) result(share)
-        class(homogeneous_t), intent(in) :: self
-        real(wp), intent(in) :: a
-        real(wp) :: share
-
-        associate (unused => a)
-        end associate
-        share = self%share_of_upper
-    end function upper_share
 
     !> A half-space of given contact modulus E*.
     subroutine new_homogeneous_from_modulus(self, contact_modulus, error)

@@ -29,8 +29,8 @@ contains
         type(homogeneous_t) :: homogeneous
         type(power_graded_t) :: power_graded
 
-        if (lower%is_pair()) call raise(error, error_invalid, " is not allowed: it is a pair of bodies already", "lower")
-        if (upper%is_pair()) call raise(error, error_invalid, " is not allowed: it is a pair of bodies already", "upper")
+        if (lower%is_pair) call raise(error, error_invalid, " is not allowed: it is a pair of bodies already", "lower")
+        if (upper%is_pair) call raise(error, error_invalid, " is not allowed: it is a pair of bodies already", "upper")
         if (lower%is_rigid() .and. upper%is_rigid()) then
             call raise(error, error_invalid, " is not allowed: one of the two bodies must be deformable", "upper")
         end if

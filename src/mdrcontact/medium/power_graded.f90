@@ -25,9 +25,6 @@ module mdrcontact_medium_power_graded
         real(wp) :: exponent = 0.0_wp
         !> c1 [modulus length^-m]
         real(wp) :: spring = 0.0_wp
-        !> c1 of both bodies over that of the upper one [1]
-        real(wp) :: share_of_upper = 0.0_wp
-        logical :: two = .false.
     contains
         procedure :: modulus
         procedure :: modulus_slope
@@ -37,8 +34,6 @@ module mdrcontact_medium_power_graded
         procedure :: displacement_outside
         procedure :: is_exact
         procedure :: has_modulus_formula => is_exact
-        procedure :: is_pair
-        procedure :: upper_share
     end type power_graded_t
 
     !> g(x) of one indenter in this medium.
@@ -102,25 +97,8 @@ contains
         self%exponent = lower%exponent
         self%spring = in_series(lower%spring, upper%spring)
         self%share_of_upper = self%spring/upper%spring
-        self%two = .true.
+        call self%set_pair(lower, upper)
     end subroutine new_power_graded_pair
-
-    pure function is_pair(self) result(answer)
-        class(power_graded_t), intent(in) :: self
-        logical :: answer
-
-        answer = self%two
-    end function is_pair
-
-    elemental function upper_share(self, a) result(share)
-        class(power_graded_t), intent(in) :: self
-        real(wp), intent(in) :: a
-        real(wp) :: share
-
-        associate (unused => a)
-        end associate
-        share = self%share_of_upper
-    end function upper_share
 
     !> H(m, nu), 1 for a homogeneous body.
     pure function spring_factor(m, nu) result(h)

@@ -29,7 +29,6 @@ module mdrcontact_medium_series
         procedure :: largest_radius
         procedure :: smallest_radius
         procedure :: roughness
-        procedure :: is_pair
         procedure :: upper_share
         procedure :: upper_depth
         procedure :: take_share
@@ -45,8 +44,7 @@ contains
 
         allocate (self%lower, source=lower)
         allocate (self%upper, source=upper)
-        if (allocated(lower%pressed)) allocate (self%pressed, source=lower%pressed)
-        if (allocated(upper%pressed)) allocate (self%counterbody, source=upper%pressed)
+        call self%set_pair(lower, upper)
     end subroutine new_series
 
     elemental function effective_modulus(self, a) result(value)
@@ -114,15 +112,6 @@ contains
 
         accuracy = max(self%lower%roughness(), self%upper%roughness())
     end function roughness
-
-    pure function is_pair(self) result(answer)
-        class(series_t), intent(in) :: self
-        logical :: answer
-
-        associate (unused => self)
-        end associate
-        answer = .true.
-    end function is_pair
 
     !> E_eff/E_eff,2.
     elemental function upper_share(self, a) result(share)
