@@ -240,8 +240,9 @@ contains
         end do
     end subroutine moments_of
 
-    !> The same for z at most `slow`, x = z/2: exp(-x) x^l/(2 l + 1)!! s_l with s_l = sum_k (x^2/2)^k/(k! (2 l + 3) ... (2 l + 2 k + 1)),
-    !> which is summed for the two highest l, and s_(l-1) = s_l + x^2/((2 l + 1)(2 l + 3)) s_(l+1).
+    !> The same for z at most `slow`, x = z/2: exp(-x) x^l/(2 l + 1)!! s_l with
+    !> s_l = sum_k (x^2/2)^k/(k! (2 l + 3) ... (2 l + 2 k + 1)), which is summed for the two highest l, and
+    !> s_(l-1) = s_l + x^2/((2 l + 1)(2 l + 3)) s_(l+1).
     pure subroutine moments_of_slow(z, root, n, moments)
         real(wp), intent(in) :: z(:), root(:)
         integer, intent(in) :: n
