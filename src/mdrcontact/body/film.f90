@@ -64,44 +64,41 @@ contains
         !> 1 for normal load, -1 for shear
         real(wp), intent(in) :: way
         complex(wp), intent(out) :: sigma, chi
-        complex(wp) :: e, o, under, over, lowest
+        complex(wp) :: e, o, under, x, sine, cosine, mixed, lowest
+        integer :: j
+        !> (sinh t - t)/t^3 and (cosh t - 1)/t^2 as series in t^2
+        real(wp), parameter :: of_sine(0:*) = [(1.0_wp/gamma(real(2*j + 4, wp)), j=0, 8)], &
+                               of_cosine(0:*) = [(1.0_wp/gamma(real(2*j + 3, wp)), j=0, 8)]
 
-        e = exp(-2.0_wp*t)
-        ! 1 - e
-        o = 2.0_wp*exp(-t)*sinh(t)
-        ! c + way
-        lowest = merge(self%one_plus_c, -self%c_rest, way > 0.0_wp)
-        associate (b => self%b, c => self%c, mixed => self%c*self%b_rest + self%b*self%c_rest)
-            if (abs(t) < 1.0_wp) then
-                ! sinh^2 t - t^2, and sinh 2t - 2t
-                over = (sinh(t) + t)*beyond_linear(t)
-                under = self%c_rest*self%b_rest + o*mixed + 4.0_wp*b*e*over - b*self%c_rest*o**2
-                sigma = (self%product_rest + 2.0_wp*b*e*(c*beyond_linear(2.0_wp*t) + 2.0_wp*lowest*t))/under
+        mixed = self%c*self%b_rest + self%b*self%c_rest
+        x = t*t
+        associate (b => self%b, c => self%c)
+            if (real(t, wp)**2 + aimag(t)**2 < 1.0_wp) then
+                sine = of_sine(8)
+                cosine = of_cosine(8)
+                do j = 7, 0, -1
+                    sine = of_sine(j) + x*sine
+                    cosine = of_cosine(j) + x*cosine
+                end do
+                sine = t*x*sine
+                cosine = x*cosine
+                e = 1.0_wp/(1.0_wp + t + sine + cosine)
+                ! 1 - exp(-2t)
+                o = 2.0_wp*e*(t + sine)
+                e = e*e
+                ! c + way
+                lowest = merge(self%one_plus_c, -self%c_rest, way > 0.0_wp)
+                ! sinh^2 t - t^2, and half of sinh 2t - 2t
+                under = self%c_rest*self%b_rest + o*mixed + 4.0_wp*b*e*(2.0_wp*t + sine)*sine - b*self%c_rest*(o*o)
+                sigma = (self%product_rest + 4.0_wp*b*e*(c*(sine + (t + sine)*cosine) + lowest*t))/under
             else
-                under = 1.0_wp - (c + b + 4.0_wp*b*t**2)*e + c*b*e**2
-                sigma = (1.0_wp + 4.0_wp*way*b*t*e - c*b*e**2)/under
+                e = exp(-2.0_wp*t)
+                o = 1.0_wp - e
+                under = 1.0_wp - (c + b + 4.0_wp*b*x)*e + c*b*(e*e)
+                sigma = (1.0_wp + 4.0_wp*way*b*t*e - c*b*(e*e))/under
             end if
             chi = e*(mixed + 2.0_wp*c*b*o + 4.0_wp*b*t*(way + t))/under
         end associate
     end subroutine quotient
-
-    !> sinh(t) - t.
-    pure function beyond_linear(t) result(value)
-        complex(wp), intent(in) :: t
-        complex(wp) :: value
-        complex(wp) :: square
-        integer :: n
-
-        if (abs(t) > 1.0_wp) then
-            value = sinh(t) - t
-            return
-        end if
-        square = t**2
-        value = 1.0_wp
-        do n = 17, 5, -2
-            value = 1.0_wp + value*square/real(n*(n - 1), wp)
-        end do
-        value = value*t*square/6.0_wp
-    end function beyond_linear
 
 end module mdrcontact_body_film

@@ -6,7 +6,7 @@ module mdrcontact_layered_ray
     use mdrcontact_layered_waves, only: first_wave, order, panel_nodes, wave_table_t
     implicit none (type, external)
     private
-    public :: ray_t, start_ray, extend_ray, path_holds, rest_below
+    public :: ray_t, start_ray, extend_ray, path_holds, rest_below, take_chi_moments
 
     !> Octaves below this one (k in units of 1/unit) contribute nothing to positions up to the unit.
     integer, parameter :: negligible_octave = -56
@@ -58,8 +58,7 @@ contains
         ray%bottom = i + 1
         allocate (ray%weighted_chi(size(table%nodes), negligible_octave:ray%top), &
                   ray%weighted_change(size(table%nodes), negligible_octave - more:ray%top), &
-                  ray%moments(0:order, negligible_octave - more:ray%top), &
-                  ray%chi_moments(0:order, negligible_octave:ray%top))
+                  ray%moments(0:order, negligible_octave - more:ray%top))
         ! structure of the size of the whole body must have been seen
         latest = min(first_wave, floor(log(unit/surface%last_depth())/log(2.0_wp))) - 2
         largest = 0.0_wp
@@ -79,28 +78,39 @@ contains
         type(wave_table_t), intent(in) :: table
         integer, intent(in) :: bottom
         complex(wp) :: sigma, chi, change(size(table%nodes))
-        real(wp) :: k, sigma_zero
+        real(wp) :: base, sigma_zero
         integer :: i, octave
 
         sigma_zero = surface%long_wave_limit()
         do octave = ray%bottom - 1, bottom, -1
+            base = scale(1.0_wp, octave)
             do i = 1, size(table%nodes)
-                k = scale(table%nodes(i), octave)
-                call surface%response(table%direction*(k/unit), sigma, chi)
+                call surface%response(table%direction*(base*table%nodes(i)/unit), sigma, chi)
                 change(i) = sigma - sigma_zero
-                if (octave >= negligible_octave) then
-                    ray%weighted_chi(i, octave) = scale(table%weights(i), octave)*table%direction*chi
-                end if
-                ray%weighted_change(i, octave) = scale(table%weights(i), octave)*table%direction*change(i)
+                if (octave >= negligible_octave) ray%weighted_chi(i, octave) = base*table%weights(i)*table%direction*chi
+                ray%weighted_change(i, octave) = base*table%weights(i)*table%direction*change(i)
             end do
             do i = 0, order
                 ray%moments(i, octave) = sum(table%powers(:, i)*ray%weighted_change(:, octave))
-                if (octave >= negligible_octave) ray%chi_moments(i, octave) = sum(table%powers(:, i)*ray%weighted_chi(:, octave))
             end do
             if (octave >= watched_octave) ray%roughness = max(ray%roughness, roughness_of(change, table%last, sigma_zero))
         end do
         ray%bottom = min(ray%bottom, bottom)
     end subroutine extend_ray
+
+    !> Fills chi_moments, which stiff films alone take.
+    pure subroutine take_chi_moments(ray, table)
+        type(ray_t), intent(inout) :: ray
+        type(wave_table_t), intent(in) :: table
+        integer :: i, octave
+
+        allocate (ray%chi_moments(0:order, ray%lowest:ray%top))
+        do octave = ray%lowest, ray%top
+            do i = 0, order
+                ray%chi_moments(i, octave) = sum(table%powers(:, i)*ray%weighted_chi(:, octave))
+            end do
+        end do
+    end subroutine take_chi_moments
 
     !> The integral of chi - chi(0) below an octave, from its power of k there: the octaves' parts are a geometric series.
     pure function rest_below(ray, octave) result(rest)
@@ -141,16 +151,16 @@ contains
         type(wave_table_t), intent(in) :: table
         logical, intent(out) :: holds
         complex(wp) :: sigma, chi, along_ray
-        real(wp) :: magnitude, k
+        real(wp) :: magnitude, base
         integer :: i, octave
 
         along_ray = sum(ray%weighted_chi(:, ray%lowest:ray%top)) + ray%chi_zero*scale(1.0_wp, ray%lowest)*table%direction
         allocate (ray%on_axis(size(table%nodes), ray%lowest:ray%top))
         do octave = ray%lowest, ray%top
+            base = scale(1.0_wp, octave)
             do i = 1, size(table%nodes)
-                k = scale(table%nodes(i), octave)
-                call surface%response(cmplx(k/unit, 0.0_wp, wp), sigma, chi)
-                ray%on_axis(i, octave) = scale(table%weights(i), octave)*real(chi, wp)
+                call surface%response(cmplx(base*table%nodes(i)/unit, 0.0_wp, wp), sigma, chi)
+                ray%on_axis(i, octave) = base*table%weights(i)*real(chi, wp)
                 ray%largest = max(ray%largest, abs(real(chi, wp)))
             end do
         end do

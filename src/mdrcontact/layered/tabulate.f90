@@ -12,7 +12,7 @@ module mdrcontact_layered_tabulate
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemv
     use mdrcontact_layered_kernel, only: degree, kernel_t, near_degree
-    use mdrcontact_layered_ray, only: extend_ray, path_holds, ray_t, rest_below, start_ray
+    use mdrcontact_layered_ray, only: extend_ray, path_holds, ray_t, rest_below, start_ray, take_chi_moments
     use mdrcontact_layered_waves, only: first_wave, new_wave_table, order, wave_table_t
     implicit none (type, external)
     private
@@ -80,6 +80,7 @@ contains
         coefficients(:, 0) = powers_from_values(x(:n), near_degree)
         kernel%plateau = 0
         on_plateau = kernel%sigma_zero > stiff
+        if (on_plateau) call take_chi_moments(ray, table)
         do octave = 0, most_octaves - 1
             call extend_ray(ray, surface, kernel%unit, table, ray%lowest - octave)
             if (on_plateau) then
@@ -167,7 +168,7 @@ contains
             parts(1, :) = real(ray%weighted_chi(:, m - octave), wp)
             parts(2, :) = -aimag(ray%weighted_chi(:, m - octave))
             if (m <= ubound(table%far, 4)) call add_waves(table%far(:, :, :, m), parts, x)
-            x = x - sum(parts(1, :))
+            if (m >= 0) x = x - sum(parts(1, :))
         end do
     end subroutine plateau_values
 
@@ -178,17 +179,18 @@ contains
         integer, intent(in) :: octave
         real(wp), intent(out) :: x(:)
         complex(wp) :: moments(0:order), factor(size(table%nodes))
-        real(wp) :: parts(2, size(table%nodes), first_wave:ubound(table%far, 4))
+        real(wp) :: parts(2, size(table%nodes), first_wave:ubound(table%far, 4)), base
         integer :: i, m
 
         moments = 0.0_wp
         do m = ray%lowest, first_wave - 1
+            base = 1.0_wp
             do i = 0, order
-                moments(i) = moments(i) + scale(1.0_wp, i*m)*ray%moments(i, m - octave)
+                moments(i) = moments(i) + base*ray%moments(i, m - octave)
+                base = base*scale(1.0_wp, m)
             end do
         end do
         moments(0) = moments(0) + rest_below(ray, ray%lowest - octave)
-        x = power_series(moments, table%far_y)
         do m = first_wave, ubound(parts, 3)
             if (m - octave > ray%top) then
                 factor = -ray%chi_zero*scale(table%weights, m - octave)*table%direction
@@ -198,6 +200,8 @@ contains
             parts(1, :, m) = real(factor, wp)
             parts(2, :, m) = -aimag(factor)
         end do
+        moments(0) = moments(0) + sum(parts(1, :, :-1))
+        x = power_series(moments, table%far_y)
         do m = first_wave, ubound(parts, 3)
             call add_waves(table%far(:, :, :, m), parts(:, :, m), x)
         end do

@@ -33,7 +33,7 @@ module mdrcontact_layered_waves
         real(wp) :: near_y(degree + 1) = 0.0_wp, far_y(2*degree + 2) = 0.0_wp
         !> cos(ky) - 1 on the real axis: (position, node, octave of k from first_wave)
         real(wp), allocatable :: near(:, :, :)
-        !> exp(iky) on the ray: (position, real and imaginary part, node, octave of k y from first_wave)
+        !> exp(iky) on the ray, less 1 below octave 0: (position, real and imaginary part, node, octave of k y from first_wave)
         real(wp), allocatable :: far(:, :, :, :)
     contains
         procedure :: is_made
@@ -55,6 +55,7 @@ contains
         integer, intent(in) :: panels
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: x(panel_nodes), w(panel_nodes), chebyshev(degree + 1)
+        real(wp) :: near(degree + 1, 2, panels*panel_nodes)
         integer :: i, n, highest, octave
 
         self%direction = cmplx(cos(angle), sin(angle), wp)
@@ -78,29 +79,50 @@ contains
         self%far_y = [1.25_wp + 0.25_wp*chebyshev, 1.75_wp + 0.25_wp*chebyshev]
         highest = ceiling(log(faded/sin(angle))/log(2.0_wp)) - 1
         allocate (self%near(size(self%near_y), n, first_wave:last_near), self%far(size(self%far_y), 2, n, first_wave:highest))
+        do i = 1, n
+            near(:, :, i) = less_one(scale(self%nodes(i), first_wave)*self%near_y*(0.0_wp, 1.0_wp))
+            self%far(:, :, i, first_wave) = less_one(scale(self%nodes(i), first_wave)*self%far_y*(0.0_wp, 1.0_wp)*self%direction)
+        end do
         do octave = first_wave, last_near
+            self%near(:, :, octave) = near(:, 1, :)
             do i = 1, n
-                self%near(:, i, octave) = -2.0_wp*sin(0.5_wp*scale(self%nodes(i), octave)*self%near_y)**2
+                near(:, :, i) = twice(near(:, :, i), 1.0_wp)
             end do
         end do
-        do octave = first_wave, highest
+        do octave = first_wave, highest - 1
             do i = 1, n
-                call waves_at(self%direction, scale(self%nodes(i), octave)*self%far_y, self%far(:, :, i, octave))
+                self%far(:, :, i, octave + 1) = twice(self%far(:, :, i, octave), merge(1.0_wp, 0.0_wp, octave < 0))
             end do
+            if (octave == -1) self%far(:, 1, :, 0) = self%far(:, 1, :, 0) + 1.0_wp
         end do
     end subroutine new_wave_table
 
-    !> Real and imaginary parts of exp(i t exp(i theta)).
-    pure subroutine waves_at(direction, t, waves)
-        complex(wp), intent(in) :: direction
-        real(wp), intent(in) :: t(:)
-        !> (size(t), 2)
-        real(wp), intent(out) :: waves(:, :)
+    !> exp(2z) - c of exp(z) - c for c = 1, or for c = 0 where exp(z) fades, as real and imaginary parts: rounding grows no faster
+    !> than that of z.
+    pure function twice(w, c) result(next)
+        !> (any number, 2)
+        real(wp), intent(in) :: w(:, :), c
+        real(wp) :: next(size(w, 1), 2)
 
-        waves(:, 1) = exp(-t*aimag(direction))
-        waves(:, 2) = waves(:, 1)*sin(t*real(direction, wp))
-        waves(:, 1) = waves(:, 1)*cos(t*real(direction, wp))
-    end subroutine waves_at
+        next(:, 1) = w(:, 1)*(2.0_wp*c + w(:, 1)) - w(:, 2)*w(:, 2)
+        next(:, 2) = 2.0_wp*w(:, 2)*(c + w(:, 1))
+    end function twice
+
+    !> Real and imaginary parts of exp(z) - 1 for |z| < 1/64.
+    pure function less_one(z) result(parts)
+        complex(wp), intent(in) :: z(:)
+        real(wp) :: parts(size(z), 2)
+        complex(wp) :: value(size(z))
+        integer :: i
+
+        value = 1.0_wp
+        do i = 8, 2, -1
+            value = 1.0_wp + value*z/real(i, wp)
+        end do
+        value = value*z
+        parts(:, 1) = real(value, wp)
+        parts(:, 2) = aimag(value)
+    end function less_one
 
     !> The two highest Legendre polynomials that a panel's nodes resolve, times weights and normalisation: what takes values on
     !> a panel to its two last Legendre coefficients.
