@@ -116,6 +116,7 @@ contains
         if (.not. allocated(error)) self%breaks = fine_edges(self%sampled)
     end subroutine new_radius_law_from_function
 
+    !> A copy that shares nothing with this one; without memory for it, an error.
     pure subroutine copy_to(self, copy, error)
         class(radius_law_t), intent(in) :: self
         type(radius_law_t), intent(out) :: copy
