@@ -7,12 +7,14 @@ import json
 
 import numpy as np
 import pytest
+from conftest import ROOT
 from records import REDUCED, indentation
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
 from mdrcontact.fitting.calibration import together
 from mdrcontact.fitting.quantities import dimension_of
+from mdrcontact.problem.fit_file import load_fit_file
 
 DIAMOND = mdr.Elastic(1141e9, 0.07)
 NU = 0.17
@@ -197,3 +199,13 @@ def test_bad_tip_files(folder, capsys, text, words):
 def test_units_of_an_area_function():
     """A = C0 h^2 + C1 h + C2 sqrt(h) + ...: C1 is a length, C2 a length^1.5."""
     assert [dimension_of(f"indenter.C{i}").si for i in (1, 2, 3)] == ["m^1", "m^1.5", "m^1.75"]
+
+
+def test_terms_of_an_area_function_may_begin_at_zero():
+    """A term has the size of the whole area: differences of that size once gave it twice its standard error."""
+    problem = load_fit_file(ROOT / "examples" / "fit" / "csm_on_silica.toml")
+    data, _ = problem.read_data(ROOT / "examples" / "fit" / "csm_on_silica.csv")
+    found = mdr.fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument)
+    assert found.iterations < 20
+    assert found.interval("indenter.C1", method="profile") == pytest.approx(found.interval("indenter.C1"), rel=1e-3)
+    assert found.standard_errors["indenter.C1"] == pytest.approx(3.7e-9, rel=0.1)

@@ -268,3 +268,14 @@ def test_the_end_of_a_search_is_not_called_a_bound_of_the_user():
     result = mdr.fit(mdr.ForceDepth(DEPTH, FORCE, relative_sd=0.01), BALL, FILM, ["coating.E"])
     result.at_bound["coating.E"] = 1
     assert any("end of what is allowed or searched" in words for words in result.doubts("coating.E"))
+
+
+def test_data_that_contradict_a_prior_end_the_search():
+    """Loads a hundred times too large for the film: the thickness once ran to atoms, where the exact model took minutes."""
+    film = mdr.Coated(mdr.Elastic(60e9, 0.17), 500e-9, mdr.Elastic(163e9, 0.22))
+    depth = np.linspace(3e-9, 17e-9, 40)
+    data = mdr.ForceDepth(depth, 0.03 + 4.0 * 1e6 * depth, relative_sd=0.01)
+    result = mdr.fit(data, mdr.Sphere(10e-6), film, {"coating.E": None, "thickness": mdr.Free(prior=(500e-9, 10e-9))})
+    assert result.at_bound["thickness"] == 1
+    assert result.estimates["thickness"] == pytest.approx(700e-9)
+    assert "20 standard deviations from its prior" in result.summary()

@@ -262,6 +262,8 @@ class FitResult:
         end = "upper" if side > 0 else "lower"
         if math.isfinite(entry.upper if side > 0 else entry.lower):
             return f"at its {end} bound"
+        if entry.prior is not None:
+            return "20 standard deviations from its prior: the data contradict it"
         return f"at the {end} end of what is allowed or searched: the data do not limit it, or it began too far away"
 
     @property

@@ -21,7 +21,7 @@ module mdrcontact_fit_body
     use mdrcontact_profile_sphere, only: new_sphere, sphere_t
     implicit none (type, external)
     private
-    public :: fit_body_t, indenter_count, body_count, make_body
+    public :: area_terms, fit_body_t, indenter_count, body_count, make_body
     public :: indenter_given, indenter_paraboloid, indenter_sphere, indenter_cone, indenter_power_law, indenter_flat_punch, &
               indenter_flat_cone, indenter_flat_paraboloid, indenter_rounded_cone, indenter_area_function
 

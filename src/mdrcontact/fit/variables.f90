@@ -5,7 +5,7 @@
 !> of adhesion, which may be 0 and enters by its square root, as u = sqrt(p/p0). Beyond a bound the parameter stays at the bound.
 module mdrcontact_fit_variables
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
-    use mdrcontact_fit_body, only: body_count, fit_body_t, indenter_area_function, indenter_count
+    use mdrcontact_fit_body, only: area_terms, body_count, fit_body_t, indenter_area_function, indenter_count
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_count, medium_graded, medium_homogeneous, &
                                         medium_power_graded, medium_stack
     use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
@@ -20,6 +20,8 @@ module mdrcontact_fit_variables
     real(wp), parameter :: smallest_poisson = -0.999_wp, largest_poisson = 0.5_wp
     !> ln of the largest ratio to the start that is tried
     real(wp), parameter :: widest_logarithm = 9.0_wp
+    !> Standard deviations about a prior that are tried: data that would go further contradict it, and models may be slow there
+    real(wp), parameter :: widest_prior = 20.0_wp
     !> A parameter this close to a bound, in parts of it, lies at it.
     real(wp), parameter :: rounding = 1.0e-13_wp
 
@@ -66,7 +68,15 @@ contains
                                "must be greater than -1 and at most 0.5", "parameters", j)
                 end if
             case (signed)
-                self%scale(i) = typical(j - instrument, problem%parameters(j), problem%data_kind, data)
+                if (j <= indenter_count(problem%body)) then
+                    associate (coefficients => problem%parameters(indenter_count(problem%body) - area_terms + 1: &
+                                                                  indenter_count(problem%body))%value)
+                        self%scale(i) = typical_coefficient(j - indenter_count(problem%body) + area_terms, coefficients, &
+                                                            maxval(abs(data%x)))
+                    end associate
+                else
+                    self%scale(i) = typical(j - instrument, problem%parameters(j), problem%data_kind, data)
+                end if
             case default
                 ! a parameter that runs to the end of what is tried has no optimum: it is at a bound, and told so
                 self%lower(i) = max(self%lower(i), self%start(i)*exp(-widest_logarithm))
@@ -81,6 +91,12 @@ contains
                 end if
             end select
             if (allocated(error)) return
+            associate (parameter => problem%parameters(j))
+                if (parameter%prior_sd > 0.0_wp) then
+                    self%lower(i) = max(self%lower(i), min(parameter%prior - widest_prior*parameter%prior_sd, parameter%value))
+                    self%upper(i) = min(self%upper(i), max(parameter%prior + widest_prior*parameter%prior_sd, parameter%value))
+                end if
+            end associate
         end do
     end subroutine new_variables
 
@@ -119,7 +135,22 @@ contains
         end select
     end subroutine mark
 
-    !> The scale of a parameter of either sign.
+    !> The scale of coefficient i of an area function C0 h^2 + C1 h + C2 h^(1/2) + ...: what alone would make the contact area at
+    !> the depth h.
+    pure function typical_coefficient(i, coefficients, h) result(scale)
+        integer, intent(in) :: i
+        real(wp), intent(in) :: coefficients(:), h
+        real(wp) :: scale
+        real(wp) :: powers(size(coefficients)), area
+        integer :: j
+
+        powers = [2.0_wp, (0.5_wp**(j - 2), j=2, size(coefficients))]
+        area = sum(abs(coefficients)*h**powers)
+        if (.not. area > 0.0_wp) area = h**2
+        scale = area/h**powers(i)
+    end function typical_coefficient
+
+    !> The scale of an instrument's parameter of either sign, and of the exponent of a graded body.
     pure function typical(position, parameter, data_kind, data) result(scale)
         !> among the instrument's parameters; less than 1 for others
         integer, intent(in) :: position
@@ -142,9 +173,7 @@ contains
                 scale = maxval(abs(data%x))/maxval(abs(data%y))
             end if
         case default
-            ! coefficients of an area function have any unit: what is known of them is their size
-            scale = max(abs(parameter%value), parameter%prior_sd)
-            if (position >= 1 .or. .not. scale > 0.0_wp) scale = max(1.0_wp, scale)
+            scale = max(1.0_wp, abs(parameter%value), parameter%prior_sd)
         end select
     end function typical
 
