@@ -16,6 +16,8 @@ Array = NDArray[np.float64]
 Self = TypeVar("Self", bound="Data")
 
 _FEWEST_TO_JUDGE = 20
+_CLIPPED = 0.04
+"""Of the readings: so many share their largest value by coarse digits only."""
 _RETURN = 0.2
 """A curve whose x goes back over this part of its range holds loading and unloading."""
 
@@ -42,6 +44,12 @@ class Data:
             if not 0.0 < relative < 1.0:
                 raise InvalidArgumentError(f"relative_sd = {relative!r} is not allowed: it must be between 0 and 1")
             sd = relative * np.abs(columns[self.y_name])
+            zeros = np.flatnonzero(sd == 0.0)
+            if len(zeros):
+                raise InvalidArgumentError(
+                    f"relative_sd is not allowed where the {self.y_name} is 0, as in entry {zeros[0]}, counted from 0: leave such "
+                    "readings out, or give sd"
+                )
         if sd is not None:
             given = numbers("sd", sd)
             columns["sd"] = np.full_like(columns[self.x_name], given) if given.ndim == 0 else _column("sd", given)
@@ -54,6 +62,13 @@ class Data:
         self.force, self.sd = columns.get("force"), columns.get("sd")
         self.branch: NDArray[np.int32] | None = None
         self._check_order()
+        for name, values in ((self.x_name, self.x), (self.y_name, self.y)):
+            ties = int(np.sum(values == values.max(initial=-np.inf)))
+            if ties > max(2, _CLIPPED * len(self)):
+                self.warnings.append(
+                    f"{ties} of {len(self)} readings of the {name} are its largest value {values.max():.4g}: the instrument "
+                    "was at the end of its range, or stood still"
+                )
 
     def __len__(self) -> int:
         return len(self.x)

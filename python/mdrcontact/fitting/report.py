@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from .. import _native
-from ..problem.units import Dimension, practical
+from ..problem.units import told
 from .quantities import digits, dimension_of, measured, unit_of, words_of
 
 _STYLE = """
@@ -80,12 +80,6 @@ def picture(figure: Any, words: str) -> str:
     return f'<img alt="{escape(words)}" src="data:image/png;base64,{base64.b64encode(drawn.getvalue()).decode()}">'
 
 
-def told(value: float, dimension: Dimension) -> str:
-    """A value with its practical unit."""
-    unit = practical(dimension, [value])
-    return f"{value / unit.factor:.6g} {unit.symbol}".rstrip()
-
-
 def blocks_of(result: Any, notes: Sequence[str] = (), level: float = 0.95) -> list[str]:
     """Everything about one fit: estimates, picture, warnings, what was read and what was assumed."""
     blocks = []
@@ -141,7 +135,7 @@ def _fixed(result: Any) -> list[list[str]]:
     rows = [["held fixed", "value"]]
     for name, value in result.values.items():
         if name not in result.names and np.isfinite(value):
-            rows.append([f"{words_of(name)} ({name})", told(value, dimension_of(name))])
+            rows.append([f"{words_of(name)} ({name})", told(value, dimension_of(name), 6)])
     return rows
 
 

@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from ..contact import Contact
 from ..errors import InvalidArgumentError, MDRError
 from ..material import Elastic
-from ..measurement.segments import curve, find_segments
+from ..measurement.segments import Segment, curve, find_segments
 from ..medium import Homogeneous
+from ..problem.units import LENGTH, told
 from ..profile import PowerLaw
 from .data import ForceDepth, StiffnessDepth, UnloadingPoint
 from .parameters import Free
@@ -24,6 +25,8 @@ Array = NDArray[np.float64]
 UPPER_PART = (0.4, 0.98)
 """Of the largest force: the part of an unloading curve that ISO 14577-1 fits."""
 _FEWEST = 8
+_BEGINS, _ZERO, _GAIN = 0.01, 0.03, 0.01
+"""Of the largest force, of the depth, of their product: where contact begins, what is a zero, and what drift may do to the work."""
 _EXPONENTS = 1.1, 2.0
 """The power of unloading curves of real materials is between those of a punch and a cone."""
 
@@ -129,8 +132,11 @@ def _doubts(law: _Law, low: float, high: float, h: Array, p: Array, largest: flo
             f"{_EXPONENTS[1]}: look at its upper part for creep, drift or a pop-out"
         )
     half = 0.5 * (low + high)
+    h_half, p_half = _part(h, p, half * largest, high * largest)
+    if len(h_half) < _FEWEST:
+        return words
     try:
-        upper = _power_law(*_part(h, p, half * largest, high * largest), largest)
+        upper = _power_law(h_half, p_half, largest)
     except MDRError:
         return words
     shift, spread = upper.stiffness / law.stiffness - 1.0, math.hypot(upper.error, law.error) / law.stiffness
@@ -140,6 +146,27 @@ def _doubts(law: _Law, low: float, high: float, h: Array, p: Array, largest: flo
             "fitted, more "
             "than its standard error: creep or drift bends the curve"
         )
+    return words
+
+
+def _doubts_of_record(h: Array, p: Array, first: Segment) -> list[str]:
+    """Whether depths begin at contact, and the rows stand in the order of measurement, where loading is in the record."""
+    rise, deepest = float(np.ptp(p)), float(np.ptp(h))
+    if first.kind == "unloading":
+        return ["the record begins with unloading: its first reading is taken as the largest force of the test"]
+    if first.kind != "loading" or p[0] - p.min() > _BEGINS * rise:
+        return []
+    words = []
+    touches = int(np.argmax(p - p.min() > _BEGINS * rise))
+    low, high = sorted(h[touches - 1 : touches + 1])
+    if not low - _ZERO * deepest < 0.0 < high + _ZERO * deepest:
+        words.append(
+            f"the force begins to rise at a depth of {told(float(low), LENGTH)}, not at 0: contact depth and area are wrong by as "
+            "much. Subtract it from the depths, or let the contact point be found"
+        )
+    # work that goes in stays, or comes out in part
+    if float(0.5 * (p[1:] + p[:-1]) @ np.diff(h)) < -_GAIN * rise * deepest:
+        words.append("unloading gives back more work than loading took: the rows seem to stand in reverse order")
     return words
 
 
@@ -176,4 +203,4 @@ class Unloading(StiffnessDepth):
         super().__init__(*map(list, columns), sd=[q.stiffness_error for q in points])
         self.unloadings = tuple(points)
         self.record = h, p
-        self.warnings += [words for q in points for words in q.warnings]
+        self.warnings += [*_doubts_of_record(h, p, segments[0]), *(words for q in points for words in q.warnings)]

@@ -3,7 +3,7 @@
 
 from .contact_point import Baseline, depth_from_height, find_baseline, find_contact_point
 from .dynamic import without_oscillation
-from .segments import Drift, PopIn, Segment, drift_rate, find_pop_in, find_segments, without_drift
+from .segments import Drift, PopIn, Segment, drift_rate, find_pop_in, find_segments, find_strays, without_drift
 
 __all__ = [
     "Baseline",
@@ -16,6 +16,7 @@ __all__ = [
     "drift_rate",
     "find_pop_in",
     "find_segments",
+    "find_strays",
     "without_drift",
     "without_oscillation",
 ]

@@ -116,6 +116,6 @@ def depth_from_height(height: ArrayLike, deflection: ArrayLike, sign: int | None
     z, x = numbers("height", height), numbers("deflection", deflection)
     z, x = curve(z, x)
     if sign is None:
-        pressed = x > x.min() + 0.2 * np.ptp(x)
-        sign = 1 if np.cov(z[pressed], x[pressed])[0, 1] > 0.0 else -1
+        # step by step, so that a reading far away counts once up and once down
+        sign = 1 if float(np.diff(z) @ np.diff(x)) > 0.0 else -1
     return np.asarray(sign * z - x)

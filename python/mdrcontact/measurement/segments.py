@@ -23,6 +23,8 @@ _JUMP = 5.0
 _LARGE_JUMP = 0.01
 """... and at least this part of the depth."""
 _NEIGHBOURS = 10
+_FAR, _FAR_STEPS, _FAR_NOISE = 0.02, 5.0, 10.0
+"""A stray reading is this part of the range away from both neighbours, as many of their steps, and of the noise."""
 
 
 class Segment(NamedTuple):
@@ -120,6 +122,18 @@ def _noise(values: Array) -> float:
     return float(np.median(np.abs(np.diff(values, 2)))) / (0.6745 * math.sqrt(6.0)) if len(values) > 4 else 0.0
 
 
+def find_strays(values: ArrayLike) -> NDArray[np.intp]:
+    """Positions of single readings that lie far from both of their neighbours: where a curve jumps away and back at once."""
+    v = numbers("values", values)
+    if len(v) < 5:
+        return np.zeros(0, dtype=np.intp)
+    away = v[2:-2] - np.median([v[1:-3], v[2:-2], v[3:-1]], axis=0)
+    step = np.abs(np.diff(v))
+    usual = np.maximum(step[:-3], step[3:])
+    least = np.maximum(max(_FAR * float(np.ptp(v)), _FAR_NOISE * _noise(v)), _FAR_STEPS * usual)
+    return np.flatnonzero(np.abs(away) > least) + 2
+
+
 def _runs(state: NDArray[np.int64]) -> list[tuple[int, int, int]]:
     ends = [0, *(np.flatnonzero(np.diff(state)) + 1).tolist(), len(state)]
     return [(int(state[a]), a, b) for a, b in zip(ends, ends[1:], strict=False)]
@@ -131,6 +145,8 @@ def drift_rate(time: ArrayLike, depth: ArrayLike) -> Drift:
     `effective_points`)."""
     t, d = curve(time, depth, fewest=5)
     t, d = t[len(t) // 5 :], d[len(d) // 5 :]
+    if np.ptp(t) == 0.0:
+        raise InvalidArgumentError("time is the same at all points of the hold: it says no rate")
     design = np.column_stack([np.ones_like(t), t - t.mean()])
     (_, rate), *_ = np.linalg.lstsq(design, d, rcond=None)
     left = d - d.mean() - rate * design[:, 1]

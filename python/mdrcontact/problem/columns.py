@@ -20,9 +20,13 @@ from .._choices import nearest
 from .section import ProblemError
 from .units import Dimension, UnitError, is_unit, to_si
 
-_BRACKETS = re.compile(r"\s*(.*?)\s*[\[(]\s*(.*?)\s*[\])]\s*")
+_BRACKETS = re.compile(r"\s*(.*?)[\s_]*[\[(]\s*(.*?)\s*[\])]\s*")
 _COMMA = re.compile(r"\s*(.+?)\s*[,/]\s*(\S+)\s*")
+_GAPS = ("", "-", "--", "---", "n/a", "#n/a", "null", "none", "1.#qnan", "1.#ind", "-1.#ind")
+"""What stands in tables where a number is missing, besides nan and inf."""
 _LARGEST_FILE = 200_000_000
+_MANY_REPEATED, _MANY_OUTSIDE = 0.02, 0.05
+"""Of the rows: more that stand twice, or outside of the table, are no accident."""
 _SEPARATORS = {"\t": "tabs", ";": "semicolons", ",": "commas", " ": "spaces"}
 _SHEETS = (".xlsx", ".xlsm")
 _LIKE_ASCII = str.maketrans({"\N{MICRO SIGN}": "u", "\N{GREEK SMALL LETTER MU}": "u", "\N{SUPERSCRIPT TWO}": "^2", "\xa0": " "})
@@ -51,6 +55,8 @@ class MeasuredTable(NamedTuple):
     values: NDArray[np.float64]
     notes: list[str]
     units: Mapping[str, str]
+    warnings: list[str]
+    """what speaks against it"""
 
     def column(self, title: str, dimension: Dimension) -> tuple[NDArray[np.float64], str]:
         """A column in SI units, and the unit it was in."""
@@ -66,7 +72,8 @@ class MeasuredTable(NamedTuple):
         """The column whose name, without unit, is one of the aliases and whose unit fits; a refusal names the true reason."""
         nearly = None
         for title in self.titles:
-            named = title if title in self.units else name_of(title, dimension)
+            bare = _BRACKETS.fullmatch(title)
+            named = name_of(title, dimension) if title not in self.units else bare[1] if bare else title
             if named.lower() not in aliases:
                 continue
             if self.unit_of(title, dimension) is not None:
@@ -116,7 +123,11 @@ def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable
     lines = [line for line in lines if line.strip() and not line.lstrip().startswith("#")]
     best: tuple[int, str, list[list[str]]] | None = None
     for separator in _SEPARATORS:
-        rows = [line.split() for line in lines] if separator == " " else list(csv.reader(lines, delimiter=separator))
+        if separator == " ":
+            # a unit in brackets belongs to the word before it
+            rows = [re.sub(r"\s+(?=[\[(])", "", line).split() for line in lines]
+        else:
+            rows = list(csv.reader(lines, delimiter=separator))
         first, last = _block(rows, separator)
         cells = [cell for row in rows[first:last] for cell in row if cell.strip()]
         numbers = sum(math.isfinite(_number(cell, separator)) for cell in cells)
@@ -183,7 +194,9 @@ def _block(rows: Sequence[Sequence[str]], separator: str) -> tuple[int, int]:
             continue
         last = first
         # cells without a number are gaps; a row of words alone ends the table
-        while last < len(rows) and numeric[last] > 0 and abs(len(rows[last]) - len(rows[first])) <= 1:
+        while last < len(rows) and (
+            numeric[last] > 0 and abs(len(rows[last]) - len(rows[first])) <= 1 or all(map(_is_gap, rows[last]))
+        ):
             last += 1
         weight = sum(n for n in numeric[first:last] if n > 1)
         if weight > best:
@@ -194,7 +207,7 @@ def _block(rows: Sequence[Sequence[str]], separator: str) -> tuple[int, int]:
 
 def _table_of(path: Path, rows: Sequence[Sequence[str]], separator: str, notes: list[str], options: TableOptions) -> MeasuredTable:
     first, last = _block(rows, separator)
-    width = max(len(row) for row in rows[first:last])
+    width = max(max((i for i, cell in enumerate(row, start=1) if cell.strip()), default=0) for row in rows[first:last])
     above = [[cell.strip() for cell in row] for row in rows[:first]]
     units: dict[str, str] = {}
     if options.columns:
@@ -202,13 +215,17 @@ def _table_of(path: Path, rows: Sequence[Sequence[str]], separator: str, notes: 
         if len(titles) != width:
             raise ProblemError(f"{path}: [data] columns names {len(titles)} columns, and the table has {width}")
     else:
-        titles, row_of_units = _header(above, width)
-        if not titles:
-            raise ProblemError(
-                f"{path}: no line above the numbers names the {width} columns: name them in [data], as in columns = "
-                '["depth [nm]", "load [mN]"]'
-            )
-        units = {title: unit for title, unit in zip(titles, row_of_units, strict=False) if unit}
+        titles, row_of_units = _header(path, above, width)
+        for title, unit in zip(titles, row_of_units, strict=False):
+            own = _BRACKETS.fullmatch(title)
+            if not unit or own and own[2] == unit:
+                continue
+            if own and is_unit(own[2]) and title not in options.units:
+                raise ProblemError(
+                    f"{path}: the unit of the column {title!r} is {unit!r} in the row below the titles: say which it is in the "
+                    f'problem file: [data] units = {{ "{title}" = "{own[2]}" }}'
+                )
+            units[title] = unit
     titles = [title or f"column {i}" for i, title in enumerate(titles, start=1)]
     doubled = {title for title in titles if titles.count(title) > 1}
     if doubled:
@@ -222,14 +239,41 @@ def _table_of(path: Path, rows: Sequence[Sequence[str]], separator: str, notes: 
         for j, cell in enumerate(row[: len(titles)]):
             values[i, j] = _number(cell, separator)
     where = f" after {len(above)} lines of header" if len(above) > 1 else ""
-    return MeasuredTable(path, titles, values, [f"{len(values)} rows, {len(titles)} columns{where}, {', '.join(notes)}"], units)
+    notes = [f"{len(values)} rows, {len(titles)} columns{where}, {', '.join(notes)}"]
+    outside = sum(
+        sum(math.isfinite(_number(cell, separator)) for cell in row) >= max(2, width - 1) for row in [*rows[:first], *rows[last:]]
+    )
+    return MeasuredTable(path, titles, values, notes, units, _doubts(values, outside))
 
 
-def _header(above: Sequence[Sequence[str]], width: int) -> tuple[list[str], list[str]]:
+def _doubts(values: NDArray[np.float64], outside: int) -> list[str]:
+    """What a table should not have: rows of numbers outside of it, and rows that repeat others."""
+    words = []
+    if outside > max(2, _MANY_OUTSIDE * len(values)):
+        words.append(
+            f"{outside} rows of numbers are not read: lines of words separate them from the table of {len(values)} rows. Remove "
+            "the lines, or make a file of each part"
+        )
+    complete = values[np.isfinite(values).all(axis=1)]
+    repeated = len(complete) - len(np.unique(complete, axis=0))
+    if repeated > max(2, _MANY_REPEATED * len(values)):
+        words.append(
+            f"{repeated} of {len(values)} rows repeat others exactly: an instrument that stood still, coarse digits, or a table "
+            "that was copied twice; the intervals count them as readings of their own"
+        )
+    return words
+
+
+def _header(path: Path, above: Sequence[Sequence[str]], width: int) -> tuple[list[str], list[str]]:
     """Titles and units from the lines above the numbers: a line of titles, and perhaps one of units below it."""
-    rows = [list(row) for row in above if sum(bool(cell) for cell in row) >= max(1, width - 1) and len(row) <= width + 1]
+    words = [list(row) for row in above if not all(_is_gap(cell) or math.isfinite(_number(cell, ";")) for cell in row)]
+    rows = [row for row in words if width <= len(row) <= width + 1 and sum(map(bool, row)) >= max(1, width - 1)]
     if not rows:
-        return [], []
+        shorter = f", but {len(words[-1])} words" if words and len(words[-1]) > 1 else ""
+        raise ProblemError(
+            f"{path}: no line above the numbers has names for the {width} columns{shorter}: name them in [data], as in columns = "
+            '["depth [nm]", "load [mN]"]'
+        )
     padded = [(row + width * [""])[:width] for row in rows]
     bare = [cell.strip("[]() ") for cell in padded[-1]]
     if len(rows) > 1 and any(bare) and all(is_unit(cell) for cell in bare if cell):
@@ -237,8 +281,23 @@ def _header(above: Sequence[Sequence[str]], width: int) -> tuple[list[str], list
     return padded[-1], []
 
 
+def _is_gap(cell: str) -> bool:
+    """Whether a cell stands for a number that is missing."""
+    cell = cell.strip().lower()
+    if cell in _GAPS:
+        return True
+    try:
+        return not math.isfinite(float(cell))
+    except ValueError:
+        return False
+
+
 def _number(cell: str, separator: str) -> float:
     cell = cell.strip()
+    point, comma = cell.rfind("."), cell.rfind(",")
+    if point >= 0 and comma >= 0:
+        # the first of two signs groups the thousands
+        cell = cell.replace("," if comma < point else ".", "")
     if separator != ",":
         cell = cell.replace(",", ".")
     try:
@@ -284,13 +343,3 @@ def name_of(title: str, dimension: Dimension) -> str:
             continue
         return name
     return title
-
-
-def describe(columns: Mapping[str, tuple[str, str, NDArray[np.float64]]]) -> list[str]:
-    """What was understood: role, title, unit and range of each column."""
-    lines = []
-    for role, (title, unit, values) in columns.items():
-        finite = values[np.isfinite(values)]
-        span = f"{finite.min():.4g} to {finite.max():.4g} (SI)" if finite.size else "no numbers"
-        lines.append(f"{role} from column {title!r}" + (f" in {unit}" if unit else "") + f": {span}")
-    return lines

@@ -17,14 +17,31 @@ from ..fitting import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from ..fitting.data import Data
 from ..measurement import without_oscillation
 from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
-from .columns import MeasuredTable, TableOptions, describe, read_table
+from .columns import MeasuredTable, TableOptions, read_table
 from .record import KEYS, Cantilever, Record, prepare
 from .section import ProblemError, Section
-from .units import AREA, FORCE, LENGTH, MODULUS, RATIO, SPEED, STIFFNESS, TIME, VOLTAGE, Dimension, UnitError
+from .units import AREA, FORCE, LENGTH, MODULUS, RATIO, SPEED, STIFFNESS, TIME, VOLTAGE, Dimension, UnitError, told
 
 Array = NDArray[np.float64]
-Found = dict[str, tuple[str, str, Array]]
-"""role -> title, unit and SI values of a column"""
+
+
+class _Column(NamedTuple):
+    """A column of a table: its title, the unit it is in, and its numbers in SI units."""
+
+    title: str
+    unit: str
+    values: Array
+    dimension: Dimension
+
+    def described(self, role: str) -> str:
+        """What was understood: role, title, unit and range."""
+        finite = self.values[np.isfinite(self.values)]
+        span = " to ".join(told(float(v), self.dimension) for v in (finite.min(), finite.max())) if finite.size else "no numbers"
+        return f"{role} from column {self.title!r}" + (f" in {self.unit}" if self.unit else "") + f": {span}"
+
+
+_Found = dict[str, _Column]
+"""By role."""
 
 _TABLES: Mapping[str, tuple[type[Data], tuple[str, ...]]] = {
     "stiffness-depth": (StiffnessDepth, ("depth", "force", "stiffness")),
@@ -163,11 +180,11 @@ def _table_options(section: Section) -> TableOptions:
     return TableOptions(tuple(columns), units, skip, str(section.plain("sheet")) if "sheet" in section else "")
 
 
-def _column(section: Section, table: MeasuredTable, role: str) -> tuple[str, str, Array]:
+def _column(section: Section, table: MeasuredTable, role: str) -> _Column:
     dimension, aliases = _ROLES[role]
     title = str(section.plain(role)) if role in section else table.find(role, aliases, dimension)
     values, unit = table.column(title, dimension)
-    return title, unit, values
+    return _Column(title, unit, values, dimension)
 
 
 def _has(section: Section, table: MeasuredTable, role: str) -> bool:
@@ -181,53 +198,58 @@ def _has(section: Section, table: MeasuredTable, role: str) -> bool:
     return True
 
 
-def _sd(section: Section, table: MeasuredTable, role: str, found: Found) -> Array | None:
+def _sd(section: Section, table: MeasuredTable, role: str, found: _Found) -> Array | None:
     if "sd" not in section:
         return None
     title = str(section.plain("sd"))
     values, unit = table.column(title, _ROLES[role][0])
-    found["standard deviation"] = title, unit, values
+    found["standard deviation"] = _Column(title, unit, values, _ROLES[role][0])
     return values
 
 
 def _between(section: Section, values: Mapping[str, Array]) -> NDArray[np.bool_]:
-    """Which points lie between the limits of [data]."""
+    """Which points lie between the limits of [data]; at least one."""
     keep = np.ones(len(next(iter(values.values()))), dtype=bool)
     for role in ("depth", "radius"):
         if role in values:
             low = section.quantity(f"min_{role}") if f"min_{role}" in section else -math.inf
             high = section.quantity(f"max_{role}") if f"max_{role}" in section else math.inf
             keep &= ~((values[role] < low) | (values[role] > high))
+            if not keep.any():
+                ends = " to ".join(told(float(v), LENGTH) for v in (np.nanmin(values[role]), np.nanmax(values[role])))
+                raise ProblemError(
+                    f"[data]: no reading lies between min_{role} and max_{role}: the {role} runs from {ends}: check the units"
+                )
     return keep
 
 
 def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
     cls, roles = _TABLES[kind]
-    found: Found = {}
+    found: _Found = {}
     for role in roles:
         if role == "radius" and "radius_over_thickness" in section:
             title = str(section.plain("radius_over_thickness"))
             ratio, _ = table.column(title, RATIO)
-            found[role] = title, "thicknesses", ratio * section.quantity("thickness")
+            found[role] = _Column(title, "thicknesses", ratio * section.quantity("thickness"), LENGTH)
         elif role == "radius" and ("area" in section or not _has(section, table, role) and _has(section, table, "area")):
-            title, unit, area = _column(section, table, "area")
-            found[role] = title, f"{unit}, as sqrt(area/pi)", np.sqrt(np.maximum(area, 0.0) / math.pi)
+            title, unit, area, _ = _column(section, table, "area")
+            found[role] = _Column(title, f"{unit}, as sqrt(area/pi)", np.sqrt(np.maximum(area, 0.0) / math.pi), LENGTH)
         else:
             found[role] = _column(section, table, role)
     options: dict[str, object] = {"missing": "drop"}
     last = roles[-1]
     sd = _sd(section, table, last, found)
     factor = 1.0 / (1.0 - section.number("nu") ** 2) if last == "modulus" and "nu" in section else 1.0
-    found[last] = (*found[last][:2], found[last][2] * factor)
-    keep = _between(section, {role: found[role][2] for role in roles})
+    found[last] = found[last]._replace(values=found[last].values * factor)
+    keep = _between(section, {role: found[role].values for role in roles})
     if sd is not None:
         options["sd"] = sd[keep] * factor
     if "relative_sd" in section:
         options["relative_sd"] = section.number("relative_sd")
-    notes = [*table.notes, *describe(found)]
+    notes = [*table.notes, *(column.described(role) for role, column in found.items())]
     if not keep.all():
         notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
-    columns = [found[role][2][keep] for role in roles]
+    columns = [found[role].values[keep] for role in roles]
     if "oscillation" in section:
         with section.words():
             depth, force, stiffness, keeps = without_oscillation(
@@ -239,28 +261,38 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
             if sd is not None:
                 options["sd"] = sd[keep][keeps]
         columns = [values[keeps] for values in (depth, force, stiffness)]
-    return cls(*columns, **options), notes  # type: ignore[arg-type]
+    data = cls(*columns, **options)  # type: ignore[arg-type]
+    data.warnings += table.warnings
+    return data, notes
 
 
 def _read_record(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
-    found: Found = {}
+    found: _Found = {}
     depth = height = time = None
     if "height" not in section and _has(section, table, "depth") or not _has(section, table, "height"):
         found["depth"] = _column(section, table, "depth")
-        depth = found["depth"][2]
+        depth = found["depth"].values
     else:
         found["height"] = _column(section, table, "height")
-        height = found["height"][2]
+        height = found["height"].values
     if depth is None and "force" not in section and _has_deflection(section, table):
         force = _force_of_deflection(section, cantilever, table, found)
     else:
         found["force"] = _column(section, table, "force")
-        force = found["force"][2]
+        force = found["force"].values
     if "time" in section or "drift" in section:
         found["time"] = _column(section, table, "time")
-        time = found["time"][2]
+        time = found["time"].values
     sd = _sd(section, table, "force", found)
-    record = Record(depth, force, height, time, [*table.notes, *describe(found)], sd=sd)
+    record = Record(
+        depth,
+        force,
+        height,
+        time,
+        [*table.notes, *(column.described(role) for role, column in found.items())],
+        list(table.warnings),
+        sd=sd,
+    )
     return of_record(section, cantilever, record, kind)
 
 
@@ -305,13 +337,13 @@ def _has_deflection(section: Section, table: MeasuredTable) -> bool:
     return False
 
 
-def _force_of_deflection(section: Section, cantilever: Cantilever, table: MeasuredTable, found: Found) -> Array:
+def _force_of_deflection(section: Section, cantilever: Cantilever, table: MeasuredTable, found: _Found) -> Array:
     """Spring constant times deflection, which stands in the file as a length or a voltage."""
     if cantilever.spring_constant is None:
         raise ProblemError('a deflection becomes a force by the spring constant: give [instrument] spring_constant = "0.2 N/m"')
     try:
         found["deflection"] = _column(section, table, "deflection")
-        return found["deflection"][2] * cantilever.spring_constant
+        return found["deflection"].values * cantilever.spring_constant
     except (ProblemError, UnitError) as of_length:
         title = str(section.plain("deflection")) if "deflection" in section else None
         try:
@@ -321,5 +353,5 @@ def _force_of_deflection(section: Section, cantilever: Cantilever, table: Measur
             raise of_length from None
     if cantilever.deflection_sensitivity is None:
         raise ProblemError(f'the deflection {title!r} is a voltage: give [instrument] deflection_sensitivity = "50 nm/V"')
-    found["deflection"] = title, unit, values
+    found["deflection"] = _Column(title, unit, values, VOLTAGE)
     return values * cantilever.deflection_sensitivity * cantilever.spring_constant

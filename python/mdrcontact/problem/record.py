@@ -17,17 +17,19 @@ from ..measurement import (
     find_contact_point,
     find_pop_in,
     find_segments,
+    find_strays,
     without_drift,
 )
 from ..measurement.contact_point import METHODS, SOURCES
 from .section import ProblemError, Section
-from .units import FORCE, LENGTH, SPEED, Dimension, practical
+from .units import FORCE, LENGTH, SPEED, told
 
 Array = NDArray[np.float64]
 
 KEYS = ("branch", "drift", "baseline", "contact_point", "before_pop_in")
 """What [data] may say about the record of a curve."""
 _FAR_APART = 0.15
+_MANY_LOST = 0.1
 BRANCHES = ("loading", "unloading", "both")
 
 
@@ -73,9 +75,18 @@ def prepare(section: Section, cantilever: Cantilever, record: Record) -> None:
     finite = np.all([np.isfinite(v) for v in columns], axis=0)
     if not finite.all():
         record.keep(finite)
-        record.notes.append(f"{int((~finite).sum())} rows without numbers are left out")
+        lost = int((~finite).sum())
+        told_as = record.warnings if lost > _MANY_LOST * len(finite) else record.notes
+        told_as.append(f"{lost} of {len(finite)} rows have no number in a column that is needed and are left out")
     if len(record.force) < 2:
         raise ProblemError("there are fewer than two rows of numbers")
+    for what, values in (("depth", record.depth), ("height", record.height), ("force", record.force)):
+        strays = find_strays([] if values is None else values)
+        if len(strays):
+            record.warnings.append(
+                f"{len(strays)} readings of the {what} lie far from both neighbours, the first is reading {strays[0]}: lost "
+                "digits, missing numbers written as 0, or rows out of order; look at the file"
+            )
     is_raw = record.depth is None
     if is_raw:
         _subtract_deflection(cantilever, record)
@@ -96,11 +107,6 @@ def _depth(record: Record) -> Array:
     return record.depth
 
 
-def _told(value: float, dimension: Dimension) -> str:
-    unit = practical(dimension, [value])
-    return f"{value / unit.factor:.4g} {unit.name}"
-
-
 def _subtract_deflection(cantilever: Cantilever, record: Record) -> None:
     if cantilever.spring_constant is None:
         raise ProblemError(
@@ -115,6 +121,9 @@ def _subtract_deflection(cantilever: Cantilever, record: Record) -> None:
 def _subtract_drift(section: Section, record: Record) -> None:
     if record.time is None:
         raise ProblemError('[data]: drift needs a column of times: name it, as in time = "Time [s]"')
+    falls = np.flatnonzero(np.diff(record.time) < 0.0)
+    if len(falls):
+        raise ProblemError(f"[data]: drift needs times that rise from reading to reading, and they fall after reading {falls[0]}")
     depth = _depth(record)
     if section.plain("drift") != "hold":
         rate, error = section.quantity("drift"), 0.0
@@ -130,8 +139,8 @@ def _subtract_drift(section: Section, record: Record) -> None:
         rate, error = drift_rate(record.time[holds[-1].points], depth[holds[-1].points])
     record.depth = without_drift(record.time, depth, rate)
     whole = rate * float(np.ptp(record.time))
-    words = f"drift {_told(rate, SPEED)}" + (f" ± {_told(error, SPEED)}" if error else "")
-    record.notes.append(f"{words}, {_told(whole, LENGTH)} over the whole test, is taken off")
+    words = f"drift {told(rate, SPEED)}" + (f" ± {told(error, SPEED)}" if error else "")
+    record.notes.append(f"{words}, {told(whole, LENGTH)} over the whole test, is taken off")
 
 
 def _approach(record: Record) -> slice:
@@ -150,9 +159,9 @@ def _find_zero(section: Section, record: Record, is_raw: bool) -> None:
             line = find_baseline(depth[approach], record.force[approach], contact, tilt=baseline == "tilt")
             record.force = record.force - line.at(depth)
             record.notes.append(
-                f"baseline: offset {_told(float(line.at(depth)[contact]), FORCE)} at contact, over the curve "
-                f"{_told(float(line.tilt * np.ptp(depth)), FORCE)}"
-                f", noise {_told(line.noise, FORCE)}; taken off"
+                f"baseline: offset {told(float(line.at(depth)[contact]), FORCE)} at contact, over the curve "
+                f"{told(float(line.tilt * np.ptp(depth)), FORCE)}"
+                f", noise {told(line.noise, FORCE)}; taken off"
             )
     except MDRError as problem:
         raise ProblemError(
@@ -165,16 +174,14 @@ def _find_zero(section: Section, record: Record, is_raw: bool) -> None:
     zero = float(depth[contact])
     record.depth = depth - zero
     others = ", ".join(
-        f"{_told(float(depth[i]) - zero, LENGTH)} from it by {name} ({SOURCES[name]})"
-        for name, i in found.items()
-        if name != method
+        f"{told(float(depth[i]) - zero, LENGTH)} from it by {name} ({SOURCES[name]})" for name, i in found.items() if name != method
     )
     record.notes.append(f"contact point by {method} ({SOURCES[method]}), reading {contact}; {others}")
     deepest = float(depth[approach].max()) - zero
     apart = max(abs(float(depth[i]) - zero) for i in found.values())
     if apart > _FAR_APART * deepest:
         record.warnings.append(
-            f"the estimators of the contact point disagree by {_told(apart, LENGTH)}, {100.0 * apart / deepest:.0f} % of the "
+            f"the estimators of the contact point disagree by {told(apart, LENGTH)}, {100.0 * apart / deepest:.0f} % of the "
             "depth: look "
             "at the curve, and leave depth_offset free"
         )
@@ -190,7 +197,7 @@ def _cut_at_pop_in(section: Section, record: Record) -> None:
         return
     record.keep(np.arange(len(record.force)) <= pop_in.position)
     record.notes.append(
-        f"pop-in of {_told(pop_in.jump, LENGTH)} at depth {_told(pop_in.depth, LENGTH)}, force {_told(pop_in.force, FORCE)}: the "
+        f"pop-in of {told(pop_in.jump, LENGTH)} at depth {told(pop_in.depth, LENGTH)}, force {told(pop_in.force, FORCE)}: the "
         f"{pop_in.position + 1} points before it are used"
     )
 
@@ -200,8 +207,8 @@ def _mention_pop_in(record: Record) -> None:
     pop_in = find_pop_in(_depth(record)[approach], record.force[approach])
     if pop_in is not None:
         record.notes.append(
-            f"pop-in of {_told(pop_in.jump, LENGTH)} at depth {_told(pop_in.depth, LENGTH)}, force "
-            f"{_told(pop_in.force, FORCE)}: only "
+            f"pop-in of {told(pop_in.jump, LENGTH)} at depth {told(pop_in.depth, LENGTH)}, force "
+            f"{told(pop_in.force, FORCE)}: only "
             "before it was the contact elastic. [data] before_pop_in = true uses that part alone"
         )
 

@@ -143,3 +143,9 @@ def practical(dimension: Dimension, values: Iterable[float]) -> Unit:
         if largest >= factor_ * (1.0 - 1e-9):
             name, factor = name_, factor_
     return Unit(name, factor)
+
+
+def told(value: float, dimension: Dimension, figures: int = 4) -> str:
+    """An SI value with its practical unit, as it is printed."""
+    unit = practical(dimension, [value])
+    return f"{value / unit.factor:.{figures}g} {unit.name}".rstrip()
