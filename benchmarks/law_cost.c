@@ -76,6 +76,9 @@ typedef struct task {
     mdr_law_view view, views[LAWS];
     double x[POINTS], d[POINTS], d_of_law[POINTS], F[POINTS], slope[POINTS], a[POINTS], k[POINTS];
     int which[POINTS];
+    const mdr_friction_law *friction;
+    mdr_friction_memory memory[POINTS];
+    double shift[3 * POINTS];
 } task;
 
 static double atan_and_log(task *t)
@@ -205,6 +208,14 @@ static double plain_all(task *t)
     return t->F[7];
 }
 
+/* One step of POINTS contacts with friction, to and fro in partial slip, one slides now and then; F is that of the law. */
+static double friction_step(task *t)
+{
+    mdr_friction_law_advance(t->friction, POINTS, t->F, t->shift, t->memory);
+    for (int i = 0; i < 3 * POINTS; ++i) t->shift[i] = -t->shift[i];
+    return t->memory[7].force[0];
+}
+
 static const struct {
     const char *name;
     double (*run)(task *t);
@@ -225,6 +236,7 @@ static const struct {
     {"batch_plain", plain_force},
     {"batch_plain_with_slope", plain_slope},
     {"batch_plain_all", plain_all},
+    {"friction_step", friction_step},
 };
 enum { MEASURED = sizeof measured / sizeof *measured };
 
@@ -267,6 +279,7 @@ static void prepare(task *t, double deepest, unsigned long long *state)
         t->d[i] = deepest * pow(10.0, -4.0 * uniform(state));
         t->x[i] = 0.01 + 10.0 * uniform(state);
         t->which[i] = (int)(LAWS * uniform(state));
+        t->shift[3 * i] = 0.3 * (uniform(state) - 0.5) * t->d[i];
         t->d_of_law[i] = t->views[t->which[i]].highest * pow(10.0, -4.0 * uniform(state));
     }
 }
@@ -296,7 +309,14 @@ int main(void)
 
     static task todo;
     double spent[MEASURED];
+    mdr_friction *friction = NULL;
+    mdr_friction_law *sheared = NULL;
+    check(mdr_friction_new(contact, 0.3, &friction));
+    start = busy();
+    check(mdr_friction_law_new(friction, deepest, NULL, &sheared));
+    printf("friction_build_seconds %.3g\n", busy() - start);
     todo.law = law;
+    todo.friction = sheared;
     prepare(&todo, deepest, &state);
     measure(&todo, spent);
     const double reference = spent[0];
@@ -331,6 +351,8 @@ int main(void)
     printf("error_at_1e6_random_depths %.2e\n", worst);
 
     for (int i = 0; i < LAWS; ++i) mdr_law_free(&todo.laws[i]);
+    mdr_friction_law_free(&sheared);
+    mdr_friction_free(&friction);
     mdr_law_free(&law);
     mdr_law_free(&gao_law);
     mdr_contact_free(&contact);

@@ -35,7 +35,7 @@
  * was compiled with fewer members than the library has gets the defaults of the rest. MDR_EINVALID for a size that cannot be.
  *
  * @par Handles and who frees them
- * mdr_profile, mdr_medium, mdr_material, mdr_contact, mdr_friction, mdr_loop, mdr_structure and mdr_law are made by the functions with
+ * mdr_profile, mdr_medium, mdr_material, mdr_contact, mdr_friction, mdr_loop, mdr_structure, mdr_law and mdr_friction_law are made by the functions with
  * an `out` argument, belong to the caller, and are freed by mdr_profile_free() and so on, which also set the caller's pointer to
  * NULL. What a handle was made from may be freed at once: it holds copies (but mdr_structure_callback() keeps the user's function
  * and context). A handle never changes after its creation, but for mdr_friction_history.
@@ -1392,6 +1392,63 @@ int mdr_law_read(const char *buffer, int length, mdr_law **out);
 /** Frees a law and sets *law to NULL. law = NULL and *law = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *law is not a law */
 int mdr_law_free(mdr_law **law);
+
+/* ---- compiled laws with friction ---------------------------------------------------------------------------------- */
+
+/** The tangential force of contacts in codes that integrate motion, step by step, for the price of two polynomials: stick, partial
+ *  slip, sliding, and what earlier slip left behind. Made by mdr_friction_law_new(), freed by mdr_friction_law_free(); never changes. */
+typedef struct mdr_friction_law mdr_friction_law;
+
+/** What one contact remembers between steps: the caller's, one for each contact, all 0 before the first step and after the bodies
+ *  have parted. May be copied and stored. */
+typedef struct mdr_friction_memory {
+    double force[3];     /**< T, the tangential force on the medium, in the coordinates of the shifts [modulus length^2]. */
+    double axis[3];      /**< Direction in which the edge slips or slipped last, of length 1; 0: the load is in proportion to p. */
+    double normal_force; /**< F after the last step [modulus length^2]. */
+    double level;        /**< S(F), the shift at which it would slide if the coefficient were 1 [length]. */
+    double slope[3];       /**< How much faster than p the load falls inside the disc of stick, and inside what is left of the slip
+                                before the last two turns, in units of the coefficient; 0: of none [1]. */
+    double stick_level[3]; /**< S of the same [length]. */
+    double stick_force[3]; /**< F of the same. */
+} mdr_friction_memory;
+
+/** Compiles a contact with friction. Its own errors: mdr_friction_law_errors().
+ *  @param f              contact with friction
+ *  @param largest_depth  > 0 [length]
+ *  @param options        as for mdr_law_new(), or NULL for the defaults; the description is not kept
+ *  @param out            receives the handle
+ *  @return also as mdr_law_new() and mdr_friction_states() */
+int mdr_friction_law_new(const mdr_friction *f, double largest_depth, const mdr_law_options *options, mdr_friction_law **out);
+
+/** One step of n contacts, in each of which normal force and shift change in proportion; the tangential forces are in
+ *  memory[i].force. Any number of threads may call it with different memories. A failed call advances none of the contacts.
+ *  @param law     law
+ *  @param n       number of contacts
+ *  @param force   [n] normal forces F at the end of the step; F <= 0 parts the bodies [modulus length^2]
+ *  @param shift   [3 n] x, y, z of the shift of each contact in this step, in its tangent plane [length]
+ *  @param memory  [n] of each contact
+ *  @return also MDR_EDOMAIN beyond the largest force, unless the law continues beyond it */
+int mdr_friction_law_advance(const mdr_friction_law *law, int n, const double force[], const double shift[],
+                             mdr_friction_memory memory[]);
+
+/** Lays the memories of contacts whose tangent planes have turned into the new planes, with the lengths they have: before the next
+ *  step of bodies that roll or turn. Shifts in coordinates that turn with the contact, and contacts whose plane stays, do not need it.
+ *  @param n       number of contacts
+ *  @param normal  [3 n] x, y, z of the normal of each plane, of length 1
+ *  @param memory  [n] of each contact */
+int mdr_friction_memory_turn(int n, const double normal[], mdr_friction_memory memory[]);
+
+/** How far the tangential force is from that of the contact. Outputs that are NULL are skipped.
+ *  @param law          law
+ *  @param first_shear  or NULL: largest error found in first shear at constant F, relative to coefficient F: near the tolerance on
+ *                      homogeneous bodies and with Gao's weights, some per cent on exact layered ones
+ *  @param path         or NULL: largest error found along cycles of depth and shift against the exact history, relative to the
+ *                      largest coefficient F; -1 on bodies other than homogeneous ones */
+int mdr_friction_law_errors(const mdr_friction_law *law, double *first_shear, double *path);
+
+/** Frees a law and sets *law to NULL. law = NULL and *law = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *law is not a law with friction */
+int mdr_friction_law_free(mdr_friction_law **law);
 
 /* ---- fit: from measured data to the parameters of indenter, medium and instrument; docs/fitting.md ----------------- */
 

@@ -24,6 +24,7 @@ from . import (
     errors,
     fitting,
     friction,
+    friction_law,
     history,
     interior,
     law,
@@ -42,6 +43,7 @@ from .critical import *  # noqa: F403
 from .errors import *  # noqa: F403
 from .fitting import *  # noqa: F403
 from .friction import *  # noqa: F403
+from .friction_law import *  # noqa: F403
 from .history import *  # noqa: F403
 from .interior import *  # noqa: F403
 from .law import *  # noqa: F403
@@ -60,6 +62,7 @@ __all__ = [
     *errors.__all__,
     *fitting.__all__,
     *friction.__all__,
+    *friction_law.__all__,
     *history.__all__,
     *interior.__all__,
     *law.__all__,

@@ -136,6 +136,18 @@ law_facts = np.dtype(
     ],
     align=True,
 )
+friction_memory = np.dtype(
+    [
+        ("force", np.float64, (3,)),
+        ("axis", np.float64, (3,)),
+        ("normal_force", np.float64),
+        ("level", np.float64),
+        ("slope", np.float64, (3,)),
+        ("stick_level", np.float64, (3,)),
+        ("stick_force", np.float64, (3,)),
+    ],
+    align=True,
+)
 fit_parameter = np.dtype(
     [
         ("value", np.float64),

@@ -30,6 +30,8 @@ SIZES = {
     "mdr_structure_voxels": {"labels": "", "E": "phases", "nu": "phases"},
     "mdr_lateral_cells": {"x": "nx + 1", "y": "ny + 1", "shear": "ny, nx", "poisson": "ny, nx"},
     "mdr_lateral_rule": {"points": f"{POINTS_OF_RULE}, 3", "weights": f"{POINTS_OF_RULE}, 2"},
+    "mdr_friction_law_advance": {"shift": "n, 3", "memory": ""},
+    "mdr_friction_memory_turn": {"normal": "n, 3", "memory": ""},
     "mdr_law_from_depth": dict.fromkeys(("F", "slope", "a", "k"), ""),
     "mdr_fit_solve": dict.fromkeys(
         ("force", "sd", "values", "covariance", "widening", "at_bound", "weakest_direction", "fitted", "residuals"), ""
@@ -82,7 +84,7 @@ class Argument:
 
     def length(self):
         """The integer that this array's length determines, and the expression for it."""
-        match = re.fullmatch(r"(n|nx|ny|phases)( \+ 1)?(, 7)?", self.size or "")
+        match = re.fullmatch(r"(n|nx|ny|phases)( \+ 1)?(, [37])?", self.size or "")
         return match and self.way == "in" and (match[1], f"{'shape' if match[3] else 'len'}({self.name}{', 0' if match[3] else ''})"
                                                f"{' - 1' if match[2] else ''}")  # fmt: skip
 
@@ -196,7 +198,7 @@ def main(header, pyf, pyi, layout_file):
     """See the top of this file."""
     text = without_comments(header)
     found = structures(text)
-    rows = {name: len(members) for name, members in found.items() if all(member[0] == "double" for member in members)}
+    rows = {name: len(members) for name, members in found.items() if all(member[::2] == ("double", "") for member in members)}
     functions = [Function(result, name, words, rows) for result, name, words in prototypes(text)]
     signatures = [f"    {line}" for function in functions for line in function.signature()]
     declarations = [f"PyObject *{name}(PyObject *, PyObject *const *, Py_ssize_t);" for name in SCALARS] + [INTERRUPTED]

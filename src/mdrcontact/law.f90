@@ -25,6 +25,7 @@ module mdrcontact_law
     use mdrcontact_law_table, only: below_range, interval_for, interval_in, law_table_t, no_contact, scale_table, segment_for, &
                                     values_in
     use mdrcontact_law_verify, only: largest_error
+    use mdrcontact_medium, only: medium_t
     use mdrcontact_profile_power_law, only: power_law_t
     implicit none (type, external)
     private
@@ -103,14 +104,17 @@ module mdrcontact_law
 
 contains
 
-    !> Compiles a contact up to `largest_depth`.
-    subroutine new_contact_law(self, contact, largest_depth, error, options)
+    !> Compiles a contact up to `largest_depth`. With `tangential` the law is that of a shift: in place of the depth it has
+    !> S = int dF/k_t, in place of the stiffness k_t; `error` is then left to the caller.
+    subroutine new_contact_law(self, contact, largest_depth, error, options, tangential)
         type(contact_law_t), intent(out) :: self
         type(contact_t), intent(in) :: contact
         !> > 0 [length]
         real(wp), intent(in) :: largest_depth
         type(error_t), allocatable, intent(out) :: error
         type(law_options_t), intent(in), optional :: options
+        !> without adhesion: its modulus is G_t(a) = k_t/(2 a)
+        class(medium_t), intent(in), optional :: tangential
         type(law_options_t) :: chosen
         real(wp) :: end_radius, smallest, largest
         real(wp), allocatable :: breaks(:)
@@ -137,9 +141,9 @@ contains
         call open_table(self%by_depth, .true., contact%is_adhesive(), end_radius)
         call open_table(self%by_force, .false., contact%is_adhesive(), end_radius)
         if (smallest >= largest*(1.0_wp - 1.0e-12_wp)) then
-            call compile_punch(self, contact, largest_depth, chosen%smallest_depth, error)
+            call compile_punch(self, contact, largest_depth, chosen%smallest_depth, error, tangential)
         else
-            call compile_branch(self, contact, end_radius, smallest, largest_depth, chosen%smallest_depth, error)
+            call compile_branch(self, contact, end_radius, smallest, largest_depth, chosen%smallest_depth, error, tangential)
         end if
         if (allocated(error)) return
         call close_table(self%by_depth)
@@ -183,13 +187,14 @@ contains
     end subroutine with_radius
 
     !> A flat punch: one state determines the law.
-    subroutine compile_punch(self, contact, largest_depth, smallest_depth, error)
+    subroutine compile_punch(self, contact, largest_depth, smallest_depth, error, tangential)
         type(contact_law_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
         real(wp), intent(in) :: largest_depth, smallest_depth
         type(error_t), allocatable, intent(out) :: error
+        class(medium_t), intent(in), optional :: tangential
         type(contact_state_t) :: state, pull_off
-        real(wp) :: low
+        real(wp) :: low, modulus(1), stiffness, share
 
         call contact%at_depth(largest_depth, state, error)
         low = smallest_depth
@@ -199,15 +204,23 @@ contains
         end if
         if (allocated(error)) return
         self%solutions = 1
-        call compile_straight(self%by_depth, state%radius, state%stiffness, low, largest_depth)
-        call compile_straight(self%by_force, state%radius, state%stiffness, low*state%stiffness, largest_depth*state%stiffness)
+        stiffness = state%stiffness
+        if (present(tangential)) then
+            call tangential%modulus([state%radius], modulus, error)
+            if (allocated(error)) return
+            stiffness = 2.0_wp*state%radius*modulus(1)
+        end if
+        share = state%stiffness/stiffness
+        call compile_straight(self%by_depth, state%radius, stiffness, share*low, share*largest_depth)
+        call compile_straight(self%by_force, state%radius, stiffness, low*state%stiffness, largest_depth*state%stiffness)
     end subroutine compile_punch
 
-    subroutine compile_branch(self, contact, end_radius, smallest, largest_depth, smallest_depth, error)
+    subroutine compile_branch(self, contact, end_radius, smallest, largest_depth, smallest_depth, error, tangential)
         type(contact_law_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
         real(wp), intent(in) :: end_radius, smallest, largest_depth, smallest_depth
         type(error_t), allocatable, intent(out) :: error
+        class(medium_t), intent(in), optional :: tangential
         type(curve_t) :: curve
         type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
         real(wp), allocatable :: coordinates(:)
@@ -250,6 +263,7 @@ contains
         coordinates = coordinates_between(contact%equilibrium, first, last)
         ! what the samples miss, verification finds
         call new_curve(curve, contact%equilibrium, coordinates, sample_share*self%tolerance, error, largest_noise)
+        if (.not. allocated(error) .and. present(tangential)) call curve%shear(tangential, error)
         if (allocated(error)) return
         self%solutions = self%solutions + curve%solutions
         coordinates = coordinates(2:size(coordinates) - 1)
@@ -261,7 +275,7 @@ contains
         if (.not. allocated(error)) then
             call compile_segments(self%by_force, curve, of_force, coordinates, fit_share*self%tolerance, error)
         end if
-        if (allocated(error)) return
+        if (allocated(error) .or. present(tangential)) return
         call largest_error(self%by_depth, self%by_force, contact, curve, of_depth, of_force, self%error, self%solutions, error)
         if (allocated(error)) return
         if (.not. self%error <= self%tolerance) then

@@ -241,9 +241,76 @@ static void histories(void)
     CHECK_SUCCESS(mdr_contact_free(&c));
 }
 
+/* Steps of a law with friction: first shear as the contact says, nothing is touched after a failure, planes turn. */
+static void laws(void)
+{
+    mdr_contact *c = on_half_space();
+    mdr_friction *f = NULL;
+    mdr_friction_law *law = NULL, *none = NULL;
+    mdr_law_options options;
+    mdr_state state;
+    mdr_tangential_state exact;
+    mdr_friction_memory memory[2] = {{{0.0}, {0.0}, 0.0, 0.0, {0.0}, {0.0}, {0.0}}}, before;
+    double first = 1.0, path = 1.0, shift[6] = {0.0}, force[2], normal[6] = {0.0, 0.6, 0.8, 0.0, 0.0, 1.0}, sliding;
+
+    CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
+    mdr_law_options_init(&options);
+    options.tolerance = 1e-8;
+    CHECK_SUCCESS(mdr_friction_law_new(f, 0.1, &options, &law));
+    CHECK_SUCCESS(mdr_friction_law_errors(law, &first, &path));
+    CHECK_SUCCESS(mdr_friction_law_errors(law, NULL, NULL));
+    CHECK_TRUE(first < 1e-8 && path > 1e-3 && path < 0.1);
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &(double){0.05}, &state));
+    CHECK_SUCCESS(mdr_friction_sliding(f, &state, &sliding, NULL));
+    force[0] = force[1] = state.force;
+    CHECK_SUCCESS(mdr_friction_law_advance(law, 2, force, shift, memory));
+    shift[0] = 0.6 * sliding;
+    shift[4] = -2.0 * sliding;
+    CHECK_SUCCESS(mdr_friction_law_advance(law, 2, force, shift, memory));
+    CHECK_SUCCESS(mdr_friction_states(f, &state, MDR_GIVEN_SHIFT, 1, shift, &exact));
+    CHECK_CLOSE(memory[0].force[0], exact.tangential_force, 1e-7);
+    CHECK_CLOSE(memory[1].force[1], -mu * state.force, 1e-14);
+    CHECK_SUCCESS(mdr_friction_memory_turn(2, normal, memory));
+    CHECK_CLOSE(memory[1].force[0] + 1.0, 1.0, 0.0);
+    CHECK_CLOSE(memory[1].force[1], -mu * state.force, 1e-14);
+    before = memory[0];
+    shift[3] = NAN;
+    CHECK_STATUS(mdr_friction_law_advance(law, 2, force, shift, memory), MDR_EINVALID, "entry 2 of shift");
+    shift[3] = 0.0;
+    force[1] = 1e9;
+    CHECK_STATUS(mdr_friction_law_advance(law, 2, force, shift, memory), MDR_EDOMAIN, "entry 2 of force");
+    force[1] = -1.0;
+    CHECK_STATUS(mdr_friction_law_advance(law, -1, force, shift, memory), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_friction_law_advance(law, 2, NULL, shift, memory), MDR_ENULL, "force is NULL");
+    CHECK_STATUS(mdr_friction_law_advance(law, 2, force, NULL, memory), MDR_ENULL, "shift is NULL");
+    CHECK_STATUS(mdr_friction_law_advance(law, 2, force, shift, NULL), MDR_ENULL, "memory is NULL");
+    CHECK_STATUS(mdr_friction_law_advance(NULL, 2, force, shift, memory), MDR_ENULL, "law is NULL");
+    CHECK_STATUS(mdr_friction_law_advance((mdr_friction_law *)f, 2, force, shift, memory), MDR_EINVALID, "mdr_friction_law");
+    normal[5] = 2.0;
+    CHECK_STATUS(mdr_friction_memory_turn(2, normal, memory), MDR_EINVALID, "entry 2 of normal");
+    CHECK_STATUS(mdr_friction_memory_turn(2, NULL, memory), MDR_ENULL, "normal is NULL");
+    CHECK_STATUS(mdr_friction_memory_turn(2, normal, NULL), MDR_ENULL, "memory is NULL");
+    CHECK_TRUE(memcmp(&before, memory, sizeof before) == 0);
+    CHECK_SUCCESS(mdr_friction_law_advance(law, 0, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_friction_law_advance(law, 2, force, shift, memory));
+    CHECK_TRUE(memory[1].normal_force == 0.0 && memory[1].force[1] == 0.0 && memory[0].normal_force > 0.0);
+    CHECK_STATUS(mdr_friction_law_new(NULL, 0.1, NULL, &none), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(mdr_friction_law_new(f, 0.1, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_friction_law_new(f, NAN, NULL, &none), MDR_EINVALID, "largest_depth");
+    CHECK_STATUS(mdr_friction_law_errors(NULL, &first, &path), MDR_ENULL, "law is NULL");
+    none = (mdr_friction_law *)c;
+    CHECK_STATUS(mdr_friction_law_free(&none), MDR_EINVALID, "not an mdr_friction_law");
+    CHECK_SUCCESS(mdr_friction_law_free(&law));
+    CHECK_TRUE(law == NULL);
+    CHECK_SUCCESS(mdr_friction_law_free(NULL));
+    CHECK_SUCCESS(mdr_friction_free(&f));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
 int main(void)
 {
     weights();
+    laws();
     histories();
     partial_slip();
     refusals();

@@ -153,6 +153,58 @@ def test_history_copies_and_refusals():
         friction().history()
 
 
+def test_law():
+    pair = friction(mdr.Homogeneous(STEEL))
+    law = mdr.FrictionLaw(pair, 0.1, tolerance=1e-8)
+    assert law.first_shear_error < 1e-8
+    assert 0.05 < law.path_error < 0.1
+    assert pickle.loads(pickle.dumps(law)) == law
+    state = pair.contact.at_depth(0.05)
+    sliding = pair.sliding_shift(state)
+    contacts = law.contacts(3)
+    force = np.full(3, state.force)
+    law.advance(contacts, force, np.zeros((3, 2)))
+    found = law.advance(contacts, force, np.outer([0.3, 0.7, 1.5], [0.6 * sliding, 0.8 * sliding]))
+    exact = pair.at_shift(np.array([0.3, 0.7, 1.5]) * sliding, state).tangential_force
+    np.testing.assert_allclose(found, np.outer(exact, [0.6, 0.8]), rtol=1e-8)
+    np.testing.assert_array_equal(contacts["force"][:, 2], 0.0)
+    # there and back: the loop of the contact
+    loop = pair.loop(0.7 * sliding, points=5, state=state)
+    found = [law.advance(contacts[1:2], force[:1], [[0.6 * step, 0.8 * step]])[0] for step in np.diff(loop.shift)]
+    np.testing.assert_allclose(found, np.outer(loop.tangential_force[1:], [0.6, 0.8]), atol=1e-8 * MU * state.force)
+    law.turn(contacts, np.tile([0.6, 0.0, 0.8], (3, 1)))
+    np.testing.assert_allclose(np.linalg.norm(contacts["force"][2]), MU * state.force, rtol=1e-14)
+    with pytest.raises(mdr.InvalidArgumentError, match="of length 2"):
+        law.turn(contacts, np.tile([0.0, 0.0, 2.0], (3, 1)))
+    assert law.advance(law.contacts(0), [], np.zeros((0, 3))).shape == (0, 3)
+    layered = mdr.FrictionLaw(friction(), 0.1)
+    assert 1e-3 < layered.first_shear_error < 0.1
+    assert layered.path_error is None
+
+
+def test_law_refusals():
+    law = mdr.FrictionLaw(friction(mdr.Homogeneous(STEEL)), 0.1)
+    contacts = law.contacts(2)
+    with pytest.raises(mdr.DomainError, match="largest force"):
+        law.advance(contacts, [1e9, 1.0], np.zeros((2, 2)))
+    with pytest.raises(mdr.InvalidArgumentError, match="shift must be finite"):
+        law.advance(contacts, [1.0, 1.0], [[0.0, 0.0], [np.inf, 0.0]])
+    for shape in ((2,), (2, 4), (3, 2)):
+        with pytest.raises(mdr.ArgumentTypeError, match="are not allowed"):
+            law.advance(contacts, [1.0, 1.0], np.zeros(shape))
+    with pytest.raises(mdr.ArgumentTypeError, match="FrictionLaw.contacts"):
+        law.advance(np.zeros(2), [1.0, 1.0], np.zeros((2, 2)))
+    with pytest.raises(mdr.ArgumentTypeError, match="normal of shape"):
+        law.turn(contacts, [0.0, 0.0, 1.0])
+    with pytest.raises(mdr.InvalidArgumentError, match="count"):
+        law.contacts(-1)
+    with pytest.raises(mdr.InvalidArgumentError, match="smallest_depth"):
+        mdr.FrictionLaw(law.friction, 0.1, smallest_depth=0.0)
+    with pytest.raises(mdr.ArgumentTypeError, match="must be a Friction"):
+        mdr.FrictionLaw(law.friction.contact, 0.1)
+    assert not contacts["normal_force"].any()
+
+
 def test_torsional_stiffness():
     radii = np.array([[0.1, 1.0], [3.0, 20.0]])
     shear = STEEL.E / (2.0 + 2.0 * STEEL.nu)

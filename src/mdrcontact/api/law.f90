@@ -13,7 +13,7 @@ module mdrcontact_api_law
     implicit none (type, external)
     private
     public :: mdr_law_options_init, mdr_law_new, mdr_law_with_radius, mdrcontact_law_force, mdrcontact_law_at_depth, &
-              mdr_law_view_of, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_text
+              mdr_law_view_of, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_law_options, read_text
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
@@ -54,21 +54,30 @@ contains
         type(contact_t), pointer :: inside
         type(contact_law_t), allocatable :: law
         class(*), allocatable :: object
-        type(c_law_options_t), target :: given
         type(law_options_t) :: chosen
         type(error_t), allocatable :: error
 
         allocate (law)
-        call read_options(error, "options", options, c_loc(given), c_sizeof(given))
         call open_handle(contact, "contact", inside, error)
-        chosen%smallest_depth = given%smallest_depth
-        chosen%tolerance = given%tolerance
-        chosen%continue_beyond = given%continue_beyond /= 0_c_int
-        if (.not. allocated(error)) call read_text(given%description, chosen%description, error)
+        call read_law_options(options, chosen, error)
         if (.not. allocated(error)) call new_contact_law(law, inside, largest_depth, error, chosen)
         call move_alloc(law, object)
         status = hand_over(object, out, error)
     end function mdr_law_new
+
+    !> struct mdr_law_options, or NULL.
+    subroutine read_law_options(options, chosen, error)
+        type(c_ptr), intent(in) :: options
+        type(law_options_t), intent(out) :: chosen
+        type(error_t), allocatable, intent(inout) :: error
+        type(c_law_options_t), target :: given
+
+        call read_options(error, "options", options, c_loc(given), c_sizeof(given))
+        chosen%smallest_depth = given%smallest_depth
+        chosen%tolerance = given%tolerance
+        chosen%continue_beyond = given%continue_beyond /= 0_c_int
+        if (.not. allocated(error)) call read_text(given%description, chosen%description, error)
+    end subroutine read_law_options
 
     function mdr_law_with_radius(law, radius, out) result(status) bind(C)
         type(c_ptr), value :: law

@@ -12,6 +12,7 @@ module mdrcontact_contact_curve
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_medium, only: medium_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_roots, only: find_root
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -60,6 +61,7 @@ module mdrcontact_contact_curve
         procedure :: turn
         procedure :: turns
         procedure :: work_between
+        procedure :: shear
     end type curve_t
 
     !> ds/dx as a function of x.
@@ -171,16 +173,12 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(contact_state_t) :: state
         real(wp) :: values(rows, nodes), t
-        integer :: i, j
-        !> (i, j): T_(j-1) at node i, times its weight
-        real(wp), parameter :: cosines(nodes, nodes) = &
-                               reshape([((cos(pi*(j - 1)*(i - 0.5_wp)/nodes)*merge(1.0_wp, 2.0_wp, j == 1)/nodes, &
-                                          i=1, nodes), j=1, nodes)], [nodes, nodes])
+        integer :: i
 
         coefficients = 0.0_wp
         values = 0.0_wp
         do i = 1, nodes
-            t = 0.5_wp*(1.0_wp + cosines(i, 2)*(0.5_wp*nodes))
+            t = 0.5_wp*(1.0_wp + node(i))
             if (root) t = t**2
             call equilibrium%parts(equilibrium%radius_of(left + (right - left)*t), state, error)
             if (allocated(error)) return
@@ -192,8 +190,30 @@ contains
                 return
             end if
         end do
-        coefficients = matmul(log(max(values, tiny(1.0_wp))), cosines)
+        coefficients = chebyshev(log(max(values, tiny(1.0_wp))))
     end subroutine sample_panel
+
+    !> Node i of a panel, in the panel's variable: descending.
+    elemental function node(i) result(z)
+        integer, intent(in) :: i
+        real(wp) :: z
+
+        z = cos(pi*(i - 0.5_wp)/nodes)
+    end function node
+
+    !> Coefficients of rows of values at the nodes.
+    pure function chebyshev(values) result(coefficients)
+        !> (any number of rows, nodes)
+        real(wp), intent(in) :: values(:, :)
+        real(wp) :: coefficients(size(values, 1), nodes)
+        integer :: i, j
+        !> (i, j): T_(j-1) at node i, times its weight
+        real(wp), parameter :: cosines(nodes, nodes) = &
+                               reshape([((cos(pi*(j - 1)*(i - 0.5_wp)/nodes)*merge(1.0_wp, 2.0_wp, j == 1)/nodes, &
+                                          i=1, nodes), j=1, nodes)], [nodes, nodes])
+
+        coefficients = matmul(values, cosines)
+    end function chebyshev
 
     pure subroutine edge_values(self, i, depth, force)
         type(curve_t), intent(in) :: self
@@ -473,5 +493,51 @@ contains
         end do
         if (to < from) work = -work
     end function work_between
+
+    !> Puts in place of depth and stiffness the shift S = int dF/k_t under which the contact would begin to slide if its coefficient
+    !> of friction were 1, and the tangential stiffness k_t = dF/dS: those of superposed punches (theory 10).
+    subroutine shear(self, tangential, error)
+        class(curve_t), intent(inout) :: self
+        !> its modulus is G_t(a)
+        class(medium_t), intent(in) :: tangential
+        type(error_t), allocatable, intent(out) :: error
+        type(curve_point_t) :: point
+        real(wp) :: z, v(rows), dv(rows), modulus(1), k(nodes), shifts(0:nodes), gained(0:nodes + 1), places(0:nodes + 1)
+        integer :: panel, i, j
+
+        self%adhesive = .false.
+        places = [-1.0_wp, (node(i), i=nodes, 1, -1), 1.0_wp]
+        do panel = 1, size(self%from_root)
+            do i = 1, nodes
+                call series(self%coefficients(:, :, panel), node(i), v, dv)
+                point = point_of(self, panel, node(i), v)
+                call tangential%modulus([point%radius], modulus, error)
+                if (allocated(error)) return
+                k(i) = 2.0_wp*point%radius*modulus(1)
+            end do
+            self%coefficients(of_stiffness, :, panel) = reshape(chebyshev(reshape(log(k), [1, nodes])), [nodes])
+            if (panel == 1) then
+                ! below, F and k_t are powers of a
+                call series(self%coefficients(:, :, 1), -1.0_wp, v, dv)
+                shifts(0) = exp(v(of_force) - v(of_stiffness))*dv(of_force)/(dv(of_force) - dv(of_stiffness))
+            end if
+            gained = 0.0_wp
+            do i = 1, nodes + 1
+                do j = 1, work_nodes
+                    z = places(i - 1) + (places(i) - places(i - 1))*self%work_rule(j, 1)
+                    call series(self%coefficients(:, :, panel), z, v, dv)
+                    gained(i) = gained(i) + (places(i) - places(i - 1))*self%work_rule(j, 2) &
+                                *exp(v(of_force) - v(of_stiffness))*dv(of_force)
+                end do
+                gained(i) = gained(i) + gained(i - 1)
+            end do
+            shifts(1:) = shifts(0) + gained(nodes:1:-1)
+            self%coefficients(of_depth, :, panel) = reshape(chebyshev(reshape(log(shifts(1:)), [1, nodes])), [nodes])
+            shifts(0) = shifts(0) + gained(nodes + 1)
+        end do
+        do i = 1, size(self%edges)
+            call edge_values(self, i, self%depths(i), self%forces(i))
+        end do
+    end subroutine shear
 
 end module mdrcontact_contact_curve

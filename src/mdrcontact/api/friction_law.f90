@@ -1,0 +1,116 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Compiled laws of contacts with friction, for C.
+module mdrcontact_api_friction_law
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count
+    use mdrcontact_api_handles, only: hand_over, open_handle
+    use mdrcontact_api_law, only: read_law_options
+    use mdrcontact_api_status, only: status_of
+    use mdrcontact_error, only: error_invalid, error_t, raise, raise_at, to_text
+    use mdrcontact_history_friction, only: friction_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_law, only: law_options_t
+    use mdrcontact_law_friction, only: check_step, friction_law_t, friction_memory_t, new_friction_law, turn_memory
+    implicit none (type, external)
+    private
+    public :: mdr_friction_law_new, mdr_friction_law_advance, mdr_friction_law_errors, mdr_friction_memory_turn
+
+    !> How far from 1 the length of a normal may be.
+    real(wp), parameter :: loose = 1.0e-6_wp
+
+contains
+
+    function mdr_friction_law_new(f, largest_depth, options, out) result(status) bind(C)
+        type(c_ptr), value :: f, options
+        real(c_double), value :: largest_depth
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(friction_t), pointer :: friction
+        type(friction_law_t), allocatable :: law
+        class(*), allocatable :: object
+        type(law_options_t) :: chosen
+        type(error_t), allocatable :: error
+
+        allocate (law)
+        call open_handle(f, "f", friction, error)
+        call read_law_options(options, chosen, error)
+        if (.not. allocated(error)) call new_friction_law(law, friction, largest_depth, error, chosen)
+        call move_alloc(law, object)
+        status = hand_over(object, out, error)
+    end function mdr_friction_law_new
+
+    function mdr_friction_law_advance(law, n, force, shift, memory) result(status) bind(C)
+        type(c_ptr), value :: law
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: force(n), shift(3, n)
+        type(friction_memory_t), intent(inout), optional :: memory(n)
+        integer(c_int) :: status
+        type(friction_law_t), pointer :: inside
+        type(error_t), allocatable :: error
+        integer :: i
+
+        call open_handle(law, "law", inside, error)
+        call check_count(error, n)
+        call check_array(error, "force", n, present(force))
+        call check_array(error, "shift", n, present(shift))
+        call check_array(error, "memory", n, present(memory))
+        if (.not. allocated(error)) then
+            ! all are possible before the first one is done
+            do i = 1, n
+                call check_step(inside, force(i), shift(:, i), memory(i), error)
+                if (.not. allocated(error)) cycle
+                call raise_at(error, i)
+                exit
+            end do
+        end if
+        if (.not. allocated(error)) then
+            do i = 1, n
+                call inside%step(force(i), shift(:, i), memory(i))
+            end do
+        end if
+        status = status_of(error)
+    end function mdr_friction_law_advance
+
+    function mdr_friction_memory_turn(n, normal, memory) result(status) bind(C)
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: normal(3, n)
+        type(friction_memory_t), intent(inout), optional :: memory(n)
+        integer(c_int) :: status
+        type(error_t), allocatable :: error
+        integer :: i
+
+        call check_count(error, n)
+        call check_array(error, "normal", n, present(normal))
+        call check_array(error, "memory", n, present(memory))
+        if (.not. allocated(error)) then
+            do i = 1, n
+                if (.not. abs(norm2(normal(:, i)) - 1.0_wp) <= loose) then
+                    call raise(error, error_invalid, " of length "//to_text(norm2(normal(:, i)))//" is not allowed: its length "// &
+                               "must be 1", "normal", i)
+                    exit
+                end if
+            end do
+        end if
+        if (.not. allocated(error)) then
+            do i = 1, n
+                call turn_memory(memory(i), normal(:, i)/norm2(normal(:, i)))
+            end do
+        end if
+        status = status_of(error)
+    end function mdr_friction_memory_turn
+
+    function mdr_friction_law_errors(law, first_shear, path) result(status) bind(C)
+        type(c_ptr), value :: law
+        real(c_double), intent(inout), optional :: first_shear, path
+        integer(c_int) :: status
+        type(friction_law_t), pointer :: inside
+        type(error_t), allocatable :: error
+
+        call open_handle(law, "law", inside, error)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(first_shear)) first_shear = inside%first_shear_error
+        if (present(path)) path = inside%path_error
+    end function mdr_friction_law_errors
+
+end module mdrcontact_api_friction_law

@@ -1,0 +1,375 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Friction of compiled laws: the tangential force of a contact step by step, for the price of two short polynomials.
+!>
+!> Theory 10. In units of the coefficient mu, and in terms of S = int dF/k_t (the contact slides at the shift mu S(F)), the load of
+!> the springs is taken to be a sum of normal loads of smaller contacts, so that
+!>     T/mu = g F(S) - n [m1 F(S1) + m2 F(S2) + m3 F(S3)],    S >= S1 >= S2 >= S3.
+!> Outside S1 the springs slip, or slipped last, in the direction g, |g| = 1. Inside they stuck since the load began to move along
+!> n from one limit to the other, the chord m1 = 2 g.n away; S2 and S3 are what is left of the slip before the last two turns.
+!> While this form holds, a step in which S and the shift change in proportion is exact where springs do not interact: first shear,
+!> sliding, loops, small ones about any shift too, with whatever F does while the edge slips. It is an approximation, with T
+!> as it is, where the contact grows without slip (the load is then taken to be in proportion to the pressure), where a loop begins
+!> inside two others, and where the shift turns aside by more than 6 degrees; a shift across n meets the stiffness of full stick.
+module mdrcontact_law_friction
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_contact, only: on_unloading
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_values, only: given_depth
+    use mdrcontact_error, only: check_finite, error_domain, error_invalid, error_t, raise, to_text
+    use mdrcontact_history_friction, only: first_shear_t, friction_t, tangential_state_t
+    use mdrcontact_history_friction_history, only: friction_history_t, given_shift, new_friction_history
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_law, only: contact_law_t, law_options_t, new_contact_law
+    use mdrcontact_law_evaluate, only: point_at
+    use mdrcontact_law_interval, only: interval_place, place_t, polynomial_with_slope
+    use mdrcontact_law_table, only: law_table_t
+    implicit none (type, external)
+    private
+    public :: check_step, friction_law_t, friction_memory_t, new_friction_law, turn_memory
+
+    integer, parameter :: levels = 3
+
+    !> What one contact remembers from step to step, C's struct mdr_friction_memory. All 0: it has not been loaded.
+    type, bind(C) :: friction_memory_t
+        !> T, in the coordinates of the shifts [modulus length^2]
+        real(c_double) :: force(3) = 0.0_c_double
+        !> n; 0 where the load is in proportion to the pressure
+        real(c_double) :: axis(3) = 0.0_c_double
+        !> F and S [length] after the last step
+        real(c_double) :: normal_force = 0.0_c_double, level = 0.0_c_double
+        !> m, S and F(S) of the disc of stick and of what is left of the slip before the last two turns; m = 0: of none
+        real(c_double) :: slope(levels) = 0.0_c_double, stick_level(levels) = 0.0_c_double, stick_force(levels) = 0.0_c_double
+    end type friction_memory_t
+
+    !> The law of a contact with friction. It never changes.
+    type :: friction_law_t
+        !> F and k_t over S, and S over F
+        type(contact_law_t) :: law
+        !> mu [1]
+        real(wp) :: coefficient = 0.0_wp
+        !> largest error of T found, relative to mu F: in first shear; along cycles of depth and shift against the exact history,
+        !> relative to the largest mu F, -1 where there is none
+        real(wp) :: first_shear_error = 0.0_wp, path_error = -1.0_wp
+    contains
+        procedure :: advance
+        procedure :: step
+    end type friction_law_t
+
+    !> A shift across n that is more than this part of that along it ends n.
+    real(wp), parameter :: aside = 0.1_wp
+    !> How far from 1 the square of the length of g may come by rounding.
+    real(wp), parameter :: drift = 1.0e-13_wp
+    !> Verification: parts of the largest depth, of the shift of sliding; and cycles: steps, shifts in units of the largest mu S,
+    !> cycles of the shift in one of the depth.
+    real(wp), parameter :: depths(*) = [0.01_wp, 0.1_wp, 1.0_wp], parts(*) = [0.05_wp, 0.3_wp, 0.6_wp, 0.9_wp]
+    integer, parameter :: steps = 100
+    real(wp), parameter :: amplitudes(*) = [0.3_wp, 1.0_wp, 3.0_wp], cycles(*) = [0.5_wp, 1.0_wp, 2.0_wp]
+
+contains
+
+    !> Compiles a contact with friction up to `largest_depth`.
+    subroutine new_friction_law(self, friction, largest_depth, error, options)
+        type(friction_law_t), intent(out) :: self
+        type(friction_t), intent(in) :: friction
+        !> > 0 [length]
+        real(wp), intent(in) :: largest_depth
+        type(error_t), allocatable, intent(out) :: error
+        !> as of a contact's law
+        type(law_options_t), intent(in), optional :: options
+
+        call new_contact_law(self%law, friction%contact, largest_depth, error, options, friction%tangential)
+        self%coefficient = friction%coefficient
+        if (.not. allocated(error)) call verify_first_shear(self, friction, largest_depth, error)
+        if (allocated(error)) return
+        if (friction%contact%equilibrium%medium%has_independent_springs()) call verify_paths(self, friction, largest_depth, error)
+    end subroutine new_friction_law
+
+    !> One step of a contact, in which normal force and shift change in proportion. After an error the memory is as before.
+    pure subroutine advance(self, force, shift, memory, error)
+        class(friction_law_t), intent(in) :: self
+        !> F at the end of the step; F <= 0 parts the bodies [modulus length^2]
+        real(wp), intent(in) :: force
+        !> by how much the indenter moves along the surface in this step [length]
+        real(wp), intent(in) :: shift(3)
+        !> of this contact; its force is T on the medium
+        type(friction_memory_t), intent(inout) :: memory
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_step(self, force, shift, memory, error)
+        if (.not. allocated(error)) call step(self, force, shift, memory)
+    end subroutine advance
+
+    !> The same for a step that is possible: check_step has no error.
+    pure subroutine step(self, force, shift, memory)
+        class(friction_law_t), intent(in) :: self
+        !> F at the end of the step [modulus length^2]
+        real(wp), intent(in) :: force
+        !> in this step [length]
+        real(wp), intent(in) :: shift(3)
+        !> of this contact
+        type(friction_memory_t), intent(inout) :: memory
+        real(wp) :: level, compliance, rise, way, mu, total
+
+        if (.not. force > 0.0_wp) then
+            memory = friction_memory_t()
+            return
+        end if
+        mu = self%coefficient
+        call values_at(self%law%by_force, force, level, compliance)
+        rise = level - memory%level
+        total = dot_product(shift, shift)
+        way = dot_product(shift, memory%axis)
+        if (has_axis(memory)) then
+            if (total > (1.0_wp + aside**2)*max(way**2, (mu*rise)**2)) memory%axis = 0.0_wp
+        else
+            way = sqrt(total)
+        end if
+        if (rise > 0.0_wp .and. abs(way) <= mu*rise) then
+            memory%force = memory%force + (force - memory%normal_force)/rise*shift
+            memory%axis = 0.0_wp
+        else
+            if (.not. has_axis(memory)) call choose_axis(mu, shift, rise, memory)
+            if (has_axis(memory)) call slip(self, force, shift, level, rise, compliance, memory)
+        end if
+        memory%normal_force = force
+        memory%level = level
+        total = dot_product(memory%force, memory%force)
+        if (total > (mu*force)**2) memory%force = mu*force/sqrt(total)*memory%force
+    end subroutine step
+
+    !> A step in which the edge slips, forward or back.
+    pure subroutine slip(self, force, shift, level, rise, compliance, memory)
+        class(friction_law_t), intent(in) :: self
+        real(wp), intent(in) :: force, shift(3)
+        !> S after the step, how much it has grown, and dS/dF
+        real(wp), intent(in) :: level, rise, compliance
+        type(friction_memory_t), intent(inout) :: memory
+        real(wp) :: way, edge(3), along, moved, mu
+
+        mu = self%coefficient
+        edge = memory%axis
+        if (memory%normal_force > 0.0_wp) then
+            edge = (memory%force/mu + dot_product(memory%slope, memory%stick_force)*memory%axis)/memory%normal_force
+            along = dot_product(edge, edge)
+            if (abs(along - 1.0_wp) > drift) edge = edge/sqrt(along)
+        end if
+        along = max(dot_product(edge, memory%axis), 0.0_wp)
+        way = dot_product(shift, memory%axis)
+        moved = way/mu - along*rise
+        if (moved < 0.0_wp) then
+            call turn(along, memory, edge)
+            way = -way
+            moved = way/mu - along*rise
+        end if
+        call move_stick(moved, level, memory)
+        call values_at(self%law%by_depth, memory%stick_level(1), memory%stick_force(1), along)
+        ! the limit is a circle: what slides follows the shift
+        if (.not. memory%stick_level(1) > 0.0_wp) way = min(way, 0.0_wp)
+        memory%force = (mu*force)*edge - (mu*dot_product(memory%slope, memory%stick_force) + way/compliance)*memory%axis &
+                       + shift/compliance
+    end subroutine slip
+
+    !> Whether a step is possible.
+    pure subroutine check_step(self, force, shift, memory, error)
+        class(friction_law_t), intent(in) :: self
+        !> as of advance
+        real(wp), intent(in) :: force
+        !> see force
+        real(wp), intent(in) :: shift(3)
+        !> see force
+        type(friction_memory_t), intent(in) :: memory
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: all_of_it
+
+        if (.not. ieee_is_finite(force)) call check_finite(error, "force", force)
+        if (.not. all(ieee_is_finite(shift))) call raise(error, error_invalid, " must be finite", "shift")
+        all_of_it = sum(memory%force) + sum(memory%axis) + memory%normal_force + memory%level &
+                    + sum(memory%slope + memory%stick_level + memory%stick_force)
+        if (.not. ieee_is_finite(all_of_it)) then
+            call raise(error, error_invalid, " must be finite, and all 0 before the first step", "memory")
+        end if
+        if (force > self%law%by_force%highest .and. .not. self%law%by_force%continued) then
+            call raise(error, error_domain, " = "//to_text(force)//" is beyond the law's largest force, "// &
+                       to_text(self%law%by_force%highest)//": give it a larger largest_depth, or let it continue beyond", "force")
+        end if
+    end subroutine check_step
+
+    pure function length_of(vector) result(length)
+        real(wp), intent(in) :: vector(3)
+        real(wp) :: length
+
+        length = sqrt(dot_product(vector, vector))
+    end function length_of
+
+    pure function has_axis(memory) result(has)
+        type(friction_memory_t), intent(in) :: memory
+        logical :: has
+
+        has = any(memory%axis /= 0.0_wp)
+    end function has_axis
+
+    !> The other quantity and its slope where the bodies touch.
+    pure subroutine values_at(table, s, other, slope)
+        type(law_table_t), intent(in) :: table
+        real(wp), intent(in) :: s
+        real(wp), intent(out) :: other, slope
+        type(place_t) :: place
+        real(wp) :: radius, stiffness
+
+        if (s >= table%direct%lowest .and. s <= table%direct%highest) then
+            place = interval_place(table%direct, s)
+            call polynomial_with_slope(table%other(place%panel)%c, place%t, other, slope)
+            slope = table%direct%scale*slope
+        else
+            call point_at(table, on_unloading, s, other, slope, radius, stiffness)
+        end if
+    end subroutine values_at
+
+    !> The direction in which the edge begins to slip, from a load in proportion to the pressure, and how far its limit is.
+    pure subroutine choose_axis(mu, shift, rise, memory)
+        real(wp), intent(in) :: mu, shift(3), rise
+        type(friction_memory_t), intent(inout) :: memory
+        real(wp) :: share(3), pulled(3), c
+
+        share = 0.0_wp
+        if (memory%normal_force > 0.0_wp) share = memory%force/(mu*memory%normal_force)
+        ! a falling limit meets the load
+        pulled = shift - mu*min(rise, 0.0_wp)*share
+        if (.not. length_of(pulled) > 0.0_wp) return
+        memory%axis = pulled/length_of(pulled)
+        c = dot_product(share, memory%axis)
+        memory%slope = [max(sqrt(max(1.0_wp - dot_product(share, share) + c**2, 0.0_wp)) - c, 0.0_wp), 0.0_wp, 0.0_wp]
+        memory%stick_level = [memory%level, 0.0_wp, 0.0_wp]
+        memory%stick_force = [memory%normal_force, 0.0_wp, 0.0_wp]
+    end subroutine choose_axis
+
+    !> The edge slips back: a new chord from the other limit. What is left of the oldest slip is added to that of the next.
+    pure subroutine turn(along, memory, edge)
+        real(wp), intent(in) :: along
+        type(friction_memory_t), intent(inout) :: memory
+        real(wp), intent(inout) :: edge(3)
+
+        if (memory%stick_force(levels) > 0.0_wp) then
+            memory%slope(2) = memory%slope(2) + memory%slope(levels)*memory%stick_force(levels)/memory%stick_force(2)
+        end if
+        memory%slope = [2.0_wp*along, -memory%slope(:2)]
+        memory%stick_level = [memory%level, memory%stick_level(:2)]
+        memory%stick_force = [memory%normal_force, memory%stick_force(:2)]
+        edge = edge - memory%slope(1)*memory%axis
+        memory%axis = -memory%axis
+    end subroutine turn
+
+    !> The disc of stick shrinks by a shift in units of mu, and takes in what is left of earlier slip when it comes there.
+    pure subroutine move_stick(moved, level, memory)
+        real(wp), intent(in) :: moved
+        !> S after the step
+        real(wp), intent(in) :: level
+        type(friction_memory_t), intent(inout) :: memory
+        real(wp) :: left, there
+
+        left = moved
+        do while (memory%stick_level(2) > 0.0_wp)
+            there = memory%slope(1)*(memory%stick_level(1) - memory%stick_level(2))
+            if (left < there) exit
+            left = left - there
+            memory%slope = [max(memory%slope(1) + memory%slope(2), 0.0_wp), memory%slope(3:), 0.0_wp]
+            memory%stick_level = [memory%stick_level(2:), 0.0_wp]
+            memory%stick_force = [memory%stick_force(2:), 0.0_wp]
+        end do
+        if (left < memory%slope(1)*memory%stick_level(1)) then
+            memory%stick_level(1) = min(memory%stick_level(1) - left/memory%slope(1), level)
+        else
+            memory%stick_level(1) = 0.0_wp
+        end if
+    end subroutine move_stick
+
+    !> The memory of a contact whose tangent plane has turned: force and axis are laid into the new plane with their lengths.
+    pure subroutine turn_memory(memory, normal)
+        type(friction_memory_t), intent(inout) :: memory
+        !> of the new plane, of length 1
+        real(wp), intent(in) :: normal(3)
+
+        call lay(memory%force, normal)
+        call lay(memory%axis, normal)
+    end subroutine turn_memory
+
+    pure subroutine lay(vector, normal)
+        real(wp), intent(inout) :: vector(3)
+        real(wp), intent(in) :: normal(3)
+        real(wp) :: length, left
+
+        length = length_of(vector)
+        vector = vector - dot_product(vector, normal)*normal
+        left = length_of(vector)
+        if (left > 0.0_wp) vector = length/left*vector
+    end subroutine lay
+
+    !> T after one step at constant F, against what the contact itself says.
+    subroutine verify_first_shear(self, friction, largest_depth, error)
+        type(friction_law_t), intent(inout) :: self
+        type(friction_t), intent(in) :: friction
+        real(wp), intent(in) :: largest_depth
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: state
+        type(first_shear_t) :: shear
+        type(tangential_state_t) :: exact
+        type(friction_memory_t) :: memory
+        integer :: i, j
+
+        do i = 1, size(depths)
+            call friction%contact%at_depth(depths(i)*largest_depth, state, error)
+            if (.not. allocated(error)) call friction%first_shear(state, shear, error)
+            if (allocated(error)) return
+            do j = 1, size(parts)
+                call shear%at_shift(parts(j)*shear%sliding_shift, exact, error)
+                if (allocated(error)) return
+                memory = friction_memory_t()
+                call self%advance(state%force*(1.0_wp - 4.0_wp*epsilon(1.0_wp)), [0.0_wp, 0.0_wp, 0.0_wp], memory, error)
+                if (.not. allocated(error)) then
+                    call self%advance(memory%normal_force, [exact%shift, 0.0_wp, 0.0_wp], memory, error)
+                end if
+                if (allocated(error)) return
+                self%first_shear_error = max(self%first_shear_error, &
+                                             abs(memory%force(1) - exact%tangential_force)/shear%sliding_force)
+            end do
+        end do
+    end subroutine verify_first_shear
+
+    !> T along cycles of depth from touch to touch, with shifts to and fro, against the exact history.
+    subroutine verify_paths(self, friction, largest_depth, error)
+        type(friction_law_t), intent(inout) :: self
+        type(friction_t), intent(in) :: friction
+        real(wp), intent(in) :: largest_depth
+        type(error_t), allocatable, intent(out) :: error
+        type(friction_history_t) :: history
+        type(friction_memory_t) :: memory
+        real(wp) :: time, depth, shift, before, size_of_shift
+        integer :: i, j, step
+
+        self%path_error = 0.0_wp
+        size_of_shift = self%coefficient*self%law%by_depth%highest
+        do i = 1, size(amplitudes)
+            do j = 1, size(cycles)
+                call new_friction_history(history, friction, error)
+                if (allocated(error)) return
+                memory = friction_memory_t()
+                before = 0.0_wp
+                do step = 1, steps - 1
+                    time = real(step, wp)/steps
+                    depth = (1.0_wp - 4.0_wp*epsilon(1.0_wp))*largest_depth*sin(pi*time)
+                    shift = amplitudes(i)*size_of_shift*sin(2.0_wp*pi*cycles(j)*time)
+                    call history%advance(given_depth, depth, given_shift, shift, error)
+                    if (.not. allocated(error)) then
+                        call self%advance(history%normal%force, [shift - before, 0.0_wp, 0.0_wp], memory, error)
+                    end if
+                    if (allocated(error)) return
+                    before = shift
+                    self%path_error = max(self%path_error, abs(memory%force(1) - history%tangential%tangential_force) &
+                                          /(self%coefficient*self%law%by_force%highest))
+                end do
+            end do
+        end do
+    end subroutine verify_paths
+
+end module mdrcontact_law_friction
