@@ -3,9 +3,13 @@
 !> substrate_nu, a, profile ("paraboloid R=1" or "cone tan=1"), work_of_adhesion, E_eff, d, F.
 module layered_rows
     use mdrcontact_kinds, only: wp
+    use mdrcontact_material, only: material_t
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_profile, only: profile_t
+    use reference_tables, only: line_length, new_table_medium, new_table_profile, numbers_of, read_table, split
     implicit none (type, external)
     private
-    public :: layered_row_t, read_layered_rows
+    public :: layered_row_t, read_layered_rows, new_row_bodies
 
     integer, parameter :: most_layers = 8, columns = 11
 
@@ -15,7 +19,7 @@ module layered_rows
         logical :: rigid_base = .false.
         real(wp) :: substrate_young = 1.0_wp, substrate_poisson = 0.0_wp
         real(wp) :: radius = 0.0_wp, work_of_adhesion = 0.0_wp
-        logical :: is_cone = .false.
+        character(len=32) :: profile = ""
         real(wp) :: modulus = 0.0_wp, depth = 0.0_wp, force = 0.0_wp
     end type layered_row_t
 
@@ -25,58 +29,47 @@ contains
     subroutine read_layered_rows(path, rows)
         character(len=*), intent(in) :: path
         type(layered_row_t), allocatable, intent(out) :: rows(:)
-        character(len=512) :: line
-        integer :: unit, status
+        character(len=line_length), allocatable :: lines(:)
+        integer :: i
 
-        allocate (rows(0))
-        open (newunit=unit, file=path, action="read", status="old")
-        read (unit, "(a)") line
-        do
-            read (unit, "(a)", iostat=status) line
-            if (status /= 0) exit
-            rows = [rows, parsed(line)]
+        call read_table(path, lines)
+        allocate (rows(size(lines)))
+        do i = 1, size(lines)
+            rows(i) = parsed(lines(i))
         end do
-        close (unit)
     end subroutine read_layered_rows
 
     function parsed(line) result(row)
         character(len=*), intent(in) :: line
         type(layered_row_t) :: row
-        character(len=128) :: field(columns)
-        integer :: i, from, comma
+        character(len=line_length) :: field(columns), layers(most_layers)
 
-        from = 1
-        do i = 1, columns
-            comma = index(line(from:)//",", ",")
-            field(i) = line(from:from + comma - 2)
-            from = from + comma
-        end do
-        row%layers = count([(field(1) (i:i) == ";", i=1, len(field(1)))]) + 1
-        call read_list(field(1), row%thickness(:row%layers))
-        call read_list(field(2), row%young(:row%layers))
-        call read_list(field(3), row%poisson(:row%layers))
+        call split(line, ",", field)
+        call split(field(1), ";", layers)
+        row%layers = count(layers /= "")
+        call numbers_of(field(1), ";", row%thickness(:row%layers))
+        call numbers_of(field(2), ";", row%young(:row%layers))
+        call numbers_of(field(3), ";", row%poisson(:row%layers))
         row%rigid_base = field(4) == "inf"
         if (.not. row%rigid_base) read (field(4), *) row%substrate_young
         read (field(5), *) row%substrate_poisson
         read (field(6), *) row%radius
-        row%is_cone = index(field(7), "cone") == 1
+        row%profile = field(7) (:len(row%profile))
         read (field(8), *) row%work_of_adhesion
         read (field(9), *) row%modulus
         read (field(10), *) row%depth
         read (field(11), *) row%force
     end function parsed
 
-    subroutine read_list(text, values)
-        character(len=*), intent(in) :: text
-        real(wp), intent(out) :: values(:)
-        character(len=len(text)) :: spaced
+    subroutine new_row_bodies(row, profile, medium)
+        type(layered_row_t), intent(in) :: row
+        class(profile_t), allocatable, intent(out) :: profile
+        class(medium_t), allocatable, intent(out) :: medium
         integer :: i
 
-        spaced = text
-        do i = 1, len(text)
-            if (spaced(i:i) == ";") spaced(i:i) = " "
-        end do
-        read (spaced, *) values
-    end subroutine read_list
+        call new_table_profile(profile, trim(row%profile))
+        call new_table_medium(medium, [(material_t(row%young(i), row%poisson(i)), i=1, row%layers)], row%thickness(:row%layers), &
+                              material_t(row%substrate_young, row%substrate_poisson), row%rigid_base)
+    end subroutine new_row_bodies
 
 end module layered_rows
