@@ -2,8 +2,8 @@
 !> What a contact of layered bodies takes of an indenter: the even Legendre coefficients of g on the contact,
 !> G_j = int_-1^1 g(a |u|) s_j P_2j(u) du.
 !>
-!> Powers of x, and indenters with piecewise linear f', have closed forms. Elsewhere g is integrated between the radii where it is not analytic, with room for the
-!> square roots that start there.
+!> Powers of x, and indenters with piecewise linear f', have closed forms. Elsewhere g is integrated between the radii where it is
+!> not analytic, with room for the square roots that start there.
 module mdrcontact_layered_moments
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
