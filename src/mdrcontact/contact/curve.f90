@@ -368,7 +368,7 @@ contains
         real(wp), intent(in) :: u
         real(wp), intent(in) :: first, last
         type(curve_point_t) :: point
-        real(wp) :: v(rows), dv(rows), s, ds, y, dy, z, low, high, step, wanted
+        real(wp) :: v(rows), dv(rows), s, ds, y, dy, z, low, high, step, wanted, ends(2)
         integer :: panel, last_panel, middle, i
 
         if (u <= 0.0_wp) then
@@ -391,7 +391,13 @@ contains
         if (first > self%edges(panel)) low = local(self, panel, first)
         if (last < self%edges(panel + 1)) high = local(self, panel, last)
         wanted = merge(sqrt(u), log(u), root)
+        ! the panel's ends give the first guess: root or logarithm are close to a straight line
+        ends = side*(control%of(self%depths(panel:panel + 1), self%forces(panel:panel + 1)) - origin)
         z = 0.5_wp*(low + high)
+        if (all(ends > 0.0_wp)) then
+            ends = merge(sqrt(ends), log(ends), root)
+            z = min(max(2.0_wp*(wanted - ends(1))/(ends(2) - ends(1)) - 1.0_wp, low), high)
+        end if
         do i = 1, most_steps
             call series(self%coefficients(:, :, panel), z, v, dv)
             if (self%adhesive .or. root .or. control%force_weight > 0.0_wp) then
