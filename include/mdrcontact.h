@@ -808,8 +808,9 @@ typedef struct mdr_interior {
  *
  *  Points that form a grid of few distinct r and z cost far less than as many scattered ones. Where the load is singular on the
  *  surface (edge of a flat punch or of an adhesive contact, apex of a cone, edge of a flat end) stresses are infinite, with friction
- *  the shear stresses too; the sign is that inside the contact. Under an approximate model it is the field in the layers under the
- *  model's own pressure, whose surface does not fit the indenter.
+ *  the shear tractions too; the sign is that inside the contact. What jumps there, s_rt across the edge of a flat end, has its value
+ *  just below the surface, halfway. Under an approximate model it is the field in the layers under the model's own pressure, whose
+ *  surface does not fit the indenter.
  *  @param c         contact
  *  @param body      one of enum mdr_body
  *  @param state     a state of this contact, with a radius > 0

@@ -25,6 +25,8 @@ module mdrcontact_profile
         procedure(radial_function), deferred :: mdr
         !> g'(x) [1]
         procedure(radial_function), deferred :: mdr_slope
+        !> g' at a distance beyond a radius, with all digits beside the edge of a flat end, where it is infinite
+        procedure :: mdr_slope_beyond
         !> int_0^x s g'(s) ds [length^2]; a homogeneous body's force is 2 E* times it
         procedure(radial_function), deferred :: mdr_moment
         !> the largest radius at which the profile is defined [length]; huge() where there is no end
@@ -60,6 +62,15 @@ module mdrcontact_profile
     end interface
 
 contains
+
+    elemental function mdr_slope_beyond(self, start, distance) result(y)
+        class(profile_t), intent(in) :: self
+        !> start >= 0, distance >= 0 [length]
+        real(wp), intent(in) :: start, distance
+        real(wp) :: y
+
+        y = self%mdr_slope(start + distance)
+    end function mdr_slope_beyond
 
     pure function unlimited(self) result(radius)
         class(profile_t), intent(in) :: self

@@ -27,6 +27,7 @@ module mdrcontact_contact_scaled_profile
         procedure :: slope
         procedure :: mdr
         procedure :: mdr_slope
+        procedure :: mdr_slope_beyond
         procedure :: mdr_moment
         procedure :: largest_radius
         procedure :: singular_radius
@@ -96,6 +97,16 @@ contains
 
         y = self%zeta%at(x)*self%profile%mdr_slope(x) + self%zeta%slope_at(x)*self%profile%mdr(x)
     end function mdr_slope
+
+    elemental function mdr_slope_beyond(self, start, distance) result(y)
+        class(scaled_profile_t), intent(in) :: self
+        real(wp), intent(in) :: start, distance
+        real(wp) :: y
+
+        associate (x => start + distance)
+            y = self%zeta%at(x)*self%profile%mdr_slope_beyond(start, distance) + self%zeta%slope_at(x)*self%profile%mdr(x)
+        end associate
+    end function mdr_slope_beyond
 
     elemental function mdr_moment(self, x) result(y)
         class(scaled_profile_t), intent(in) :: self

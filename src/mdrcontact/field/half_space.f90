@@ -28,13 +28,29 @@ module mdrcontact_field_half_space
     !> A panel is not made shorter than this part of a.
     real(wp), parameter :: shortest = 1.0e-18_wp
 
-    !> Length of the panel beside an axis where q is a broken power.
-    real(wp), parameter :: first_beside_axis = 1.0e-6_wp
+    !> Length of the panel beside an axis where q' is a broken power, relative to the distance of the point, and, for the point at
+    !> the apex itself, of the part that is integrated as a power.
+    real(wp), parameter :: first_beside_axis = 1.0e-6_wp, first_at_apex = 1.0e-17_wp
 
     !> The nodes of a panel on [0, 1].
     type :: half_space_rule_t
         real(wp) :: node(nodes) = 0.0_wp, weight(nodes) = 0.0_wp
     end type half_space_rule_t
+
+    !> Positions between two neighbouring places where the integrand is not analytic, relative to r [a]. They are differences of
+    !> lengths, so that they keep their digits where r is close to a kink or to the edge.
+    type :: segment_t
+        !> r [a]
+        real(wp) :: r = 0.0_wp
+        !> its ends
+        real(wp) :: low = 0.0_wp, high = 0.0_wp
+        !> the last kink up to its beginning and the one before; -huge() if there is none
+        real(wp) :: kink = -huge(1.0_wp), kink_before = -huge(1.0_wp)
+        !> from where distances are given to the load, that kink or the axis [length], and relative to r
+        real(wp) :: start = 0.0_wp, origin = 0.0_wp
+        !> the largest distance from there [length]: rounding must not pass a kink at its end, beyond which q' may be infinite
+        real(wp) :: last = 0.0_wp
+    end type segment_t
 
 contains
 
@@ -52,7 +68,7 @@ contains
         type(half_space_rule_t), intent(in) :: rule
         class(load_t), intent(in) :: load
         real(wp), intent(in) :: poisson
-        !> the point [a]
+        !> distance from the axis [length] and depth [a] of the point
         real(wp), intent(in) :: r, z
         real(wp), intent(inout) :: sums(normal_sums)
         real(wp) :: i(kernels)
@@ -68,7 +84,7 @@ contains
         type(half_space_rule_t), intent(in) :: rule
         class(load_t), intent(in) :: load
         real(wp), intent(in) :: poisson
-        !> the point [a]
+        !> distance from the axis [length] and depth [a] of the point
         real(wp), intent(in) :: r, z
         real(wp), intent(inout) :: sums(shear_sums)
         real(wp) :: i(kernels)
@@ -85,88 +101,111 @@ contains
         class(load_t), intent(in) :: load
         real(wp), intent(in) :: r, z
         real(wp), intent(out) :: integrals(kernels)
-        real(wp) :: ends(size(load%kinks) + 3), t(chunk), weight(chunk), low, high, length
-        integer :: i, filled
-        logical :: kink
+        type(segment_t) :: segment
+        !> where the integrand is not analytic in x, ascending [length]
+        real(wp) :: ends(size(load%kinks) + 3)
+        real(wp) :: t(chunk), distance(chunk), weight(chunk), low, length
+        integer :: i, before, filled
 
-        call segments(load, r, ends)
+        before = count(load%kinks < r)
+        ends = [0.0_wp, load%kinks(:before), min(r, load%radius), load%kinks(before + 1:), load%radius]
         integrals = 0.0_wp
-        filled = 0
         do i = 1, size(ends) - 1
             if (.not. ends(i + 1) > ends(i)) cycle
-            ! positions relative to r, where the kernels are singular as z tends to 0
-            kink = any(abs(load%kinks - ends(i)*load%radius) <= 4.0_wp*epsilon(1.0_wp)*load%radius)
-            low = ends(i) - r
-            high = ends(i + 1) - r
-            do while (low < high)
-                length = high - low
+            segment = new_segment(load, r, ends(i), ends(i + 1), i - merge(1, 2, i <= before + 1))
+            filled = 0
+            low = segment%low
+            do while (low < segment%high)
+                length = segment%high - low
                 do while (length > shortest)
-                    if (length <= reach(load, r, z, ends(i) - r, low, low + length, kink)) exit
+                    if (length <= reach(load, segment, z, low, low + length)) exit
                     length = 0.5_wp*length
                 end do
                 if (.not. low + length > low) exit
-                call place_nodes(rule, low, length, kink .and. low <= ends(i) - r, z <= 0.0_wp, &
-                                 t(filled + 1:filled + nodes), weight(filled + 1:filled + nodes))
+                call place_nodes(rule, load, segment, low, length, z <= 0.0_wp, t(filled + 1:filled + nodes), &
+                                 distance(filled + 1:filled + nodes), weight(filled + 1:filled + nodes))
                 filled = filled + nodes
                 low = low + length
-                if (filled == chunk) call add_chunk(load, r, z, t, weight, integrals)
-                if (filled == chunk) filled = 0
+                if (filled < chunk .and. low < segment%high) cycle
+                weight(:filled) = weight(:filled) &
+                                  *load%slope(segment%start, min(load%radius*distance(:filled), segment%last))
+                call add_kernels(segment%r, z, t(:filled), weight(:filled), integrals)
+                filled = 0
             end do
         end do
-        if (filled > 0) call add_chunk(load, r, z, t(:filled), weight(:filled), integrals)
-        if (load%edge /= 0.0_wp) call add_kernels(r, z, [1.0_wp - r], [-load%edge/load%radius], integrals)
+        if (load%edge /= 0.0_wp) then
+            call add_kernels(segment%r, z, [(load%radius - r)/load%radius], [-load%edge/load%radius], integrals)
+        end if
         integrals = -integrals/pi
     end subroutine integrate
 
-    !> Where the integrand is not analytic in x: 0, the kinks, r, and a [a], ascending.
-    pure subroutine segments(load, r, ends)
+    pure function new_segment(load, r, from, to, passed) result(segment)
         class(load_t), intent(in) :: load
-        real(wp), intent(in) :: r
-        real(wp), intent(out) :: ends(:)
-        integer :: n, below
+        !> the point, and two neighbouring ends [length]
+        real(wp), intent(in) :: r, from, to
+        !> how many kinks lie at or before the beginning
+        integer, intent(in) :: passed
+        type(segment_t) :: segment
 
-        n = size(load%kinks)
-        below = count(load%kinks < r*load%radius)
-        ends(1) = 0.0_wp
-        ends(2:below + 1) = load%kinks(:below)/load%radius
-        ends(below + 2) = min(r, 1.0_wp)
-        ends(below + 3:n + 2) = load%kinks(below + 1:)/load%radius
-        ends(n + 3) = 1.0_wp
-    end subroutine segments
+        segment%r = r/load%radius
+        segment%low = (from - r)/load%radius
+        segment%high = (to - r)/load%radius
+        if (passed > 0) segment%start = load%kinks(passed)
+        segment%origin = (segment%start - r)/load%radius
+        segment%last = nearest(to - segment%start, -1.0_wp)
+        if (passed > 0) segment%kink = segment%origin
+        if (passed > 1) segment%kink_before = (load%kinks(passed - 1) - r)/load%radius
+    end function new_segment
 
     !> How long a panel from `low` to `high` may be: its distance to the nearest singularity.
-    pure function reach(load, r, z, start, low, high, kink) result(length)
+    pure function reach(load, segment, z, low, high) result(length)
         class(load_t), intent(in) :: load
-        !> the point, and beginning of the segment and ends of the panel, the last three relative to r [a]
-        real(wp), intent(in) :: r, z, start, low, high
-        !> whether q is singular at the beginning of the segment
-        logical, intent(in) :: kink
+        type(segment_t), intent(in) :: segment
+        !> depth of the point, and ends of the panel relative to r [a]
+        real(wp), intent(in) :: z, low, high
         real(wp) :: length
-        logical :: at_r
+        logical :: at_kink, at_r, ends_at_r
 
-        at_r = low == 0.0_wp .or. high == 0.0_wp
+        at_kink = low <= segment%kink
+        at_r = z <= 0.0_wp .and. (low == 0.0_wp .or. high == 0.0_wp)
+        ends_at_r = at_r .and. low < 0.0_wp
         length = hypot(max(low, -high, 0.0_wp), z)
-        if (z <= 0.0_wp .and. at_r) then
+        if (at_r) then
             ! x = r -+ s^2 there: what remains is singular at x = -r
-            length = 0.4_wp*r
-            if (kink .and. low <= start .and. high == 0.0_wp) length = 0.0_wp
-            if (r <= 0.0_wp) length = huge(1.0_wp)
+            length = 0.4_wp*segment%r
+            if (at_kink .and. ends_at_r) length = 0.0_wp
+            if (segment%r <= 0.0_wp) length = huge(1.0_wp)
         end if
-        if (kink .and. low > start) length = min(length, low - start)
+        ! s^2 at one end brings singularities elsewhere nearer
+        if (at_kink) length = length/3.0_wp
+        if (at_kink) then
+            ! equal intervals stay whole in spite of rounding
+            length = min(length, 1.5_wp*(low - segment%kink_before))
+        else
+            length = min(length, (low - segment%kink)/merge(3.0_wp, 1.0_wp, ends_at_r))
+        end if
         ! beside the axis a broken power, which s^2 alone does not cure
-        if (kink .and. start + r <= 0.0_wp .and. low <= start) length = min(length, first_beside_axis)
-        length = min(length, load%singular_end/load%radius - r - high)
-        if (length > load%analytic/load%radius) length = min(length, hypot(load%analytic/load%radius, 1.0_wp - r - high))
+        if (at_kink .and. segment%start <= 0.0_wp) then
+            length = min(length, merge(first_at_apex, first_beside_axis*min(1.0_wp, hypot(segment%r, z)), &
+                                       segment%r <= 0.0_wp .and. z <= 0.0_wp))
+        end if
+        associate (from_axis => segment%r + high)
+            length = min(length, load%singular_end/load%radius - from_axis)
+            if (length > load%analytic/load%radius) length = min(length, hypot(load%analytic/load%radius, 1.0_wp - from_axis))
+        end associate
     end function reach
 
-    !> Nodes and weights of a panel relative to r; s^2 instead of s beside a kink, and beside r where the point is on the surface.
-    pure subroutine place_nodes(rule, low, length, at_kink, on_surface, t, weight)
+    !> Nodes and weights of a panel relative to r and their distances from the segment's `start`; s^2 instead of s beside a kink,
+    !> and beside r where the point is on the surface.
+    pure subroutine place_nodes(rule, load, segment, low, length, on_surface, t, distance, weight)
         type(half_space_rule_t), intent(in) :: rule
+        class(load_t), intent(in) :: load
+        type(segment_t), intent(in) :: segment
         real(wp), intent(in) :: low, length
-        logical, intent(in) :: at_kink, on_surface
-        real(wp), intent(out) :: t(nodes), weight(nodes)
+        logical, intent(in) :: on_surface
+        real(wp), intent(out) :: t(nodes), distance(nodes), weight(nodes)
 
-        if (at_kink .or. (on_surface .and. low == 0.0_wp)) then
+        if (low <= segment%kink .or. (on_surface .and. low == 0.0_wp)) then
             t = low + length*rule%node**2
             weight = 2.0_wp*length*rule%weight*rule%node
         else if (on_surface .and. low + length == 0.0_wp) then
@@ -176,15 +215,16 @@ contains
             t = low + length*rule%node
             weight = length*rule%weight
         end if
+        distance = t - segment%origin
+        if (low > segment%kink) return
+        distance = length*rule%node**2
+        if (.not. on_surface .or. segment%r > 0.0_wp) return
+        ! at the apex of a broken power, int_0^x q'(s)/s ds = q'(x)/e
+        t = length
+        distance = length
+        weight = 0.0_wp
+        weight(1) = length/load%order_on_axis()
     end subroutine place_nodes
-
-    pure subroutine add_chunk(load, r, z, t, weight, integrals)
-        class(load_t), intent(in) :: load
-        real(wp), intent(in) :: r, z, t(:), weight(:)
-        real(wp), intent(inout) :: integrals(kernels)
-
-        call add_kernels(r, z, t, weight*load%slope(load%radius*(r + t)), integrals)
-    end subroutine add_chunk
 
     !> Adds sum of weight Im P(z + i (r + t)) for all kernels.
     pure subroutine add_kernels(r, z, t, weight, integrals)

@@ -27,6 +27,8 @@ module mdrcontact_field_interior
     real(wp), parameter :: farthest_point = 1.0e12_wp
     !> On a grid the whole state is integrated from this part of the surface layer on: the waves are shared there.
     real(wp), parameter :: shared_from = 0.5_wp
+    !> Where the pressure is infinite, what is finite is taken this far below the surface: halfway if it jumps there [a].
+    real(wp), parameter :: just_below = 1.0e-15_wp
 
     !> Points whose sums are to be found; `order` lists those of one prepared integral.
     type, extends(batch_t) :: points_t
@@ -34,7 +36,9 @@ module mdrcontact_field_interior
         type(half_space_rule_t) :: rule
         type(hankel_t), pointer :: hankel => null()
         type(depth_t), pointer :: depths(:) => null()
-        real(wp), pointer :: r(:) => null(), sums(:, :) => null()
+        !> distances from the axis [length] and [a]
+        real(wp), pointer :: position(:) => null(), r(:) => null()
+        real(wp), pointer :: sums(:, :) => null()
         integer, allocatable :: order(:)
         real(wp) :: poisson = 0.0_wp
         logical :: along_surface = .false., is_closed = .false.
@@ -47,12 +51,14 @@ contains
     !> The field at points (r, z, angle); a grid of few distinct r and z costs far less than as many scattered points.
     !>
     !> Stresses are infinite where the load is singular on the surface: edge of a flat punch or of an adhesive contact, apex of
-    !> a cone, edge of a flat end. With friction so are the shear stresses. Signs are those inside the contact.
+    !> a cone, edge of a flat end. With friction so are the shear tractions. Signs are those inside the contact. What jumps there
+    !> has the value just below the surface, halfway: s_rt at the edge of a flat end.
     subroutine interior_field(load, layers, r, z, below, field, error, friction, angle, threads)
         class(load_t), intent(in), target :: load
         type(layers_t), intent(in) :: layers
         !> distance from the axis r >= 0 and depth z >= 0 [length]
-        real(wp), intent(in) :: r(:), z(:)
+        real(wp), intent(in), target :: r(:)
+        real(wp), intent(in) :: z(:)
         !> which side of an interface is meant
         logical, intent(in) :: below
         !> (size(r), components) [length] and [modulus]
@@ -78,16 +84,16 @@ contains
         scaled%thickness = layers%thickness/load%radius
         allocate (radii, source=r/load%radius)
         call new_lattice(lattice, r, z)
-        call set_depths(layers, z, below, load%radius, lattice%is_grid, depths)
+        call set_depths(load, layers, r, z, below, lattice%is_grid, depths)
         allocate (sums(normal_sums, size(r)))
-        call find_sums(load, scaled, .false., lattice, radii, depths, sums, team, error)
+        call find_sums(load, scaled, .false., lattice, r, radii, depths, sums, team, error)
         if (allocated(error)) return
         call normal_components(layers, depths, radii, load%radius, sums, field)
         if (present(friction)) then
             if (friction /= 0.0_wp) then
                 deallocate (sums)
                 allocate (sums(shear_sums, size(r)))
-                call find_sums(load, scaled, .true., lattice, radii, depths, sums, team, error)
+                call find_sums(load, scaled, .true., lattice, r, radii, depths, sums, team, error)
                 if (allocated(error)) return
                 if (present(angle)) then
                     call add_shear_components(layers, depths, radii, load%radius, sums, friction, angle, field)
@@ -122,20 +128,22 @@ contains
         end do
     end subroutine check_points
 
-    pure subroutine set_depths(layers, z, below, unit, is_grid, depths)
+    subroutine set_depths(load, layers, r, z, below, is_grid, depths)
+        class(load_t), intent(in) :: load
         type(layers_t), intent(in) :: layers
-        real(wp), intent(in) :: z(:), unit
+        real(wp), intent(in) :: r(:), z(:)
         logical, intent(in) :: below, is_grid
         type(depth_t), allocatable, intent(out) :: depths(:)
         integer :: i
 
         allocate (depths(size(z)))
         do i = 1, size(z)
-            depths(i)%z = z(i)/unit
+            depths(i)%z = z(i)/load%radius
+            if (abs(infinite_pressure(load, r(i), z(i))) > 0.0_wp) depths(i)%z = just_below
             depths(i)%layer = layers%layer_at(z(i), below)
             depths(i)%less = depths(i)%layer == 1
             if (size(layers%thickness) == 0) cycle
-            associate (thickness => layers%thickness(1)/unit)
+            associate (thickness => layers%thickness(1)/load%radius)
                 if (is_grid) depths(i)%less = depths(i)%less .and. depths(i)%z < shared_from*thickness
                 if (depths(i)%less) then
                     depths(i)%last = faded/(2.0_wp*thickness - depths(i)%z)
@@ -147,13 +155,14 @@ contains
     end subroutine set_depths
 
     !> The sums of all points, for a load across or along the surface.
-    subroutine find_sums(load, layers, along_surface, lattice, r, depths, sums, threads, error)
+    subroutine find_sums(load, layers, along_surface, lattice, position, r, depths, sums, threads, error)
         class(load_t), intent(in), target :: load
         !> lengths in units of a
         type(layers_t), intent(in) :: layers
         logical, intent(in) :: along_surface
         type(lattice_t), intent(in) :: lattice
-        real(wp), intent(in), target :: r(:)
+        !> distances from the axis [length] and [a]
+        real(wp), intent(in), target :: position(:), r(:)
         type(depth_t), intent(in), target :: depths(:)
         real(wp), intent(out), target :: sums(:, :)
         integer, intent(in) :: threads
@@ -167,6 +176,7 @@ contains
         sums = 0.0_wp
         points%load => load
         points%depths => depths
+        points%position => position
         points%r => r
         points%sums => sums
         points%along_surface = along_surface
@@ -236,9 +246,9 @@ contains
             if (.not. self%is_closed) then
                 call add_point(self%hankel, self%depths(i), self%r(i), self%sums(:, i))
             else if (self%along_surface) then
-                call add_shear_sums(self%rule, self%load, self%poisson, self%r(i), self%depths(i)%z, self%sums(:, i))
+                call add_shear_sums(self%rule, self%load, self%poisson, self%position(i), self%depths(i)%z, self%sums(:, i))
             else
-                call add_normal_sums(self%rule, self%load, self%poisson, self%r(i), self%depths(i)%z, self%sums(:, i))
+                call add_normal_sums(self%rule, self%load, self%poisson, self%position(i), self%depths(i)%z, self%sums(:, i))
             end if
         end do
     end subroutine points_work
@@ -314,28 +324,43 @@ contains
         shear = shear/layers%shear(depth%layer)
     end subroutine local_constants
 
-    !> Infinities where the load is singular on the surface: the quadratures do not see them.
-    subroutine mark_singular(load, poisson, r, z, field, friction, angle)
+    !> +-infinity where the pressure is infinite: on the surface at an edge with q(a), at the edge of a flat end, at an apex that is
+    !> no sharper than a cone's; 0 elsewhere.
+    pure function infinite_pressure(load, r, z) result(pressure)
+        class(load_t), intent(in) :: load
+        !> [length]
+        real(wp), intent(in) :: r, z
+        real(wp) :: pressure
+        real(wp) :: slope(1)
+
+        pressure = 0.0_wp
+        if (z > 0.0_wp .or. r > load%radius) return
+        if (r == load%radius) then
+            slope = -load%edge
+        else if (r <= 0.0_wp) then
+            ! where q' does not vanish on the axis
+            slope = 0.0_wp
+            if (load%order_on_axis() < 1.0e-6_wp) slope = load%slope(0.0_wp, load%radius*[1.0e-11_wp])
+        else
+            if (.not. any(load%kinks == r)) return
+            slope = load%slope(r, [0.0_wp])
+            if (abs(slope(1)) <= huge(1.0_wp)) return
+        end if
+        if (abs(slope(1)) > 0.0_wp) pressure = -sign(ieee_value(1.0_wp, ieee_positive_inf), slope(1))
+    end function infinite_pressure
+
+    !> Infinities where the pressure is infinite: the quadratures do not see them.
+    pure subroutine mark_singular(load, poisson, r, z, field, friction, angle)
         class(load_t), intent(in) :: load
         real(wp), intent(in) :: poisson, r(:), z(:)
         real(wp), intent(inout) :: field(:, :)
         real(wp), intent(in), optional :: friction, angle(:)
-        real(wp) :: pressure, slope(1), place, azimuth
+        real(wp) :: pressure, azimuth
         integer :: i, j
 
         do i = 1, size(r)
-            if (z(i) > 0.0_wp .or. r(i) > load%radius) cycle
-            if (r(i) == load%radius) then
-                if (load%edge == 0.0_wp) cycle
-                pressure = sign(ieee_value(1.0_wp, ieee_positive_inf), load%edge)
-            else
-                if (r(i) > 0.0_wp .and. .not. any(load%kinks == r(i))) cycle
-                slope = load%slope(r(i) + load%radius*[1.0e-11_wp])
-                ! p is infinite where q' does not vanish on the axis, and where q' is infinite at a kink
-                place = load%order_at(r(i))
-                if (place > merge(-0.1_wp, 1.0e-6_wp, r(i) > 0.0_wp) .or. .not. abs(slope(1)) > 0.0_wp) cycle
-                pressure = -sign(ieee_value(1.0_wp, ieee_positive_inf), slope(1))
-            end if
+            pressure = infinite_pressure(load, r(i), z(i))
+            if (.not. abs(pressure) > 0.0_wp) cycle
             field(i, s_zz) = -pressure
             if (r(i) > 0.0_wp) then
                 field(i, s_rr) = -pressure
@@ -348,32 +373,26 @@ contains
             if (.not. present(friction)) cycle
             azimuth = 0.0_wp
             if (present(angle)) azimuth = angle(i)
-            if (abs(friction) > 0.0_wp) call mark_sliding(friction, azimuth, pressure, r(i) > 0.0_wp, field(i, :))
+            call mark_sliding(friction, azimuth, pressure, r(i) == load%radius, field(i, :))
         end do
     end subroutine mark_singular
 
-    !> What friction adds where p is infinite: the traction -f p, infinite too, and s_rt, which is infinite outside an edge and
-    !> jumps across a logarithm of p, so that no number is right. On the axis s_rr and s_tt jump as well.
-    pure subroutine mark_sliding(friction, angle, pressure, off_axis, field)
+    !> What friction adds where p is infinite: the traction -f p and, at the edge of the contact, s_rt, which is infinite outside.
+    !> Across a logarithm of p it jumps, and keeps its value halfway.
+    pure subroutine mark_sliding(friction, angle, pressure, at_edge, field)
         real(wp), intent(in) :: friction, angle
         !> +-infinity
         real(wp), intent(in) :: pressure
-        logical, intent(in) :: off_axis
+        logical, intent(in) :: at_edge
         real(wp), intent(inout) :: field(:)
         real(wp) :: along, across
 
         along = friction*nonzero(cos(angle))
         across = friction*nonzero(sin(angle))
-        if (abs(along) > 0.0_wp) then
-            field(s_rz) = -along*pressure
-            if (.not. off_axis) then
-                where (abs(field([s_rr, s_tt])) <= huge(1.0_wp)) field([s_rr, s_tt]) = -along*pressure
-            end if
-        end if
-        if (abs(across) > 0.0_wp) then
-            field(s_tz) = across*pressure
-            field(s_rt) = across*pressure
-        end if
+        if (abs(along) > 0.0_wp) field(s_rz) = -along*pressure
+        if (.not. abs(across) > 0.0_wp) return
+        field(s_tz) = across*pressure
+        if (at_edge) field(s_rt) = across*pressure
 
     contains
 

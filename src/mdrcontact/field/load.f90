@@ -31,8 +31,8 @@ module mdrcontact_field_load
         !> how far from +-a in the complex plane q is analytic [length]
         real(wp) :: analytic = huge(1.0_wp)
     contains
-        !> q'(x) [modulus]
-        procedure(function_of_position), deferred :: slope
+        !> q' [modulus] at distances beyond a position: all digits beside a kink, and +-infinity where it is infinite there
+        procedure(slope_beyond), deferred :: slope
         !> p_hat(k) [modulus length^2]
         procedure :: transform
         procedure :: square_integral
@@ -40,18 +40,18 @@ module mdrcontact_field_load
         procedure :: rule
         !> makes the axis a kink where q' behaves as a broken power there; for constructors
         procedure :: mark_axis
-        !> e of q' ~ (x - kink)^e
-        procedure :: order_at
+        !> e of q' ~ x^e beside the axis
+        procedure :: order_on_axis
     end type load_t
 
     abstract interface
-        pure function function_of_position(self, x) result(y)
+        pure function slope_beyond(self, start, distance) result(y)
             import :: load_t, wp
             class(load_t), intent(in) :: self
-            !> 0 < x < a [length]
-            real(wp), intent(in) :: x(:)
-            real(wp) :: y(size(x))
-        end function function_of_position
+            !> 0 <= start <= start + distance <= a [length]
+            real(wp), intent(in) :: start, distance(:)
+            real(wp) :: y(size(distance))
+        end function slope_beyond
     end interface
 
 contains
@@ -72,7 +72,7 @@ contains
 
         call self%rule(maxval(k), x, weight, error)
         if (allocated(error)) return
-        weight = -weight*self%slope(x)
+        weight = -weight*self%slope(0.0_wp, x)
         allocate (cosine(size(x), panel), sine(size(x), panel), here(size(x)))
         distance = -1.0_wp
         do i = 1, size(k), panel
@@ -112,7 +112,7 @@ contains
         ! panel by panel from the edge inwards; in a panel q' dx is as smooth in the rule's variable as its nodes say
         do first = size(x) - nodes + 1, 1, -nodes
             associate (here => weight(first:first + nodes - 1), t => x(first:first + nodes - 1))
-                inner = here*self%slope(t)/w
+                inner = here*self%slope(0.0_wp, t)/w
                 do i = 1, nodes
                     q(first + i - 1) = before - integral_beyond(node, w, inner, node(i))
                 end do
@@ -196,21 +196,19 @@ contains
         if (size(self%kinks) > 0) then
             if (self%kinks(1) <= 0.0_wp) return
         end if
-        order = self%order_at(0.0_wp)
-        if (abs(order - anint(order)) > 1.0e-4_wp) self%kinks = [0.0_wp, self%kinks]
+        order = self%order_on_axis()
+        if (abs(order - anint(order)) > merge(1.0e-6_wp, 1.0e-4_wp, order < 0.5_wp)) self%kinks = [0.0_wp, self%kinks]
     end subroutine mark_axis
 
-    !> e of q' ~ (x - kink)^e just beyond a position: 0 also where q' does not vary.
-    pure function order_at(self, kink) result(order)
+    !> e of q' ~ x^e beside the axis: 0 also where q' does not vary.
+    pure function order_on_axis(self) result(order)
         class(load_t), intent(in) :: self
-        !> 0 <= kink < a [length]
-        real(wp), intent(in) :: kink
         real(wp) :: order
         real(wp) :: slope(2)
 
-        slope = self%slope(kink + self%radius*[1.0_wp, 4.0_wp]*merge(1.0e-9_wp, 1.0e-11_wp, kink > 0.0_wp))
+        slope = self%slope(0.0_wp, self%radius*[1.0e-11_wp, 4.0e-11_wp])
         order = 0.0_wp
         if (slope(1)*slope(2) > 0.0_wp) order = log(slope(2)/slope(1))/log(4.0_wp)
-    end function order_at
+    end function order_on_axis
 
 end module mdrcontact_field_load

@@ -52,12 +52,13 @@ contains
         call self%mark_axis()
     end subroutine new_profile_load
 
-    pure function slope(self, x) result(y)
+    pure function slope(self, start, distance) result(y)
         class(profile_load_t), intent(in) :: self
-        real(wp), intent(in) :: x(:)
-        real(wp) :: y(size(x))
+        real(wp), intent(in) :: start, distance(:)
+        real(wp) :: y(size(distance))
 
-        y = -self%modulus*(self%profile%mdr_slope(x) + even_slope(self%v, x/self%radius)/self%radius)
+        y = -self%modulus*(self%profile%mdr_slope_beyond(start, distance) &
+                           + even_slope(self%v, (start + distance)/self%radius)/self%radius)
     end function slope
 
     !> sum of c_j P'_2j(u): P'_(n+1) = P'_(n-1) + (2 n + 1) P_n.

@@ -29,6 +29,7 @@ module mdrcontact_layered_slip_profile
         procedure :: slope => no_height
         procedure :: mdr
         procedure :: mdr_slope
+        procedure :: mdr_slope_beyond
         procedure :: mdr_moment
         procedure :: largest_radius
         procedure :: singular_radius
@@ -68,6 +69,16 @@ contains
         call sums(self%c, x/self%radius, total, slope, integral)
         y = self%ratio*(self%base%mdr_slope(x) + slope/self%radius)
     end function mdr_slope
+
+    elemental function mdr_slope_beyond(self, start, distance) result(y)
+        class(slip_profile_t), intent(in) :: self
+        real(wp), intent(in) :: start, distance
+        real(wp) :: y
+        real(wp) :: total, slope, integral
+
+        call sums(self%c, (start + distance)/self%radius, total, slope, integral)
+        y = self%ratio*(self%base%mdr_slope_beyond(start, distance) + slope/self%radius)
+    end function mdr_slope_beyond
 
     !> int_0^x s g' ds = x g(x) - int_0^x g ds.
     elemental function mdr_moment(self, x) result(y)

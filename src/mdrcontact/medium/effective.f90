@@ -206,7 +206,7 @@ contains
         end do
     end subroutine line_load
 
-    !> Infinite at the rim of a flat end, where g' is.
+    !> Infinite at the edge of a flat end, where g' is.
     !> p(r) = (1/pi) int_r^a E_eff(s) d'(s)/sqrt(s^2 - r^2) ds + E_eff(a) excess/(pi sqrt(a^2 - r^2)), equation (6).
     subroutine pressure(self, profile, a, excess, r, values, error)
         class(effective_medium_t), intent(in) :: self
@@ -225,13 +225,14 @@ contains
             lowest = max(r(i), profile%end_radius())
             from_axis = lowest <= 0.0_wp
             if (from_axis) lowest = smallest_panel_ratio*a
-            if (r(i) > 0.0_wp .and. r(i) == profile%end_radius() .and. a > lowest) then
+            if (r(i) < a .and. profile%mdr_slope_beyond(r(i), 0.0_wp) > huge(a)) then
                 values(i) = ieee_value(values(i), ieee_positive_inf)
             else if (a > lowest) then
-                call graded_rule(lowest, a, merged_breaks([lowest], all_breaks(self, profile)), profile%singular_radius(), &
-                                 s, ds, error, beyond)
+                ! r too: a flat end's edge just beyond it has short panels
+                call graded_rule(lowest, a, merged_breaks(merged_breaks([r(i)], [lowest]), all_breaks(self, profile)), &
+                                 profile%singular_radius(), s, ds, error, beyond)
                 if (allocated(error)) return
-                values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds &
+                values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds &
                                             /(sqrt(beyond + (lowest - r(i)))*sqrt(s + r(i))))
                 if (from_axis) values(i) = values(i) + self%effective_modulus(lowest)*near_axis(profile, lowest)
             end if
@@ -370,12 +371,12 @@ contains
         if (.not. allocated(error)) call move_alloc(own, slip)
     end subroutine new_slip
 
-    pure function slope(self, x) result(y)
+    pure function slope(self, start, distance) result(y)
         class(effective_load_t), intent(in) :: self
-        real(wp), intent(in) :: x(:)
-        real(wp) :: y(size(x))
+        real(wp), intent(in) :: start, distance(:)
+        real(wp) :: y(size(distance))
 
-        y = -self%medium%effective_modulus(x)*self%profile%mdr_slope(x)
+        y = -self%medium%effective_modulus(start + distance)*self%profile%mdr_slope_beyond(start, distance)
     end function slope
 
 end module mdrcontact_medium_effective

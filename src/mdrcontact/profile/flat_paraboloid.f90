@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The flat-ended paraboloid (a worn sphere): flat up to b, then f(r) = (r^2 - b^2)/(2R).
 module mdrcontact_profile_flat_paraboloid
+    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t, root_beyond
@@ -19,6 +20,7 @@ module mdrcontact_profile_flat_paraboloid
         procedure :: slope
         procedure :: mdr
         procedure :: mdr_slope
+        procedure :: mdr_slope_beyond
         procedure :: mdr_moment
         procedure :: end_radius
         procedure :: break_radii
@@ -71,12 +73,25 @@ contains
         class(flat_paraboloid_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: root
 
-        root = root_beyond(x, self%flat_radius)
         y = 0.0_wp
-        if (root > 0.0_wp) y = (root + x*(x/root))/self%curvature_radius
+        if (x > self%flat_radius) y = self%mdr_slope_beyond(self%flat_radius, x - self%flat_radius)
     end function mdr_slope
+
+    elemental function mdr_slope_beyond(self, start, distance) result(y)
+        class(flat_paraboloid_t), intent(in) :: self
+        real(wp), intent(in) :: start, distance
+        real(wp) :: y
+        real(wp) :: gap, root
+
+        gap = (start - self%flat_radius) + distance
+        root = sqrt(max(gap, 0.0_wp)*(gap + 2.0_wp*self%flat_radius))
+        if (root > 0.0_wp) then
+            y = (root + (self%flat_radius + gap)*((self%flat_radius + gap)/root))/self%curvature_radius
+        else
+            y = merge(0.0_wp, ieee_value(gap, ieee_positive_inf), gap < 0.0_wp)
+        end if
+    end function mdr_slope_beyond
 
     elemental function mdr_moment(self, x) result(y)
         class(flat_paraboloid_t), intent(in) :: self

@@ -24,6 +24,7 @@ module mdrcontact_profile_sum
         procedure :: slope
         procedure :: mdr
         procedure :: mdr_slope
+        procedure :: mdr_slope_beyond
         procedure :: mdr_moment
         procedure :: largest_radius
         procedure :: singular_radius
@@ -125,6 +126,18 @@ contains
             y = y + self%terms(i)%profile%mdr_slope(x)
         end do
     end function mdr_slope
+
+    elemental function mdr_slope_beyond(self, start, distance) result(y)
+        class(profile_sum_t), intent(in) :: self
+        real(wp), intent(in) :: start, distance
+        real(wp) :: y
+        integer :: i
+
+        y = 0.0_wp
+        do i = 1, size(self%terms)
+            y = y + self%terms(i)%profile%mdr_slope_beyond(start, distance)
+        end do
+    end function mdr_slope_beyond
 
     elemental function mdr_moment(self, x) result(y)
         class(profile_sum_t), intent(in) :: self

@@ -15,15 +15,15 @@ module example_loads
 
 contains
 
-    pure function slope(self, x) result(y)
+    pure function slope(self, start, distance) result(y)
         class(polynomial_load_t), intent(in) :: self
-        real(wp), intent(in) :: x(:)
-        real(wp) :: y(size(x))
+        real(wp), intent(in) :: start, distance(:)
+        real(wp) :: y(size(distance))
         integer :: i
 
         y = 0.0_wp
         do i = size(self%coefficients), 2, -1
-            y = real(i - 1, wp)*self%coefficients(i) + x*y
+            y = real(i - 1, wp)*self%coefficients(i) + (start + distance)*y
         end do
     end function slope
 
