@@ -53,7 +53,7 @@ MUTATIONS = [
     ("layered/solve.f90", "safety = 4.0_wp", "safety = 1.0e-9_wp", "test_layered_exact test_layered_reference"),
     ("layered/solve.f90", "ceiling(min((11.5_wp*sqrt", "ceiling(min((3.5_wp*sqrt", "test_layered_exact test_layered_reference"),
     ("layered/solve.f90", "solution%errors = solution%errors + solution%rounding", "", "test_layered_exact test_layered_reference"),
-    ("body/film.f90", "(c + b + 4.0_wp*b*t**2)*e", "(c + b + 2.0_wp*b*t**2)*e", "test_layered_reference"),
+    ("body/film.f90", "(c + b + 4.0_wp*b*x)*e", "(c + b + 2.0_wp*b*x)*e", "test_layered_reference"),
     ("body/film.f90", "-self%c_rest, way > 0.0_wp", "self%c_rest, way > 0.0_wp", "test_friction"),
     ("medium/homogeneous.f90", "self%contact_modulus/upper%contact_modulus", "self%contact_modulus/lower%contact_modulus",
      "c_fields c_interior test_pair test_interior.py test_objects.py"),

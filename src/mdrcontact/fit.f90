@@ -24,6 +24,8 @@ module mdrcontact_fit
     !> Median of |z| of a normal distribution.
     real(wp), parameter :: normal_median = 0.6744897501960817_wp
     integer, parameter :: most_releases = 5
+    !> Searches, each around where the one before ended, for a parameter that runs to the end of what is tried around its start.
+    integer, parameter :: most_centres = 4
     !> Searches with the errors of readings that enter the model propagated at the point found before.
     integer, parameter :: propagation_rounds = 3
     real(wp), parameter :: wrong_units = 300.0_wp
@@ -76,22 +78,36 @@ contains
         type(fit_data_t), intent(in) :: data
         type(fit_result_t), intent(out) :: fit
         type(error_t), allocatable, intent(out) :: error
+        type(fit_problem_t) :: centred
         type(variables_t) :: variables
         type(fit_residuals_t) :: residuals
         type(outcome_t) :: outcome
         real(wp), allocatable :: u(:)
+        logical, allocatable :: lost(:)
+        integer :: round, i
 
         call check_problem(problem, error)
         if (.not. allocated(error)) call check_data(data, problem, error)
-        if (.not. allocated(error)) call new_variables(variables, problem, data, error)
         if (allocated(error)) return
-        call new_fit_residuals(residuals, problem, data, variables)
-        allocate (u(size(variables%free)))
-        u = 1.0_wp
-        if (problem%check_units) call check_units_at_start(residuals, u, error)
-        if (allocated(error)) return
-        call agree_with_noise(residuals, u, outcome, fit, error)
-        if (allocated(error)) return
+        centred = problem
+        allocate (lost(0))
+        do round = 1, most_centres
+            call new_variables(variables, centred, data, error)
+            if (allocated(error)) return
+            call new_fit_residuals(residuals, centred, data, variables)
+            residuals%evaluations = fit%evaluations
+            u = spread(1.0_wp, 1, size(variables%free))
+            if (problem%check_units .and. round == 1) call check_units_at_start(residuals, u, error)
+            if (allocated(error)) return
+            call agree_with_noise(residuals, u, outcome, fit, error)
+            if (allocated(error)) return
+            ! begun too far away: on from where the search ended
+            lost = variables%ran_off([(i, i=1, size(u))], u)
+            if (.not. any(lost)) exit
+            centred%parameters%value = residuals%values_at(u)
+        end do
+        ! no minimum was found, and the value says only where the search began
+        if (any(lost)) outcome%converged = .false.
         call describe(residuals, u, outcome, fit, error)
     end subroutine solve_fit
 

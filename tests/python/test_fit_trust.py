@@ -275,7 +275,31 @@ def test_data_that_contradict_a_prior_end_the_search():
     film = mdr.Coated(mdr.Elastic(60e9, 0.17), 500e-9, mdr.Elastic(163e9, 0.22))
     depth = np.linspace(3e-9, 17e-9, 40)
     data = mdr.ForceDepth(depth, 0.03 + 4.0 * 1e6 * depth, relative_sd=0.01)
-    result = mdr.fit(data, mdr.Sphere(10e-6), film, {"coating.E": None, "thickness": mdr.Free(prior=(500e-9, 10e-9))})
+    free = {"coating.E": mdr.Free(60e9, upper=4.86e14), "thickness": mdr.Free(prior=(500e-9, 10e-9))}
+    result = mdr.fit(data, mdr.Sphere(10e-6), film, free)
     assert result.at_bound["thickness"] == 1
     assert result.estimates["thickness"] == pytest.approx(700e-9)
     assert "20 standard deviations from its prior" in result.summary()
+
+
+@pytest.mark.parametrize("factor", [1e-2, 1e4, 1e6])
+def test_a_start_far_away_gives_the_same_answer(factor):
+    """A search that ends at the end of what it tries around its start goes on from there."""
+    noise = 1.0 + 0.01 * np.random.default_rng(0).standard_normal(DEPTH.size)
+    data = mdr.ForceDepth(DEPTH, FORCE * noise, relative_sd=0.01)
+    near = mdr.fit(data, BALL, FILM, ["coating.E", "substrate.E"])
+    far = mdr.fit(data, BALL, FILM.replace(coating=mdr.Elastic(OXIDE.E * factor, OXIDE.nu)), ["coating.E", "substrate.E"])
+    assert near.converged and far.converged
+    for name in near.names:
+        assert far.estimates[name] == pytest.approx(near.estimates[name], rel=1e-3)
+
+
+def test_a_parameter_without_an_optimum_has_not_converged():
+    """The modulus of a base that nothing reaches: where its search ended says nothing about it."""
+    depth = DEPTH / 100.0
+    rigid = np.asarray(mdr.Contact(BALL, mdr.Coated(OXIDE, 500e-9, mdr.RIGID)).at_depth(DEPTH).force)
+    result = mdr.fit(mdr.ForceDepth(DEPTH, rigid), BALL, FILM, ["substrate.E"])
+    assert not (result.converged and result.at_bound["substrate.E"])
+    assert result.warnings
+    far = mdr.fit(mdr.ForceDepth(depth, np.asarray(mdr.Contact(BALL, FILM).at_depth(depth).force)), BALL, FILM, ["substrate.E"])
+    assert far.estimates["substrate.E"] == pytest.approx(SILICON.E, rel=1e-3) or not far.converged

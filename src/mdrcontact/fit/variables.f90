@@ -36,6 +36,7 @@ module mdrcontact_fit_variables
         procedure :: unknown_of
         procedure :: slope_at
         procedure :: is_outside
+        procedure :: ran_off
     end type variables_t
 
 contains
@@ -239,5 +240,21 @@ contains
             if (self%upper(i) - p <= rounding*max(abs(self%upper(i)), self%scale(i))) side = 1
         end if
     end function is_outside
+
+    !> Whether a parameter lies at the end of what is tried around its start: not at a bound, and not far from a prior.
+    elemental function ran_off(self, i, u) result(answer)
+        class(variables_t), intent(in) :: self
+        integer, intent(in) :: i
+        real(wp), intent(in) :: u
+        logical :: answer
+
+        answer = .false.
+        if (abs(self%scale(i)) > 0.0_wp) return
+        select case (self%is_outside(i, u))
+        case (-1); answer = self%lower(i) <= self%start(i)*exp(-widest_logarithm)
+        case (1); answer = self%upper(i) >= self%start(i)*exp(widest_logarithm)
+        case default; continue
+        end select
+    end function ran_off
 
 end module mdrcontact_fit_variables
