@@ -10,7 +10,9 @@ import pytest
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
+from mdrcontact.cli.many_figure import overview
 from mdrcontact.measurement.afm import read_afm
+from mdrcontact.problem.fit_file import load_fit_file
 
 afmformats = pytest.importorskip("afmformats")
 h5py = pytest.importorskip("h5py")
@@ -102,3 +104,19 @@ def test_a_file_that_is_not_there(tmp_path, capsys):
     (tmp_path / "problem.toml").write_text(PROBLEM)
     assert main(["fit", str(tmp_path / "none.h5"), "--problem", str(tmp_path / "problem.toml")]) == 1
     assert "there is no such file" in capsys.readouterr().err
+
+
+def test_a_line_of_places_is_drawn_curve_by_curve_and_a_map_as_one(tmp_path):
+    (tmp_path / "problem.toml").write_text(PROBLEM)
+    problem = load_fit_file(tmp_path / "problem.toml")
+    for columns, rows, images in ((4, 1, 0), (3, 2, 2)):
+        write(tmp_path / f"{columns}.h5", columns, rows)
+        curves = problem.curves(tmp_path / f"{columns}.h5")
+        assert [curve.place for curve in curves] == [(i % columns, i // columns) for i in range(columns * rows)]
+        data = (curve.read()[0] for curve in curves)
+        good = [(c, mdr.fit(d, problem.indenter, problem.medium, problem.free)) for c, d in zip(curves, data, strict=True)]
+        figure = overview(good, ("coating.E", "depth_offset"))
+        drawn = [image.get_array() for axis in figure.axes for image in axis.images if axis.get_xlabel() == "column"]
+        assert len(drawn) == images
+        if images:
+            assert np.asarray(drawn[0]) == pytest.approx(np.array([[20.0, 40.0, 60.0], [80.0, 100.0, 120.0]]), rel=2e-3)

@@ -151,6 +151,8 @@ def _read_text(section: Section, cantilever: Cantilever, path: Path) -> tuple[Da
 
 def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
     found = read_afm(path, cantilever.spring_constant, cantilever.deflection_sensitivity)
+    # files count the curves of a map in any order
+    found.sort(key=lambda one: (0.0, 0.0) if one.place is None else one.place[::-1])
     names = [path.name] if len(found) == 1 else [f"{path.name} {i}" for i in range(1, len(found) + 1)]
     return [
         Curve(name, functools.partial(_read_afm_curve, section, path, one), one.place)
