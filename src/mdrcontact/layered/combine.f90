@@ -100,7 +100,7 @@ contains
                 kernel%coefficients(:, 2*octave + half) = powers_from_values(x, degree)
             end do
         end do
-        kernel%tail = weights(1)*first%tail*ratios(1) + weights(2)*second%tail*ratios(2)
+        kernel%tail = weights(1)*first%tail*[ratios(1), ratios(1)**3] + weights(2)*second%tail*[ratios(2), ratios(2)**3]
         call kernel%integrate()
 
     contains

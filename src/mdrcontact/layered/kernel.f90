@@ -2,7 +2,7 @@
 !> The kernel X(y) = int_0^inf chi(k) cos(ky) dk of the one-dimensional springs (theory 6), tabulated once per medium.
 !>
 !> X belongs to the body alone, not to contact radius or indenter. It is tabulated on [0, unit] as a polynomial in y^2 and on
-!> half octaves [unit 2^j, unit 2^(j+1)] up to where it has become its own tail, -c/y^2: any ratio of lengths takes the same
+!> half octaves [unit 2^j, unit 2^(j+1)] up to where it has become its own tail, c/y^2 + d/y^4: any ratio of lengths takes the same
 !> few panels. Lengths in this module are in units of `unit`, X in units of 1/unit.
 module mdrcontact_layered_kernel
     use, intrinsic :: iso_fortran_env, only: int64
@@ -35,8 +35,8 @@ module mdrcontact_layered_kernel
         !> coefficients(:, 0): powers of 2 y^2 - 1 on [0, 1]; (:, 1 + 2 j + i): powers of the local variable in [-1, 1] on
         !> half i of octave j
         real(wp), allocatable :: coefficients(:, :)
-        !> y^2 X(y) beyond the last octave
-        real(wp) :: tail = 0.0_wp
+        !> y^2 X(y) = tail(1) + tail(2)/y^2 beyond the last octave
+        real(wp) :: tail(2) = 0.0_wp
         !> integral of X from the start of each half octave to infinity; the last one that of the tail
         real(wp), allocatable :: rest(:)
     contains
@@ -92,7 +92,7 @@ contains
         half = merge(1, 0, fraction(y) >= 0.75_wp)
         panel = 2*exponent(y) - 1 + half
         if (panel >= size(self%rest)) then
-            total = self%tail/y
+            total = self%tail(1)/y + self%tail(2)/(3.0_wp*y**3)
         else
             total = self%rest(panel + 1) + on_panel(self, panel, 4.0_wp*scale(y, 1 - exponent(y)) - real(5 + 2*half, wp))
         end if
@@ -105,7 +105,7 @@ contains
 
         if (allocated(self%rest)) deallocate (self%rest)
         allocate (self%rest(ubound(self%coefficients, 2) + 1))
-        self%rest(size(self%rest)) = self%tail*scale(1.0_wp, -self%octaves())
+        self%rest(size(self%rest)) = sum(self%tail*[scale(1.0_wp, -self%octaves()), scale(1.0_wp, -3*self%octaves())/3.0_wp])
         do panel = size(self%rest) - 1, 1, -1
             self%rest(panel) = self%rest(panel + 1) + on_panel(self, panel, -1.0_wp)
         end do
@@ -174,7 +174,7 @@ contains
     pure subroutine evaluate_block(n, y, coefficients, octaves, tail, plateau, on_plateau, elsewhere, x)
         integer, intent(in) :: n, octaves, plateau
         !> what is added below 2^plateau, and beyond
-        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail, on_plateau, elsewhere
+        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail(2), on_plateau, elsewhere
         real(wp), intent(out) :: x(n)
         integer :: i, near, far, place(block_size)
         real(wp) :: sorted(block_size), values(block_size), edge
@@ -202,7 +202,7 @@ contains
     !> y >= 1.
     pure subroutine evaluate_far(n, y, coefficients, octaves, tail, x)
         integer, intent(in) :: n, octaves
-        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail
+        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail(2)
         real(wp), intent(out) :: x(n)
         integer(int64) :: bits
         integer :: i, j, octave, half, panel(block_size)
@@ -233,7 +233,7 @@ contains
         end do
         if (.not. has_tail) return
         do i = 1, n
-            if (y(i) >= scale(1.0_wp, octaves)) x(i) = tail/y(i)**2
+            if (y(i) >= scale(1.0_wp, octaves)) x(i) = (tail(1) + tail(2)/y(i)**2)/y(i)**2
         end do
     end subroutine evaluate_far
 

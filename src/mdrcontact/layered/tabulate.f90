@@ -73,12 +73,14 @@ contains
         real(wp) :: x(2*n), coefficients(0:degree, 0:2*most_octaves)
         integer :: octave
         logical :: on_plateau
-        real(wp) :: level, spread
+        real(wp) :: level, slope, spread, middle, inverse(2*n)
 
         kernel%origin = ray%origin
         call near_values(ray, table, table%near_y, x(:n))
         coefficients(:, 0) = powers_from_values(x(:n), near_degree)
         kernel%plateau = 0
+        middle = sum(1.0_wp/table%far_y**2)/real(size(x), wp)
+        inverse = 1.0_wp/table%far_y**2 - middle
         on_plateau = kernel%sigma_zero > stiff
         if (on_plateau) call take_chi_moments(ray, table)
         do octave = 0, most_octaves - 1
@@ -99,11 +101,16 @@ contains
             coefficients(:, 1 + 2*octave) = powers_from_values(x(:n), degree)
             coefficients(:, 2 + 2*octave) = powers_from_values(x(n + 1:), degree)
             if (on_plateau) cycle
+            ! the straight line in 1/y^2 that y^2 X becomes, chi being a power series at long waves
             x = x*table%far_y**2
+            slope = sum(inverse*x)/sum(inverse**2)
             level = sum(x)/real(size(x), wp)
-            spread = maxval(abs(x - level))
-            kernel%tail = level*scale(1.0_wp, 2*octave)
-            if (spread <= 1.0e-13_wp*abs(level) .or. spread <= 1.0e-14_wp*scale(abs(surface%long_wave_limit()), -octave)) exit
+            spread = maxval(abs(x - level - slope*inverse))
+            level = level - slope*middle
+            kernel%tail = [level*scale(1.0_wp, 2*octave), slope*scale(1.0_wp, 4*octave)]
+            ! not before the whole body has shown
+            if (scale(kernel%unit, octave) < surface%last_depth()) cycle
+            if (spread <= 1.0e-13_wp*maxval(abs(x)) .or. spread <= 1.0e-14_wp*scale(abs(surface%long_wave_limit()), -octave)) exit
         end do
         octave = min(octave, most_octaves - 1)
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)
