@@ -163,3 +163,13 @@ def test_command_line_with_drift_picture_and_report(tmp_path, capsys):
     assert "data:image/png;base64," in page and "modulus E (E)" in page and "mdrcontact 0." in page
     assert "http" not in page.replace("data:image/png;base64,", ""), "nothing is fetched"
     assert "src=" in page and page.count("src=") == page.count("data:image")
+
+
+def test_a_record_says_where_its_depths_begin_and_in_which_order_it_was_measured():
+    _, h, p, _ = indentation(5e-3, noise=1e-6)
+    assert not mdr.Unloading(h, p).warnings
+    for shift in (-0.15, 0.15):
+        assert any("not at 0" in words for words in mdr.Unloading(h + shift * h.max(), p).warnings)
+    assert any("reverse order" in words for words in mdr.Unloading(h[::-1], p[::-1]).warnings)
+    top = int(np.argmax(h))
+    assert mdr.Unloading(h[top:], p[top:]).warnings[0].startswith("the record begins with unloading")

@@ -21,6 +21,7 @@ _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #1a1a1a; max-width: 62em; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.5em; } h2 { font-size: 1.1em; margin-top: 2em; border-bottom: 1px solid #ccc; }
 table { border-collapse: collapse; } th, td { text-align: left; padding: 0.25em 1.2em 0.25em 0; vertical-align: top; }
+td:not(:last-child) { white-space: nowrap; }
 th { border-bottom: 1px solid #888; } tr:nth-child(even) td { background: #f6f6f6; }
 .doubt { color: #a33c00; font-weight: bold; } img { max-width: 100%; } footer { margin-top: 3em; color: #666; font-size: 0.85em; }
 """

@@ -25,8 +25,8 @@ Array = NDArray[np.float64]
 UPPER_PART = (0.4, 0.98)
 """Of the largest force: the part of an unloading curve that ISO 14577-1 fits."""
 _FEWEST = 8
-_BEGINS, _ZERO, _GAIN = 0.01, 0.03, 0.01
-"""Of the largest force, of the depth, of their product: where contact begins, what is a zero, and what drift may do to the work."""
+_BEGINS, _ZERO, _GAIN = (0.01, 0.05), 0.03, 0.01
+"""Of the largest force, of the depth, of their product: where loading begins, what is a zero, and what drift may do to the work."""
 _EXPONENTS = 1.1, 2.0
 """The power of unloading curves of real materials is between those of a punch and a cone."""
 
@@ -154,15 +154,18 @@ def _doubts_of_record(h: Array, p: Array, first: Segment) -> list[str]:
     rise, deepest = float(np.ptp(p)), float(np.ptp(h))
     if first.kind == "unloading":
         return ["the record begins with unloading: its first reading is taken as the largest force of the test"]
-    if first.kind != "loading" or p[0] - p.min() > _BEGINS * rise:
+    lift = p - p.min()
+    if first.kind != "loading" or lift[0] > _BEGINS[0] * rise:
         return []
     words = []
-    touches = int(np.argmax(p - p.min() > _BEGINS * rise))
-    low, high = sorted(h[touches - 1 : touches + 1])
+    # loading is a power of the depth between 1 and 2: two points of its beginning say where it can have begun
+    (h1, h2), (p1, p2) = (v[[int(np.argmax(lift > part * rise)) for part in _BEGINS]] for v in (h, lift))
+    steepness = max(float(p2 / p1), 1.0 + 1e-9)
+    low, high = (float(h1 - (h2 - h1) / (steepness ** (1.0 / power) - 1.0)) for power in (2.0, 1.0))
     if not low - _ZERO * deepest < 0.0 < high + _ZERO * deepest:
         words.append(
-            f"the force begins to rise at a depth of {told(float(low), LENGTH)}, not at 0: contact depth and area are wrong by as "
-            "much. Subtract it from the depths, or let the contact point be found"
+            f"contact begins at a depth between {told(low, LENGTH)} and {told(high, LENGTH)}, not at 0: contact depth and area are "
+            "wrong by as much. Subtract it from the depths, or let the contact point be found"
         )
     # work that goes in stays, or comes out in part
     if float(0.5 * (p[1:] + p[:-1]) @ np.diff(h)) < -_GAIN * rise * deepest:
