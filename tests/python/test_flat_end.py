@@ -13,7 +13,7 @@ import mdrcontact as mdr
 NU = 0.3
 UNIT = mdr.Homogeneous(mdr.Elastic(1.0 - NU**2, NU))  # E* = 1
 TIN, STEEL = mdr.Elastic(450.0, 0.25), mdr.Elastic(210.0, 0.3)
-OFFSETS = [s * 10.0**-n for s in (-1.0, 1.0) for n in range(1, 13)]
+OFFSETS = [s * 10.0**-n for s in (-1.0, 1.0) for n in range(1, 13)] + [-1.0]  # and the axis
 
 
 def elliptic(r, b, a):

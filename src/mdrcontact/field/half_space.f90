@@ -218,7 +218,7 @@ contains
         distance = t - segment%origin
         if (low > segment%kink) return
         distance = length*rule%node**2
-        if (.not. on_surface .or. segment%r > 0.0_wp) return
+        if (.not. on_surface .or. segment%r > 0.0_wp .or. segment%start > 0.0_wp) return
         ! at the apex of a broken power, int_0^x q'(s)/s ds = q'(x)/e
         t = length
         distance = length
