@@ -266,6 +266,23 @@ contains
         end do
     end function work_on
 
+    !> Coefficients of P_0, P_1, ... from the nodes of a Gauss rule and values times weights there.
+    pure function legendre_series(u, values) result(c)
+        real(wp), intent(in) :: u(:), values(:)
+        real(wp) :: c(0:size(u) - 1)
+        real(wp), dimension(size(u)) :: before, here, next
+        integer :: m
+
+        before = 0.0_wp
+        here = 1.0_wp
+        do m = 0, size(u) - 1
+            c(m) = real(2*m + 1, wp)*0.5_wp*sum(values*here)
+            next = (real(2*m + 1, wp)*u*here - real(m, wp)*before)/real(m + 1, wp)
+            before = here
+            here = next
+        end do
+    end function legendre_series
+
     !> What the layers add to the displacement of the surface beyond the contact:
     !> (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx [length], with w(x) = (1/pi) int_-a^a X(x - s) q(s)/E0* ds.
     subroutine displacement_beyond(self, kernel, r, values, error)
@@ -276,54 +293,85 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule, panel
-        real(wp), allocatable :: load(:)
-        real(wp) :: a, here, length, far, x
-        integer :: i, j, n
-        logical :: last
+        real(wp), allocatable :: load(:), w(:, :), series(:, :), x(:)
+        real(wp) :: a, far, start, length, y(panel_nodes), root(panel_nodes)
+        integer :: i, j, k, n, panels
 
         a = self%a/kernel%unit
         n = size(self%q)
         call contact_rule(rule, a, 4*n + 4, 4*n, is_fine(kernel, a, n), error)
         call new_rule(panel, panel_nodes, error)
         values = 0.0_wp
-        if (allocated(error)) return
-        allocate (load(size(rule%weights)))
+        if (allocated(error) .or. size(r) == 0) return
+        allocate (load(size(rule%weights)), x(size(rule%weights)))
         do i = 1, size(load)
             load(i) = a/pi*rule%weights(i)*even_sum(self%q, 1.0_wp - rule%distance(i))
         end do
-        do j = 1, size(r)
-            far = r(j)/kernel%unit
-            here = a
-            last = .false.
-            do while (.not. last)
-                length = longest_panel + (here - a)
-                last = here + 2.0_wp*length >= far
-                if (last) length = far - here
-                do i = 1, size(panel%weights)
-                    if (last) then
-                        x = far - 0.25_wp*length*panel%distance(i)**2
-                        values(j) = values(j) + panel%weights(i)*sqrt(length/(far + x))*beyond_edge(x - a)
-                    else
-                        x = here + 0.5_wp*length*panel%distance(i)
-                        values(j) = values(j) + 0.5_wp*length*panel%weights(i)/sqrt((far - x)*(far + x))*beyond_edge(x - a)
-                    end if
-                end do
-                here = here + length
+        ! panel k begins at a distance longest_panel (2^(k-1) - 1) from the edge [unit] and is longest_panel 2^(k-1) long: w at
+        ! the nodes, and as Legendre series
+        panels = panel_at((maxval(r) - self%a)/kernel%unit)
+        allocate (w(panel_nodes, panels), series(0:panel_nodes - 1, panels))
+        do k = 1, panels
+            call place(k, start, length)
+            do i = 1, panel_nodes
+                call kernel%evaluate(start + 0.5_wp*length*panel%distance(i) + a*rule%distance, 0.0_wp, x)
+                w(i, k) = sum(load*x)
             end do
-            values(j) = (2.0_wp/pi)*values(j)
+            series(:, k) = legendre_series(panel%distance - 1.0_wp, panel%weights*w(:, k))
+        end do
+        do j = 1, size(r)
+            far = (r(j) - self%a)/kernel%unit
+            start = 0.0_wp
+            do k = 1, panels
+                call place(k, start, length)
+                if (start + 2.0_wp*length >= far) exit
+                y = start + 0.5_wp*length*panel%distance
+                values(j) = values(j) + sum(0.5_wp*length*panel%weights*w(:, k)/sqrt((far - y)*(2.0_wp*a + far + y)))
+            end do
+            ! the root's pole is next to the panels before r: they are taken together, from the pole
+            length = far - start
+            y = far - 0.25_wp*length*panel%distance**2
+            root = sqrt(length/(2.0_wp*a + far + y))
+            values(j) = (2.0_wp/pi)*(values(j) + sum(panel%weights*root*value_at(y)))
         end do
 
     contains
 
-        !> w at a distance from the edge [unit].
-        function beyond_edge(distance) result(w)
+        elemental function panel_at(distance) result(k)
             real(wp), intent(in) :: distance
-            real(wp) :: w
-            real(wp) :: x(size(load))
+            integer :: k
 
-            call kernel%evaluate(distance + a*rule%distance, 0.0_wp, x)
-            w = sum(load*x)
-        end function beyond_edge
+            k = exponent(1.0_wp + max(distance, 0.0_wp)/longest_panel)
+        end function panel_at
+
+        pure subroutine place(k, start, length)
+            integer, intent(in) :: k
+            real(wp), intent(out) :: start, length
+
+            length = scale(longest_panel, k - 1)
+            start = length - longest_panel
+        end subroutine place
+
+        !> w at distances from the edge.
+        pure function value_at(y) result(values)
+            real(wp), intent(in) :: y(panel_nodes)
+            real(wp) :: values(panel_nodes)
+            real(wp), dimension(panel_nodes) :: u, before, here, next
+            integer :: m, at(panel_nodes)
+
+            at = min(panel_at(y), panels)
+            ! 2 (y - start)/length - 1
+            u = 2.0_wp*(y/longest_panel + 1.0_wp)*scale(1.0_wp, 1 - at) - 3.0_wp
+            before = 0.0_wp
+            here = 1.0_wp
+            values = 0.0_wp
+            do m = 0, panel_nodes - 1
+                values = values + series(m, at)*here
+                next = (real(2*m + 1, wp)*u*here - real(m, wp)*before)*(1.0_wp/real(m + 1, wp))
+                before = here
+                here = next
+            end do
+        end function value_at
 
     end subroutine displacement_beyond
 
