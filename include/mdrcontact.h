@@ -1456,11 +1456,20 @@ int mdr_friction_law_free(mdr_friction_law **law);
 /** What x and y of the data are. */
 enum mdr_fit_data_kind {
     MDR_FIT_FORCE_DEPTH = 1,     /**< Indentation depth [length] and force [modulus length^2]. */
-    MDR_FIT_STIFFNESS_DEPTH = 2, /**< Indentation depth [length] and contact stiffness > 0 [modulus length]; with the force of each
-                                      point (dynamic nanoindentation). */
+    MDR_FIT_STIFFNESS_DEPTH = 2, /**< Indentation depth [length] and contact stiffness > 0 [modulus length]; given the force of each
+                                      point [modulus length^2] (dynamic nanoindentation). */
     MDR_FIT_MODULUS_RADIUS = 3,  /**< Contact radius > 0 [length] and effective contact modulus [modulus]. */
-    MDR_FIT_STIFFNESS_RADIUS = 4 /**< Contact radius > 0 [length] and contact stiffness [modulus length]. */
+    MDR_FIT_STIFFNESS_RADIUS = 4, /**< Contact radius > 0 [length] and contact stiffness [modulus length]. */
+    MDR_FIT_FORCE_TIME = 5,      /**< Ascending times [time] and force [modulus length^2] of a viscoelastic body; given the
+                                      indentation depth at each time [length], in between linear: mdr_contact_history(). */
+    MDR_FIT_DEPTH_TIME = 6,      /**< Ascending times [time] and indentation depth [length]; given the force [modulus length^2]. */
+    MDR_FIT_DYNAMIC_STIFFNESS = 7 /**< Angular frequency > 0 [1/time] and, as `branch` says of each point, MDR_FIT_STORAGE or
+                                      MDR_FIT_LOSS, real or imaginary part of the dynamic stiffness [modulus length]; given the
+                                      contact radius > 0 [length]: mdr_contact_dynamic_stiffness(). */
 };
+
+/** What a point of MDR_FIT_DYNAMIC_STIFFNESS is. */
+enum mdr_fit_part { MDR_FIT_STORAGE = 1, MDR_FIT_LOSS = 2 };
 
 /** Kinds of indenter. Their parameters are the arguments of mdr_profile_paraboloid() and so on, in that order. */
 enum mdr_fit_indenter {
@@ -1485,7 +1494,11 @@ enum mdr_fit_medium {
     MDR_FIT_MEDIUM_STACK = 2,       /**< E, nu, h of each layer from the surface down; E, nu of the substrate (E INFINITY: rigid);
                                          alpha or wave_factor of the model, 1 if it has neither. */
     MDR_FIT_MEDIUM_GRADED = 3,      /**< z, E, nu at each depth from the surface down. */
-    MDR_FIT_MEDIUM_POWER_GRADED = 4 /**< E0, z0, exponent, nu. */
+    MDR_FIT_MEDIUM_POWER_GRADED = 4, /**< E0, z0, exponent, nu. */
+    MDR_FIT_MEDIUM_VISCOELASTIC = 5 /**< Materials, model and layers of the handle `medium_object`, a viscoelastic medium, with other
+                                         numbers: those of each material from the surface down, behind a layer's its thickness. Of
+                                         an elastic material E, nu; of a power law modulus, time, exponent, nu; of a Prony series
+                                         relaxed modulus, modulus and time of each term, viscosity, and bulk modulus or nu. */
 };
 
 /** The parameters of the instrument, by their place behind those of indenter, medium and counterbody. */
@@ -1529,7 +1542,7 @@ typedef struct mdr_fit_problem {
     int indenter;                        /**< One of enum mdr_fit_indenter; default MDR_FIT_INDENTER_GIVEN. */
     const mdr_profile *profile;          /**< For MDR_FIT_INDENTER_GIVEN. */
     int medium;                          /**< One of enum mdr_fit_medium; default MDR_FIT_MEDIUM_GIVEN. */
-    const mdr_medium *medium_object;     /**< For MDR_FIT_MEDIUM_GIVEN. */
+    const mdr_medium *medium_object;     /**< For MDR_FIT_MEDIUM_GIVEN and MDR_FIT_MEDIUM_VISCOELASTIC. */
     int model;                           /**< One of enum mdr_model, for stacks and graded media; default MDR_MODEL_EXACT. */
     int layers;                          /**< Layers of a stack, or depths of a graded medium, 1 to 100000; default 1. */
     const mdr_medium_options *options;   /**< Or NULL (default): weight_nu_choice, weight_nu, tolerance; the model's constant
@@ -1550,11 +1563,11 @@ typedef struct mdr_fit_problem {
     const int *branch;                   /**< [n] of enum mdr_branch; NULL: all points on one branch, down to pull-off. Matters
                                               with adhesion, where the bodies part at pull-off and read the force offset from there.
                                               In a fit the readings say which points are in contact, in mdr_fit_predict() the
-                                              model does. */
+                                              model does. For MDR_FIT_DYNAMIC_STIFFNESS of enum mdr_fit_part. */
     int counterbody;                     /**< The upper one of two deformable bodies, as in mdr_medium_pair(): one of enum
                                               mdr_fit_medium; default MDR_FIT_MEDIUM_NONE: the indenter is rigid, or
                                               MDR_FIT_INDENTER_MODULUS says how stiff. */
-    const mdr_medium *counterbody_object; /**< For MDR_FIT_MEDIUM_GIVEN. */
+    const mdr_medium *counterbody_object; /**< As `medium_object`. */
     int counterbody_model;               /**< As `model`. */
     int counterbody_layers;              /**< As `layers`. */
     const mdr_medium_options *counterbody_options; /**< As `options`. */
@@ -1592,7 +1605,7 @@ int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
  *                            known and absolute
  *  @param x                  [n] see enum mdr_fit_data_kind; in any order, not all equal unless one point is enough
  *  @param y                  [n] see enum mdr_fit_data_kind; not all equal unless one point is enough
- *  @param force              [n] forces, for MDR_FIT_STIFFNESS_DEPTH; otherwise may be NULL [modulus length^2]
+ *  @param given              [n] what else is known of each point, see enum mdr_fit_data_kind; NULL where nothing is
  *  @param sd                 [n] standard deviations of y > 0, in its unit; NULL: equal and unknown
  *  @param values             [m] or NULL: all parameters, each in its unit
  *  @param covariance         [m m] or NULL: their covariance, 0 for fixed ones; symmetric
@@ -1604,7 +1617,7 @@ int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
  *  @param residuals          [n] or NULL: (y - model)/standard deviation [1]
  *  @param summary            or NULL: what speaks for or against the fit
  *  @return MDR_EINVALID also for data in other units than the start, or too few; what the model answers at the start */
-int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
+int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
                   const double sd[], double values[], double covariance[], double widening[], int at_bound[],
                   double weakest_direction[], double fitted[], double residuals[], mdr_fit_summary *summary);
 
@@ -1613,12 +1626,12 @@ int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const
  *  @param n        number of points
  *  @param x        [n] see enum mdr_fit_data_kind
  *  @param y        [n] readings; they enter where the frame compliance is not 0, and for MDR_FIT_STIFFNESS_DEPTH
- *  @param force    [n] forces, for MDR_FIT_STIFFNESS_DEPTH; otherwise may be NULL [modulus length^2]
+ *  @param given    [n] or NULL, as for mdr_fit_solve()
  *  @param fitted   [n] the model, in the unit of y
  *  @param radius   [n] or NULL: the contact radii, 0 out of contact; for MDR_FIT_STIFFNESS_DEPTH those of the tip at the contact
  *                  depth of Oliver and Pharr, h_c = h - epsilon P/S, J. Mater. Res. 7 (1992) 1564, with the area factor [length]
  *  @return also what the model answers: MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
-int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
+int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
                     double fitted[], double radius[]);
 
 /** Profile-likelihood interval of one free parameter: the values at which the
@@ -1629,14 +1642,14 @@ int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], con
  *  @param n         number of points
  *  @param x         [n] see enum mdr_fit_data_kind
  *  @param y         [n] see enum mdr_fit_data_kind
- *  @param force     [n] or NULL, as for mdr_fit_solve() [modulus length^2]
+ *  @param given     [n] or NULL, as for mdr_fit_solve()
  *  @param sd        [n] or NULL, as for mdr_fit_solve()
  *  @param position  index among the parameters, from 0
  *  @param level     of confidence, 0 < level < 1
  *  @param lower     receives the lower end, in the parameter's unit
  *  @param upper     receives the upper end, in the parameter's unit
  *  @return as mdr_fit_solve() */
-int mdr_fit_interval(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double force[],
+int mdr_fit_interval(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
                      const double sd[], int position, double level, double *lower, double *upper);
 
 /** Half the width of a confidence interval in standard errors: the quantile of Student's t, of the normal distribution for

@@ -25,12 +25,13 @@ module mdrcontact
                                    indenter_given, indenter_paraboloid, indenter_power_law, indenter_rounded_cone, indenter_sphere
     use mdrcontact_fit_interval, only: profile_interval
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_graded, medium_homogeneous, medium_none, &
-                                        medium_power_graded, medium_stack
+                                        medium_power_graded, medium_stack, medium_viscoelastic
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
-                                      at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_force_depth, &
-                                      data_modulus_radius, data_stiffness_depth, data_stiffness_radius, fit_data_t, &
-                                      fit_parameter_t, fit_problem_t, instrument_numbers, loss_cauchy, loss_huber, loss_linear
+                                      at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_depth_time, &
+                                      data_dynamic_stiffness, data_force_depth, data_force_time, data_modulus_radius, &
+                                      data_stiffness_depth, data_stiffness_radius, fit_data_t, fit_parameter_t, fit_problem_t, &
+                                      instrument_numbers, loss_cauchy, loss_huber, loss_linear, part_loss, part_storage
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
     use mdrcontact_history_relaxation, only: contact_history

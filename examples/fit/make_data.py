@@ -97,6 +97,14 @@ def main() -> None:
     noisy = 1.0 / (1.0 / stiffness + 1e-7) * (1.0 + 0.005 * random.standard_normal(a.size))
     write("csm_on_silica.csv", "h_nm,P_mN,S_N_per_m", h * 1e9, load * 1e3, noisy)
 
+    # an AFM sphere on a gel layer on glass: approach, hold, retract, with noise of height and deflection
+    gel = mdr.Coated(mdr.PowerLawRheology(400.0, 1.0, 0.18, 0.5), 4e-6, mdr.RIGID)
+    time = np.linspace(0.0, 3.0, 600)
+    depth = np.interp(time, [0.0, 0.8, 2.2, 3.0], [-0.3e-6, 0.7e-6, 0.7e-6, -0.3e-6])
+    force = mdr.Contact(mdr.Paraboloid(5e-6), gel).history(time, depth=depth).force + 10e-12 * random.standard_normal(time.size)
+    depth = depth + 0.35e-6 + 0.2e-9 * random.standard_normal(time.size)
+    write("gel_in_time.csv", "time [s],indentation [nm],force [nN]", time, depth * 1e9, force * 1e9)
+
 
 if __name__ == "__main__":
     main()

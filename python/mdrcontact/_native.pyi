@@ -168,7 +168,7 @@ def fit_solve(
     problem: int,
     x: ArrayLike,
     y: ArrayLike,
-    force: int,
+    given: int,
     sd: int,
     values: int,
     covariance: int,
@@ -180,9 +180,9 @@ def fit_solve(
     summary: int,
     /,
 ) -> int: ...
-def fit_predict(problem: int, x: ArrayLike, y: ArrayLike, force: int, radius: int, /) -> tuple[int, Reals]: ...
+def fit_predict(problem: int, x: ArrayLike, y: ArrayLike, given: int, radius: int, /) -> tuple[int, Reals]: ...
 def fit_interval(
-    problem: int, x: ArrayLike, y: ArrayLike, force: int, sd: int, position: int, level: float, /
+    problem: int, x: ArrayLike, y: ArrayLike, given: int, sd: int, position: int, level: float, /
 ) -> tuple[int, float, float]: ...
 def fit_quantile(level: float, degrees_of_freedom: float, /) -> tuple[int, float]: ...
 def law_force_scalar(law: int, branch: int, d: float, /) -> float | None: ...

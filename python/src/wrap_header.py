@@ -34,10 +34,10 @@ SIZES = {
     "mdr_friction_memory_turn": {"normal": "n, 3", "memory": ""},
     "mdr_law_from_depth": dict.fromkeys(("F", "slope", "a", "k"), ""),
     "mdr_fit_solve": dict.fromkeys(
-        ("force", "sd", "values", "covariance", "widening", "at_bound", "weakest_direction", "fitted", "residuals"), ""
+        ("given", "sd", "values", "covariance", "widening", "at_bound", "weakest_direction", "fitted", "residuals"), ""
     ),
-    "mdr_fit_predict": {"force": "", "radius": ""},
-    "mdr_fit_interval": {"force": "", "sd": ""},
+    "mdr_fit_predict": {"given": "", "radius": ""},
+    "mdr_fit_interval": {"given": "", "sd": ""},
 }
 # Numbers that go in and come out again.
 BOTH_WAYS = {"segment"}

@@ -34,7 +34,8 @@ header, units = { Depth = "nm" }, skip = 3 lines, sheet = "Test 1". What was und
 The problem file is that of `mdrcontact curve` with two more tables in place of [compute], and if needed [instrument]:
 
     [data]
-    kind = "force-depth"            # stiffness-depth, modulus-radius, stiffness-radius
+    kind = "force-depth"            # stiffness-depth, modulus-radius, stiffness-radius; of a viscoelastic medium
+                                    # force-time (approach, hold, retract), depth-time (creep), dynamic-stiffness
     force = "P_mN"                  # columns, where their names do not say it already
     relative_sd = 0.01              # or sd = "column"; without either it is estimated
     max_depth = "100 nm"            # fit a part of the curve

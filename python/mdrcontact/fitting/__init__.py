@@ -3,7 +3,16 @@
 
 from .calibration import as_prior
 from .compare import ModelRanking, RankedModel, compare_models
-from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, UnloadingPoint
+from .data import (
+    DepthTime,
+    DynamicStiffness,
+    ForceDepth,
+    ForceTime,
+    ModulusRadius,
+    StiffnessDepth,
+    StiffnessRadius,
+    UnloadingPoint,
+)
 from .depth_profile import DepthProfile, modulus_at_depths
 from .many import FailedFit, fit_many
 from .oliver_pharr import OliverPharr, oliver_pharr
@@ -27,6 +36,9 @@ __all__ = [
     "StiffnessDepth",
     "ModulusRadius",
     "StiffnessRadius",
+    "ForceTime",
+    "DepthTime",
+    "DynamicStiffness",
     "as_prior",
     "modulus_at_depths",
     "DepthProfile",

@@ -16,7 +16,7 @@ from .. import profile as profiles
 from .._boundary import number
 from .._choices import nearest
 from ..errors import ArgumentTypeError, InvalidArgumentError
-from ..material import RIGID, Elastic
+from ..material import RIGID, Elastic, PowerLawRheology, Viscoelastic
 from ..medium.coated import base
 from ..medium.models import MODELS, settings
 from ..medium.viscoelastic import is_viscoelastic
@@ -203,7 +203,7 @@ def of_medium(medium: Any) -> MediumNumbers:
     if not isinstance(medium, media.Medium):
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
     if is_viscoelastic(medium):
-        raise InvalidArgumentError("medium is not allowed: it is viscoelastic, and this fit is of elastic bodies")
+        return _viscoelastic(medium)
     if isinstance(medium, media.Pair) and has_homogeneous_indenter(medium):
         return of_medium(medium.lower)
     if isinstance(medium, media.Pair) and RIGID not in (medium.lower, medium.upper):
@@ -283,6 +283,70 @@ def _stack(medium: Any) -> MediumNumbers:
         return media.Layered(stack, substrate, medium.model, **given)
 
     return MediumNumbers(Numbers(2, names, values, build), medium, chosen.code, chosen.record, len(layers))
+
+
+def _viscoelastic(medium: Any) -> MediumNumbers:
+    """The numbers of each material from the surface down, and thicknesses; the kinds of the materials stay."""
+    if isinstance(medium, media.Homogeneous):
+        parts = [("", medium.material, "")]
+    elif isinstance(medium, media.Coated):
+        parts = [("coating.", medium.coating, "thickness")]
+    else:
+        parts = [(f"layers[{i}].", layer, f"layers[{i}].thickness") for i, (layer, _) in enumerate(medium.layers)]
+    thicknesses = [h for _, h in medium.layers] if isinstance(medium, media.Layered) else [getattr(medium, "thickness", 0.0)]
+    if getattr(medium, "substrate", RIGID) is not RIGID:
+        parts.append(("substrate.", medium.substrate, ""))
+    names: list[str] = []
+    values: list[float] = []
+    for i, (prefix, material, thickness) in enumerate(parts):
+        found = _of_material(material)
+        names += [prefix + name for name in found] + ([thickness] if thickness else [])
+        values += [*found.values(), *([thicknesses[i]] if thickness else [])]
+
+    def build(v: Sequence[float]) -> Any:
+        rest = list(v)
+        made, heights = [], []
+        for _, material, thickness in parts:
+            count = len(_of_material(material))
+            made.append(_with_numbers(material, rest[:count]))
+            if thickness:
+                heights.append(rest[count])
+            rest = rest[count + bool(thickness) :]
+        if isinstance(medium, media.Homogeneous):
+            return media.Homogeneous(made[0])
+        substrate = RIGID if medium.substrate is RIGID else made[-1]
+        if isinstance(medium, media.Coated):
+            return medium.replace(coating=made[0], thickness=heights[0], substrate=substrate)
+        return medium.replace(layers=list(zip(made, heights, strict=False)), substrate=substrate)
+
+    return MediumNumbers(Numbers(5, names, values, build), medium)
+
+
+def _of_material(material: Any) -> dict[str, float]:
+    """The numbers of a material by name, in the library's order."""
+    if isinstance(material, Elastic):
+        return {"E": material.E, "nu": material.nu}
+    if isinstance(material, PowerLawRheology):
+        return {name: getattr(material, name) for name in ("modulus", "time", "exponent", "nu")}
+    if len({tau for _, tau in material.terms}) < len(material.terms):
+        raise InvalidArgumentError("terms is not allowed: two terms of equal time are one, which has no two moduli to be fitted")
+    found = {"relaxed_shear_modulus": material.relaxed_shear_modulus}
+    for i, (modulus, tau) in enumerate(material.terms):
+        found |= {f"terms[{i}].modulus": modulus, f"terms[{i}].time": tau}
+    last = "nu" if material.bulk_modulus is None else "bulk_modulus"
+    return {**found, "viscosity": material.viscosity, last: getattr(material, last)}
+
+
+def _with_numbers(material: Any, v: list[float]) -> Any:
+    """The same kind of material with other numbers."""
+    if isinstance(material, Elastic):
+        return Elastic(*v)
+    if isinstance(material, PowerLawRheology):
+        return PowerLawRheology(*v)
+    terms = list(zip(v[1:-2:2], v[2:-2:2], strict=True))
+    if material.bulk_modulus is None:
+        return Viscoelastic(v[0], terms, nu=v[-1], viscosity=v[-2])
+    return Viscoelastic(v[0], terms, bulk_modulus=v[-1], viscosity=v[-2])
 
 
 def of_instrument(instrument: Instrument) -> Numbers:

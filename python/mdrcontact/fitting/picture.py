@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from .._files import replace
 from ..errors import MDRError
 from ..problem.units import FORCE, LENGTH, practical
-from .data import Data, StiffnessDepth
+from .data import Data, DynamicStiffness, StiffnessDepth
 from .quantities import dimension_of_data
 
 Array = NDArray[np.float64]
@@ -25,6 +25,8 @@ _AXES = {
     "force": "force",
     "stiffness": "contact stiffness",
     "modulus": "effective modulus",
+    "time": "time",
+    "omega": "angular frequency",
 }
 _BLUE, _RED, _GREY = "#0072B2", "#D55E00", "#707070"
 
@@ -109,6 +111,12 @@ def _draw_points(
     for first, last in zip(ends, ends[1:], strict=False):
         above.plot(x[first:last], fitted[order][first:last] / y_unit.factor, color=_BLUE, label=label if first == 0 else None)
     above.set_ylabel(f"{_AXES[data.y_name]} [{y_unit.symbol}]")
+    if isinstance(data, DynamicStiffness):
+        above.set(xscale="log", yscale="log")
+        for first, last, part in zip(ends, ends[1:], ("storage", "loss"), strict=False):
+            top = first + int(np.argmax(fitted[order][first:last]))
+            place = (x[top], fitted[order][top] / y_unit.factor)
+            above.annotate(part, place, (0, 6), textcoords="offset points", ha="right" if top == last - 1 else "center")
     _finish(above, title, doubts)
     below.axhspan(-1.96, 1.96, color="#eeeeee")
     below.axhline(0.0, color=_BLUE, linewidth=1.0)

@@ -54,7 +54,7 @@ class Problem(NamedTuple):
     """the medium is a pair whose upper body stands in the instrument"""
 
     def call(self, function: Any, *further: Any, with_sd: bool = True) -> Any:
-        """A compiled function of the problem, x, y, force, sd where it takes them, and of what follows."""
+        """A compiled function of the problem, x, y, given, sd where it takes them, and of what follows."""
         parameters = np.zeros(self.table.shape[1], _layout.fit_parameter)
         for member, values in zip(_layout.fit_parameter.names or (), self.table, strict=True):
             parameters[member] = values
@@ -63,9 +63,9 @@ class Problem(NamedTuple):
         weights = np.ascontiguousarray(self.weights)
         record["prior_count"], record["prior_weights"] = len(weights), address(weights)
         record["branch"] = address(self.data.branch)
-        force, sd = (None if given is None else np.ascontiguousarray(given, float) for given in (self.data.force, self.data.sd))
+        given, sd = (None if column is None else np.ascontiguousarray(column, float) for column in (self.data.given, self.data.sd))
         errors = (address(sd),) if with_sd else ()
-        status, *results = outcome(function, address(record), self.data.x, self.data.y, address(force), *errors, *further)
+        status, *results = outcome(function, address(record), self.data.x, self.data.y, address(given), *errors, *further)
         if status:
             raise _named(Refusal(status), self).error()
         return results
@@ -186,6 +186,6 @@ def _named(refusal: Refusal, problem: Problem) -> Refusal:
     if of_library == "parameters" and refusal.entry:
         refusal.argument = problem.names[refusal.entry - 1] + (f":{part}" if part else "")
         refusal.entry = 0
-    elif of_library in ("x", "y"):
-        refusal.argument = problem.data.x_name if of_library == "x" else problem.data.y_name
+    elif of_library in ("x", "y", "given"):
+        refusal.argument = getattr(problem.data, f"{of_library}_name")
     return refusal

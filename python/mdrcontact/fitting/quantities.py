@@ -10,10 +10,13 @@ from ..problem.units import (
     ANGLE,
     COMPLIANCE,
     FORCE,
+    FREQUENCY,
     LENGTH,
     MODULUS,
     RATIO,
     STIFFNESS,
+    TIME,
+    VISCOSITY,
     WORK_OF_ADHESION,
     Dimension,
     Unit,
@@ -29,6 +32,12 @@ _WORDS = {
     "E": "modulus E",
     "nu": "Poisson's ratio nu",
     "E0": "modulus E0 at depth z0",
+    "relaxed_shear_modulus": "relaxed shear modulus",
+    "bulk_modulus": "bulk modulus K",
+    "viscosity": "viscosity",
+    "modulus": "shear modulus G at the unit of time",
+    "time": "unit of time",
+    "exponent": "exponent",
     "z0": "depth z0",
     "indenter.radius": "indenter radius R",
     "indenter.inclination": "inclination of the indenter's face",
@@ -45,7 +54,10 @@ _WORDS = {
     "area_factor": "true over assumed contact area",
 }
 _LAYER_WORDS = {"E": "modulus E", "nu": "Poisson's ratio nu", "thickness": "thickness h"}
-_DATA = {"depth": LENGTH, "radius": LENGTH, "force": FORCE, "stiffness": STIFFNESS, "modulus": MODULUS}
+_DATA = {
+    **{"depth": LENGTH, "radius": LENGTH, "force": FORCE, "stiffness": STIFFNESS, "modulus": MODULUS},
+    **{"time": TIME, "omega": FREQUENCY},
+}
 
 
 def words_of(name: str) -> str:
@@ -56,9 +68,26 @@ def words_of(name: str) -> str:
     if layer:
         which = "film" if layer[1] == "0" else f"layer {int(layer[1]) + 1}"
         return f"{which} {_LAYER_WORDS[layer[2]]}"
+    term = re.fullmatch(r"(.*)terms\[(\d+)\]\.(modulus|time)", name)
+    if term:
+        what = "shear modulus" if term[3] == "modulus" else "relaxation time"
+        return _of_part(term[1], f"{what} of term {int(term[2]) + 1}")
+    part = re.fullmatch(r"(coating\.|substrate\.|layers\[\d+\]\.)(\w+)", name)
+    if part and part[2] in _WORDS:
+        return _of_part(part[1], _WORDS[part[2]])
     if re.fullmatch(r"indenter\.C\d", name):
         return f"coefficient {name[-2:]} of the area function"
     return name
+
+
+def _of_part(prefix: str, words: str) -> str:
+    """Words about a material with its place before them."""
+    layer = re.fullmatch(r"layers\[(\d+)\]\.", prefix)
+    place = {"": "", "coating.": "film ", "substrate.": "substrate "}.get(prefix)
+    if place is None:
+        assert layer is not None
+        place = "film " if layer[1] == "0" else f"layer {int(layer[1]) + 1} "
+    return place + words
 
 
 def dimension_of(name: str) -> Dimension:
@@ -69,11 +98,18 @@ def dimension_of(name: str) -> Dimension:
         unit = "nm" if power == 1.0 else f"nm^{power:g}"
         return Dimension("a coefficient of an area function", f"m^{power:g}", f"1 {unit}", ((unit, 10.0 ** (-9.0 * power)),))
     last = name.split(".")[-1].split("[")[0]
-    if last in ("E", "E0", "indenter_modulus"):
+    if last in ("E", "E0", "indenter_modulus", "relaxed_shear_modulus", "modulus", "bulk_modulus"):
         return MODULUS
     if last in ("thickness", "radius", "end_radius", "blend_radius", "depth_offset", "z", "z0"):
         return LENGTH
-    others = {"inclination": ANGLE, "force_offset": FORCE, "work_of_adhesion": WORK_OF_ADHESION, "frame_compliance": COMPLIANCE}
+    others = {
+        "time": TIME,
+        "viscosity": VISCOSITY,
+        "inclination": ANGLE,
+        "force_offset": FORCE,
+        "work_of_adhesion": WORK_OF_ADHESION,
+        "frame_compliance": COMPLIANCE,
+    }
     return others.get(last, RATIO)
 
 

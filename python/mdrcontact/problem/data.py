@@ -7,20 +7,29 @@ import functools
 import math
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import MDRError
-from ..fitting import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, Unloading
+from ..fitting import (
+    DepthTime,
+    DynamicStiffness,
+    ForceDepth,
+    ForceTime,
+    ModulusRadius,
+    StiffnessDepth,
+    StiffnessRadius,
+    Unloading,
+)
 from ..fitting.data import Data
 from ..measurement import without_oscillation
 from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
 from .columns import MeasuredTable, TableOptions, read_table
 from .record import KEYS, Cantilever, Record, prepare
 from .section import ProblemError, Section
-from .units import AREA, FORCE, LENGTH, MODULUS, RATIO, SPEED, STIFFNESS, TIME, VOLTAGE, Dimension, UnitError, told
+from .units import AREA, FORCE, FREQUENCY, LENGTH, MODULUS, RATIO, SPEED, STIFFNESS, TIME, VOLTAGE, Dimension, UnitError, told
 
 Array = NDArray[np.float64]
 
@@ -43,13 +52,20 @@ class _Column(NamedTuple):
 _Found = dict[str, _Column]
 """By role."""
 
-_TABLES: Mapping[str, tuple[type[Data], tuple[str, ...]]] = {
+
+def _dynamic_stiffness(omega: Array, radius: Array, loss: Array, storage: Array, **options: Any) -> DynamicStiffness:
+    return DynamicStiffness(omega, storage + 1j * loss, radius, **options)
+
+
+_TABLES: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
     "stiffness-depth": (StiffnessDepth, ("depth", "force", "stiffness")),
     "modulus-radius": (ModulusRadius, ("radius", "modulus")),
     "stiffness-radius": (StiffnessRadius, ("radius", "stiffness")),
+    "dynamic-stiffness": (_dynamic_stiffness, ("omega", "radius", "loss", "storage")),
 }
 """Kinds whose columns are the data; the others are records of an instrument."""
-_RECORDS = ("force-depth", "unloading")
+_IN_TIME = ("force-time", "depth-time")
+_RECORDS = ("force-depth", "unloading", *_IN_TIME)
 KINDS = (*_RECORDS, *_TABLES)
 
 _ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
@@ -68,12 +84,16 @@ _ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
     "height": (LENGTH, ("height", "height (measured)", "height (piezo)", "piezo", "z", "zsensor")),
     "deflection": (LENGTH, ("deflection", "vdeflection", "vertical deflection", "defl")),
     "time": (TIME, ("time", "t", "time on sample", "elapsed time")),
+    "omega": (FREQUENCY, ("omega", "angular frequency", "w", "frequency", "freq")),
+    "storage": (STIFFNESS, ("storage", "storage stiffness", "dynamic stiffness", "k'", "k1")),
+    "loss": (STIFFNESS, ("loss", "loss stiffness", "k''", "k2")),
 }
 KNOWN: Mapping[str, Dimension | None] = {
     "kind": None,
     **dict.fromkeys(_ROLES),
     "radius_over_thickness": None,
     "thickness": LENGTH,
+    "contact_radius": LENGTH,
     "nu": None,
     "columns": None,
     "units": None,
@@ -99,6 +119,10 @@ def check(section: Section) -> None:
     foreign = set() if kind in _RECORDS else {*_OF_RECORDS}
     if kind != "stiffness-depth":
         foreign.add("oscillation")
+    if kind != "dynamic-stiffness":
+        foreign |= {"omega", "storage", "loss", "contact_radius"}
+    if kind in _IN_TIME:
+        foreign |= {"branch", "before_pop_in"}
     foreign |= {"unloading": {"branch", "before_pop_in", "sd", "relative_sd"}}.get(kind, {"upper_part"})
     section.only([key for key in KNOWN if key not in foreign], f"kind = {kind!r}")
 
@@ -233,11 +257,17 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
             title = str(section.plain("radius_over_thickness"))
             ratio, _ = table.column(title, RATIO)
             found[role] = _Column(title, "thicknesses", ratio * section.quantity("thickness"), LENGTH)
+        elif role == "radius" and "contact_radius" in section:
+            radius = np.full(len(found["omega"].values), section.quantity("contact_radius"))
+            found[role] = _Column("contact_radius", "m, of [data]", radius, LENGTH)
         elif role == "radius" and ("area" in section or not _has(section, table, role) and _has(section, table, "area")):
             title, unit, area, _ = _column(section, table, "area")
             found[role] = _Column(title, f"{unit}, as sqrt(area/pi)", np.sqrt(np.maximum(area, 0.0) / math.pi), LENGTH)
         else:
             found[role] = _column(section, table, role)
+        if role == "omega" and "hz" in found[role].unit.lower():
+            cycles = found[role]
+            found[role] = cycles._replace(unit=f"{cycles.unit}, times 2 pi", values=2.0 * math.pi * cycles.values)
     options: dict[str, object] = {"missing": "drop"}
     last = roles[-1]
     sd = _sd(section, table, last, found)
@@ -263,7 +293,7 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
             if sd is not None:
                 options["sd"] = sd[keep][keeps]
         columns = [values[keeps] for values in (depth, force, stiffness)]
-    data = cls(*columns, **options)  # type: ignore[arg-type]
+    data = cls(*columns, **options)
     data.warnings += table.warnings
     return data, notes
 
@@ -282,10 +312,10 @@ def _read_record(section: Section, cantilever: Cantilever, table: MeasuredTable,
     else:
         found["force"] = _column(section, table, "force")
         force = found["force"].values
-    if "time" in section or "drift" in section:
+    if "time" in section or "drift" in section or kind in _IN_TIME:
         found["time"] = _column(section, table, "time")
         time = found["time"].values
-    sd = _sd(section, table, "force", found)
+    sd = _sd(section, table, "depth" if kind == "depth-time" else "force", found)
     record = Record(
         depth,
         force,
@@ -323,6 +353,13 @@ def _record_data(section: Section, record: Record, kind: str) -> Data:
         with section.words():
             return Unloading(record.depth, record.force, **options)
     relative = section.number("relative_sd") if "relative_sd" in section else None
+    if kind in _IN_TIME:
+        if record.time is None:
+            raise ProblemError(f"kind = {kind!r} needs the time of each reading, which this file does not have")
+        with section.words():
+            if kind == "force-time":
+                return ForceTime(record.time, record.depth, record.force, sd=record.sd, relative_sd=relative)
+            return DepthTime(record.time, record.force, record.depth, sd=record.sd, relative_sd=relative)
     return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative)
 
 

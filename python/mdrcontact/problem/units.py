@@ -42,6 +42,7 @@ ENERGY = Dimension(
 )
 AREA = Dimension("an area", "m^2", "1 um^2", (("nm^2", 1e-18), ("um^2", 1e-12), ("mm^2", 1e-6), ("m^2", 1.0)))
 TIME = Dimension("a time", "s", "10 s", (("us", 1e-6), ("ms", 1e-3), ("s", 1.0)), ("min", "h"))
+FREQUENCY = Dimension("an angular frequency", "rad/s", "10 rad/s", (("rad/s", 1.0),), ("1/s",))
 SPEED = Dimension("a speed", "m/s", "0.05 nm/s", (("pm/s", 1e-12), ("nm/s", 1e-9), ("um/s", 1e-6), ("m/s", 1.0)))
 VOLTAGE = Dimension("a voltage", "V", "1 V", (("mV", 1e-3), ("V", 1.0)))
 SENSITIVITY = Dimension("a deflection sensitivity", "m/V", "50 nm/V", (("nm/V", 1e-9), ("um/V", 1e-6), ("m/V", 1.0)))

@@ -31,12 +31,12 @@ module mdrcontact_api_fit
 
 contains
 
-    function mdr_fit_solve(problem, n, x, y, force, sd, values, covariance, widening, at_bound, weakest_direction, fitted, &
+    function mdr_fit_solve(problem, n, x, y, given, sd, values, covariance, widening, at_bound, weakest_direction, fitted, &
                            residuals, summary) &
         result(status) bind(C)
         type(c_ptr), value :: problem
         integer(c_int), value :: n
-        real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
+        real(c_double), intent(in), optional :: x(*), y(*), given(*), sd(*)
         real(c_double), intent(inout), optional :: values(*), covariance(*), widening(*), weakest_direction(*), &
                                                    fitted(*), residuals(*)
         integer(c_int), intent(inout), optional :: at_bound(*)
@@ -50,7 +50,7 @@ contains
         integer :: i, j, m
 
         call read_problem(problem, chosen, branch, error)
-        if (.not. allocated(error)) call read_data(branch, n, x, y, force, sd, data, error)
+        if (.not. allocated(error)) call read_data(branch, n, x, y, given, sd, data, error)
         if (.not. allocated(error)) call solve_fit(chosen, data, fit, error)
         status = status_of(error)
         if (allocated(error)) return
@@ -85,10 +85,10 @@ contains
         end if
     end function mdr_fit_solve
 
-    function mdr_fit_predict(problem, n, x, y, force, fitted, radius) result(status) bind(C)
+    function mdr_fit_predict(problem, n, x, y, given, fitted, radius) result(status) bind(C)
         type(c_ptr), value :: problem
         integer(c_int), value :: n
-        real(c_double), intent(in), optional :: x(*), y(*), force(*)
+        real(c_double), intent(in), optional :: x(*), y(*), given(*)
         real(c_double), intent(inout), optional :: fitted(*), radius(*)
         integer(c_int) :: status
         type(fit_problem_t) :: chosen
@@ -99,7 +99,7 @@ contains
 
         call check_given(error, "fitted", present(fitted))
         if (.not. allocated(error)) call read_problem(problem, chosen, branch, error)
-        if (.not. allocated(error)) call read_data(branch, n, x, y, force, data=data, error=error)
+        if (.not. allocated(error)) call read_data(branch, n, x, y, given, data=data, error=error)
         if (.not. allocated(error)) call check_points(data, chosen, error)
         call make_room(error, n, model)
         call make_room(error, n, radii)
@@ -110,10 +110,10 @@ contains
         if (present(radius)) radius(:n) = radii
     end function mdr_fit_predict
 
-    function mdr_fit_interval(problem, n, x, y, force, sd, position, level, lower, upper) result(status) bind(C)
+    function mdr_fit_interval(problem, n, x, y, given, sd, position, level, lower, upper) result(status) bind(C)
         type(c_ptr), value :: problem
         integer(c_int), value :: n, position
-        real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
+        real(c_double), intent(in), optional :: x(*), y(*), given(*), sd(*)
         real(c_double), value :: level
         real(c_double), intent(inout), optional :: lower, upper
         integer(c_int) :: status
@@ -127,7 +127,7 @@ contains
         call check_given(error, "lower", present(lower))
         call check_given(error, "upper", present(upper))
         if (.not. allocated(error)) call read_problem(problem, chosen, branch, error)
-        if (.not. allocated(error)) call read_data(branch, n, x, y, force, sd, data, error)
+        if (.not. allocated(error)) call read_data(branch, n, x, y, given, sd, data, error)
         if (.not. allocated(error)) then
             if (position < 0 .or. position >= size(chosen%parameters)) then
                 call raise(error, error_invalid, "position = "//count_text(int(position))//" is not allowed: it must be at "// &

@@ -11,7 +11,7 @@ module mdrcontact_api_fit_problem
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_count_from, check_count_within, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_fit_body, only: indenter_given
-    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_none
+    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_none, medium_viscoelastic
     use mdrcontact_fit_problem, only: check_problem, data_force_depth, fit_data_t, fit_problem_t, loss_linear, parameter_count
     use mdrcontact_medium, only: medium_t
     use mdrcontact_model, only: models
@@ -108,6 +108,8 @@ contains
         call read_choice(given%medium, given%model, "layers", given%layers, given%options, problem%body%medium, error)
         call read_choice(given%counterbody, given%counterbody_model, "counterbody_layers", given%counterbody_layers, &
                          given%counterbody_options, problem%body%counterbody, error)
+        call take_pattern(given%medium_object, "medium_object", problem%body%medium, error)
+        call take_pattern(given%counterbody_object, "counterbody_object", problem%body%counterbody, error)
         problem%data_kind = int(given%data_kind)
         problem%body%indenter = int(given%indenter)
         problem%adhesion_rule = int(given%adhesion_rule)
@@ -199,11 +201,31 @@ contains
         call medium%copy_to(choice%object, error)
     end subroutine take_object
 
-    !> The data; force and sd may be absent.
-    subroutine read_data(branch, n, x, y, force, sd, data, error)
+    !> The viscoelastic medium that says what the materials of a choice are like.
+    subroutine take_pattern(handle, name, choice, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(medium_choice_t), intent(inout) :: choice
+        type(error_t), allocatable, intent(inout) :: error
+        class(medium_t), pointer :: medium
+        integer :: stat
+
+        if (choice%kind /= medium_viscoelastic .or. allocated(error)) return
+        call open_handle(handle, name, medium, error)
+        if (allocated(error)) return
+        if (.not. medium%is_viscoelastic()) then
+            call raise(error, error_invalid, " is not allowed: it must be viscoelastic", name)
+            return
+        end if
+        allocate (choice%object, source=medium, stat=stat)
+        call check_memory(error, stat)
+    end subroutine take_pattern
+
+    !> The data; given and sd may be absent.
+    subroutine read_data(branch, n, x, y, given, sd, data, error)
         type(c_ptr), intent(in) :: branch
         integer(c_int), intent(in) :: n
-        real(c_double), intent(in), optional :: x(*), y(*), force(*), sd(*)
+        real(c_double), intent(in), optional :: x(*), y(*), given(*), sd(*)
         type(fit_data_t), intent(out) :: data
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int), pointer :: branches(:)
@@ -214,7 +236,7 @@ contains
         if (allocated(error)) return
         call read_column(n, x, data%x, error)
         call read_column(n, y, data%y, error)
-        call read_column(n, force, data%force, error)
+        call read_column(n, given, data%given, error)
         call read_column(n, sd, data%sd, error)
         if (allocated(error) .or. .not. c_associated(branch)) return
         call c_f_pointer(branch, branches, [n])

@@ -4,23 +4,27 @@ module mdrcontact_fit_medium_of
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_fit_rheology_of, only: make_rheology, rheology_count
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
+    use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium, viscoelastic_t
     use mdrcontact_model, only: model_options_t, models, new_medium, with_constant
     implicit none (type, external)
     private
     public :: medium_choice_t, make_medium, medium_count
-    public :: medium_none, medium_given, medium_homogeneous, medium_stack, medium_graded, medium_power_graded
+    public :: medium_none, medium_given, medium_homogeneous, medium_stack, medium_graded, medium_power_graded, medium_viscoelastic
 
     !> Kinds of medium and their parameters: none; E, nu; E, nu, h of each layer from the surface down, then E, nu of the
     !> substrate (infinite E: rigid base) and the model's constant (its option that is a number); z, E, nu at each depth;
-    !> E0, z0, exponent, nu. A counterbody may be missing.
+    !> E0, z0, exponent, nu; for a viscoelastic body those of each material (rheology_of) from the surface down, with h behind those
+    !> of a layer. A counterbody may be missing.
     integer, parameter :: medium_none = -1, medium_given = 0, medium_homogeneous = 1, medium_stack = 2, medium_graded = 3, &
-                          medium_power_graded = 4
+                          medium_power_graded = 4, medium_viscoelastic = 5
 
     !> Which medium the parameters belong to.
     type :: medium_choice_t
@@ -32,7 +36,7 @@ module mdrcontact_fit_medium_of
         integer :: layers = 0
         !> what the model leaves to choose; the constant of a stack's model is among the parameters instead
         type(model_options_t) :: options = model_options_t()
-        !> the finished medium for medium_given
+        !> the finished medium for medium_given; for medium_viscoelastic the pattern of its materials, with model and options
         class(medium_t), allocatable :: object
     end type medium_choice_t
 
@@ -49,6 +53,7 @@ contains
         case (medium_stack); count = 3*max(choice%layers, 1) + 3
         case (medium_graded); count = 3*max(choice%layers, 2)
         case (medium_power_graded); count = 4
+        case (medium_viscoelastic); count = viscoelastic_count(choice)
         case default; count = -1
         end select
     end function medium_count
@@ -86,11 +91,57 @@ contains
         case (medium_power_graded)
             call new_power_graded(power_graded, values(1), values(2), values(3), values(4), error)
             allocate (medium, source=power_graded)
+        case (medium_viscoelastic)
+            call make_viscoelastic(choice, values, shared, medium, error)
         case default
             call raise(error, error_invalid, "medium = "//count_text(choice%kind)//" is not allowed: it must be a kind of "// &
                        "medium in enum mdr_fit_medium")
         end select
     end subroutine make_medium
+
+    !> -1 where the pattern is missing.
+    pure function viscoelastic_count(choice) result(count)
+        type(medium_choice_t), intent(in) :: choice
+        integer :: count
+        integer :: i
+
+        count = -1
+        if (.not. allocated(choice%object)) return
+        select type (pattern => choice%object)
+        type is (viscoelastic_t)
+            count = size(pattern%thickness) + sum([(rheology_count(pattern%materials(i)), i=1, size(pattern%materials))])
+        end select
+    end function viscoelastic_count
+
+    subroutine make_viscoelastic(choice, values, shared, medium, error)
+        type(medium_choice_t), intent(in) :: choice
+        real(wp), intent(in) :: values(:)
+        type(layered_shared_t), intent(inout) :: shared
+        class(medium_t), allocatable, intent(out) :: medium
+        type(error_t), allocatable, intent(out) :: error
+        type(viscoelastic_t) :: body
+        type(rheology_t), allocatable :: materials(:)
+        real(wp), allocatable :: thickness(:)
+        integer :: i, first, count
+
+        select type (pattern => choice%object)
+        type is (viscoelastic_t)
+            allocate (materials(size(pattern%materials)), thickness(size(pattern%thickness)))
+            first = 0
+            do i = 1, size(materials)
+                count = rheology_count(pattern%materials(i))
+                call make_rheology(pattern%materials(i), values(first + 1:first + count), materials(i), error)
+                if (allocated(error)) return
+                first = first + count
+                if (i > size(thickness)) exit
+                first = first + 1
+                thickness(i) = values(first)
+            end do
+            call new_viscoelastic_medium(body, materials, thickness, pattern%rigid_base, pattern%model, pattern%options, error, &
+                                         shared)
+            if (.not. allocated(error)) allocate (medium, source=body)
+        end select
+    end subroutine make_viscoelastic
 
     subroutine make_stack(choice, values, shared, medium, error)
         type(medium_choice_t), intent(in) :: choice

@@ -10,8 +10,9 @@ module mdrcontact_fit_predict
     use mdrcontact_fit_force_curve, only: force_curve_t, new_force_curve
     use mdrcontact_fit_problem, only: at_area_factor, at_contact_depth_factor, at_contact_depth_scale, at_depth_offset, &
                                       at_force_offset, at_frame_compliance, at_indenter_modulus, at_stiffness_factor, &
-                                      at_work_of_adhesion, data_force_depth, data_modulus_radius, data_stiffness_depth, &
-                                      fit_data_t, fit_problem_t
+                                      at_work_of_adhesion, data_force_depth, data_force_time, data_modulus_radius, &
+                                      data_stiffness_depth, fit_data_t, fit_problem_t
+    use mdrcontact_fit_predict_time, only: predict_time
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t, modulus_of_radius_t
@@ -81,6 +82,10 @@ contains
         if (allocated(error)) return
         associate (instrument => values(n + 1:))
             call check_instrument(instrument, error)
+            if (.not. allocated(error) .and. problem%data_kind >= data_force_time) then
+                call predict_time(problem%data_kind, instrument, profile, pressed, data, y, a, error)
+                return
+            end if
             if (.not. allocated(error)) call press(pressed, instrument(at_indenter_modulus), medium, error)
             if (allocated(error)) return
             if (problem%data_kind == data_force_depth) then
@@ -227,7 +232,7 @@ contains
 
         allocate (a(size(data%x)))
         do i = 1, size(a)
-            load = data%force(i) - instrument(at_force_offset)
+            load = data%given(i) - instrument(at_force_offset)
             compliance = 1.0_wp/data%y(i) - instrument(at_frame_compliance)
             height = data%x(i) - instrument(at_depth_offset) - instrument(at_frame_compliance)*load &
                      - instrument(at_contact_depth_factor)*load*compliance

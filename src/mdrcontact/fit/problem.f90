@@ -13,13 +13,18 @@ module mdrcontact_fit_problem
     private
     public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, check_points, parameter_count, joint_priors, &
               ascending_points
-    public :: data_force_depth, data_stiffness_depth, data_modulus_radius, data_stiffness_radius
+    public :: data_force_depth, data_stiffness_depth, data_modulus_radius, data_stiffness_radius, data_force_time, &
+              data_depth_time, data_dynamic_stiffness, part_storage, part_loss
     public :: loss_linear, loss_huber, loss_cauchy
     public :: at_work_of_adhesion, at_depth_offset, at_force_offset, at_frame_compliance, at_indenter_modulus, &
               at_contact_depth_factor, at_stiffness_factor, at_contact_depth_scale, at_area_factor, instrument_numbers
 
-    !> What x and y are: d and F; d, F and k (dynamic nanoindentation); a and E_eff; a and k.
-    integer, parameter :: data_force_depth = 1, data_stiffness_depth = 2, data_modulus_radius = 3, data_stiffness_radius = 4
+    !> What x and y are: d and F; d and k, given F (dynamic nanoindentation); a and E_eff; a and k; time and F, given d; time and d,
+    !> given F; angular frequency and k' or k'', given a, of which `branch` says which.
+    integer, parameter :: data_force_depth = 1, data_stiffness_depth = 2, data_modulus_radius = 3, data_stiffness_radius = 4, &
+                          data_force_time = 5, data_depth_time = 6, data_dynamic_stiffness = 7
+    !> What a point of data_dynamic_stiffness is.
+    integer, parameter :: part_storage = on_loading, part_loss = on_unloading
 
     !> What of a residual r in standard deviations is summed: r^2; Huber's; Cauchy's s^2 ln(1 + r^2/s^2).
     integer, parameter :: loss_linear = 0, loss_huber = 1, loss_cauchy = 2
@@ -72,15 +77,16 @@ module mdrcontact_fit_problem
 
     !> Measured points, in any order.
     type :: fit_data_t
-        !> d or a [length]
+        !> d or a [length], time or angular frequency [1/time]
         real(wp), allocatable :: x(:)
-        !> F, k or E_eff, same size
+        !> F, k, E_eff or d, same size
         real(wp), allocatable :: y(:)
-        !> F at each point, same size; used by data_stiffness_depth only
-        real(wp), allocatable :: force(:)
+        !> what is known of each point beside x, same size; see data_...
+        real(wp), allocatable :: given(:)
         !> standard deviations of y > 0, same size; not allocated: equal and unknown
         real(wp), allocatable :: sd(:)
-        !> on_loading or on_unloading, same size; not allocated: all on one branch, down to pull-off. Matters with adhesion
+        !> on_loading or on_unloading, same size; not allocated: all on one branch, down to pull-off. Matters with adhesion; of
+        !> data_dynamic_stiffness part_storage or part_loss
         integer, allocatable :: branch(:)
     end type fit_data_t
 
@@ -133,8 +139,8 @@ contains
             call raise(error, error_invalid, "there are "//count_text(size(self%parameters))//" parameters: this indenter, "// &
                        "this medium and the instrument have "//count_text(expected)//" together")
         end if
-        if (self%data_kind < data_force_depth .or. self%data_kind > data_stiffness_radius) then
-            call raise(error, error_invalid, "data_kind = "//count_text(self%data_kind)//" is not allowed: it must be 1 to 4")
+        if (self%data_kind < data_force_depth .or. self%data_kind > data_dynamic_stiffness) then
+            call raise(error, error_invalid, "data_kind = "//count_text(self%data_kind)//" is not allowed: it must be 1 to 7")
         end if
         call check_choice(error, "loss", self%loss, loss_linear, loss_cauchy, "0 (linear), 1 (Huber) or 2 (Cauchy)")
         call check_positive(error, "loss_scale", self%loss_scale)
@@ -199,7 +205,7 @@ contains
                        " are needed")
         else if (fewest == 1) then
             return
-        else if (maxval(self%x) <= minval(self%x)) then
+        else if (maxval(self%x) <= minval(self%x) .and. problem%data_kind /= data_dynamic_stiffness) then
             call raise(error, error_invalid, " is the same at all points, "//to_text(self%x(1))//": they determine no curve", "x")
         else if (maxval(self%y) <= minval(self%y)) then
             call raise(error, error_invalid, " is the same at all points, "//to_text(self%y(1))//": data without variance "// &
@@ -226,24 +232,33 @@ contains
                 call raise(error, error_invalid, "branch is not allowed: its entries must be in enum mdr_branch")
             end if
         end if
-        if (problem%data_kind == data_stiffness_depth) then
-            if (allocated(self%force)) then
-                call check_column(self%force, "force", size(self%x), error)
+        if (needs_given(problem%data_kind)) then
+            if (allocated(self%given)) then
+                call check_column(self%given, "given", size(self%x), error)
             else
-                call raise(error, error_invalid, "force is missing: stiffness against depth needs the force of each point")
+                call raise(error, error_invalid, "given is missing: what is known of each point beside x")
+            end if
+            if (problem%data_kind == data_dynamic_stiffness .and. .not. allocated(self%branch)) then
+                call raise(error, error_invalid, "branch is missing: it says which points are of the storage and which of the loss")
             end if
         end if
         if (allocated(error)) return
+        if (problem%data_kind == data_force_time .or. problem%data_kind == data_depth_time) then
+            do i = 2, size(self%x)
+                if (self%x(i) > self%x(i - 1)) cycle
+                call raise(error, error_invalid, " = "//to_text(self%x(i))//" is not allowed: times must ascend", "x", i)
+                return
+            end do
+        end if
         do i = 1, size(self%x)
             if (is_good(self, problem%data_kind, i)) cycle
             call check_finite(error, "x", self%x(i), i)
             call check_finite(error, "y", self%y(i), i)
-            if (problem%data_kind >= data_modulus_radius) call check_positive(error, "radius", self%x(i), i)
+            if (x_is_positive(problem%data_kind)) call check_positive(error, "x", self%x(i), i)
             if (allocated(self%sd)) call check_positive(error, "sd", self%sd(i), i)
-            if (problem%data_kind == data_stiffness_depth) then
-                call check_positive(error, "stiffness", self%y(i), i)
-                call check_finite(error, "force", self%force(i), i)
-            end if
+            if (problem%data_kind == data_stiffness_depth) call check_positive(error, "y", self%y(i), i)
+            if (problem%data_kind == data_dynamic_stiffness) call check_positive(error, "given", self%given(i), i)
+            if (needs_given(problem%data_kind)) call check_finite(error, "given", self%given(i), i)
             if (allocated(error)) return
         end do
     end subroutine check_points
@@ -255,10 +270,28 @@ contains
         logical :: answer
 
         answer = all(ieee_is_finite([self%x(i), self%y(i)]))
-        if (answer .and. data_kind >= data_modulus_radius) answer = self%x(i) > 0.0_wp
+        if (answer .and. x_is_positive(data_kind)) answer = self%x(i) > 0.0_wp
         if (answer .and. allocated(self%sd)) answer = ieee_is_finite(self%sd(i)) .and. self%sd(i) > 0.0_wp
-        if (answer .and. data_kind == data_stiffness_depth) answer = self%y(i) > 0.0_wp .and. ieee_is_finite(self%force(i))
+        if (answer .and. data_kind == data_stiffness_depth) answer = self%y(i) > 0.0_wp
+        if (answer .and. needs_given(data_kind)) answer = ieee_is_finite(self%given(i))
+        if (answer .and. data_kind == data_dynamic_stiffness) answer = self%given(i) > 0.0_wp
     end function is_good
+
+    !> Whether points have something known beside x.
+    pure function needs_given(data_kind) result(answer)
+        integer, intent(in) :: data_kind
+        logical :: answer
+
+        answer = any(data_kind == [data_stiffness_depth, data_force_time, data_depth_time, data_dynamic_stiffness])
+    end function needs_given
+
+    !> Whether x are radii or frequencies.
+    pure function x_is_positive(data_kind) result(answer)
+        integer, intent(in) :: data_kind
+        logical :: answer
+
+        answer = any(data_kind == [data_modulus_radius, data_stiffness_radius, data_dynamic_stiffness])
+    end function x_is_positive
 
     pure subroutine check_column(values, name, expected, error)
         real(wp), intent(in) :: values(:)

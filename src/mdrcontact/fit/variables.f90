@@ -7,17 +7,22 @@ module mdrcontact_fit_variables
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_fit_body, only: area_terms, body_count, fit_body_t, indenter_area_function, indenter_count
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_count, medium_graded, medium_homogeneous, &
-                                        medium_power_graded, medium_stack
+                                        medium_power_graded, medium_stack, medium_viscoelastic
+    use mdrcontact_fit_rheology_of, only: at_exponent, rheology_count
     use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
-                                      at_work_of_adhesion, data_force_depth, data_stiffness_depth, fit_data_t, fit_parameter_t, &
+                                      at_work_of_adhesion, data_depth_time, data_force_depth, data_force_time, &
+                                      data_stiffness_depth, fit_data_t, fit_parameter_t, &
                                       fit_problem_t, instrument_numbers
     use mdrcontact_kinds, only: wp
+    use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     implicit none (type, external)
     private
     public :: variables_t, new_variables
 
-    integer, parameter :: positive = 1, poisson = 2, signed = 3, not_negative = 4
+    integer, parameter :: positive = 1, poisson = 2, signed = 3, not_negative = 4, fraction = 5
     real(wp), parameter :: smallest_poisson = -0.999_wp, largest_poisson = 0.5_wp
+    !> Exponents of power laws: between an elastic body and a viscous one.
+    real(wp), parameter :: smallest_fraction = 1.0e-4_wp, largest_fraction = 0.999_wp
     !> ln of the largest ratio to the start that is tried
     real(wp), parameter :: widest_logarithm = 9.0_wp
     !> Standard deviations about a prior that are tried: data that would go further contradict it, and models may be slow there
@@ -68,6 +73,10 @@ contains
                     call raise(error, error_invalid, " = "//to_text(self%start(i))//" is not allowed: Poisson's ratio "// &
                                "must be greater than -1 and at most 0.5", "parameters", j)
                 end if
+            case (fraction)
+                self%scale(i) = 1.0_wp
+                self%lower(i) = max(self%lower(i), smallest_fraction)
+                self%upper(i) = min(self%upper(i), largest_fraction)
             case (signed)
                 if (j <= indenter_count(problem%body)) then
                     associate (coefficients => problem%parameters(indenter_count(problem%body) - area_terms + 1: &
@@ -132,9 +141,38 @@ contains
         case (medium_stack); kinds(2:size(kinds) - 1:3) = poisson
         case (medium_graded); kinds(3::3) = poisson
         case (medium_power_graded); kinds(3:) = [signed, poisson]
+        case (medium_viscoelastic); call mark_materials(choice, kinds)
         case default; continue
         end select
     end subroutine mark
+
+    !> The same of a viscoelastic body, material by material.
+    pure subroutine mark_materials(choice, kinds)
+        type(medium_choice_t), intent(in) :: choice
+        integer, intent(inout) :: kinds(:)
+        integer :: i, first, last
+
+        if (.not. allocated(choice%object)) return
+        select type (pattern => choice%object)
+        type is (viscoelastic_t)
+            last = 0
+            do i = 1, size(pattern%materials)
+                associate (material => pattern%materials(i))
+                    first = last + 1
+                    last = last + rheology_count(material)
+                    if (.not. material%bulk > 0.0_wp) kinds(last) = poisson
+                    if (material%is_power_law()) then
+                        kinds(first - 1 + at_exponent) = fraction
+                    else if (.not. material%is_elastic()) then
+                        ! the relaxed modulus and the viscosity may be nothing
+                        kinds(first) = not_negative
+                        kinds(last - 1) = not_negative
+                    end if
+                    last = last + 1
+                end associate
+            end do
+        end select
+    end subroutine mark_materials
 
     !> The scale of coefficient i of an area function C0 h^2 + C1 h + C2 h^(1/2) + ...: what alone would make the contact area at
     !> the depth h.
@@ -163,9 +201,11 @@ contains
         select case (position)
         case (at_depth_offset)
             scale = maxval(abs(data%x))
+            if (data_kind == data_force_time) scale = maxval(abs(data%given))
+            if (data_kind == data_depth_time) scale = maxval(abs(data%y))
         case (at_force_offset)
             scale = maxval(abs(data%y))
-            if (data_kind == data_stiffness_depth) scale = maxval(abs(data%force))
+            if (data_kind == data_stiffness_depth .or. data_kind == data_depth_time) scale = maxval(abs(data%given))
         case (at_frame_compliance)
             ! of the order of the sample's own compliance
             if (data_kind /= data_force_depth) then

@@ -33,7 +33,8 @@ contains
         !> same size as time
         real(wp), intent(out) :: depth(:), radius(:), force(:)
         type(error_t), allocatable, intent(out) :: error
-        !> where steps in time are taken: relative to the largest depth, radius and force; default 1e-5
+        !> where steps in time are taken: relative to the largest depth, radius and force; a shrinking contact that grows again by
+        !> less has not grown; default 1e-5
         real(wp), intent(in), optional :: tolerance
         real(wp) :: accuracy
         integer :: i
@@ -57,7 +58,8 @@ contains
         select type (medium => contact%equilibrium%medium)
         type is (viscoelastic_t)
             covered = medium%is_proportional
-            if (covered) call of_proportional(contact, medium, given, time, values, depth, radius, force, covered, error)
+            if (covered) call of_proportional(contact, medium, given, time, values, accuracy, depth, radius, force, &
+                                               covered, error)
             if (allocated(error) .or. covered) return
             call march_through(contact, medium, given, time, values, accuracy, depth, radius, force, error)
         class default
@@ -75,11 +77,11 @@ contains
     end function word
 
     !> A body whose materials relax in proportion, as far as its history follows from the elastic curve.
-    subroutine of_proportional(contact, medium, given, time, values, depth, radius, force, covered, error)
+    subroutine of_proportional(contact, medium, given, time, values, tolerance, depth, radius, force, covered, error)
         type(contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
         integer, intent(in) :: given
-        real(wp), intent(in) :: time(:), values(:)
+        real(wp), intent(in) :: time(:), values(:), tolerance
         real(wp), intent(inout) :: depth(:), radius(:), force(:)
         logical, intent(out) :: covered
         type(error_t), allocatable, intent(out) :: error
@@ -99,13 +101,13 @@ contains
         select case (given)
         case (given_depth)
             depth = values
-            call follow_depth(elastic, phi, time, depth, radius, force, covered, error)
+            call follow_depth(elastic, phi, time, depth, tolerance, radius, force, covered, error)
         case (given_force)
             force = values
             call follow_force(elastic, phi, time, force, depth, radius, covered, error)
         case default
             call depths_of(elastic, values, depth, error)
-            if (.not. allocated(error)) call follow_depth(elastic, phi, time, depth, radius, force, covered, error)
+            if (.not. allocated(error)) call follow_depth(elastic, phi, time, depth, tolerance, radius, force, covered, error)
             covered = covered .and. all(depth(2:) >= depth(:size(depth) - 1))
         end select
     end subroutine of_proportional

@@ -22,6 +22,11 @@ module mdrcontact_history_relaxation_follow
     !> Rounding of a sum of exponentials, relative to its terms.
     real(wp), parameter :: noise = 1.0e-11_wp
     integer, parameter :: most_steps = 60
+    !> exp(-forgotten) is nothing; exp(-few_powers_below) is a sum of so many powers.
+    real(wp), parameter :: forgotten = 40.0_wp, few_powers_below = 0.3_wp
+    integer, parameter :: powers = 10
+    real(wp), parameter :: factorial(powers + 1) = [1.0_wp, 2.0_wp, 6.0_wp, 24.0_wp, 120.0_wp, 720.0_wp, 5040.0_wp, 40320.0_wp, &
+                                                    362880.0_wp, 3628800.0_wp, 39916800.0_wp]
 
     !> What is left of the path at a sample of the shrinking phase.
     type :: retreat_t
@@ -35,7 +40,7 @@ contains
 
     !> Radius and force at samples of a depth that is prescribed. `covered` is false, and they are undefined, where the contact
     !> shrinks and grows again.
-    subroutine follow_depth(contact, phi, time, depth, radius, force, covered, error)
+    subroutine follow_depth(contact, phi, time, depth, tolerance, radius, force, covered, error)
         !> of the elastic body
         type(contact_t), intent(in), target :: contact
         !> what its modulus is multiplied by, phi(t) [1]
@@ -44,6 +49,8 @@ contains
         real(wp), intent(in) :: time(:)
         !> d; the bodies are apart before it is positive [length]
         real(wp), intent(in) :: depth(:)
+        !> a contact that grows again by less, relative to the largest depth, only shrinks
+        real(wp), intent(in) :: tolerance
         !> same size as depth
         real(wp), intent(out) :: radius(:), force(:)
         logical, intent(out) :: covered
@@ -76,7 +83,7 @@ contains
         if (.not. allocated(error)) call new_path(path, curve, breaks, [phi%rate, 0.0_wp], t, d, error)
         if (.not. allocated(error)) call grow(path, phi, curve, radius(first:last), force(first:last), error)
         if (allocated(error) .or. last == size(depth)) return
-        call shrink(path, phi, curve, time(last:), depth(last:), radius(last:), force(last:), covered, error)
+        call shrink(path, phi, curve, time(last:), depth(last:), tolerance*depth(last), radius(last:), force(last:), covered, error)
     end subroutine follow_depth
 
     !> The growing phase, at the given points of the path but the first.
@@ -105,25 +112,30 @@ contains
     end subroutine grow
 
     !> The shrinking phase, at samples after the last of the growing one, which comes first in the arrays.
-    subroutine shrink(path, phi, curve, time, depth, radius, force, covered, error)
+    subroutine shrink(path, phi, curve, time, depth, tolerance, radius, force, covered, error)
         type(path_t), intent(in) :: path
         type(prony_t), intent(in) :: phi
         type(elastic_curve_t), intent(inout) :: curve
         real(wp), intent(in) :: time(:), depth(:)
+        !> growing again by less, in terms of the depth of the elastic contact, is none
+        real(wp), intent(in) :: tolerance
         real(wp), intent(inout) :: radius(:), force(:)
         logical, intent(out) :: covered
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: rise(size(phi%rate)), behind(size(phi%rate)), load(size(phi%rate) + 1), z(size(phi%rate))
-        real(wp) :: rate, edge
+        real(wp), dimension(size(phi%rate)) :: rise, rise_before, behind, z, decay, mean
+        real(wp), dimension(size(phi%rate) + 1) :: load, passed
+        real(wp) :: rate, edge, step
         real(wp), allocatable :: depths(:), radii(:)
-        type(retreat_t) :: now, before
+        type(retreat_t) :: now, before, between
         integer :: i, n, count
+        logical :: steady
 
         n = size(phi%rate)
         covered = .true.
         allocate (depths(size(time)), radii(size(time)))
         count = 0
         rise = path%rise(:n, path%count)
+        step = -1.0_wp
         before%panel = path%count - 1
         before%fraction = 1.0_wp
         now = before
@@ -132,20 +144,45 @@ contains
             if (allocated(error)) return
             rate = (depth(i) - depth(i - 1))/(time(i) - time(i - 1))
             ! grows again at once, or would have to at the end of the step?
-            if (i > 2) covered = retreats(phi, behind, rate)
-            z = phi%rate*(time(i) - time(i - 1))
-            rise = exp(-min(z, 700.0_wp))*rise + (depth(i) - depth(i - 1))*mean_decay(z)
+            steady = .true.
+            if (i > 2) steady = retreats(phi, behind, rate)
+            ! steps are known to the rounding of the times
+            if (abs(time(i) - time(i - 1) - step) > 4.0_wp*epsilon(step)*max(abs(time(i)), abs(time(i - 1)))) then
+                step = time(i) - time(i - 1)
+                z = phi%rate*step
+                decay = exp(-min(z, 700.0_wp))
+                mean = mean_decay(z)
+            end if
+            rise_before = rise
+            rise = decay*rise + (depth(i) - depth(i - 1))*mean
             call find_edge(path, phi, rise, rate, time(i), depth(i), before, now)
-            call look_back(path, phi, rise, time(i), now, behind)
             edge = edge_depth(path, now)
-            if (edge > edge_depth(path, before)*(1.0_wp + noise) .or. .not. retreats(phi, behind, rate)) covered = .false.
-            if (before%is_lost .and. .not. now%is_lost) covered = .false.
-            if (.not. covered) return
+            if (edge > edge_depth(path, before)) then
+                covered = edge <= edge_depth(path, before) + tolerance .and. .not. before%is_lost
+                if (.not. covered) return
+                now = before
+                edge = edge_depth(path, now)
+            end if
+            ! what the spring at the edge remembers, int_t1^t exp(-rate (t - u)) d'(u) du, and the load of those inside
+            behind = rise
+            if (.not. now%is_lost) then
+                call partial_integrals(path, now%panel + 1, now%fraction, load, passed)
+                z = exp(-min(phi%rate*(time(i) - edge_time(path, now)), 700.0_wp))
+                behind = rise - z*passed(:n)
+                force(i) = phi%limit*load(n + 1) + sum(phi%weight*load(:n)*z)
+            end if
+            if (.not. (steady .and. retreats(phi, behind, rate))) then
+                ! by how much, in the middle of the step?
+                z = 0.5_wp*phi%rate*step
+                rise_before = exp(-min(z, 700.0_wp))*rise_before + 0.5_wp*(depth(i) - depth(i - 1))*mean_decay(z)
+                call find_edge(path, phi, rise_before, rate, 0.5_wp*(time(i) + time(i - 1)), 0.5_wp*(depth(i) + depth(i - 1)), &
+                               before, between)
+                covered = edge_depth(path, between) >= edge - tolerance .and. &
+                          edge_depth(path, between) <= edge_depth(path, before) + tolerance
+                if (.not. covered) return
+            end if
             before = now
             if (now%is_lost) cycle
-            call partial_integrals(path, now%panel + 1, now%fraction, load)
-            z = phi%rate*(time(i) - edge_time(path, now))
-            force(i) = phi%limit*load(n + 1) + sum(phi%weight*load(:n)*exp(-min(z, 700.0_wp)))
             count = count + 1
             depths(count) = edge
         end do
@@ -176,28 +213,6 @@ contains
                                         + place%fraction*(path%time(place%panel + 1) - path%time(place%panel))
     end function edge_time
 
-    !> int_t1^t exp(-rate (t - u)) d'(u) du for every rate: what the spring at the edge remembers.
-    pure subroutine look_back(path, phi, rise, time, place, behind)
-        type(path_t), intent(in) :: path
-        type(prony_t), intent(in) :: phi
-        !> the same from first contact on
-        real(wp), intent(in) :: rise(:)
-        real(wp), intent(in) :: time
-        type(retreat_t), intent(in) :: place
-        real(wp), intent(out) :: behind(:)
-        real(wp) :: length
-        integer :: n, p
-
-        n = size(rise)
-        behind = rise
-        if (place%is_lost) return
-        p = place%panel
-        length = place%fraction*(path%time(p + 1) - path%time(p))
-        behind = rise - exp(-min(phi%rate*(time - path%time(p) - length), 700.0_wp)) &
-                 *(exp(-min(phi%rate*length, 700.0_wp))*path%rise(:n, p) &
-                   + place%fraction*(path%depth(p + 1) - path%depth(p))*mean_decay(phi%rate*length))
-    end subroutine look_back
-
     !> Whether the load of the spring at the edge falls at a rate of the depth: else it, or one that it has left, touches again.
     pure function retreats(phi, behind, rate) result(answer)
         type(prony_t), intent(in) :: phi
@@ -210,16 +225,16 @@ contains
         answer = pull - memory <= noise*(abs(pull) + sum(abs(phi%weight*phi%rate*behind)))
     end function retreats
 
-    !> Where int_t1^t phi(t - u) d'(u) du = 0, at or below where it was before.
+    !> Where int_t1^t phi(t - u) d'(u) du = 0, sought from where it was before.
     pure subroutine find_edge(path, phi, rise, rate, time, depth, before, place)
         type(path_t), intent(in) :: path
         type(prony_t), intent(in) :: phi
         real(wp), intent(in) :: rise(:), rate, time, depth
         type(retreat_t), intent(in) :: before
         type(retreat_t), intent(out) :: place
-        real(wp) :: weight(size(rise)), z(size(rise)), rest(size(rise))
-        real(wp) :: now, value, slope, low, high, x, next, step, length, climb
-        integer :: i, n, p
+        real(wp) :: weight(size(rise)), z(size(rise)), rest(size(rise)), start(size(rise)), c(0:powers)
+        real(wp) :: now, value, slope, bend, low, high, x, next, step, length, climb
+        integer :: i, k, n, p, slow, last
 
         n = size(rise)
         place%is_lost = .true.
@@ -227,11 +242,19 @@ contains
         if (.not. before%is_lost) p = before%panel
         now = sum(phi%weight*rise) + phi%limit*depth + phi%viscosity*rate
         do
-            weight = phi%weight*exp(-min(phi%rate*(time - path%time(p)), 700.0_wp))
-            value = now - sum(weight*path%rise(:n, p)) - phi%limit*path%depth(p)
+            ! what the panel's end sees of itself: weights to its end, integrals from its beginning
+            weight = phi%weight*exp(-min(phi%rate*(time - path%time(p + 1)), 700.0_wp))
+            value = now - sum(weight*path%rise(:n, p + 1)) - phi%limit*path%depth(p + 1)
+            if (value < 0.0_wp .or. p + 1 == path%count) exit
+            p = p + 1
+        end do
+        do
+            rest = phi%weight*exp(-min(phi%rate*(time - path%time(p)), 700.0_wp))
+            value = now - sum(rest*path%rise(:n, p)) - phi%limit*path%depth(p)
             if (value >= 0.0_wp) exit
             if (p == 0) return
             p = p - 1
+            weight = rest
         end do
         if (before%is_lost .and. value <= noise*phi%instant()*path%depth(path%count)) return
         place%is_lost = .false.
@@ -239,21 +262,37 @@ contains
         length = path%time(p + 1) - path%time(p)
         climb = path%depth(p + 1) - path%depth(p)
         z = phi%rate*length
-        ! what the panel's end sees of itself: weights to its end, integrals from its beginning
-        weight = phi%weight*exp(-min(phi%rate*(time - path%time(p + 1)), 700.0_wp))
+        last = count(phi%rate*(time - path%time(p + 1)) < forgotten)
+        slow = min(count(z <= few_powers_below), last)
+        ! of int_0^x sum weight exp(-z (1 - y)) dy = sum c_k (1 - (1 - x)^(k + 1)) for slow rates
+        c(0) = phi%limit + sum(weight(:slow))
+        rest(:slow) = weight(:slow)
+        do k = 1, powers
+            rest(:slow) = -rest(:slow)*z(:slow)
+            c(k) = sum(rest(:slow))/factorial(k + 1)
+        end do
+        start(slow + 1:last) = exp(-min(z(slow + 1:last), 700.0_wp))
         low = 0.0_wp
         high = 1.0_wp
         x = min(value/max(climb*(phi%limit + sum(weight)), tiny(x)), 1.0_wp)
         do i = 1, most_steps
-            rest = weight*exp(-min(z*(1.0_wp - x), 700.0_wp))
-            slope = climb*(phi%limit + sum(rest))
-            next = value - climb*x*(phi%limit + sum(rest*mean_decay(z*x)))
+            associate (fast => z(slow + 1:last), of => weight(slow + 1:last))
+                rest(slow + 1:last) = exp(-min(fast*(1.0_wp - x), 700.0_wp))
+                next = value/climb - sum(of*(rest(slow + 1:last) - start(slow + 1:last))/fast)
+                slope = sum(of*rest(slow + 1:last))
+                bend = sum(of*fast*rest(slow + 1:last))
+            end associate
+            do k = 0, powers
+                next = next - c(k)*(1.0_wp - (1.0_wp - x)**(k + 1))
+                slope = slope + c(k)*real(k + 1, wp)*(1.0_wp - x)**k
+                if (k > 0) bend = bend - c(k)*real(k*(k + 1), wp)*(1.0_wp - x)**(k - 1)
+            end do
             if (next >= 0.0_wp) low = x
             if (next <= 0.0_wp) high = x
             if (.not. slope > 0.0_wp) exit
             ! Halley's step, of third order
             step = next/slope
-            step = step/(1.0_wp + max(-0.5_wp, min(0.5_wp*step*climb*sum(z*rest)/slope, 1.0_wp)))
+            step = step/(1.0_wp + max(-0.5_wp, min(0.5_wp*step*bend/slope, 1.0_wp)))
             next = x + step
             if (.not. (next >= low .and. next <= high)) next = 0.5_wp*(low + high)
             step = abs(next - x)

@@ -281,13 +281,13 @@ contains
         end if
     end function mean_decay
 
-    !> S at a fraction of a panel, for every rate.
-    subroutine partial_integrals(self, panel, fraction, load)
+    !> S and D at a fraction of a panel, for every rate.
+    subroutine partial_integrals(self, panel, fraction, load, passed)
         type(path_t), intent(in) :: self
         integer, intent(in) :: panel
         !> 0 to 1
         real(wp), intent(in) :: fraction
-        real(wp), intent(out) :: load(:)
+        real(wp), intent(out) :: load(:), passed(:)
         real(wp) :: k(most), moments(size(self%rates), most), decay(size(self%rates)), length, rise
         integer :: l, n
 
@@ -296,6 +296,7 @@ contains
         rise = fraction*(self%depth(panel) - self%depth(panel - 1))
         call polynomial(self%stiffness(:n, panel), fraction*self%rules%nodes(:n, n), k(:n))
         call moments_of(self%rates*length, n, moments, decay)
+        passed = decay*self%rise(:, panel - 1) + rise*moments(:, 1)
         load = decay*self%load(:, panel - 1)
         do l = 1, n
             load = load + rise*sum(self%rules%to_coefficients(l, :n, n)*k(:n))*moments(:, l)

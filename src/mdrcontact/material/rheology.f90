@@ -26,6 +26,8 @@ module mdrcontact_material_rheology
     contains
         !> whether G(t) is a power law, without a glassy and a relaxed limit
         procedure :: is_power_law
+        !> whether G does not depend on time
+        procedure :: is_elastic
         !> G(t), the shear relaxation modulus [modulus]
         procedure :: relaxation
         !> J(t), the shear compliance [1/modulus]
@@ -129,6 +131,13 @@ contains
 
         answer = self%exponent > 0.0_wp
     end function is_power_law
+
+    elemental function is_elastic(self) result(answer)
+        class(rheology_t), intent(in) :: self
+        logical :: answer
+
+        answer = .not. self%is_power_law() .and. size(self%shear%rate) == 0 .and. .not. self%shear%viscosity > 0.0_wp
+    end function is_elastic
 
     !> G(t) at t > 0 [modulus].
     elemental function relaxation(self, t) result(value)

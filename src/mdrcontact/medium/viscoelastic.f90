@@ -5,6 +5,7 @@ module mdrcontact_medium_viscoelastic
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_material_prony, only: prony_t
     use mdrcontact_material_rheology, only: rheology_t, same_shape
@@ -58,7 +59,7 @@ module mdrcontact_medium_viscoelastic
 contains
 
     !> Layers on a substrate, or on a rigid base.
-    subroutine new_viscoelastic_medium(self, materials, thickness, rigid_base, model, options, error)
+    subroutine new_viscoelastic_medium(self, materials, thickness, rigid_base, model, options, error, shared)
         type(viscoelastic_t), intent(out) :: self
         !> from the surface down, then, unless the base is rigid, the half-space's
         type(rheology_t), intent(in) :: materials(:)
@@ -70,6 +71,8 @@ contains
         integer, intent(in) :: model
         type(model_options_t), intent(in) :: options
         type(error_t), allocatable, intent(out) :: error
+        !> what exact media have in common from one body to the next, which then cost less
+        type(layered_shared_t), intent(inout), optional :: shared
         type(material_t) :: elastic(size(thickness) + 1)
         type(homogeneous_t) :: homogeneous
         type(stack_t) :: body
@@ -98,7 +101,7 @@ contains
             allocate (self%reference, source=homogeneous)
         else
             call new_stack(body, elastic(:size(thickness)), thickness, elastic(size(thickness) + 1), error, rigid_base)
-            if (.not. allocated(error)) call new_medium(self%reference, body, model, error, options)
+            if (.not. allocated(error)) call new_medium(self%reference, body, model, error, options, shared)
         end if
     end subroutine new_viscoelastic_medium
 
