@@ -18,7 +18,7 @@ module mdrcontact_numerics_sampled_function
     !> Chebyshev nodes, and coefficients, in a panel.
     integer, parameter :: nodes = 20
     !> Points that are evaluated side by side.
-    integer, parameter :: block = 4
+    integer, parameter :: block = 8
     integer, parameter :: most_panels = 20000
     !> A panel is not halved below this length relative to its distance from 0.
     real(wp), parameter :: shortest_panel = 1.0e-10_wp
@@ -163,10 +163,30 @@ contains
         n = size(cosines, 1)
         do j = 1, n
             do i = 1, n
-                cosines(i, j) = (2.0_wp/n)*cos(pi*(j - 1)*(i - 0.5_wp)/n)
+                cosines(i, j) = (2.0_wp/n)*cosine((j - 1)*(2*i - 1), 2*n)
             end do
         end do
         cosines(:, 1) = 0.5_wp*cosines(:, 1)
+
+    contains
+
+        !> cos(pi k/m), m even, from an angle below pi/4: rounding errors of large ones would look like coefficients.
+        pure function cosine(k, m) result(value)
+            integer, intent(in) :: k, m
+            real(wp) :: value
+            integer :: rest
+
+            rest = modulo(k, 2*m)
+            rest = min(rest, 2*m - rest)
+            value = real(merge(1, -1, 2*rest <= m), wp)
+            rest = min(rest, m - rest)
+            if (4*rest <= m) then
+                value = value*cos(pi*rest/m)
+            else
+                value = value*sin(pi*(m/2 - rest)/m)
+            end if
+        end function cosine
+
     end subroutine cosine_transform
 
     !> How many coefficients are more than the rounding of values and of positions.
@@ -463,22 +483,27 @@ contains
         real(wp), intent(in) :: c(:), left, right, x(:)
         real(wp), intent(out) :: y(:)
         real(wp) :: z(block), b1(block), b2(block), b3(block)
-        integer :: first, i, j, n
+        integer :: first, j, n
 
         do first = 0, size(x) - 1, block
             n = min(block, size(x) - first)
-            z = 0.0_wp
-            z(:n) = 2.0_wp*(x(first + 1:first + n) - left)*(1.0_wp/(right - left)) - 1.0_wp
+            ! as many as a block has, also of the last points
+            z = left
+            do j = 1, n
+                z(j) = x(first + j)
+            end do
+            z = 2.0_wp*(z - left)*(1.0_wp/(right - left)) - 1.0_wp
             b1 = 0.0_wp
             b2 = 0.0_wp
             do j = size(c), 2, -1
-                do i = 1, block
-                    b3(i) = 2.0_wp*z(i)*b1(i) - b2(i) + c(j)
-                    b2(i) = b1(i)
-                    b1(i) = b3(i)
-                end do
+                b3 = 2.0_wp*z*b1 - b2 + c(j)
+                b2 = b1
+                b1 = b3
             end do
-            y(first + 1:first + n) = z(:n)*b1(:n) - b2(:n) + c(1)
+            z = z*b1 - b2 + c(1)
+            do j = 1, n
+                y(first + j) = z(j)
+            end do
         end do
     end subroutine chebyshev_sums
 

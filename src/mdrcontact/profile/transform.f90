@@ -337,21 +337,24 @@ contains
         to = sqrt(x - low)
         ! few where a fine table makes narrow panels
         if (high - low < 0.05_wp*x .and. self%f%degree_in(panel) < few_nodes) then
-            y = gauss(self%few, self%few_weights)
+            y = gauss(few_nodes, self%few, self%few_weights)
         else
-            y = gauss(self%many, self%many_weights)
+            y = gauss(many_nodes, self%many, self%many_weights)
         end if
 
     contains
 
-        pure function gauss(nodes, weights) result(integral)
-            real(wp), intent(in) :: nodes(:), weights(:)
+        pure function gauss(n, nodes, weights) result(integral)
+            integer, intent(in) :: n
+            real(wp), intent(in) :: nodes(n), weights(n)
             real(wp) :: integral
-            real(wp) :: s(size(nodes)), phi(size(nodes))
+            ! no arrays that are allocated: this is done millions of times for a long table
+            real(wp) :: square(many_nodes), r(many_nodes), phi(many_nodes)
 
-            s = from + (to - from)*nodes
-            call density(self, panel, min(max(x - s**2, low), high), phi)
-            integral = 2.0_wp*(to - from)*sum(weights*phi/sqrt(2.0_wp*x - s**2))
+            square(:n) = (from + (to - from)*nodes)**2
+            r(:n) = min(max(x - square(:n), low), high)
+            call density(self, panel, r(:n), phi(:n))
+            integral = 2.0_wp*(to - from)*sum(weights*phi(:n)/sqrt(2.0_wp*x - square(:n)))
         end function gauss
 
     end function near_integral
