@@ -149,6 +149,7 @@ contains
         character(len=*), intent(in) :: name
         integer, intent(in) :: count, smallest, largest
 
+        if (count >= smallest .and. count <= largest) return
         call check_choice(error, name, count, smallest, largest, "from "//count_text(smallest)//" to "//count_text(largest))
     end subroutine check_count_within
 

@@ -9,7 +9,7 @@ module mdrcontact_api_friction_law
     use mdrcontact_error, only: error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_history_friction, only: friction_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law, only: law_options_t
+    use mdrcontact_law_from_contact, only: law_options_t
     use mdrcontact_law_friction, only: check_step, friction_law_t, friction_memory_t, new_friction_law, turn_memory
     implicit none (type, external)
     private

@@ -1,19 +1,20 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Compiled contact laws for C: making them, one point, and what they are.
 module mdrcontact_api_law
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_loc, &
-                                           c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_text, only: read_text, write_text
     use mdrcontact_contact, only: check_branch, contact_t
-    use mdrcontact_error, only: check_memory, error_t
-    use mdrcontact_law, only: contact_law_t, default_law_tolerance, law_options_t, law_point_t, new_contact_law
+    use mdrcontact_error, only: error_t
+    use mdrcontact_law, only: contact_law_t, law_point_t
     use mdrcontact_law_evaluate, only: law_view_t, view_of
+    use mdrcontact_law_from_contact, only: default_law_tolerance, law_options_t, new_contact_law
     implicit none (type, external)
     private
-    public :: mdr_law_options_init, mdr_law_new, mdr_law_with_radius, mdrcontact_law_force, mdrcontact_law_at_depth, &
-              mdr_law_view_of, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_law_options, read_text
+    public :: mdr_law_options_init, mdr_law_new, mdr_law_with_radius, mdrcontact_law_at_depth, &
+              mdr_law_view_of, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_law_options
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
@@ -96,65 +97,15 @@ contains
         status = hand_over(object, out, error)
     end function mdr_law_with_radius
 
-    !> The text at a C pointer; empty for null.
-    subroutine read_text(pointer, text, error)
-        type(c_ptr), intent(in) :: pointer
-        character(len=:), allocatable, intent(out) :: text
-        type(error_t), allocatable, intent(inout) :: error
-        character(kind=c_char), pointer :: characters(:)
-        integer :: length, i, stat
-
-        length = 0
-        nullify (characters)
-        if (c_associated(pointer)) then
-            call c_f_pointer(pointer, characters, [huge(1)])
-            do while (characters(length + 1) /= c_null_char)
-                length = length + 1
-            end do
-        end if
-        allocate (character(len=length) :: text, stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        do i = 1, length
-            text(i:i) = characters(i)
-        end do
-    end subroutine read_text
-
     !> What law_force.c does not do by itself.
-    function mdrcontact_law_force(law, branch, d, f, slope) result(status) bind(C)
-        type(c_ptr), value :: law
-        integer(c_int), value :: branch
-        real(c_double), value :: d
-        real(c_double), intent(inout), optional :: f, slope
-        integer(c_int) :: status
-        type(contact_law_t), pointer :: inside
-        type(law_point_t) :: point
-        type(error_t), allocatable :: error
-
-        call open_handle(law, "law", inside, error)
-        if (.not. allocated(error)) call inside%at_depth(d, point, error, int(branch))
-        status = status_of(error)
-        if (allocated(error)) return
-        if (present(f)) f = point%force
-        if (present(slope)) slope = point%slope
-    end function mdrcontact_law_force
-
-    !> The same.
     function mdrcontact_law_at_depth(law, branch, d, point) result(status) bind(C)
         type(c_ptr), value :: law
         integer(c_int), value :: branch
         real(c_double), value :: d
         type(law_point_t), intent(inout), optional :: point
         integer(c_int) :: status
-        type(contact_law_t), pointer :: inside
-        type(law_point_t) :: found
-        type(error_t), allocatable :: error
 
-        call open_handle(law, "law", inside, error)
-        call check_given(error, "point", present(point))
-        if (.not. allocated(error)) call inside%at_depth(d, found, error, int(branch))
-        status = status_of(error)
-        if (.not. allocated(error)) point = found
+        status = write_state(law, .true., branch, d, point)
     end function mdrcontact_law_at_depth
 
     function mdr_law_view_of(law, branch, view) result(status) bind(C)
@@ -181,16 +132,34 @@ contains
         real(c_double), value :: f
         type(law_point_t), intent(inout), optional :: point
         integer(c_int) :: status
+
+        status = write_state(law, .false., branch, f, point)
+    end function mdr_law_at_force
+
+    !> The state at a depth or under a force.
+    function write_state(law, by_depth, branch, s, point) result(status)
+        type(c_ptr), intent(in) :: law
+        logical, intent(in) :: by_depth
+        integer(c_int), intent(in) :: branch
+        real(c_double), intent(in) :: s
+        type(law_point_t), intent(inout), optional :: point
+        integer(c_int) :: status
         type(contact_law_t), pointer :: inside
         type(law_point_t) :: found
         type(error_t), allocatable :: error
 
         call open_handle(law, "law", inside, error)
         call check_given(error, "point", present(point))
-        if (.not. allocated(error)) call inside%at_force(f, found, error, int(branch))
+        if (.not. allocated(error)) then
+            if (by_depth) then
+                call inside%at_depth(s, found, error, int(branch))
+            else
+                call inside%at_force(s, found, error, int(branch))
+            end if
+        end if
         status = status_of(error)
         if (.not. allocated(error)) point = found
-    end function mdr_law_at_force
+    end function write_state
 
     function mdr_law_follow(law, d, segment, point) result(status) bind(C)
         type(c_ptr), value :: law
@@ -238,20 +207,13 @@ contains
         integer(c_int), value :: length
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
-        character(kind=c_char), pointer :: characters(:)
         type(error_t), allocatable :: error
-        integer :: i, copied
 
         call open_handle(law, "law", inside, error)
         call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
         status = status_of(error)
         if (allocated(error) .or. length < 1) return
-        call c_f_pointer(buffer, characters, [length])
-        copied = min(len(inside%description), int(length) - 1)
-        do i = 1, copied
-            characters(i) = inside%description(i:i)
-        end do
-        characters(copied + 1) = c_null_char
+        call write_text(inside%description, int(length), buffer)
     end function mdr_law_description
 
 end module mdrcontact_api_law

@@ -7,7 +7,7 @@ module mdrcontact_api_law_batch
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: error_t
     use mdrcontact_contact, only: check_branch
-    use mdrcontact_law, only: check_depths, contact_law_t
+    use mdrcontact_law, only: check_points, contact_law_t
     implicit none (type, external)
     private
     public :: mdr_law_from_depth, mdr_law_from_force, mdr_law_energy
@@ -20,21 +20,8 @@ contains
         real(c_double), intent(in), optional :: d(n)
         real(c_double), intent(inout), optional, target :: f(n), slope(n), a(n), k(n)
         integer(c_int) :: status
-        type(contact_law_t), pointer :: inside
-        real(c_double), pointer, contiguous :: out_1(:), out_2(:), out_3(:), out_4(:)
-        type(error_t), allocatable :: error
 
-        call open_handle(law, "law", inside, error)
-        call check_count(error, n)
-        call check_array(error, "d", n, present(d))
-        if (.not. allocated(error) .and. present(d)) then
-            call point_to(n, f, out_1)
-            call point_to(n, slope, out_2)
-            call point_to(n, a, out_3)
-            call point_to(n, k, out_4)
-            call inside%from_depths(d, error, out_1, out_2, out_3, out_4, int(branch), wanted_threads())
-        end if
-        status = status_of(error)
+        status = write_points(law, .true., branch, n, "d", d, f, slope, a, k)
     end function mdr_law_from_depth
 
     function mdr_law_from_force(law, branch, n, f, d, compliance, a, k) result(status) bind(C)
@@ -43,21 +30,8 @@ contains
         real(c_double), intent(in), optional :: f(n)
         real(c_double), intent(inout), optional, target :: d(n), compliance(n), a(n), k(n)
         integer(c_int) :: status
-        type(contact_law_t), pointer :: inside
-        real(c_double), pointer, contiguous :: out_1(:), out_2(:), out_3(:), out_4(:)
-        type(error_t), allocatable :: error
 
-        call open_handle(law, "law", inside, error)
-        call check_count(error, n)
-        call check_array(error, "F", n, present(f))
-        if (.not. allocated(error) .and. present(f)) then
-            call point_to(n, d, out_1)
-            call point_to(n, compliance, out_2)
-            call point_to(n, a, out_3)
-            call point_to(n, k, out_4)
-            call inside%from_forces(f, error, out_1, out_2, out_3, out_4, int(branch), wanted_threads())
-        end if
-        status = status_of(error)
+        status = write_points(law, .false., branch, n, "F", f, d, compliance, a, k)
     end function mdr_law_from_force
 
     function mdr_law_energy(law, branch, n, d, u) result(status) bind(C)
@@ -73,11 +47,41 @@ contains
         call check_branch(error, int(branch))
         call check_in_out(error, n, "d", present(d), present(u))
         if (.not. allocated(error) .and. n > 0) then
-            call check_depths(error, inside, d)
+            call check_points(error, inside%by_depth, int(branch), d)
             if (.not. allocated(error)) u = inside%energy(d, int(branch))
         end if
         status = status_of(error)
     end function mdr_law_energy
+
+    !> Points at depths or under forces.
+    function write_points(law, by_depth, branch, n, name, in, other, slope, a, k) result(status)
+        type(c_ptr), intent(in) :: law
+        logical, intent(in) :: by_depth
+        integer(c_int), intent(in) :: branch, n
+        character(len=*), intent(in) :: name
+        real(c_double), intent(in), optional :: in(n)
+        real(c_double), intent(inout), optional, target :: other(n), slope(n), a(n), k(n)
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        real(c_double), pointer, contiguous :: out_1(:), out_2(:), out_3(:), out_4(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(law, "law", inside, error)
+        call check_count(error, n)
+        call check_array(error, name, n, present(in))
+        if (.not. allocated(error) .and. present(in)) then
+            call point_to(n, other, out_1)
+            call point_to(n, slope, out_2)
+            call point_to(n, a, out_3)
+            call point_to(n, k, out_4)
+            if (by_depth) then
+                call inside%from_depths(in, error, out_1, out_2, out_3, out_4, int(branch), wanted_threads())
+            else
+                call inside%from_forces(in, error, out_1, out_2, out_3, out_4, int(branch), wanted_threads())
+            end if
+        end if
+        status = status_of(error)
+    end function write_points
 
     !> An array, or null where there is none: absent arrays of fixed shape are no valid arguments where a shape is assumed.
     subroutine point_to(n, array, pointer)

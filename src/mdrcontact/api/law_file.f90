@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Compiled contact laws for C: files, and the same content in memory.
 module mdrcontact_api_law_file
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_null_char, c_ptr
-    use mdrcontact_api_law, only: read_text
+    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_char, c_ptr
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_error, only: check_count_from, check_memory, error_t
+    use mdrcontact_api_text, only: read_characters, read_text, write_characters
+    use mdrcontact_error, only: check_count_from, error_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_file, only: law_from_text, law_to_text, load_law, save_law
     implicit none (type, external)
@@ -56,10 +56,8 @@ contains
         integer(c_int), intent(inout), optional :: full_length
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
-        character(kind=c_char), pointer :: characters(:)
         character(len=:), allocatable :: text
         type(error_t), allocatable :: error
-        integer :: i
 
         call open_handle(law, "law", inside, error)
         call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
@@ -70,10 +68,7 @@ contains
         if (allocated(error)) return
         full_length = len(text, kind=c_int)
         if (length < full_length) return
-        call c_f_pointer(buffer, characters, [length])
-        do i = 1, len(text)
-            characters(i) = text(i:i)
-        end do
+        call write_characters(text, buffer)
     end function mdr_law_write
 
     function mdr_law_read(buffer, length, out) result(status) bind(C)
@@ -90,28 +85,10 @@ contains
         call check_given(error, "buffer", c_associated(buffer))
         call check_count_from(error, "length", int(length), 0)
         text = "" ! gfortran 12 would call its length uninitialized
-        if (.not. allocated(error)) call read_buffer(buffer, int(length), text, error)
+        if (.not. allocated(error)) call read_characters(buffer, int(length), text, error)
         if (.not. allocated(error)) call law_from_text(law, text, error)
         call move_alloc(law, object)
         status = hand_over(object, out, error)
     end function mdr_law_read
-
-    !> The characters of a buffer as text.
-    subroutine read_buffer(buffer, length, text, error)
-        type(c_ptr), intent(in) :: buffer
-        integer, intent(in) :: length
-        character(len=:), allocatable, intent(out) :: text
-        type(error_t), allocatable, intent(inout) :: error
-        character(kind=c_char), pointer :: characters(:)
-        integer :: i, stat
-
-        allocate (character(len=length) :: text, stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        call c_f_pointer(buffer, characters, [length])
-        do i = 1, length
-            text(i:i) = characters(i)
-        end do
-    end subroutine read_buffer
 
 end module mdrcontact_api_law_file

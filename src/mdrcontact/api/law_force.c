@@ -13,7 +13,6 @@ typedef struct handle {
 
 static const int64_t live_tag = INT64_C(7239381865347100001);
 
-int mdrcontact_law_force(const mdr_law *law, int branch, double d, double *F, double *slope);
 int mdrcontact_law_at_depth(const mdr_law *law, int branch, double d, mdr_law_point *point);
 
 /* The view of a law if it has the answer, else NULL. */
@@ -27,8 +26,12 @@ static const mdr_law_view *view_for(const mdr_law *law, int branch, double d)
 int mdr_law_force(const mdr_law *law, int branch, double d, double *F, double *slope)
 {
     const mdr_law_view *view = view_for(law, branch, d);
-    if (!view || !F) return mdrcontact_law_force(law, branch, d, F, slope);
-    return slope ? mdr_law_view_force_slope(view, d, F, slope) : mdr_law_view_force(view, d, F);
+    if (view && F) return slope ? mdr_law_view_force_slope(view, d, F, slope) : mdr_law_view_force(view, d, F);
+    mdr_law_point point;
+    const int status = mdrcontact_law_at_depth(law, branch, d, &point);
+    if (status == MDR_SUCCESS && F) *F = point.force;
+    if (status == MDR_SUCCESS && slope) *slope = point.slope;
+    return status;
 }
 
 int mdr_law_at_depth(const mdr_law *law, int branch, double d, mdr_law_point *point)

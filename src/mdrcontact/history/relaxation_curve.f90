@@ -7,7 +7,8 @@ module mdrcontact_history_relaxation_curve
     use mdrcontact_contact_values, only: contact_states, given_depth
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law, only: contact_law_t, law_options_t, law_point_t, new_contact_law
+    use mdrcontact_law, only: contact_law_t, law_point_t
+    use mdrcontact_law_from_contact, only: law_options_t, new_contact_law
     implicit none (type, external)
     private
     public :: elastic_curve_t, break_depths

@@ -20,8 +20,9 @@ module mdrcontact_law_friction
     use mdrcontact_history_friction, only: first_shear_t, friction_t, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, new_friction_history
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_law, only: contact_law_t, law_options_t, new_contact_law
+    use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_evaluate, only: point_at
+    use mdrcontact_law_from_contact, only: law_options_t, new_contact_law
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial_with_slope
     use mdrcontact_law_table, only: law_table_t
     implicit none (type, external)

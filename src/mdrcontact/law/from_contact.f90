@@ -1,0 +1,195 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> From a contact to its compiled law: the range, the samples of the branch, the tables, and the verification.
+module mdrcontact_law_from_contact
+    use mdrcontact_contact_branch, only: stable_segment_t
+    use mdrcontact_contact_control, only: depth_control, force_control
+    use mdrcontact_contact_curve, only: curve_t, new_curve
+    use mdrcontact_contact_range, only: coordinate_before, coordinate_beyond, coordinates_between
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_positive, check_within, error_invalid, error_no_convergence, error_t, error_unreachable, &
+                                raise, to_text
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_law, only: contact_law_t
+    use mdrcontact_law_compile, only: close_table, compile_straight, open_table
+    use mdrcontact_law_segments, only: compile_segments, fold_margin
+    use mdrcontact_law_verify, only: largest_error
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_profile_power_law, only: power_law_t
+    implicit none (type, external)
+    private
+    public :: new_contact_law, law_options_t, default_law_tolerance
+
+    !> Relative tolerance of a law for which none is asked for.
+    real(wp), parameter :: default_law_tolerance = 1.0e-9_wp
+    real(wp), parameter :: smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
+    !> Decades of depth below the largest, where none are asked for.
+    real(wp), parameter :: default_decades = 1.0e-4_wp
+    !> Shares of the tolerance: of the samples, and of the polynomials through them.
+    real(wp), parameter :: sample_share = 0.1_wp, fit_share = 0.3_wp
+    !> Noise of the contact's states with which it is worth to go on to verification.
+    real(wp), parameter :: largest_noise = 1.0e-6_wp
+
+    !> What a law can be asked for.
+    type :: law_options_t
+        !> Without adhesion: the depth down to which the tolerance holds [length]; 0: 1e-4 of the largest. Nearer to first touch
+        !> the law follows a power of d. With adhesion the law begins at pull-off.
+        real(wp) :: smallest_depth = 0.0_wp
+        !> of F, a and k, relative; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|: at pull-off the slope is infinite.
+        real(wp) :: tolerance = default_law_tolerance
+        !> whether the law answers beyond its largest depth and force too, along the tangent there, and says so in `beyond`: one
+        !> hard collision then does not end a run. Else it refuses
+        logical :: continue_beyond = .false.
+        !> the problem the law is made from, in words
+        character(len=:), allocatable :: description
+    end type law_options_t
+
+contains
+
+    !> Compiles a contact up to `largest_depth`. With `tangential` the law is that of a shift: in place of the depth it has
+    !> S = int dF/k_t, in place of the stiffness k_t; `error` is then left to the caller.
+    subroutine new_contact_law(self, contact, largest_depth, error, options, tangential)
+        type(contact_law_t), intent(out) :: self
+        type(contact_t), intent(in) :: contact
+        !> > 0 [length]
+        real(wp), intent(in) :: largest_depth
+        type(error_t), allocatable, intent(out) :: error
+        type(law_options_t), intent(in), optional :: options
+        !> without adhesion: its modulus is G_t(a) = k_t/(2 a)
+        class(medium_t), intent(in), optional :: tangential
+        type(law_options_t) :: chosen
+        real(wp) :: end_radius, smallest, largest
+        real(wp), allocatable :: breaks(:)
+
+        if (present(options)) chosen = options
+        if (.not. allocated(chosen%description)) chosen%description = ""
+        call check_positive(error, "largest_depth", largest_depth)
+        call check_within(error, "tolerance", chosen%tolerance, smallest_tolerance, largest_tolerance)
+        if (chosen%smallest_depth == 0.0_wp) chosen%smallest_depth = default_decades*largest_depth
+        call check_positive(error, "smallest_depth", chosen%smallest_depth)
+        if (allocated(error)) return
+        if (chosen%smallest_depth > 0.5_wp*largest_depth) then
+            call raise(error, error_invalid, "smallest_depth = "//to_text(chosen%smallest_depth)//" is not allowed: it must be "// &
+                       "at most half the largest depth, "//to_text(largest_depth))
+            return
+        end if
+        self%tolerance = chosen%tolerance
+        self%description = chosen%description
+        select type (profile => contact%equilibrium%profile)
+        type is (power_law_t)
+            self%radius = profile%paraboloid_radius()
+        end select
+        call contact%radius_range(end_radius, smallest, largest, breaks)
+        call open_table(self%by_depth, .true., contact%is_adhesive(), end_radius)
+        call open_table(self%by_force, .false., contact%is_adhesive(), end_radius)
+        if (smallest >= largest*(1.0_wp - 1.0e-12_wp)) then
+            call compile_punch(self, contact, largest_depth, chosen%smallest_depth, error, tangential)
+        else
+            call compile_branch(self, contact, end_radius, smallest, largest_depth, chosen%smallest_depth, error, tangential)
+        end if
+        if (allocated(error)) return
+        call close_table(self%by_depth)
+        call close_table(self%by_force)
+        self%by_depth%continued = chosen%continue_beyond
+        self%by_force%continued = chosen%continue_beyond
+    end subroutine new_contact_law
+
+    !> A flat punch: one state determines the law.
+    subroutine compile_punch(self, contact, largest_depth, smallest_depth, error, tangential)
+        type(contact_law_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        real(wp), intent(in) :: largest_depth, smallest_depth
+        type(error_t), allocatable, intent(out) :: error
+        class(medium_t), intent(in), optional :: tangential
+        type(contact_state_t) :: state, pull_off
+        real(wp) :: low, modulus(1), stiffness, share
+
+        call contact%at_depth(largest_depth, state, error)
+        low = smallest_depth
+        if (contact%is_adhesive() .and. .not. allocated(error)) then
+            call contact%pull_off(depth_control, pull_off, error)
+            low = pull_off%depth
+        end if
+        if (allocated(error)) return
+        self%solutions = 1
+        stiffness = state%stiffness
+        if (present(tangential)) then
+            call tangential%modulus([state%radius], modulus, error)
+            if (allocated(error)) return
+            stiffness = 2.0_wp*state%radius*modulus(1)
+        end if
+        share = state%stiffness/stiffness
+        call compile_straight(self%by_depth, state%radius, stiffness, share*low, share*largest_depth)
+        call compile_straight(self%by_force, state%radius, stiffness, low*state%stiffness, largest_depth*state%stiffness)
+    end subroutine compile_punch
+
+    subroutine compile_branch(self, contact, end_radius, smallest, largest_depth, smallest_depth, error, tangential)
+        type(contact_law_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        real(wp), intent(in) :: end_radius, smallest, largest_depth, smallest_depth
+        type(error_t), allocatable, intent(out) :: error
+        class(medium_t), intent(in), optional :: tangential
+        type(curve_t) :: curve
+        type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
+        real(wp), allocatable :: coordinates(:)
+        real(wp) :: first, last, found
+        integer :: i
+
+        call coordinate_beyond(contact%equilibrium, largest_depth, largest_depth, last, found, self%solutions, error)
+        if (allocated(error)) return
+        if (found < largest_depth) then
+            call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" cannot be reached: indenter or "// &
+                       "medium end at depth "//to_text(found)//trim(contact%equilibrium%why_it_ends()))
+            return
+        end if
+        if (contact%is_adhesive()) then
+            call contact%stable_segments(depth_control, of_depth, error)
+            if (.not. allocated(error)) call contact%stable_segments(force_control, of_force, error)
+            if (allocated(error)) return
+            of_depth = pack(of_depth, of_depth%first < last)
+            of_force = pack(of_force, of_force%first < last)
+            first = min(minval(of_depth%first), minval(of_force%first)) - fold_margin
+            if (end_radius > 0.0_wp .or. size(of_depth) == 0 .or. size(of_force) == 0) then
+                call raise(error, error_invalid, "this adhesive contact cannot be compiled: its branch does not begin at an "// &
+                           "extremum of depth and force within the range")
+                return
+            end if
+            if (smallest > end_radius) first = max(first, log(smallest - end_radius) + 8.0_wp*epsilon(1.0_wp))
+        else
+            allocate (of_depth(1), of_force(1))
+            call coordinate_before(contact%equilibrium, smallest_depth, first, found, self%solutions, error)
+            if (allocated(error)) return
+            if (found > smallest_depth) then
+                call raise(error, error_unreachable, "smallest_depth = "//to_text(smallest_depth)//" cannot be reached: the "// &
+                           "medium begins at depth "//to_text(found))
+                return
+            end if
+            of_depth%first = first
+            of_depth%last = last
+            of_force = of_depth
+        end if
+        coordinates = coordinates_between(contact%equilibrium, first, last)
+        ! what the samples miss, verification finds
+        call new_curve(curve, contact%equilibrium, coordinates, sample_share*self%tolerance, error, largest_noise)
+        if (.not. allocated(error) .and. present(tangential)) call curve%shear(tangential, error)
+        if (allocated(error)) return
+        self%solutions = self%solutions + curve%solutions
+        coordinates = coordinates(2:size(coordinates) - 1)
+        call compile_segments(self%by_depth, curve, of_depth, coordinates, fit_share*self%tolerance, error)
+        if (allocated(error)) return
+        do i = 2, size(of_depth)
+            self%by_depth%segments(i)%energy = curve%work_between(of_depth(1)%first, of_depth(i)%first)
+        end do
+        if (.not. allocated(error)) then
+            call compile_segments(self%by_force, curve, of_force, coordinates, fit_share*self%tolerance, error)
+        end if
+        if (allocated(error) .or. present(tangential)) return
+        call largest_error(self%by_depth, self%by_force, contact, curve, of_depth, of_force, self%error, self%solutions, error)
+        if (allocated(error)) return
+        if (.not. self%error <= self%tolerance) then
+            call raise(error, error_no_convergence, "the compiled law misses the tolerance "//to_text(self%tolerance)// &
+                       ": its error is "//to_text(self%error)//"; the contact itself may not be computed more accurately")
+        end if
+    end subroutine compile_branch
+
+end module mdrcontact_law_from_contact
