@@ -317,7 +317,8 @@ class Contact(Value):
             "interface shear" and "interface tension" of each interface
         largest_radius : how far to look [length]; default: 30 times the thickness of all layers, as far as the contact is defined
 
-        A strength that is not reached, or only at the singular edge of a punch, has no entry.
+        A strength that is not reached, or only at the singular edge of a punch or an adhesive contact, has no entry; one that is
+        reached at any load, as under a sharp tip, has that of the smallest contact looked at and `at_once`.
         """
         return critical.first_failure(self, strengths, body, friction, largest_radius)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,7 +15,8 @@ from .errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from .interior import Interior, layer_energies
 from .material import RIGID
 from .medium import Coated, Homogeneous, Layered, Pair
-from .profile import FlatPunch
+from .profile import FlatEndedCone, FlatEndedParaboloid, FlatPunch, Profile
+from .profile.base import _terms
 
 __all__ = ["Critical", "Failure", "Layer", "Maximum"]
 
@@ -24,7 +26,7 @@ _GRID, _ZOOM, _ZOOMS = (41, 25), 9, 7
 _INSIDE = 1e-9
 """Faces are looked at from this little inside their layer, relative to a + z."""
 _OFF_EDGE = 1e-3
-"""Where the edge of the contact is singular, nothing is looked for nearer to it than this part of a."""
+"""Nothing is looked for nearer than this part of a to where stresses are infinite."""
 
 
 class Maximum(NamedTuple):
@@ -85,9 +87,14 @@ class Failure(NamedTuple):
     strength: float
     """[modulus]"""
     state: Any
-    """the State at which it is reached"""
+    """the State at which it is reached; the smallest one looked at where it is reached at once, at any load"""
     at: Maximum
-    """where in the body"""
+    """where in the body; its value is larger than the strength where that is reached at once"""
+
+    @property
+    def at_once(self) -> bool:
+        """Whether the strength is reached at the smallest contact already, as under a sharp tip."""
+        return self.at.value > 1.001 * self.strength
 
 
 def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:
@@ -157,7 +164,8 @@ class _Search:
         if not self._radius > 0.0:
             raise InvalidArgumentError("the contact radius of the state must be greater than 0: there is no contact")
         self._angles = (0.0, math.pi) if friction else (0.0,)
-        self._off_edge = 0.0 if math.isfinite(contact.interior(self._radius, 0.0, state, body).s_zz) else _OFF_EDGE
+        places = {0.0, self._radius, *(b for b in _flat_ends(contact.indenter) if b < self._radius)}
+        self._singular = [r for r in sorted(places) if not math.isfinite(contact.interior(r, 0.0, state, body).s_zz)]
         self._grids: dict[tuple[float, ...], tuple[Any, Any, list[Interior]]] = {}
 
     def in_layer(self, i: int, measure: Measure) -> Maximum:
@@ -177,7 +185,12 @@ class _Search:
 
     def outside(self) -> Maximum:
         """The largest tension on the free surface beside the contact."""
-        return self._largest(_tension, (self._radius * (1.0 + self._off_edge), _FARTHEST * self._radius), (0.0, 0.0))
+        off_edge = _OFF_EDGE if self._radius in self._singular else 0.0
+        return self._largest(_tension, (self._radius * (1.0 + off_edge), _FARTHEST * self._radius), (0.0, 0.0))
+
+    def is_beside_edge(self, found: Maximum) -> bool:
+        """Whether a maximum belongs to the singular edge of a flat punch or an adhesive contact, no matter how weak."""
+        return self._radius in self._singular and math.hypot(found.r - self._radius, found.z) < 5.0 * _OFF_EDGE * self._radius
 
     def _largest(self, measure: Measure, r: tuple[float, float], z: tuple[float, float]) -> Maximum:
         where = (*r, *z)
@@ -187,7 +200,7 @@ class _Search:
         radii, depths, fields = self._grids[where]
         best = Maximum(-math.inf, r[0], z[0], 0.0)
         for angle, field in zip(self._angles, fields, strict=True):
-            found, (i, j) = _top(measure(field))
+            found, (i, j) = self._top(measure(field), radii, depths)
             if found > best.value:
                 here = Maximum(found, float(radii[i]), float(depths[j]), angle)
                 best = self._zoom(measure, here, _around(radii, i), _around(depths, j))
@@ -197,18 +210,26 @@ class _Search:
         for _ in range(self._zooms):
             radii = np.linspace(*r, _ZOOM if r[1] > r[0] else 1)
             depths = np.linspace(*z, _ZOOM if z[1] > z[0] else 1)
-            found, (i, j) = _top(measure(self._field(radii, depths, best.angle)))
+            found, (i, j) = self._top(measure(self._field(radii, depths, best.angle)), radii, depths)
             if found >= best.value:
                 best = Maximum(found, float(radii[i]), float(depths[j]), best.angle)
             r, z = _around(radii, i), _around(depths, j)
         return best
 
     def _field(self, r: NDArray[np.float64], z: NDArray[np.float64], angle: float) -> Interior:
-        radii = np.where(np.abs(r - self._radius) < self._off_edge * self._radius, self._radius * (1.0 - self._off_edge), r)
         field: Interior = self._contact.interior(
-            radii[:, None], z[None, :], self._state, self._body, side="above", friction=self._friction, angle=angle
+            r[:, None], z[None, :], self._state, self._body, side="above", friction=self._friction, angle=angle
         )
         return field
+
+    def _top(self, values: NDArray[np.float64], r: NDArray[np.float64], z: NDArray[np.float64]) -> tuple[float, tuple[int, int]]:
+        """The largest value off what is singular, and its place."""
+        allowed = np.isfinite(values)
+        for place in self._singular:
+            allowed &= np.hypot(r[:, None] - place, z[None, :]) >= _OFF_EDGE * self._radius
+        chosen = np.where(allowed, values, -np.inf)
+        i, j = np.unravel_index(np.argmax(chosen), chosen.shape)
+        return float(chosen[i, j]), (int(i), int(j))
 
     def _spread(self, r: tuple[float, float]) -> NDArray[np.float64]:
         """Radii, half of them around the edge of the contact."""
@@ -224,11 +245,9 @@ class _Search:
         return z[0] + (z[1] - z[0]) * np.linspace(0.0, 1.0, _GRID[1]) ** 2
 
 
-def _top(values: NDArray[np.float64]) -> tuple[float, tuple[int, int]]:
-    """The largest finite value and its place."""
-    finite = np.where(np.isfinite(values), values, -np.inf)
-    i, j = np.unravel_index(np.argmax(finite), finite.shape)
-    return float(finite[i, j]), (int(i), int(j))
+def _flat_ends(indenter: Profile) -> list[float]:
+    """Radii of the edges of flat ends [length]."""
+    return [float(term.end_radius) for term in _terms(indenter) if isinstance(term, FlatEndedCone | FlatEndedParaboloid)]
 
 
 def _around(values: NDArray[np.float64], i: int) -> tuple[float, float]:
@@ -261,11 +280,12 @@ def first_failure(
             if radius not in known:
                 state = contact.at_radius(radius)
                 known[radius] = _Search(contact, state, body, friction, 0 if known is coarse else _ZOOMS)
-            return _measure(known[radius], mode, place).value / strength
+            top = _measure(known[radius], mode, place)
+            return 0.0 if known[radius].is_beside_edge(top) else top.value / strength
 
         bracket = _bracket(lambda radius: ratio(radius, coarse), radii)
         if bracket is not None:
-            radius = _root(lambda radius: ratio(radius, fine), *bracket)
+            radius = _root(lambda radius: ratio(radius, fine), *bracket) if bracket[1] > bracket[0] else bracket[0]
             ratio(radius, fine)
             search = fine[radius]
             found.append(Failure(mode, place, strength, search._state, _measure(search, mode, place)))
@@ -279,8 +299,7 @@ def _under_punch(contact: Any, wanted: list[tuple[str, int, float]], body: str, 
     found = []
     for mode, place, strength in wanted:
         top = _measure(search, mode, place)
-        at_edge = math.hypot(top.r - state.radius, top.z) < 5.0 * _OFF_EDGE * state.radius
-        if top.value > 0.0 and not at_edge:
+        if top.value > 0.0 and not search.is_beside_edge(top):
             reached = contact.at_depth(float(state.depth) * strength / top.value)
             found.append(Failure(mode, place, strength, reached, top._replace(value=strength)))
     return tuple(sorted(found, key=lambda failure: float(failure.state.force)))
@@ -313,18 +332,24 @@ def _wanted(contact: Any, strengths: Mapping[str, Sequence[float | None]], body:
 
 
 def _radii(contact: Any, largest: float | None, body: str) -> NDArray[np.float64]:
-    """Contact radii to look at, over four decades, as far as indenter and medium are defined."""
+    """Contact radii to look at, over four decades beyond the smallest one, as far as indenter and medium are defined."""
     total = math.fsum(layers_of(contact.medium, body)[0])
     last = _WIDEST * total if largest is None else float(largest)
     if not 0.0 < last < math.inf:
         raise InvalidArgumentError("largest_radius must be given, greater than 0: a body without layers has no length of its own")
-    while last > 0.0:
+    ends = [getattr(term, "end_radius", 0.0) for term in _terms(contact.indenter)]
+    flat = float(min(ends))
+    if not last > flat:
+        if largest is not None:
+            raise InvalidArgumentError(f"largest_radius = {last:g} is not allowed: it must be larger than the flat end, {flat:g}")
+        last = 3.0 * flat
+    while last > flat:
         try:
             contact.at_radius(last)
             break
         except MDRError:
-            last *= 0.9
-    return np.geomspace(1e-4 * last, last, _SAMPLES)
+            last = flat + 0.9 * (last - flat)
+    return flat + np.geomspace(1e-4 * (last - flat), last - flat, _SAMPLES)
 
 
 def _measure(search: _Search, mode: str, place: int) -> Maximum:
@@ -340,11 +365,14 @@ def _measure(search: _Search, mode: str, place: int) -> Maximum:
 
 
 def _bracket(ratio: Callable[[float], float], radii: NDArray[np.float64]) -> tuple[float, float] | None:
-    """Radii between which the strength is first reached; None if it is not, or at all of them. On the coarse grid a maximum may be
-    missed by some per cent: the radii are not quite neighbours."""
-    for i in range(1, len(radii)):
-        if ratio(float(radii[i])) >= 1.0:
-            return (float(radii[i - 1]) / _SLACK, float(radii[i])) if ratio(float(radii[0])) < 1.0 else None
+    """Radii between which the strength is first reached; twice the smallest one if it is reached there; None if nowhere. On the
+    coarse grid a maximum may be missed by some per cent: the radii are not quite neighbours."""
+    smallest = float(radii[0])
+    if ratio(smallest) >= 1.0:
+        return smallest, smallest
+    for before, here in pairwise(radii.tolist()):
+        if ratio(here) >= 1.0:
+            return max(before / _SLACK, smallest), here
     return None
 
 

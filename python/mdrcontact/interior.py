@@ -44,7 +44,8 @@ class Interior(NamedTuple):
     @property
     def von_mises(self) -> FloatOrArray:
         """The von Mises stress: a metal yields where it reaches the yield stress."""
-        differences = np.square(self.s_rr - self.s_tt) + np.square(self.s_tt - self.s_zz) + np.square(self.s_zz - self.s_rr)
+        with np.errstate(invalid="ignore"):  # infinite stresses
+            differences = np.square(self.s_rr - self.s_tt) + np.square(self.s_tt - self.s_zz) + np.square(self.s_zz - self.s_rr)
         return _like(self.s_rr, np.sqrt(0.5 * differences + 3.0 * self._squared_shear()), self._is_infinite())
 
     @property

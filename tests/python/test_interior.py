@@ -282,3 +282,31 @@ def test_first_failure_is_where_a_strength_is_reached():
     for wrong in ({}, {"yield": [1.0]}, {"melt": [1.0]}, {"yield": [-1.0, None]}, {"yield": [None, None]}):
         with pytest.raises((mdr.MDRError, TypeError)):
             CONTACT.first_failure(wrong)
+
+
+def test_what_fails_at_once_is_said_so():
+    """Under a cone stresses do not tend to 0 with the load: a film that does not bear them is not safe."""
+    contact = mdr.Contact(mdr.Cone(0.2), CONTACT.medium)
+    failures = contact.first_failure({"yield": [14.0, 2.0]}, largest_radius=3.0)
+    assert [(failure.place, failure.at_once) for failure in failures] == [(0, True), (1, False)]
+    # where stresses are infinite nothing is looked for nearer than 1e-3 a
+    state = contact.at_radius(0.5)
+    apex = contact.critical(state).layers[0].von_mises
+    assert np.hypot(apex.r, apex.z) == pytest.approx(5e-4, rel=1e-2)
+    assert apex.value == pytest.approx(contact.interior(apex.r, apex.z, state).von_mises, rel=1e-12)
+
+
+def test_first_failure_under_a_flat_end():
+    """Contact begins at the radius of the end."""
+    contact = mdr.Contact(mdr.FlatEndedParaboloid(0.5, 50.0), mdr.Homogeneous(STEEL))
+    (failure,) = contact.first_failure({"yield": [2.0]}, largest_radius=3.0)
+    assert failure.state.radius > 0.5 and not failure.at_once
+    assert contact.critical(failure.state).layers[0].von_mises.value == pytest.approx(2.0, rel=1e-4)
+    with pytest.raises(mdr.InvalidArgumentError, match="larger than the flat end"):
+        contact.first_failure({"yield": [2.0]}, largest_radius=0.4)
+
+
+def test_the_edge_of_an_adhesive_contact_is_no_failure():
+    contact = mdr.Contact(mdr.Paraboloid(100.0), CONTACT.medium, work_of_adhesion=1e-3)
+    failures = contact.first_failure({"yield": [14.0, 2.0]}, largest_radius=3.0)
+    assert [failure.place for failure in failures] == [1] and not failures[0].at_once

@@ -34,6 +34,8 @@ class Inside(NamedTuple):
     faces: list[float]
     critical: Critical
     failures: tuple[Failure, ...]
+    unreached: list[str]
+    """strengths that are not reached"""
     maps: list[Layer]
 
 

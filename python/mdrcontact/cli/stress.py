@@ -85,14 +85,22 @@ def _inside(problem: Problem, contact: Contact, state: State, friction: float, w
     faces = [0.0, *np.cumsum(thicknesses).tolist()]
     largest = contact.critical(state, friction=friction)
     failures: tuple[Failure, ...] = ()
+    unreached: list[str] = []
     if problem.strength is not None:
         with tqdm(total=len(problem.strength), unit="modes", delay=2.0, disable=None, leave=False) as bar:
             failures = _failures(contact, problem.strength, friction, 3.0 * float(state.radius), bar)
+        reached = {(failure.mode, failure.place) for failure in failures}
+        unreached = [
+            f"{mode}, {(interface_name if mode.startswith('interface') else layer_name)(faces, i)}, {_with_unit(value, MODULUS)}"
+            for mode, values in problem.strength.items()
+            for i, value in enumerate(values)
+            if value is not None and (mode, i) not in reached
+        ]
     maps = []
     if with_maps:
         count = len(faces) - rigid
         maps = [layer_map(contact, state, friction, faces, i) for i in range(count)]
-    return Inside(state, friction, faces, largest, failures, maps)
+    return Inside(state, friction, faces, largest, failures, unreached, maps)
 
 
 def _failures(contact: Contact, strengths: Strengths, friction: float, largest: float, bar: Any) -> tuple[Failure, ...]:
@@ -137,13 +145,22 @@ def _words(found: Inside) -> str:
                 failure.mode,
                 failure_place(found.faces, failure),
                 _with_unit(failure.strength, MODULUS),
-                _with_unit(failure.state.force, FORCE),
-                _with_unit(failure.state.depth, LENGTH),
-                _with_unit(failure.state.radius, LENGTH),
+                *(
+                    ["at once", "", ""]
+                    if failure.at_once
+                    else [
+                        _with_unit(failure.state.force, FORCE),
+                        _with_unit(failure.state.depth, LENGTH),
+                        _with_unit(failure.state.radius, LENGTH),
+                    ]
+                ),
             ]
             for failure in found.failures
         ]
         parts.append("In the order in which they come as the load grows:\n\n" + aligned(rows, left=2))
+    if found.unreached:
+        farthest = _with_unit(3.0 * float(state.radius), LENGTH)
+        parts.append(f"Not reached up to a = {farthest}, singular edges apart: {'; '.join(found.unreached)}")
     return "\n\n".join(parts)
 
 

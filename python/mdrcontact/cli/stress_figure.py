@@ -21,7 +21,11 @@ _LEVELS = 24
 def stress_figure(problem: Problem, contact: Contact, found: Inside, form: str) -> bytes:
     """Maps of von Mises stress and largest tension, stresses along the axis, along the interfaces and the surface."""
     with _style():
-        figure, axes = _figure(_title(problem, found), 2, 2, (11.0, 8.2))
+        # maps of equal scales: their width fixes their height
+        first, last = found.maps[0], found.maps[-1]
+        height = 4.2 * float((last.z[-1] - first.z[0]) / (first.x[-1] - first.x[0])) + 0.7
+        figure, axes = _figure(_title(problem, found), 2, 2, (11.0, 5.0 + height))
+        axes[0, 0].get_gridspec().set_height_ratios([height, 4.2])
         length = practical(LENGTH, [found.maps[-1].z[-1]])
         _draw_map(figure, axes[0, 0], found, length, "von_mises")
         _draw_map(figure, axes[0, 1], found, length, "tension")
@@ -56,7 +60,7 @@ def _draw_map(figure: Any, axis: Any, found: Inside, length: Unit, what: str) ->
         drawn = axis.contourf(length.of(layer.x), length.of(layer.z), shown.T, levels, cmap=colours)
     # as high as the map, whose height follows from equal scales
     bar = figure.colorbar(drawn, cax=axis.inset_axes((1.03, 0.0, 0.035, 1.0)), ticks=MaxNLocator(6))
-    bar.set_label(f"{'von Mises stress' if what == 'von_mises' else 'principal stress (red: tension)'} [{unit.symbol}]")
+    bar.set_label(f"{'von Mises stress' if what == 'von_mises' else 'largest principal stress'} [{unit.symbol}]")
     dark = "#ffffff" if what == "von_mises" else "#000000"
     a = float(found.state.radius)
     for depth in found.faces[1:]:

@@ -28,6 +28,9 @@ def read_strength(section: Section) -> Strengths:
         if not isinstance(values, list):
             raise ProblemError(f'[{section.path}]: {key} must be a list from the surface down, as in {key} = ["3 GPa", "none"]')
         known = [Section({key: value}, section.path, KNOWN).quantity(key) if value != "none" else None for value in values]
+        for value, number in zip(values, known, strict=True):
+            if number is not None and not number > 0.0:
+                raise ProblemError(f'[{section.path}]: {key} = {value!r} is not allowed: a strength is greater than 0, or "none"')
         strengths[key.replace("_", " ")] = known
     if not strengths:
         raise ProblemError(f"[{section.path}]: it is empty: give at least one of {', '.join(KNOWN)}")
