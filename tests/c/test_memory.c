@@ -36,7 +36,10 @@ int main(void)
     mdr_medium *m = NULL;
     mdr_contact *c = NULL;
     mdr_law *law = NULL;
-    mdr_medium *table = NULL;
+    mdr_medium *table = NULL, *relaxing = NULL;
+    mdr_material *polymer = NULL;
+    mdr_contact *in_time = NULL;
+    const double modulus = 2.0, relaxation_time = 0.5;
     mdr_structure *voxels = NULL;
     mdr_law_options law_options;
     mdr_fit_problem problem;
@@ -46,6 +49,9 @@ int main(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
     CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, &modulus, &relaxation_time, 0.0, 0.3, 0.0, &polymer));
+    CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, polymer, MDR_MODEL_EXACT, NULL, &relaxing));
+    CHECK_SUCCESS(mdr_contact_new(p, relaxing, NULL, &in_time));
     for (int i = 0; i < COUNT; i++) in[i] = 1e-6 * (i + 1);
     fill_untouched(COUNT, out);
     memset(large_text, 'x', LARGE_TEXT);
@@ -74,6 +80,10 @@ int main(void)
     CHECK_STATUS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_profile_height(p, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_coated_cone_force(COUNT, in, 0.2, 1.0, 2.0, 1.0, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_material_relaxation(polymer, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_contact_history(in_time, MDR_GIVEN_DEPTH, 1e-5, COUNT, in, in, NULL, NULL, out), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_contact_dynamic_stiffness(in_time, COUNT, in, in, out, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_contact_step_response(in_time, MDR_STEP_CREEP, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     for (int i = 0; i < COUNT; i += 1000) CHECK_CLOSE(out[i], untouched, 0.0);
     /* objects whose size the caller chooses */
     CHECK_STATUS(mdr_law_read(large_text, LARGE_TEXT, &law), MDR_ENOMEMORY, "not enough memory");
@@ -90,6 +100,9 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_from_radius(c, COUNT, in, NULL, NULL, out, NULL));
     CHECK_CLOSE(out[COUNT - 1], 4.0 / 3.0 / 0.91 * pow(in[COUNT - 1], 3), 1e-12);
     CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_contact_free(&in_time));
+    CHECK_SUCCESS(mdr_medium_free(&relaxing));
+    CHECK_SUCCESS(mdr_material_free(&polymer));
     CHECK_SUCCESS(mdr_medium_free(&m));
     CHECK_SUCCESS(mdr_profile_free(&p));
     return check_report("memory");

@@ -4,12 +4,14 @@
 
 #include <pthread.h>
 
-enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 8 * POINTS };
+enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 11 * POINTS };
 
 typedef struct task {
     const mdr_profile *profile;
     const mdr_medium *medium;
     const mdr_contact *contact;
+    const mdr_material *material;
+    const mdr_contact *relaxing;
     int number;
     int failed_calls;
     int wrong_texts;
@@ -32,6 +34,9 @@ static void evaluate(task *t)
     failed += mdr_contact_from_force(t->contact, POINTS, F, NULL, v + 5 * POINTS, NULL, NULL) != MDR_SUCCESS;
     failed += field_at(t->contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 3.0, POINTS, a, v + 6 * POINTS) != MDR_SUCCESS;
     failed += field_at(t->contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.3, POINTS, a, v + 7 * POINTS) != MDR_SUCCESS;
+    failed += mdr_material_relaxation(t->material, POINTS, a, v + 8 * POINTS) != MDR_SUCCESS;
+    failed += mdr_contact_history(t->relaxing, MDR_GIVEN_DEPTH, 1e-5, POINTS, a, d, NULL, NULL, v + 9 * POINTS) != MDR_SUCCESS;
+    failed += mdr_contact_dynamic_stiffness(t->relaxing, 1, a, a, v + 10 * POINTS, v + 10 * POINTS + 1) != MDR_SUCCESS;
     t->failed_calls += failed;
 }
 
@@ -62,13 +67,21 @@ int main(int argc, char **argv)
     const int model = argc > 1 ? MDR_MODEL_EXACT : MDR_MODEL_GAO;
     mdr_profile *profile = NULL;
     mdr_medium *medium = NULL;
-    mdr_contact *contact = NULL;
+    mdr_contact *contact = NULL, *relaxing = NULL;
+    mdr_material *material = NULL;
+    mdr_medium *gel = NULL;
+    const double modulus = 2.0, relaxation_time = 0.5, thickness = 0.5;
     task alone = {0}, tasks[THREADS] = {{0}};
     pthread_t threads[THREADS];
 
     CHECK_SUCCESS(mdr_profile_rounded_cone(0.4, 0.35, &profile));
     CHECK_SUCCESS(mdr_medium_coated(72.0, 0.17, 0.5, 165.0, 0.22, model, NULL, &medium));
     CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, &modulus, &relaxation_time, 0.0, 0.3, 0.0, &material));
+    CHECK_SUCCESS(mdr_medium_viscoelastic(1, (const mdr_material *const[]){material}, &thickness, NULL, MDR_MODEL_EXACT, NULL, &gel));
+    CHECK_SUCCESS(mdr_contact_new(profile, gel, NULL, &relaxing));
+    alone.material = material;
+    alone.relaxing = relaxing;
     alone.profile = profile;
     alone.medium = medium;
     alone.contact = contact;
@@ -88,6 +101,9 @@ int main(int argc, char **argv)
         for (int j = 0; j < VALUES; j++) CHECK_CLOSE(tasks[i].values[j], alone.values[j], 0.0);
     }
     CHECK_SUCCESS(mdr_contact_free(&contact));
+    CHECK_SUCCESS(mdr_contact_free(&relaxing));
+    CHECK_SUCCESS(mdr_medium_free(&gel));
+    CHECK_SUCCESS(mdr_material_free(&material));
     CHECK_SUCCESS(mdr_medium_free(&medium));
     CHECK_SUCCESS(mdr_profile_free(&profile));
     (void)argv;

@@ -20,6 +20,9 @@ balls = [lateral.Ball((np.sin(3 * i), np.cos(5 * i), 0.6), 0.5, mdr.Elastic(1.0 
 structure = lateral.Shapes(mdr.Elastic(1.0, 0.3), balls)
 depth = np.linspace(0.01, 1.0, 300)
 curve = mdr.ForceDepth(depth, depth**2 * (1 + np.sin(9 * depth)))
+relaxing = mdr.Viscoelastic(1.0, [(2.0, 0.5)], nu=0.5)
+film = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(relaxing, 1.0, mdr.Viscoelastic(0.6, [(0.4, 2.0)], nu=0.3)))
+time_of_path = np.linspace(0.0, 30.0, 2000)
 names = ["E[1]", "E[2]", "nu[1]", "z[1]"]
 
 calls = {CALLS}
@@ -42,6 +45,7 @@ CALLS = {
     "states": "lambda: contact.at_force(many)",
     "map": "lambda: structure.modulus(many, many, 0.5)",
     "fit": "lambda: mdr.fit(curve, mdr.FlatEndedCone(0.1, 0.3), graded, names, check_units=False)",
+    "history": "lambda: film.history(time_of_path, depth=np.sin(time_of_path) ** 2, tolerance=1e-9)",
     "fits": "lambda: mdr.fit_many([curve] * 1000, mdr.Cone(0.3), graded, names, check_units=False)",
 }
 

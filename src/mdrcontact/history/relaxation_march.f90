@@ -5,6 +5,7 @@
 !> with q linear in time over a step. The memory y of the smooth part lives in k-space and never needs to know a(t); that of the
 !> springs themselves, z, lives on panels of x which end at the edge of the contact and at the radii where it has turned.
 module mdrcontact_history_relaxation_march
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_values, only: given_depth, given_force
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_history_relaxation_memory, only: memory_t
@@ -101,7 +102,8 @@ contains
         y_before = trial%residual
         x = min(max(self%radius, 1.0e-3_wp*self%limit), 0.9_wp*self%limit)
         do i = 1, most_trials
-            call try(self, h, x, given, value, trial, error)
+            call check_cancelled(error)
+            if (.not. allocated(error)) call try(self, h, x, given, value, trial, error)
             if (allocated(error)) return
             if (trial%residual < 0.0_wp) then
                 low = x
