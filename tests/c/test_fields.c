@@ -65,6 +65,8 @@ static void refusals(void)
     CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, NULL, &state), MDR_ENULL, "in is NULL");
     CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 0, NULL, NULL));
     CHECK_UNTOUCHED(2, out);
+    CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, out, out + 1));
+    CHECK_TRUE(out[0] == 0.0 && out[1] == state.radius); /* at the edge */
     CHECK_SUCCESS(mdr_profile_free(&p));
     CHECK_SUCCESS(mdr_contact_free(&c));
 }

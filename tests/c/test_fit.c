@@ -64,6 +64,18 @@ static void truth_comes_back(void)
     CHECK_TRUE(covariance[1 * NUMBERS + 1] > 0.0 && covariance[0] == 0.0);
     CHECK_INT(at_bound[1], 0);
 
+    /* a thickness that is kept from its value lies at its bound; numbers that are given keep their standard error, 0, as it is */
+    double widening[NUMBERS];
+    parameters[3].upper = 400e-9;
+    CHECK_INT(mdr_fit_solve(&problem, POINTS, d, expected, NULL, NULL, values, NULL, widening, at_bound, NULL, NULL, NULL, NULL),
+              MDR_SUCCESS);
+    CHECK_CLOSE(values[3], 400e-9, 1e-9);
+    for (int i = 0; i < NUMBERS; i++) {
+        CHECK_INT(at_bound[i], i == 3 ? 1 : 0);
+        CHECK_TRUE(i == 1 || i == 3 ? widening[i] >= 1.0 : widening[i] == 1.0);
+    }
+    parameters[3].upper = INFINITY;
+
     /* with a spread of 1 % the interval of E holds the truth and has a width of that order */
     for (int i = 0; i < POINTS; i++) residuals[i] = 0.01 * expected[i];
     CHECK_INT(mdr_fit_interval(&problem, POINTS, d, expected, NULL, residuals, 1, 0.95, &lower, &upper), MDR_SUCCESS);

@@ -116,6 +116,24 @@ static void layers(int model, double exponent)
     CHECK_SUCCESS(mdr_structure_free(&shapes));
 }
 
+/* Voxels in layers of two materials: labels run along x, then y, then from the surface down. */
+static void order_of_voxels(void)
+{
+    const int kind[2] = {MDR_SHAPE_LAYER, MDR_SHAPE_LAYER}, size[3] = {1, 2, 2}, labels[4] = {0, 0, 1, 1};
+    const double layer[14] = {0.0, 0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.2, 0.4}, E[2] = {5.0, 2.0}, nu[2] = {0.3, 0.3};
+    const double spacing[3] = {1.0, 1.0, 0.2};
+    double expected[3], found[3];
+    mdr_structure *shapes = NULL, *voxels = NULL;
+
+    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 2, kind, layer, E, nu, NULL, &shapes));
+    CHECK_SUCCESS(mdr_structure_voxels(size, labels, 2, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
+    CHECK_SUCCESS(mdr_structure_modulus(shapes, 3, nan_free, zeros, nan_free, expected));
+    CHECK_SUCCESS(mdr_structure_modulus(voxels, 3, nan_free, zeros, nan_free, found));
+    for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-5);
+    CHECK_SUCCESS(mdr_structure_free(&voxels));
+    CHECK_SUCCESS(mdr_structure_free(&shapes));
+}
+
 /* A line across a vertical interface: monotone, the mean in the middle, point symmetric. */
 static void line(void)
 {
@@ -192,6 +210,7 @@ int main(void)
     layers(MDR_MODEL_GAO_SERIES, -1.0);
     layers(MDR_MODEL_GAO_POWER, -0.65);
     layers(MDR_MODEL_GAO_POWER, 0.0);
+    order_of_voxels();
     line();
     callback_structure();
     weights();
