@@ -59,7 +59,7 @@ contains
         g = g*normalisation(size(g))
     end subroutine profile_moments
 
-    !> Whether g is a polynomial in x^2, with few coefficients.
+    !> Whether g is a polynomial in x^2, with few coefficients, or a sphere's, which is close to one unless a is close to R.
     pure recursive function is_smooth(profile) result(answer)
         class(profile_t), intent(in) :: profile
         logical :: answer
@@ -71,7 +71,7 @@ contains
             return
         end select
         call profile%powers(exponents, coefficients)
-        answer = size(exponents) > 0 .and. all(modulo(exponents, 2.0_wp) == 0.0_wp)
+        answer = profile%is_spherical() .or. (size(exponents) > 0 .and. all(modulo(exponents, 2.0_wp) == 0.0_wp))
     end function is_smooth
 
     !> int_-1^1 |u|^s P_2j(u) du = 2 t_j, t_(j+1) = t_j (s - 2j)/(s + 2j + 3).
@@ -106,7 +106,7 @@ contains
                 low = high
                 cycle
             end if
-            if (i == 1) then
+            if (i == 1 .and. .not. profile%is_spherical()) then
                 ! intervals towards the axis, from the lowest
                 ends = high
                 do k = 1, most_intervals
@@ -124,7 +124,7 @@ contains
                         ends = low + 0.75_wp*(profile%singular_radius() - low)
                     end if
                     ends = min(ends, high)
-                    call add_interval(profile, a, low, ends, k == 1, g, error)
+                    call add_interval(profile, a, low, ends, k == 1 .and. i > 1, g, error)
                     low = ends
                     if (low >= high) exit
                 end do
@@ -169,6 +169,8 @@ contains
 
         ! P_2j runs through 2j/pi half waves as acos(x/a) goes through a right angle
         n = 16 + ceiling(real(size(g), wp)*(acos(low/a) - acos(min(high/a, 1.0_wp)))*merge(1.3_wp, 1.0_wp, has_root))
+        ! and is a polynomial of degree 2j
+        n = min(n, 20 + size(g)*merge(2, 1, has_root))
         parts = 1 + (n - 1)/largest_rule
         call new_rule(rule, 1 + (n - 1)/parts, error)
         if (allocated(error)) return
