@@ -46,13 +46,13 @@ def _warn(message: Warning | str, *_: Any) -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command; returns its exit status. Faults are told in one line on standard error."""
-    parser = argparse.ArgumentParser(
-        prog="mdrcontact", description=_DESCRIPTION, epilog=_EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(prog="mdrcontact", description=_DESCRIPTION, epilog=_EPILOG)
     parser.add_argument("--version", action="version", version=f"mdrcontact {__version__}")
     subparsers = parser.add_subparsers(metavar="COMMAND", required=True)
     for command in COMMANDS:
         command.add(subparsers)
+    for described in (parser, *subparsers.choices.values()):
+        described.formatter_class = argparse.RawDescriptionHelpFormatter
     chosen = parser.parse_args(arguments)
     try:
         with warnings.catch_warnings():

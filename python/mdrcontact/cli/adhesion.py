@@ -12,8 +12,8 @@ from ..adhesion import Loop, PullOff
 from ..contact import Contact
 from ..problem import Problem, ProblemError, load
 from ..problem.adhesion import Adhesion
-from ..problem.units import ENERGY, FORCE, LENGTH, WORK_OF_ADHESION, practical
-from . import files
+from ..problem.units import ENERGY, FORCE, LENGTH, WORK_OF_ADHESION, practical, told
+from . import figures, files
 from .table import Column, aligned, as_csv, column, number
 
 _DESCRIPTION = """\
@@ -42,7 +42,6 @@ def add(subparsers: Any) -> None:
         "adhesion",
         help="pull-off, and a loop of approach and retraction",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [adhesion]")
     files.add_options(parser, "the loop")
@@ -51,11 +50,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.csv, arguments.plot, overwrite=arguments.overwrite)
-    if arguments.plot:
-        from . import figures
-
-        figures.require(arguments.plot)
+    files.check(arguments)
     problem = load(arguments.problem)
     if problem.adhesion is None:
         raise ProblemError(f'{arguments.problem}: the table [adhesion] is missing: write it with work_of_adhesion = "50 mJ/m^2"')
@@ -63,22 +58,18 @@ def run(arguments: argparse.Namespace) -> None:
     pull_offs = [(f"pull-off, {control} prescribed", contact.pull_off(control)) for control in ("force", "depth")]
     loop = cycle(contact, problem, problem.adhesion)
     print(f"{problem.title}\n")
-    gamma = problem.adhesion.work_of_adhesion
-    unit = practical(WORK_OF_ADHESION, [gamma])
-    print(f"work of adhesion: {number(float(unit.of(gamma)))} {unit.name}, adhesion rule: {problem.adhesion.adhesion_rule}\n")
+    gamma = told(problem.adhesion.work_of_adhesion, WORK_OF_ADHESION)
+    print(f"work of adhesion: {gamma}, adhesion rule: {problem.adhesion.adhesion_rule}\n")
     print(_states(pull_offs))
     print(f"\n{_jumps(loop)}")
-    energy = practical(ENERGY, [loop.dissipated_energy])
-    print(f"\nenergy lost in the cycle: {number(float(energy.of(loop.dissipated_energy)))} {energy.name}")
+    print(f"\nenergy lost in the cycle: {told(loop.dissipated_energy, ENERGY)}")
     results = {}
     if arguments.csv:
         ways = ["approach" if i <= loop.turning_point else "retraction" for i in range(len(loop.depth))]
         results[arguments.csv] = as_csv(loop_columns(loop), ("way", ways))
     if arguments.plot:
         results[arguments.plot] = figures.loop_figure(problem, loop, pull_offs, files.figure_format(arguments.plot))
-    if results:
-        print()
-        files.write(results, arguments.overwrite)
+    files.write(results, arguments.overwrite)
 
 
 def cycle(contact: Contact, problem: Problem, adhesion: Adhesion) -> Loop:

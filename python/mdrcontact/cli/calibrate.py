@@ -19,7 +19,7 @@ from ..problem import ProblemError
 from ..problem.fit_file import load_fit_file
 from ..problem.toml import parse_file
 from ..profile import AreaFunction
-from . import figures, files
+from . import files
 
 _DESCRIPTION = """\
 Calibrates tip and frame: indents into a body whose moduli are known, such as fused silica, give the area function or the radius of
@@ -111,7 +111,6 @@ def add(subparsers: Any) -> None:
         "calibrate",
         help="area function, tip radius and frame compliance from indents into a known body",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("data", type=Path, nargs="+", metavar="DATA", help="tables of one indent each, or folders of them")
     parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="tip, known body, data and fit")
@@ -124,9 +123,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Reads all curves, fits them together, writes the tip."""
-    files.check(arguments.output, arguments.plot, arguments.report, overwrite=arguments.overwrite)
-    if arguments.plot or arguments.report:
-        figures.require(arguments.plot)
+    files.check(arguments)
     problem = load_fit_file(arguments.problem)
     print(f"{problem.title}\n")
     paths = [p for given in arguments.data for p in (files.data_files(given) if given.is_dir() else [given])]
@@ -149,5 +146,4 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.report:
         blocks = report.blocks_of(result, [f"curves {', '.join(names)}, problem file {arguments.problem}"])
         contents[arguments.report] = report.page(problem.title, blocks).encode()
-    print()
     files.write(contents, arguments.overwrite)

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..problem import Problem, load
 from ..problem.units import FORCE, LENGTH, MODULUS, Dimension, practical
-from . import files
+from . import figures, files
 from .answers import Answer, ask, reference, response_of, spread_text
 from .solve import Array, columns
 from .table import Column, aligned, as_csv, number, spread_over
@@ -36,7 +36,6 @@ def add(subparsers: Any) -> None:
         "compare",
         help="one problem under every medium model, and the spread between them",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; its medium is coated, layered or graded")
     files.add_options(parser, "all states of all models")
@@ -45,11 +44,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.csv, arguments.plot, overwrite=arguments.overwrite)
-    if arguments.plot:
-        from . import figures
-
-        figures.require(arguments.plot)
+    files.check(arguments)
     problem = load(arguments.problem)
     answers, refusals = ask(problem)
     print(f"{problem.title}\n")
@@ -63,7 +58,7 @@ def run(arguments: argparse.Namespace) -> None:
     print(_measured(problem, answers, name, np.array([response(a.curve) for a in answers])))
     for model, words in refusals:
         print(f"\nleft out: {model}: {words}", end="")
-    print("\n" if refusals else "")
+    print(end="\n" if refusals else "")
     results = {}
     if arguments.csv:
         results[arguments.csv] = _long_csv(answers)

@@ -13,10 +13,10 @@ from ..contact import Contact
 from ..errors import MDRError
 from ..medium import Pair
 from ..problem import Problem, load
-from ..problem.units import LENGTH, MODULUS, practical
-from . import files
+from ..problem.units import LENGTH, MODULUS, told
+from . import figures, files
 from .solve import Curve, columns, crossing, progress, solve, thickness
-from .table import Column, as_csv, as_text, column, number, spread_over
+from .table import Column, as_csv, as_text, column, spread_over
 
 _DESCRIPTION = """\
 Computes one problem: depth, contact radius, force, contact stiffness, effective modulus and mean pressure.
@@ -37,7 +37,6 @@ def add(subparsers: Any) -> None:
         "curve",
         help="force, radius, stiffness and pressure of one problem",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
     files.add_options(parser, "all rows of the table")
@@ -48,11 +47,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.csv, arguments.plot, arguments.pressure_csv, overwrite=arguments.overwrite)
-    if arguments.plot:
-        from . import figures
-
-        figures.require(arguments.plot)
+    files.check(arguments)
     problem = load(arguments.problem)
     contact = problem.contact()
     with progress(1, problem.control) as bar:
@@ -72,9 +67,7 @@ def run(arguments: argparse.Namespace) -> None:
             results[arguments.pressure_csv] = as_csv(_stacked(pressures))
         if arguments.plot:
             results[arguments.plot] = figures.curve_figure(problem, curve, pressures, files.figure_format(arguments.plot))
-    if results:
-        print()
-        files.write(results, arguments.overwrite)
+    files.write(results, arguments.overwrite)
 
 
 def thickness_note(problem: Problem, curve: Curve) -> str | None:
@@ -82,15 +75,12 @@ def thickness_note(problem: Problem, curve: Curve) -> str | None:
     h = thickness(problem.medium)
     if h is None:
         return None
-    unit = practical(LENGTH, [h])
-    thick = f"{number(float(unit.of(h)))} {unit.name}"
+    thick = told(h, LENGTH)
     depth = crossing(curve, h)
     if depth is None:
         side = "stays below" if curve.radius[-1] <= h else "is always above"
         return f"The contact radius {side} the coating thickness, h = {thick}."
-    unit = practical(LENGTH, [depth])
-    deep = f"{number(float(unit.of(depth)))} {unit.name}"
-    return f"The contact radius equals the coating thickness, a = h = {thick}, at depth {deep}."
+    return f"The contact radius equals the coating thickness, a = h = {thick}, at depth {told(depth, LENGTH)}."
 
 
 def rigid_note(problem: Problem, curve: Curve) -> str | None:

@@ -24,7 +24,6 @@ def add(subparsers: Any) -> None:
         "example",
         help="print a commented problem file to begin with",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="which one; without a name they are listed")
     parser.set_defaults(run=run)

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import io
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,6 @@ from ..medium import Coated, Homogeneous
 from ..problem import Problem
 from ..problem.units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, Unit, practical
 from .answers import Answer, reference, response_of, spread_text
-from .files import OutputError, figure_format
 from .solve import Array, Curve, crossing, thickness
 
 # Okabe and Ito's colours: told apart by all eyes. Dashes tell apart what colours no longer do.
@@ -42,16 +40,6 @@ _LINEAR = 20.0
 """Values that differ by more than this factor are drawn on a logarithmic axis."""
 _COMPARABLE = 10.0
 """A reference curve that ends further away than this factor would only squash the others."""
-
-
-def require(path: Path | None) -> None:
-    """Raises before any work is done if the figure could not be drawn; None: one inside a report."""
-    if path is not None:
-        figure_format(path)
-    try:
-        import matplotlib.figure  # noqa: F401
-    except ImportError as problem:
-        raise OutputError('figures need matplotlib: pip install "mdrcontact[plot]"') from problem
 
 
 def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float, Any, Any]], form: str) -> bytes:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 import io
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,8 @@ from ..problem import ProblemError
 
 DATA_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".xlsx", ".xlsm", *afm.SUFFIXES)
 """Endings of files that hold measurements."""
+_RESULTS = ("csv", "pressure_csv", "plot", "json", "report", "npy", "law", "output")
+"""Arguments that name a file to be written."""
 FIGURE_FORMATS = ("png", "pdf", "svg")
 
 
@@ -29,12 +31,22 @@ def add_options(parser: argparse.ArgumentParser, what: str) -> None:
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
 
 
-def check(*paths: Path | None, overwrite: bool) -> None:
-    """Raises before any work is done if a file could not be written afterwards."""
-    given = [path for path in paths if path is not None]
-    if len({path.resolve() for path in given}) < len(given):
+def check(arguments: argparse.Namespace) -> None:
+    """Raises before any work is done if a result that is asked for could not be written afterwards."""
+    _check([path for path in (getattr(arguments, name, None) for name in _RESULTS) if path is not None], arguments.overwrite)
+    if plot := getattr(arguments, "plot", None):
+        figure_format(plot)
+    if plot or getattr(arguments, "report", None):
+        try:
+            import matplotlib.figure  # noqa: F401
+        except ImportError as problem:
+            raise OutputError('figures need matplotlib: pip install "mdrcontact[plot]"') from problem
+
+
+def _check(paths: Sequence[Path], overwrite: bool) -> None:
+    if len({path.resolve() for path in paths}) < len(paths):
         raise OutputError("two results cannot go to the same file")
-    for path in given:
+    for path in paths:
         check_place(path)
         if path.exists() and not overwrite:
             raise OutputError(f"{path} exists; --overwrite replaces it")
@@ -49,8 +61,10 @@ def figure_format(path: Path) -> str:
 
 
 def write(contents: Mapping[Path, bytes], overwrite: bool) -> None:
-    """Writes each file; the command's last act."""
-    check(*contents, overwrite=overwrite)
+    """Writes each file, and says so; the command's last act."""
+    _check(list(contents), overwrite)
+    if contents:
+        print()
     for path, content in contents.items():
         replace(path, content)
         print(f"written: {path}")

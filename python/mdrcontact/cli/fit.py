@@ -16,7 +16,7 @@ from ..fitting.quantities import digits, dimension_of_data
 from ..problem.data import Curve
 from ..problem.fit_file import FitFile, load_fit_file
 from ..problem.units import AREA, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, practical
-from . import figures, files, fit_many
+from . import files, fit_many
 from .table import Column, aligned, as_csv, column, number
 
 _DESCRIPTION = """\
@@ -62,7 +62,6 @@ def add(subparsers: Any) -> None:
         "fit",
         help="film properties from measured curves, with intervals",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("data", type=Path, metavar="DATA", help="a table, an AFM file, or a folder of them")
     parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="indenter, medium, data and fit")
@@ -81,9 +80,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Fits, prints, writes."""
-    files.check(arguments.csv, arguments.plot, arguments.json, arguments.report, overwrite=arguments.overwrite)
-    if arguments.plot or arguments.report:
-        figures.require(arguments.plot)
+    files.check(arguments)
     problem = load_fit_file(arguments.problem)
     print(f"{problem.title}\n")
     if arguments.data.is_dir():
@@ -138,9 +135,7 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
         if ranking is not None:
             blocks += [report.heading("Models"), report.preformatted(ranking.summary())]
         results[arguments.report] = report.page(problem.title, blocks).encode()
-    if results:
-        print()
-        files.write(results, arguments.overwrite)
+    files.write(results, arguments.overwrite)
 
 
 def oliver_pharr_columns(found: OliverPharr) -> list[Column]:

@@ -97,9 +97,7 @@ def run_curves(arguments: argparse.Namespace, problem: FitFile, curves: list[Cur
         blocks += [report.items([*warned_of_spread, *failed, *warned], doubt=True), report.heading("Curves"), report.table(rows)]
         blocks += [report.heading("What was assumed, for the first curve"), report.assumptions(good[0][1])]
         contents[arguments.report] = report.page(problem.title, blocks).encode()
-    if contents:
-        print()
-        files.write(contents, arguments.overwrite)
+    files.write(contents, arguments.overwrite)
 
 
 def _spread(good: list[FitResult], names: tuple[str, ...]) -> tuple[list[list[str]], list[str]]:

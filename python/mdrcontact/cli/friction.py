@@ -4,16 +4,16 @@
 from __future__ import annotations
 
 import argparse
-import math
 from typing import Any
 
 import numpy as np
 
 from ..problem import ProblemError, load
-from ..problem.units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, Dimension, practical
+from ..problem.units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, told
 from . import files
 from .cycles import Cycles, cycles
-from .table import Column, as_csv, as_text, column, number
+from .friction_figure import friction_figure
+from .table import Column, as_csv, as_text, column
 
 _DESCRIPTION = """\
 Displaces the indenter to and fro along the surface, at the largest depth, force or radius of the problem: tangential force, stick
@@ -40,7 +40,6 @@ def add(subparsers: Any) -> None:
         "friction",
         help="fretting loops: partial slip, sliding, dissipated energy",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [friction]")
     files.add_options(parser, "amplitudes, forces, stick radii and energies")
@@ -49,11 +48,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.csv, arguments.plot, overwrite=arguments.overwrite)
-    if arguments.plot:
-        from . import figures
-
-        figures.require(arguments.plot)
+    files.check(arguments)
     problem = load(arguments.problem)
     if problem.friction is None:
         raise ProblemError(f"{arguments.problem}: the table [friction] is missing: write it with coefficient = 0.3")
@@ -64,12 +59,8 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.csv:
         results[arguments.csv] = as_csv(table)
     if arguments.plot:
-        from .friction_figure import friction_figure
-
         results[arguments.plot] = friction_figure(problem, found, files.figure_format(arguments.plot))
-    if results:
-        print()
-        files.write(results, arguments.overwrite)
+    files.write(results, arguments.overwrite)
 
 
 def columns(found: Cycles) -> list[Column]:
@@ -90,16 +81,9 @@ def _words(found: Cycles) -> str:
     state, mu = found.state, found.friction.coefficient
     stiffness = float(found.friction.contact.medium.tangential_stiffness(state.radius))
     return (
-        f"normal force {_with_unit(state.force, FORCE)}, depth {_with_unit(state.depth, LENGTH)}, contact radius "
-        f"{_with_unit(state.radius, LENGTH)}, coefficient of friction {mu:g}\n"
-        f"tangential stiffness without slip {_with_unit(stiffness, STIFFNESS)}, {stiffness / float(state.stiffness):.4g} of the "
+        f"normal force {told(state.force, FORCE)}, depth {told(state.depth, LENGTH)}, contact radius "
+        f"{told(state.radius, LENGTH)}, coefficient of friction {mu:g}\n"
+        f"tangential stiffness without slip {told(stiffness, STIFFNESS)}, {stiffness / float(state.stiffness):.4g} of the "
         "normal one\n"
-        f"sliding from shift {_with_unit(found.sliding_shift, LENGTH)} on, under {_with_unit(mu * float(state.force), FORCE)}"
+        f"sliding from shift {told(found.sliding_shift, LENGTH)} on, under {told(mu * float(state.force), FORCE)}"
     )
-
-
-def _with_unit(value: Any, dimension: Dimension) -> str:
-    if not math.isfinite(float(value)):
-        return "-"
-    unit = practical(dimension, [float(value)])
-    return f"{number(float(unit.of(float(value))))} {unit.name}"

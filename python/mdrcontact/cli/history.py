@@ -10,9 +10,9 @@ import numpy as np
 
 from ..history import History
 from ..problem import Problem, ProblemError, load
-from ..problem.units import ENERGY, FORCE, LENGTH, TIME, practical
-from . import files
-from .table import Column, as_csv, as_text, column, number
+from ..problem.units import ENERGY, FORCE, LENGTH, TIME, told
+from . import files, history_figure
+from .table import Column, as_csv, as_text, column
 
 _DESCRIPTION = """\
 Computes a contact with a viscoelastic body along a path in time: depth, contact radius and force.
@@ -58,7 +58,6 @@ def add(subparsers: Any) -> None:
         "history",
         help="a viscoelastic body along a path in time",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [history]")
     files.add_options(parser, "the whole path")
@@ -67,11 +66,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.csv, arguments.plot, overwrite=arguments.overwrite)
-    if arguments.plot:
-        from . import history_figure
-
-        history_figure.require(arguments.plot)
+    files.check(arguments)
     problem = load(arguments.problem)
     if problem.history is None:
         raise ProblemError(f'{arguments.problem}: the table [history] is missing: write it with path = "ramp", depth and rise_time')
@@ -87,9 +82,7 @@ def run(arguments: argparse.Namespace) -> None:
         results[arguments.csv] = as_csv(table)
     if arguments.plot:
         results[arguments.plot] = history_figure.draw(problem, history, files.figure_format(arguments.plot))
-    if results:
-        print()
-        files.write(results, arguments.overwrite)
+    files.write(results, arguments.overwrite)
 
 
 def columns(history: History) -> list[Column]:
@@ -105,15 +98,11 @@ def columns(history: History) -> list[Column]:
 def summary(problem: Problem, history: History) -> str:
     """The largest force, when contact is lost, and the energy lost over a closed path."""
     largest = int(np.argmax(history.force))
-    force, time = practical(FORCE, history.force), practical(TIME, history.time)
-    when = number(float(time.of(history.time[largest])))
-    lines = [f"largest force: {number(float(force.of(history.force[largest])))} {force.name} at {when} {time.name}"]
+    lines = [f"largest force: {told(history.force[largest], FORCE)} at {told(history.time[largest], TIME)}"]
     touching = np.flatnonzero(history.radius > 0.0)
     if touching.size and touching[-1] < len(history.radius) - 1 and history.depth[touching[-1]] > 0.0:
         lost = history.time[touching[-1] + 1]
-        lines.append(f"contact is lost before {number(float(time.of(lost)))} {time.name}, while the surface still comes back")
+        lines.append(f"contact is lost before {told(lost, TIME)}, while the surface still comes back")
     if touching.size and history.radius[-1] == 0.0:
-        work = history.work
-        energy = practical(ENERGY, [work])
-        lines.append(f"energy lost: {number(float(energy.of(work)))} {energy.name}")
+        lines.append(f"energy lost: {told(history.work, ENERGY)}")
     return "\n".join(lines)

@@ -6,9 +6,7 @@ from __future__ import annotations
 from ..history import History
 from ..problem import Problem
 from ..problem.units import FORCE, LENGTH, TIME, practical
-from .figures import COLOURS, _figure, _render, _style, require
-
-__all__ = ["draw", "require"]
+from .figures import COLOURS, _figure, _render, _style
 
 
 def draw(problem: Problem, history: History, form: str) -> bytes:

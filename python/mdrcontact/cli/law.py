@@ -9,9 +9,8 @@ from typing import Any
 
 from ..law import ContactLaw
 from ..problem import ProblemError, load
-from ..problem.units import FORCE, LENGTH, Dimension, UnitError, parse, practical
+from ..problem.units import FORCE, LENGTH, UnitError, parse, told
 from . import files
-from .table import number
 
 _DESCRIPTION = """\
 Compiles the contact of a problem file into a law, F(d) and all that belongs to it, and writes it to a file that a code in C,
@@ -32,7 +31,6 @@ def add(subparsers: Any) -> None:
         "law",
         help="compile the contact into a file that other codes read",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
     parser.add_argument("law", type=Path, metavar="FILE.law", help="the file to write")
@@ -46,7 +44,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Compiles, writes, and says what the law is."""
-    files.check(arguments.law, overwrite=arguments.overwrite)
+    files.check(arguments)
     problem = load(arguments.problem)
     contact = problem.contact()
     if arguments.largest_depth is None:
@@ -65,8 +63,8 @@ def run(arguments: argparse.Namespace) -> None:
     )
     print(f"{problem.title}\n")
     for name, ends, dimension in (("depth", law.depth_range, LENGTH), ("force", law.force_range, FORCE)):
-        print(f"{name:<16}{_text(ends[0], dimension)} to {_text(ends[1], dimension)}")
-    print(f"{'error':<16}{law.error:.0e} relative, asked for {law.tolerance:.0e}; {law.solutions} contact states\n")
+        print(f"{name:<16}{told(ends[0], dimension)} to {told(ends[1], dimension)}")
+    print(f"{'error':<16}{law.error:.0e} relative, asked for {law.tolerance:.0e}; {law.solutions} contact states")
     files.write({arguments.law: law.to_bytes()}, arguments.overwrite)
 
 
@@ -75,8 +73,3 @@ def _depth(option: str, text: str) -> float:
         return parse(text, LENGTH)
     except UnitError as problem:
         raise ProblemError(f"{option}: {problem}") from problem
-
-
-def _text(value: float, dimension: Dimension) -> str:
-    unit = practical(dimension, [value])
-    return f"{number(float(unit.of(value)))} {unit.name}"

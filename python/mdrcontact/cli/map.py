@@ -17,6 +17,7 @@ from ..problem import ProblemError
 from ..problem.section import Section
 from ..problem.units import LENGTH, MODULUS, practical
 from . import files
+from .map_figure import map_figure
 from .table import aligned, number
 
 if sys.version_info >= (3, 11):
@@ -75,7 +76,6 @@ def add(subparsers: Any) -> None:
         "map",
         help="effective modulus at every place of a heterogeneous structure",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("problem", metavar="MAP.toml", help="the map file")
     parser.add_argument("--npy", type=Path, metavar="FILE.npy", help="write the maps as a NumPy array (radii, ny, nx) [Pa]")
@@ -88,11 +88,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.npy, arguments.plot, overwrite=arguments.overwrite)
-    if arguments.plot:
-        from . import figures
-
-        figures.require(arguments.plot)
+    files.check(arguments)
     problem = read(Path(arguments.problem))
     needed = lateral.map_memory(problem.voxels, problem.radii, threads=arguments.threads)
     nz, ny, nx = problem.voxels.labels.shape
@@ -106,13 +102,9 @@ def run(arguments: argparse.Namespace) -> None:
         np.save(buffer, maps)
         results[arguments.npy] = buffer.getvalue()
     if arguments.plot:
-        from .map_figure import map_figure
-
         form = files.figure_format(arguments.plot)
         results[arguments.plot] = map_figure(problem.title, problem.voxels, problem.radii, maps, form)
-    if results:
-        print()
-        files.write(results, arguments.overwrite)
+    files.write(results, arguments.overwrite)
 
 
 def _maps(problem: MapProblem, arguments: argparse.Namespace) -> tuple[Any, dict[float, Any]]:

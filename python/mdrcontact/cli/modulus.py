@@ -17,7 +17,7 @@ from ..fitting.quantities import dimension_of, measured, words_of
 from ..problem import ProblemError
 from ..problem.fit_file import load_fit_file
 from ..problem.units import LENGTH, MODULUS, RATIO, practical
-from . import figures, files
+from . import files
 from .table import Column, as_csv, as_text, column
 
 _DESCRIPTION = """\
@@ -38,7 +38,6 @@ def add(subparsers: Any) -> None:
         "modulus",
         help="film modulus against depth from dynamic (CSM) data, and at zero depth",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("data", type=Path, metavar="DATA", help="a table of depth, force and stiffness")
     parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="tip, medium, data and fit")
@@ -50,9 +49,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.csv, arguments.plot, arguments.json, arguments.report, overwrite=arguments.overwrite)
-    if arguments.plot or arguments.report:
-        figures.require(arguments.plot)
+    files.check(arguments)
     problem = load_fit_file(arguments.problem)
     print(f"{problem.title}\n")
     data, notes = problem.read_data(arguments.data)
@@ -93,9 +90,7 @@ def run(arguments: argparse.Namespace) -> None:
         blocks += [report.heading("What was assumed"), report.items([*assumed, *priors])]
         blocks += [report.heading("Points"), report.table(rows)]
         contents[arguments.report] = report.page(problem.title, blocks).encode()
-    if contents:
-        print()
-        files.write(contents, arguments.overwrite)
+    files.write(contents, arguments.overwrite)
 
 
 def _columns(profile: DepthProfile, thickness: float | None) -> list[Column]:

@@ -15,9 +15,10 @@ from ..critical import Failure, Maximum, layers_of
 from ..interior import Interior
 from ..problem import Problem, ProblemError, load
 from ..problem.strength import Strengths
-from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, Dimension, practical
+from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, told
 from . import files
 from .inside import Inside, interface_name, layer_map, layer_name
+from .stress_figure import stress_figure
 from .table import aligned, as_csv, column, number
 
 _DESCRIPTION = """\
@@ -46,7 +47,6 @@ def add(subparsers: Any) -> None:
         "stress",
         help="stresses inside a coated body, and the load at first failure",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
     parser.add_argument(
@@ -58,11 +58,7 @@ def add(subparsers: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
-    files.check(arguments.csv, arguments.plot, overwrite=arguments.overwrite)
-    if arguments.plot:
-        from . import figures
-
-        figures.require(arguments.plot)
+    files.check(arguments)
     problem = load(arguments.problem)
     contact = problem.contact()
     state = problem.control.states(contact, slice(-1, None)).one(0)
@@ -72,12 +68,8 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.csv:
         results[arguments.csv] = _grid_csv(found)
     if arguments.plot:
-        from .stress_figure import stress_figure
-
         results[arguments.plot] = stress_figure(problem, contact, found, files.figure_format(arguments.plot))
-    if results:
-        print()
-        files.write(results, arguments.overwrite)
+    files.write(results, arguments.overwrite)
 
 
 def _inside(problem: Problem, contact: Contact, state: State, friction: float, with_maps: bool) -> Inside:
@@ -91,7 +83,7 @@ def _inside(problem: Problem, contact: Contact, state: State, friction: float, w
             failures = _failures(contact, problem.strength, friction, 3.0 * float(state.radius), bar)
         reached = {(failure.mode, failure.place) for failure in failures}
         unreached = [
-            f"{mode}, {(interface_name if mode.startswith('interface') else layer_name)(faces, i)}, {_with_unit(value, MODULUS)}"
+            f"{mode}, {(interface_name if mode.startswith('interface') else layer_name)(faces, i)}, {told(value, MODULUS)}"
             for mode, values in problem.strength.items()
             for i, value in enumerate(values)
             if value is not None and (mode, i) not in reached
@@ -118,8 +110,8 @@ def _words(found: Inside) -> str:
     """The state, the maxima and the failures."""
     state = found.state
     parts = [
-        f"depth {_with_unit(state.depth, LENGTH)}, contact radius {_with_unit(state.radius, LENGTH)}, "
-        f"force {_with_unit(state.force, FORCE)}, mean pressure {_with_unit(state.force / math.pi / state.radius**2, MODULUS)}"
+        f"depth {told(state.depth, LENGTH)}, contact radius {told(state.radius, LENGTH)}, "
+        f"force {told(state.force, FORCE)}, mean pressure {told(state.force / math.pi / state.radius**2, MODULUS)}"
         + (f", sliding with friction {found.friction:g}" if found.friction else "")
     ]
     rows = [["largest", "where", "value", "r/a", "z"]]
@@ -144,14 +136,14 @@ def _words(found: Inside) -> str:
             [
                 failure.mode,
                 failure_place(found.faces, failure),
-                _with_unit(failure.strength, MODULUS),
+                told(failure.strength, MODULUS),
                 *(
                     ["at once", "", ""]
                     if failure.at_once
                     else [
-                        _with_unit(failure.state.force, FORCE),
-                        _with_unit(failure.state.depth, LENGTH),
-                        _with_unit(failure.state.radius, LENGTH),
+                        told(failure.state.force, FORCE),
+                        told(failure.state.depth, LENGTH),
+                        told(failure.state.radius, LENGTH),
                     ]
                 ),
             ]
@@ -159,7 +151,7 @@ def _words(found: Inside) -> str:
         ]
         parts.append("In the order in which they come as the load grows:\n\n" + aligned(rows, left=2))
     if found.unreached:
-        farthest = _with_unit(3.0 * float(state.radius), LENGTH)
+        farthest = told(3.0 * float(state.radius), LENGTH)
         parts.append(f"Not reached up to a = {farthest}, singular edges apart: {'; '.join(found.unreached)}")
     return "\n\n".join(parts)
 
@@ -178,15 +170,10 @@ def _row(what: str, where: str, maximum: Maximum, state: State) -> list[str]:
     return [
         what,
         where,
-        _with_unit(maximum.value, MODULUS),
+        told(maximum.value, MODULUS),
         number(sign * round(maximum.r / float(state.radius), 4)),
-        _with_unit(maximum.z, LENGTH),
+        told(maximum.z, LENGTH),
     ]
-
-
-def _with_unit(value: Any, dimension: Dimension) -> str:
-    unit = practical(dimension, [float(value)])
-    return f"{number(float(unit.of(float(value))))} {unit.name}"
 
 
 def _grid_csv(found: Inside) -> bytes:

@@ -8,7 +8,7 @@ import math
 import re
 from collections.abc import Iterable
 from decimal import Decimal
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, SupportsFloat
 
 import numpy as np
 
@@ -146,7 +146,10 @@ def practical(dimension: Dimension, values: Iterable[float]) -> Unit:
     return Unit(name, factor)
 
 
-def told(value: float, dimension: Dimension, figures: int = 4) -> str:
-    """An SI value with its practical unit, as it is printed."""
-    unit = practical(dimension, [value])
-    return f"{value / unit.factor:.{figures}g} {unit.name}".rstrip()
+def told(value: SupportsFloat, dimension: Dimension, figures: int = 5) -> str:
+    """An SI value with its practical unit, as it is printed; "-" where it is not finite."""
+    number = float(value)
+    if not math.isfinite(number):
+        return "-"
+    unit = practical(dimension, [number])
+    return f"{number / unit.factor:.{figures}g} {unit.name}".rstrip()
