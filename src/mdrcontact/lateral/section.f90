@@ -70,6 +70,11 @@ contains
         centre = local_centre(self)
         select case (self%kind)
         case (ellipse)
+            if (self%extent(1) == self%extent(2)) then
+                call add_circle(centre, self%extent(1), rho, angles, count)
+                angles(:count) = modulo(angles(:count) + bearing, 2.0_wp*pi)
+                return
+            end if
             inverse = 1.0_wp/self%extent**2
             call trigonometric_roots(dot_product(centre**2, inverse) - 1.0_wp + 0.5_wp*rho**2*sum(inverse), &
                                      -2.0_wp*rho*centre(1)*inverse(1), -2.0_wp*rho*centre(2)*inverse(2), &
@@ -124,6 +129,22 @@ contains
             return
         end select
     end subroutine touching_radii
+
+    !> Adds the angles at which the circle around the origin meets another one.
+    pure subroutine add_circle(centre, radius, rho, angles, count)
+        real(wp), intent(in) :: centre(2), radius, rho
+        real(wp), intent(inout) :: angles(:)
+        integer, intent(inout) :: count
+        real(wp) :: distance, half
+
+        distance = norm2(centre)
+        if (.not. (abs(distance - radius) < rho .and. rho < distance + radius)) return
+        ! the sides of a triangle, by the tangent of half its angle
+        half = 2.0_wp*atan2(sqrt((radius - (distance - rho))*(radius + (distance - rho))), &
+                            sqrt((distance + rho - radius)*(distance + rho + radius)))
+        angles(count + 1:count + 2) = atan2(centre(2), centre(1)) + [-half, half]
+        count = count + 2
+    end subroutine add_circle
 
     pure function local_centre(self) result(centre)
         type(section_t), intent(in) :: self
