@@ -86,6 +86,7 @@ static void test_histories(void)
     CHECK_TRUE(d[0] < d[1] && d[1] < d[2] && d[2] < d[3]);
     CHECK_SUCCESS(mdr_contact_history(gel, MDR_GIVEN_DEPTH, 1e-5, N, t, held, d, a, F));
     for (int i = 1; i < N; i++) CHECK_CLOSE(F[i] / F[0], relaxation(t[i]) / 3.5, 1e-9);
+    for (int i = 0; i < N; i++) CHECK_CLOSE(d[i], held[i], 0.0);
     CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, 0, NULL, NULL, NULL, NULL, NULL));
 
     CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, backward, held, untouched, NULL, NULL),

@@ -77,6 +77,10 @@ static void film_on_steel(void)
     /* the table tests/data/stress.csv */
     CHECK_CLOSE(below[1].s_rr, -159.396855810502, 3e-7);
     CHECK_CLOSE(below[1].s_tt, -184.130046715943, 3e-7);
+    /* on either side of the interface Hooke's law of its own material gives the hoop strain u_r/r */
+    CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_ABOVE, 0.0, 3, r, z, NULL, above));
+    CHECK_CLOSE((above[2].s_tt - 0.25 * (above[2].s_rr + above[2].s_zz)) / 450.0, above[2].u_r / 0.7, 1e-8);
+    CHECK_CLOSE((below[2].s_tt - 0.3 * (below[2].s_rr + below[2].s_zz)) / 210.0, below[2].u_r / 0.7, 1e-8);
     CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.3, 3, r, z, angle, below));
     CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_ABOVE, 0.3, 3, r, z, angle, above));
     CHECK_CLOSE(above[2].s_tz, below[2].s_tz, 1e-10);

@@ -189,6 +189,8 @@ static void weights(void)
     CHECK_SUCCESS(mdr_lateral_cells(0.3, 2.5e302, 0.25, 0.26, 2, lines, 2, lines, shear, poisson));
     for (int i = 0; i < 4; i++) CHECK_TRUE(isfinite(shear[i]) && isfinite(poisson[i]));
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, falling, 2, lines, shear, poisson), MDR_EINVALID, "must ascend");
+    CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, lines, 2, (const double[3]){0.0, 0.5, 0.5}, shear, poisson),
+                 MDR_EINVALID, "entry 3 of y = 0.5 is not allowed: y must ascend");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, depth, top, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "z_bottom = 0");
     CHECK_STATUS(mdr_lateral_cells(0.3, -1.0, top, depth, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "a = -1");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 0, lines, 2, lines, shear, poisson), MDR_EINVALID, "nx = 0");
