@@ -65,7 +65,7 @@ static void test_histories(void)
     const double again[N] = {0.1, 0.3, 0.2, 0.3};
     double d[N], a[N], F[N], energy, untouched[N] = {7.0, 7.0, 7.0, 7.0};
     mdr_material *material = polymer();
-    const mdr_material *film[1] = {material};
+    const mdr_material *film[1] = {material}, *halves[2] = {material, material};
     const double h = 1.0;
     mdr_profile *ball = NULL;
     mdr_medium *body = NULL, *coated = NULL, *none = NULL;
@@ -87,6 +87,13 @@ static void test_histories(void)
     CHECK_SUCCESS(mdr_contact_history(gel, MDR_GIVEN_DEPTH, 1e-5, N, t, held, d, a, F));
     for (int i = 1; i < N; i++) CHECK_CLOSE(F[i] / F[0], relaxation(t[i]) / 3.5, 1e-9);
     for (int i = 0; i < N; i++) CHECK_CLOSE(d[i], held[i], 0.0);
+    /* two layers of the film's material are the film */
+    CHECK_SUCCESS(mdr_contact_free(&gel));
+    CHECK_SUCCESS(mdr_medium_free(&coated));
+    CHECK_SUCCESS(mdr_medium_viscoelastic(2, halves, (const double[2]){0.25, 0.75}, NULL, MDR_MODEL_EXACT, NULL, &coated));
+    CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &gel));
+    CHECK_SUCCESS(mdr_contact_history(gel, MDR_GIVEN_DEPTH, 1e-5, N, t, held, NULL, NULL, d));
+    for (int i = 0; i < N; i++) CHECK_CLOSE(d[i], F[i], 1e-9);
     CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, 0, NULL, NULL, NULL, NULL, NULL));
 
     CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, backward, held, untouched, NULL, NULL),

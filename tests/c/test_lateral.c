@@ -46,6 +46,8 @@ static void refusals(void)
     options.reference_nu = 0.7;
     CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, &options, &s), MDR_EINVALID, "reference_nu = 0.7");
     CHECK_STATUS(mdr_structure_voxels(NULL, label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_ENULL, "size is NULL");
+    CHECK_STATUS(mdr_structure_voxels((const int[3]){1, 0, 1}, label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID,
+                 "each entry of size must be at least 1");
     CHECK_STATUS(mdr_structure_voxels(size, wrong_label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID, "labels");
     CHECK_STATUS(mdr_structure_voxels(size, label, 0, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID, "phases = 0");
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, flat, 1.0, 0.3, NULL, &s), MDR_EINVALID, "spacing 3 = 0");
