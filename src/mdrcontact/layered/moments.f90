@@ -70,8 +70,10 @@ contains
             answer = is_smooth(profile%base)
             return
         end select
+        answer = profile%is_spherical()
+        if (answer) return
         call profile%powers(exponents, coefficients)
-        answer = profile%is_spherical() .or. (size(exponents) > 0 .and. all(modulo(exponents, 2.0_wp) == 0.0_wp))
+        answer = size(exponents) > 0 .and. all(modulo(exponents, 2.0_wp) == 0.0_wp)
     end function is_smooth
 
     !> int_-1^1 |u|^s P_2j(u) du = 2 t_j, t_(j+1) = t_j (s - 2j)/(s + 2j + 3).

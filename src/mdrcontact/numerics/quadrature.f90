@@ -45,9 +45,11 @@ contains
             call check_memory(error, 1)
             return
         end if
-        do i = 1, size(nodes)
-            ! it fails for an index beyond the table only
+        ! it fails for an index beyond the table only; the other half mirrors these
+        do i = 1, (size(nodes) + 1)/2
             status = gsl_integration_glfixed_point(0.0_wp, 1.0_wp, int(i - 1, c_size_t), nodes(i), weights(i), table)
+            nodes(size(nodes) + 1 - i) = 1.0_wp - nodes(i)
+            weights(size(nodes) + 1 - i) = weights(i)
         end do
         call gsl_integration_glfixed_table_free(table)
     end subroutine gauss_legendre
