@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What viscoelastic bodies cost: histories, dynamic stiffness, fits; processor time.
+
+Budgets (exit status 1 if one is missed): 1000 samples up and down on a homogeneous body of ten Prony terms 1 ms; a layered history
+of 200 samples, marched to 1e-4, 0.5 s; the dynamic stiffness at another radius 20 elastic exact states; a fit of 2000 readings of
+approach and retraction with a power law on a rigid base 0.3 s. Beside it the same homogeneous history by SciPy's adaptive
+quadrature of Ting's integrals, the root t1 by bisection. Prints a section of docs/benchmarks.md.
+"""
+
+import os
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before any library is loaded
+
+import sys
+
+import numpy as np
+from compare import machine
+from scipy import integrate, optimize
+from stresses import fastest
+
+import mdrcontact as mdr
+
+TERMS = [(0.1 * (i + 1), 1e-3 * 10.0 ** (0.5 * i)) for i in range(10)]
+TIME = np.linspace(0.0, 2.0, 1001)
+DEPTH = np.minimum(TIME, 2.0 - TIME)
+
+
+def by_quadrature(t):
+    """F(t) of a paraboloid with g = x^2 under the path, E* = 4 G(t), straightforward: F = 8 int G(t - u) a(u) d'(u) du."""
+    G = np.array([g for g, _ in TERMS])
+    rate = 1.0 / np.array([tau for _, tau in TERMS])
+
+    def relaxation(age):
+        return 0.3 + G @ np.exp(-rate * age)
+
+    end = t
+    if t > 1.0:
+
+        def lost(t1):
+            rising = integrate.quad(lambda u: relaxation(t - u), t1, 1.0, epsrel=1e-9)[0]
+            return rising - integrate.quad(lambda u: relaxation(t - u), 1.0, t, epsrel=1e-9)[0]
+
+        if lost(0.0) <= 0.0:
+            return 0.0
+        end = optimize.brentq(lost, 0.0, 1.0, xtol=1e-10)
+    # u = y^2 takes the root out of a(u)
+    return 8.0 * integrate.quad(lambda y: relaxation(t - y**2) * 2.0 * y**2, 0.0, np.sqrt(end), epsrel=1e-9, limit=200)[0]
+
+
+def main():
+    """Measures, prints, judges."""
+    polymer = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Viscoelastic(0.3, TERMS, nu=0.5)))
+    rows = [("homogeneous, 10 Prony terms, 1000 samples up and down", fastest(lambda: polymer.history(TIME, depth=DEPTH)), 1e-3)]
+    chosen = [100, 400, 600, 700]
+    error = max(abs(polymer.history(TIME, depth=DEPTH).force[i] / by_quadrature(TIME[i]) - 1.0) for i in chosen)
+    each = fastest(lambda: [by_quadrature(TIME[i]) for i in chosen], rounds=3) / len(chosen)
+    rows.append((f"the same by SciPy's quadrature, 1000 times one sample (differs by {error:.0e})", 1000.0 * each, None))
+
+    film = mdr.Coated(mdr.Viscoelastic(1.0, [(2.0, 0.5)], nu=0.5), 1.0, mdr.Viscoelastic(0.6, [(0.4, 2.0)], nu=0.3))
+    layered, path = mdr.Contact(mdr.Paraboloid(1.0), film), np.linspace(0.0, 2.0, 201)
+    marched = fastest(lambda: layered.history(path, depth=0.8 * np.minimum(path, 2.0 - path), tolerance=1e-4), rounds=3)
+    rows.append(("layers that do not relax in proportion, 200 samples, to 1e-4", marched, 0.5))
+
+    elastic = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(mdr.Elastic(3.0, 0.5), 1.0, mdr.Elastic(1.0, 0.3)))
+    radii = np.linspace(0.5, 1.0, 101)
+    state = fastest(lambda: elastic.at_radius(radii)) / radii.size
+    new = fastest(lambda: layered.dynamic_stiffness(1.0, radius=radii[0]))
+    another = (fastest(lambda: layered.dynamic_stiffness(1.0, radius=radii)) - new) / (radii.size - 1)
+    rows.append((f"dynamic stiffness at a further radius ({another / state:.1f} elastic states)", another, 20.0 * state))
+    rows.append(("dynamic stiffness at a new frequency", new, None))
+
+    time = np.linspace(0.0, 2.0, 2000)
+    depth = np.minimum(time, 2.0 - time) * 1e-6 - 0.1e-6
+    gel = mdr.Coated(mdr.PowerLawRheology(1e3, 1.0, 0.2, 0.5), 3e-6, mdr.RIGID)
+    tip = mdr.Sphere(5e-6)
+    force = mdr.Contact(tip, gel).history(time, depth=depth).force + 2e-11 * np.random.default_rng(1).standard_normal(time.size)
+    data = mdr.ForceTime(time, depth + 0.1e-6, force)
+    start = gel.replace(coating=mdr.PowerLawRheology(500.0, 1.0, 0.3, 0.5))
+    given = {"instrument": mdr.Instrument(depth_offset=0.095e-6)}
+    free = ["coating.modulus", "coating.exponent", "depth_offset"]
+    result = mdr.fit(data, tip, start, free, **given)
+    fitted = fastest(lambda: mdr.fit(data, tip, start, free, **given), rounds=3)
+    rows.append((f"fit of 2000 readings, power law on a rigid base, {result.evaluations} evaluations", fitted, 0.3))
+
+    print(f"## Viscoelastic bodies\n\n{machine()}\n\n| what | time | budget |\n|---|---|---|")
+    for what, seconds, budget in rows:
+        print(f"| {what} | {told(seconds)} | {'' if budget is None else told(budget)} |")
+    return any(budget is not None and seconds > budget for _, seconds, budget in rows)
+
+
+def told(seconds):
+    """A time in words."""
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
+        if seconds >= size or unit == "µs":
+            break
+    return f"{seconds / size:.3g} {unit}"
+
+
+if __name__ == "__main__":
+    sys.exit(main())
