@@ -140,3 +140,15 @@ def test_apex_of_a_power(exponent):
         pieces = [integrate.quad(part, low, low + 5.0)[0] for low in np.arange(-35.0, 0.0, 5.0)]
         expected = exponent * mdr_factor * sum(pieces) / np.pi
         assert -contact.interior(0.0, z, state).s_zz == pytest.approx(expected, rel=1e-10)
+
+
+def test_pressure_at_the_edge_on_a_power_law_graded_body():
+    """p - p(b) goes as |r - b|^m: finite at the edge for m > 0."""
+    shape = mdr.FlatEndedParaboloid(0.5, 1.0)
+    for exponent, bound in ((0.6, 1e-6), (0.9, 1e-9)):
+        contact = mdr.Contact(shape, mdr.PowerLawGraded(1.0, 1.0, exponent, NU))
+        state = contact.at_radius(1.0)
+        before, at, beyond = contact.pressure(0.5 * (1.0 + np.array([-1e-12, 0.0, 1e-12])), state)
+        assert (before, beyond) == pytest.approx((at, at), rel=bound)
+    soft = mdr.Contact(shape, mdr.PowerLawGraded(1.0, 1.0, -0.4, NU))
+    assert soft.pressure(0.5, soft.at_radius(1.0)) == np.inf

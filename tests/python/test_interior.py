@@ -310,3 +310,14 @@ def test_the_edge_of_an_adhesive_contact_is_no_failure():
     contact = mdr.Contact(mdr.Paraboloid(100.0), CONTACT.medium, work_of_adhesion=1e-3)
     failures = contact.first_failure({"yield": [14.0, 2.0]}, largest_radius=3.0)
     assert [failure.place for failure in failures] == [1] and not failures[0].at_once
+
+
+@pytest.mark.parametrize(("moduli", "radius", "bound"), [([100.0, 300.0], 0.1, 6e-6), ([300.0, 200.0], 1.0, 6e-7)])
+def test_surface_of_a_graded_body(moduli, radius, bound):
+    """The figures of the guide: extrapolated layers against the contact, which knows no layers."""
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1.0], moduli, 0.3, "exact"))
+    state = contact.at_radius(radius)
+    r = radius * np.array([0.0, 0.3, 0.6, 0.9, 1.5, 3.0])
+    field = contact.interior(r, 0.0, state)
+    assert field.u_z == pytest.approx(contact.displacement(r, state), abs=bound * state.depth)
+    assert -field.s_zz[:4] == pytest.approx(contact.pressure(r[:4], state), abs=1e-11 * contact.pressure(0.0, state))

@@ -49,6 +49,8 @@ module mdrcontact_medium_power_graded
     !> The same behind a rim or kink at b, where g' needs digits of x - b: least and most, relative to b, and a part of the
     !> distance of r from b.
     real(wp), parameter :: behind_corner(3) = [1.0e-13_wp, 1.0e-10_wp, 1.0e-3_wp]
+    !> At the edge itself, where g' is taken as the power that it is.
+    real(wp), parameter :: at_edge = 1.0e-9_wp
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
     !> accuracy of g from the f' of a sampled profile
     real(wp), parameter :: roughness = 3.0e-11_wp
@@ -191,7 +193,7 @@ contains
                 if (r(i) < a) values(i) = excess*((a - r(i))*(a + r(i)))**power
             end if
             start = max(r(i), profile%end_radius())
-            if (r(i) > 0.0_wp .and. r(i) == profile%end_radius() .and. a > start) then
+            if (self%exponent <= 0.0_wp .and. r(i) > 0.0_wp .and. r(i) == profile%end_radius() .and. a > start) then
                 values(i) = ieee_value(values(i), ieee_positive_inf)
             else if (a > start) then
                 corners = [start, pack(breaks, breaks > start), a]
@@ -338,6 +340,7 @@ contains
         power = 0.5_wp*(m - 1.0_wp)
         near = closest*from
         if (from <= 0.0_wp) near = 4.0_wp*g%lower()
+        if (r == from .and. from == profile%end_radius() .and. from > 0.0_wp) near = at_edge*from
         if (r < from) near = max(behind_corner(1)*from, min(behind_corner(2)*from, behind_corner(3)*(from - r)))
         integral = 0.0_wp
         if (near >= to - from) return
@@ -368,7 +371,9 @@ contains
         else if (r < start) then
             integral = (mdr(profile, m, start + near, error) - mdr(profile, m, start, error))*((start - r)*(start + r))**power
         else
-            integral = slope_of(profile, g, start + near)*(2.0_wp*start)**power*near**(power + 1.0_wp)/(power + 1.0_wp)
+            integral = slope_of(profile, g, start + near)*(2.0_wp*start)**power*near**(power + 1.0_wp)
+            ! at the edge of a flat end, m > 0, g' itself is such a power of x - start
+            integral = integral/merge(m, power + 1.0_wp, start == profile%end_radius() .and. start > 0.0_wp)
         end if
     end function near_start
 
