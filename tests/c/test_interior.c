@@ -92,9 +92,38 @@ static void film_on_steel(void)
     CHECK_SUCCESS(mdr_contact_free(&c));
 }
 
+/* Two equal bodies: friction drags the upper one the other way, as the lower one seen from the other side. */
+static void friction_on_both_bodies(void)
+{
+    const double r = 0.7, z = 0.2;
+    mdr_interior upper, lower, ahead;
+    mdr_profile *p = NULL;
+    mdr_medium *m = NULL, *both = NULL;
+    mdr_contact *c = NULL;
+    mdr_state state;
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
+    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &m));
+    CHECK_SUCCESS(mdr_medium_pair(m, m, &both));
+    CHECK_SUCCESS(mdr_contact_new(p, both, NULL, &c));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_UPPER, &state, MDR_SIDE_BELOW, 0.3, 1, &r, &z, &(double){0.0}, &upper));
+    CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.3, 1, &r, &z, &(double){acos(-1.0)}, &lower));
+    CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.3, 1, &r, &z, &(double){0.0}, &ahead));
+    CHECK_CLOSE(upper.s_rr, lower.s_rr, 1e-12);
+    CHECK_CLOSE(upper.s_rz, lower.s_rz, 1e-12);
+    CHECK_CLOSE(upper.u_r, lower.u_r, 1e-12);
+    CHECK_TRUE(fabs(upper.s_rr - ahead.s_rr) > 0.05 * fabs(upper.s_rr));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_medium_free(&both));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+}
+
 int main(void)
 {
     refusals();
     film_on_steel();
+    friction_on_both_bodies();
     return check_report("interior");
 }
