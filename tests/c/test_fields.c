@@ -185,6 +185,34 @@ static void two_bodies(void)
     mdr_contact_free(&c);
 }
 
+/* A cone on a stiff film: the lowest pressure is that of a fine scan, on a ring where neither end of the search is close. */
+static void lowest_pressure(void)
+{
+    enum { SCAN = 2000 };
+    const double a = 8.0;
+    static double r[SCAN], p[SCAN];
+    double lowest, place, scanned = 0.0;
+    mdr_profile *cone = NULL;
+    mdr_medium *film = NULL;
+    mdr_contact *c = NULL;
+    mdr_state state;
+
+    CHECK_SUCCESS(mdr_profile_cone(0.1, &cone));
+    CHECK_SUCCESS(mdr_medium_coated(100.0, 0.25, 1.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &film));
+    CHECK_SUCCESS(mdr_contact_new(cone, film, NULL, &c));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &a, &state));
+    for (int i = 0; i < SCAN; i++) r[i] = a * i / SCAN;
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, SCAN, r, p));
+    for (int i = 0; i < SCAN; i++) scanned = fmin(scanned, p[i]);
+    CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, &lowest, &place));
+    CHECK_CLOSE(lowest, scanned, 1e-4);
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, 1, &place, p));
+    CHECK_CLOSE(p[0], lowest, 1e-12);
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_medium_free(&film));
+    CHECK_SUCCESS(mdr_profile_free(&cone));
+}
+
 int main(void)
 {
     two_bodies();
@@ -192,5 +220,6 @@ int main(void)
     hertz();
     sneddon();
     boussinesq();
+    lowest_pressure();
     return check_report("fields");
 }
