@@ -12,6 +12,7 @@ from conftest import ROOT
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
+from mdrcontact.problem.fit_file import load_fit_file
 
 FOLDER = ROOT / "examples" / "fit"
 TRUTH = {
@@ -171,3 +172,21 @@ def test_a_coated_indenter_may_be_what_is_sought(tmp_path):
     found = json.loads(result.read_text())["parameters"]
     assert found["upper.coating.E"]["value"] == pytest.approx(150e9, rel=1e-4)
     assert found["upper.thickness"]["value"] == pytest.approx(5e-7, rel=1e-4)
+
+
+def test_a_column_of_areas_gives_radii(tmp_path):
+    radius = np.array([1e-6, 2e-6, 5e-6])
+    path = tmp_path / "curve.csv"
+    rows = [f"{np.pi * (1e6 * a) ** 2:.9g},{i + 1}" for i, a in enumerate(radius)]
+    path.write_text("\n".join(["contact area [um^2],stiffness [N/m]", *rows]))
+    data, _ = load_fit_file(FOLDER / "punches_on_rubber.toml").read_data(path)
+    assert data.x == pytest.approx(radius, rel=1e-8)
+
+
+def test_printed_moduli_become_contact_moduli_by_the_nu_that_the_instrument_assumed(tmp_path):
+    text = (FOLDER / "modulus_of_oxide.toml").read_text().replace('kind = "modulus-radius"', 'kind = "modulus-radius"\nnu = 0.25')
+    (tmp_path / "problem.toml").write_text(text)
+    path = FOLDER / "modulus_of_oxide.csv"
+    data, _ = load_fit_file(tmp_path / "problem.toml").read_data(path)
+    plain, _ = load_fit_file(FOLDER / "modulus_of_oxide.toml").read_data(path)
+    assert data.y == pytest.approx(plain.y / (1.0 - 0.25**2))

@@ -44,6 +44,17 @@ FORMATS = {
     ),
     "UTF-16": (table(["depth [nm]\tload [mN]", *POINT]).encode("utf-16"), TableOptions()),
     "decimal commas": (table(["depth [nm]\tload [mN]", *POINT], ";").replace(".", ",").encode(), TableOptions()),
+    "groups of thousands": (
+        table(["depth [pm]\tload [nN]", *(f"{1e3 * d:,.1f}\t{1e4 * d**1.5:,.1f}" for d in DEPTH)]).encode(),
+        TableOptions(),
+    ),
+    "the same with decimal commas": (
+        table(["depth [pm]\tload [nN]", *(f"{1e3 * d:,.1f}\t{1e4 * d**1.5:,.1f}" for d in DEPTH)])
+        .translate(str.maketrans(",.", ".,"))
+        .encode(),
+        TableOptions(),
+    ),
+    "spaces between words and units": (table(["depth [nm]\tload_[mN]", *POINT], "  ").encode(), TableOptions()),
     "spaces, no header": (
         table(POINT, "   ").encode(),
         TableOptions(columns=("depth [nm]", "load [mN]")),

@@ -18,8 +18,11 @@ from mdrcontact.measurement import (
     find_contact_point,
     find_pop_in,
     find_segments,
+    find_strays,
+    segments,
     without_drift,
 )
+from mdrcontact.measurement.segments import effective_points
 
 GLASS, RUBBER = mdr.Elastic(70e9, 0.23), mdr.Elastic(2e6, 0.49)
 SOFT = mdr.Coated(RUBBER, 2e-6, GLASS)
@@ -184,3 +187,27 @@ def test_a_column_of_area_stands_for_the_radius(tmp_path, capsys):
     assert main(["fit", str(tmp_path / "areas.csv"), *options]) == 0
     assert "sqrt(area/pi)" in capsys.readouterr().out
     assert json.loads((tmp_path / "fit.json").read_text())["parameters"]["coating.E"]["value"] == pytest.approx(RUBBER.E, rel=1e-4)
+
+
+def test_noise_and_effective_points_of_known_series():
+    """White noise on a slope has its standard deviation; 40 readings with rho = 0.5 are worth n (1 - rho)/(1 + rho) = 13.3, where
+    the plain lag-1 coefficient, 0.45 on average, would say 15."""
+    random = np.random.default_rng(4)
+    assert segments._noise(3.0 * np.arange(4000.0) + random.standard_normal(4000)) == pytest.approx(1.0, rel=0.05)
+    rho, counted = 0.5, []
+    for _ in range(2000):
+        series = random.standard_normal(40)
+        for i in range(1, 40):
+            series[i] = rho * series[i - 1] + np.sqrt(1.0 - rho**2) * series[i]
+        counted.append(effective_points(series - series.mean()))
+    assert np.median(counted) == pytest.approx(40.0 * (1.0 - rho) / (1.0 + rho), rel=0.06)
+
+
+def test_stray_readings_are_found_and_jumps_are_none():
+    depth = np.linspace(-50.0, 100.0, 200)
+    force = np.maximum(depth, 0.0) ** 1.5 + np.random.default_rng(1).standard_normal(200)
+    assert not len(find_strays(force)) and not len(find_strays(np.concatenate([force, force[::-1]])))
+    force[150:] += 200.0
+    assert not len(find_strays(force))
+    force[[60, 170]] = 500.0, 0.0
+    assert list(find_strays(force)) == [60, 170]
