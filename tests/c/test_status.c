@@ -135,6 +135,16 @@ static void options_begin_with_their_size(void)
     CHECK_STATUS(mdr_medium_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m), MDR_EINVALID, "size = 0");
 }
 
+/* What is no handle at all is refused by its first bytes. */
+static void what_is_no_handle_is_refused(void)
+{
+    static double anything[64];
+    const double r = 1.0;
+    double out = 0.0;
+
+    CHECK_STATUS(mdr_profile_height((const mdr_profile *)anything, 1, &r, &out), MDR_EINVALID, "is not an mdr_profile handle");
+}
+
 int main(void)
 {
     text_is_empty_before_the_first_failure();
@@ -144,5 +154,6 @@ int main(void)
     success_leaves_the_text();
     options_have_defaults();
     options_begin_with_their_size();
+    what_is_no_handle_is_refused();
     return check_report("status");
 }

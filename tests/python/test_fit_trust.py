@@ -54,6 +54,16 @@ def test_the_three_intervals_know_of_the_correlation():
     assert np.ptp(result.interval("coating.E", method="monte-carlo", draws=100, seed=1)) == pytest.approx(width, rel=0.4)
 
 
+def test_widening_of_a_mean():
+    """The mean of many readings with the correlation rho is worth as many as (1 - rho)/(1 + rho) says."""
+    radius = np.linspace(1e-7, 1e-6, 2000)
+    noise = 0.01 * autoregression(np.random.default_rng(0), 2000, 0.9)
+    data = mdr.ModulusRadius(radius, 7e10 * (1.0 + noise), sd=np.full(2000, 7e8))
+    result = mdr.fit(data, BALL, mdr.Homogeneous(mdr.Elastic(7e10, 0.2)), ["E"], sd_is_absolute=True)
+    rho = result.lag_correlation
+    assert result.widening["E"] == pytest.approx(math.sqrt((1.0 + rho) / (1.0 - rho)), rel=0.01)
+
+
 def test_correlated_residuals_have_fewer_degrees_of_freedom():
     """Student's quantile of an interval is that of as many independent residuals as the widening says."""
     noise = 0.01 * autoregression(np.random.default_rng(3), DEPTH.size, 0.9)
