@@ -936,10 +936,17 @@ int mdr_friction_loop(const mdr_friction *f, const mdr_state *state, int given, 
 typedef struct mdr_friction_history mdr_friction_history;
 
 /** A contact that has not been loaded yet.
- *  @param f    contact with friction on homogeneous bodies, whose springs do not interact: each step is then exact, whatever its size
- *  @param out  receives the handle
- *  @return also MDR_EINVALID for other media */
-int mdr_friction_history_new(const mdr_friction *f, mdr_friction_history **out);
+ *
+ *  Where springs do not interact, on homogeneous bodies, each step is exact, whatever its size. On exact layered bodies, and with
+ *  largest_depth > 0 on homogeneous ones, the contact is cut into rings that each obey Coulomb's law: with 100 rings and 40 steps
+ *  from turn to turn T is good to 2e-4 coefficient F, the stick radius to a third of a ring. A second history with twice the rings
+ *  shows the error, which becomes half of it or less.
+ *  @param f              contact with friction
+ *  @param largest_depth  0, or the depth up to which there are rings; needed on layered bodies [length]
+ *  @param rings          10 to 1000, or 0: 100
+ *  @param out            receives the handle
+ *  @return also MDR_EINVALID for media other than homogeneous and exact layered ones, and as mdr_contact_from_depth() */
+int mdr_friction_history_new(const mdr_friction *f, double largest_depth, int rings, mdr_friction_history **out);
 
 /** A copy with the same past, which goes its own way from here.
  *  @param h    history
@@ -956,7 +963,8 @@ int mdr_friction_history_copy(const mdr_friction_history *h, mdr_friction_histor
  *  @param states            [n] normal states reached
  *  @param out               [n] tangential states reached: stick_radius is where the last step did not slip, dissipated_energy that
  *                           since the beginning
- *  @return also MDR_EUNREACHABLE for a tangential force at which the contact slides, and as mdr_contact_states() */
+ *  @return also MDR_EUNREACHABLE for a tangential force at which the contact slides, MDR_EDOMAIN beyond the largest depth of rings or
+ *          if the pressure would be negative somewhere, MDR_ENOCONVERGENCE, and as mdr_contact_states() */
 int mdr_friction_history_advance(mdr_friction_history *h, int normal_given, int tangential_given, int n, const double normal[],
                                  const double tangential[], mdr_state states[], mdr_tangential_state out[]);
 

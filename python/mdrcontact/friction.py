@@ -205,9 +205,14 @@ class Friction(Value):
         """Line load q_t(x) [modulus length] of the springs along the shift, 0 <= x <= a, any shape; arguments as of `traction`."""
         return self._field(_layout.FIELD_TANGENTIAL_LINE_LOAD, "x", x, shear, self._normal(state, force, depth, radius))
 
-    def history(self) -> FrictionHistory:
-        """A contact that has not been loaded yet, to be led along any path; of homogeneous bodies."""
-        return FrictionHistory(self)
+    def history(self, largest_depth: float | None = None, rings: int | None = None) -> FrictionHistory:
+        """A contact that has not been loaded yet, to be led along any path.
+
+        largest_depth : up to which it can be led, > 0; needed on exact layered bodies, whose contact is cut into rings [length]. On
+            homogeneous ones None: every step is exact
+        rings : 10 to 1000; None: 100
+        """
+        return FrictionHistory(self, largest_depth, rings)
 
     def _normal(
         self, state: State | None, force: ArrayLike | None, depth: ArrayLike | None, radius: ArrayLike | None
@@ -267,14 +272,31 @@ class FrictionHistory:
     """A contact with friction and its past, along any path of normal and tangential loading: `friction.history()`.
 
     Springs of homogeneous bodies do not interact, so that every step in which depth and shift change in proportion is exact,
-    whatever its size. It changes as it advances: not for several threads at a time. Each `copy()` goes its own way.
+    whatever its size. Elsewhere rings of the surface each obey Coulomb's law: with 100 of them and 40 steps from turn to
+    turn T is good to 2e-4 coefficient F, the stick radius to a third of a ring. A second history with twice the rings shows the
+    error, which becomes half of it or less. It changes as it advances: not for several threads at a time. Each `copy()` goes its own way.
     """
 
-    def __init__(self, friction: Friction, *, _copy_of: FrictionHistory | None = None) -> None:
+    def __init__(
+        self,
+        friction: Friction,
+        largest_depth: float | None = None,
+        rings: int | None = None,
+        *,
+        _copy_of: FrictionHistory | None = None,
+    ) -> None:
         if not isinstance(friction, Friction):
             raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
         if _copy_of is None:
-            created = _native.friction_history_new(friction._handle.address)
+            deepest = 0.0 if largest_depth is None else number("largest_depth", largest_depth)
+            if (largest_depth is not None and deepest == 0.0) or (rings is not None and (largest_depth is None or rings == 0)):
+                raise InvalidArgumentError(
+                    f"largest_depth = {largest_depth!r}, rings = {rings!r} is not allowed: rings need a largest_depth > 0, and there "
+                    "must be 10 to 1000 of them"
+                )
+            if isinstance(rings, bool) or not isinstance(rings, (int, np.integer, type(None))):
+                raise ArgumentTypeError(f"rings = {rings!r} is not allowed: it must be a whole number")
+            created = _native.friction_history_new(friction._handle.address, deepest, int(rings or 0))
         else:
             created = _native.friction_history_copy(_copy_of._handle.address)
         self._handle: Handle = Handle(created, _native.friction_history_free)

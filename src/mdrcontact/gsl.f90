@@ -14,7 +14,7 @@ module mdrcontact_gsl
     public :: gsl_root_fsolver_brent, gsl_root_fsolver_alloc, gsl_root_fsolver_free, gsl_root_fsolver_set, &
               gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, &
               gsl_root_test_interval
-    public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1, gsl_sf_bessel_il_scaled_array
+    public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1, gsl_sf_bessel_il_scaled_array, gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
     public :: gsl_sort_index
     public :: gsl_interp_steffen, gsl_spline_alloc, gsl_spline_init, gsl_spline_free, gsl_spline_eval_deriv
 
@@ -156,6 +156,22 @@ module mdrcontact_gsl
             real(c_double), intent(inout) :: values(*)
             integer(c_int) :: status
         end function gsl_sf_bessel_il_scaled_array
+
+        !> Complete elliptic integral E of modulus k; mode = 0: double precision.
+        pure function gsl_sf_ellint_ecomp(k, mode) result(y) bind(C, name="gsl_sf_ellint_Ecomp")
+            import :: c_double, c_int
+            real(c_double), intent(in), value :: k
+            integer(c_int), intent(in), value :: mode
+            real(c_double) :: y
+        end function gsl_sf_ellint_ecomp
+
+        !> Complete elliptic integral K of modulus k < 1; mode = 0: double precision.
+        pure function gsl_sf_ellint_kcomp(k, mode) result(y) bind(C, name="gsl_sf_ellint_Kcomp")
+            import :: c_double, c_int
+            real(c_double), intent(in), value :: k
+            integer(c_int), intent(in), value :: mode
+            real(c_double) :: y
+        end function gsl_sf_ellint_kcomp
 
         !> Bessel function J0(x).
         pure function gsl_sf_bessel_j0(x) result(y) bind(C, name="gsl_sf_bessel_J0")

@@ -4,7 +4,7 @@ module mdrcontact_lapack
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: dgels, dgemm, dgemv, dpotrf, dsyev
+    public :: dgels, dgemm, dgemv, dpotrf, dpotrs, dsyev
 
     interface
         !> Cholesky factor of a symmetric positive definite matrix.
@@ -15,6 +15,16 @@ module mdrcontact_lapack
             real(wp), intent(inout) :: a(lda, *)
             integer, intent(out) :: info
         end subroutine dpotrf
+
+        !> Solves with that factor.
+        subroutine dpotrs(uplo, n, nrhs, a, lda, b, ldb, info)
+            import :: wp
+            character(len=1), intent(in) :: uplo
+            integer, intent(in) :: n, nrhs, lda, ldb
+            real(wp), intent(in) :: a(lda, *)
+            real(wp), intent(inout) :: b(ldb, *)
+            integer, intent(out) :: info
+        end subroutine dpotrs
 
         !> Eigenvalues, ascending, and eigenvectors of a symmetric matrix.
         subroutine dsyev(jobz, uplo, n, a, lda, w, work, lwork, info)

@@ -92,6 +92,8 @@ module mdrcontact_medium
         procedure :: has_independent_springs => no
         !> first shear of a state, with that medium
         procedure :: new_slip => no_slip
+        !> displacements integrated over discs, of unit pressures on discs
+        procedure :: disc_products => no_discs
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
         procedure :: copy_to
     end type medium_t
@@ -369,6 +371,25 @@ contains
         call raise(error, error_invalid, "the torsional stiffness of this medium is not known: use a homogeneous one with E "// &
                    "and nu, or a coated, layered or graded one with the model exact")
     end subroutine no_torsion
+
+    !> int u dA over discs around the axis, u the displacement by a pressure of 1 on another one. With it what rings of constant
+    !> pressure do to each other is a sum of four terms.
+    subroutine no_discs(self, radius, radii, products, error)
+        class(medium_t), intent(in) :: self
+        !> of the disc under pressure, and of the others [length]
+        real(wp), intent(in) :: radius
+        !> see radius
+        real(wp), intent(in) :: radii(:)
+        !> (size(radii)) [length^3/modulus]
+        real(wp), intent(out) :: products(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => self, unused_too => radius + sum(radii))
+        end associate
+        products = 0.0_wp
+        call raise(error, error_invalid, "histories of friction on rings are not known for this medium: use a homogeneous "// &
+                   "one with E and nu, or a coated, layered or graded one with the model exact")
+    end subroutine no_discs
 
     subroutine no_slip(self, tangential, profile, a, excess, slip, error)
         class(medium_t), intent(in) :: self

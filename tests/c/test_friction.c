@@ -191,9 +191,9 @@ static void histories(void)
     double depth[POINTS], shift[POINTS], limit;
 
     CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
-    CHECK_STATUS(mdr_friction_history_new(NULL, &h), MDR_ENULL, "f is NULL");
-    CHECK_STATUS(mdr_friction_history_new(f, NULL), MDR_ENULL, "out is NULL");
-    CHECK_SUCCESS(mdr_friction_history_new(f, &h));
+    CHECK_STATUS(mdr_friction_history_new(NULL, 0.0, 0, &h), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(mdr_friction_history_new(f, 0.0, 0, NULL), MDR_ENULL, "out is NULL");
+    CHECK_SUCCESS(mdr_friction_history_new(f, 0.0, 0, &h));
     for (int i = 0; i < POINTS; i++) {
         depth[i] = 0.5 * (i + 1) / POINTS;
         shift[i] = 0.1 * (i + 1) / POINTS;
@@ -234,7 +234,21 @@ static void histories(void)
     CHECK_SUCCESS(mdr_medium_coated(700.0, 0.2, 1.0, E, nu, MDR_MODEL_EXACT, NULL, &film));
     layered = ball_on(film);
     CHECK_SUCCESS(mdr_friction_new(layered, mu, &on_film));
-    CHECK_STATUS(mdr_friction_history_new(on_film, &h), MDR_EINVALID, "homogeneous bodies only");
+    CHECK_STATUS(mdr_friction_history_new(on_film, 0.0, 0, &h), MDR_EINVALID, "largest_depth is missing");
+    CHECK_STATUS(mdr_friction_history_new(on_film, -1.0, 0, &h), MDR_EINVALID, "largest_depth = -1");
+    CHECK_STATUS(mdr_friction_history_new(on_film, 0.5, 9, &h), MDR_EINVALID, "rings = 9");
+    CHECK_SUCCESS(mdr_friction_history_new(on_film, 0.5, 20, &h));
+    CHECK_SUCCESS(mdr_friction_history_copy(h, &copy));
+    CHECK_SUCCESS(mdr_friction_history_advance(h, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, POINTS, depth, shift, states, out));
+    CHECK_TRUE(out[POINTS - 1].tangential_force > 0.0 && out[POINTS - 1].tangential_force <= mu * states[POINTS - 1].force);
+    CHECK_SUCCESS(mdr_friction_history_advance(copy, MDR_GIVEN_DEPTH, MDR_GIVEN_TANGENTIAL_FORCE, 1, &depth[POINTS - 1],
+                                               &out[POINTS - 1].tangential_force, states, &once));
+    CHECK_CLOSE(once.tangential_force, out[POINTS - 1].tangential_force, 1e-9);
+    fill_untouched(6, &once.shift);
+    CHECK_STATUS(mdr_friction_history_advance(h, 1, 1, 1, &(double){0.51}, shift, states, &once), MDR_EDOMAIN, "beyond the rings");
+    CHECK_UNTOUCHED(6, &once.shift);
+    CHECK_SUCCESS(mdr_friction_history_free(&copy));
+    CHECK_SUCCESS(mdr_friction_history_free(&h));
     CHECK_SUCCESS(mdr_friction_free(&on_film));
     CHECK_SUCCESS(mdr_contact_free(&layered));
     CHECK_SUCCESS(mdr_friction_free(&f));

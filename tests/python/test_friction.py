@@ -149,8 +149,32 @@ def test_history_copies_and_refusals():
         history.advance(depth=[1.0, 2.0], shift=[0.0, 0.1, 0.2])
     with pytest.raises(mdr.ArgumentTypeError, match="one dimension"):
         history.advance(depth=[[1.0]], shift=0.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="homogeneous bodies only"):
+    with pytest.raises(mdr.InvalidArgumentError, match="largest_depth is missing"):
         friction().history()
+    with pytest.raises(mdr.InvalidArgumentError, match="rings = 5 is not allowed"):
+        friction().history(0.1, 5)
+    with pytest.raises(mdr.InvalidArgumentError, match="rings need a largest_depth"):
+        friction().history(rings=50)
+    with pytest.raises(mdr.ArgumentTypeError, match="rings = 20.5"):
+        friction().history(0.1, 20.5)
+
+
+def test_history_on_a_film():
+    pair = friction()
+    state = pair.contact.at_depth(0.1)
+    history = pair.history(0.1, 60)
+    history.advance(depth=0.1, shift=0.0)
+    loop = pair.loop(0.6 * pair.sliding_shift(state), points=9, state=state)
+    twin = history.copy()
+    found = history.advance(depth=0.1, shift=loop.shift)
+    np.testing.assert_allclose(found.tangential_force, loop.tangential_force, atol=3e-4 * MU * state.force)
+    assert found.stick_radius[0] == pytest.approx(loop.turn.stick_radius, abs=state.radius / 100)
+    lost = found.dissipated_energy[-1] - found.dissipated_energy[0]
+    assert lost == pytest.approx(loop.dissipated_energy, rel=0.02)
+    back = twin.advance(depth=0.1, tangential_force=loop.tangential_force)
+    np.testing.assert_allclose(back.shift, loop.shift, atol=1e-3 * loop.shift[0])
+    with pytest.raises(mdr.DomainError, match="beyond the rings"):
+        history.advance(depth=0.11, shift=0.0)
 
 
 def test_law():

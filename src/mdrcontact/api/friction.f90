@@ -178,8 +178,10 @@ contains
         dissipated = 4.0_c_double*turn%dissipated_energy
     end function mdr_friction_loop
 
-    function mdr_friction_history_new(f, out) result(status) bind(C)
+    function mdr_friction_history_new(f, largest_depth, rings, out) result(status) bind(C)
         type(c_ptr), value :: f
+        real(c_double), value :: largest_depth
+        integer(c_int), value :: rings
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(friction_t), pointer :: friction
@@ -189,7 +191,7 @@ contains
 
         allocate (history)
         call open_handle(f, "f", friction, error)
-        if (.not. allocated(error)) call new_friction_history(history, friction, error)
+        if (.not. allocated(error)) call new_friction_history(history, friction, error, largest_depth, int(rings))
         call move_alloc(history, object)
         status = hand_over(object, out, error)
     end function mdr_friction_history_new

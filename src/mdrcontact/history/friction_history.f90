@@ -3,8 +3,10 @@
 module mdrcontact_history_friction_history
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth, given_force
-    use mdrcontact_error, only: check_finite, count_text, error_invalid, error_t, error_unreachable, raise, to_text
+    use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
+                                error_unreachable, raise, to_text
     use mdrcontact_history_friction, only: friction_t, tangential_state_t
+    use mdrcontact_history_friction_rings, only: new_rings, rings_t
     use mdrcontact_history_friction_springs, only: radius_at, springs_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_roots, only: find_root
@@ -15,6 +17,9 @@ module mdrcontact_history_friction_history
 
     !> What is prescribed along the surface, enum mdr_tangential_given.
     integer, parameter :: given_shift = 1, given_tangential_force = 2
+    integer, parameter :: most_doublings = 60
+    !> How many rings may be asked for.
+    integer, parameter :: usual_rings = 100, fewest_rings = 10, most_rings = 1000
 
     !> A contact with its past. It belongs to its user: copies are independent, and no two threads may advance one at a time.
     type :: friction_history_t
@@ -23,6 +28,10 @@ module mdrcontact_history_friction_history
         !> G* [modulus]
         real(wp) :: modulus = 0.0_wp
         type(springs_t) :: springs
+        !> where springs interact, and where they are asked for
+        type(rings_t), allocatable :: rings
+        !> depth up to which there are rings [length]
+        real(wp) :: largest_depth = huge(1.0_wp)
         !> the states reached, all 0 at first; energy dissipated since then
         type(contact_state_t), public :: normal
         !> see normal
@@ -34,7 +43,8 @@ module mdrcontact_history_friction_history
     !> T after a step to a shift, less what it should be.
     type, extends(scalar_function_t) :: force_after_t
         type(friction_history_t), pointer :: history => null()
-        real(wp) :: depth = 0.0_wp, target = 0.0_wp
+        type(contact_state_t) :: state
+        real(wp) :: target = 0.0_wp
     contains
         procedure :: value => force_after
     end type force_after_t
@@ -42,24 +52,50 @@ module mdrcontact_history_friction_history
 contains
 
     !> A contact that has not been loaded yet.
-    subroutine new_friction_history(self, friction, error)
+    subroutine new_friction_history(self, friction, error, largest_depth, rings)
         type(friction_history_t), intent(out) :: self
-        !> on homogeneous bodies, whose springs do not interact. Copied
+        !> on homogeneous bodies, whose springs do not interact, or on exact layered ones. Copied
         type(friction_t), intent(in) :: friction
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: normal(1), shear(1)
+        !> up to which there are rings, > 0; needed on layered bodies. Without it, or with 0, each step on homogeneous ones is exact
+        !> [length]
+        real(wp), intent(in), optional :: largest_depth
+        !> how many, 10 to 1000; default or 0: 100
+        integer, intent(in), optional :: rings
+        type(contact_state_t) :: state
+        real(wp) :: normal(1), shear(1), deepest
+        integer :: count
 
-        if (.not. friction%contact%equilibrium%medium%has_independent_springs()) then
-            call raise(error, error_invalid, "histories of friction are known for homogeneous bodies only; at constant normal "// &
-                       "force tangential states and loops are known for this medium too")
-            return
+        deepest = 0.0_wp
+        if (present(largest_depth)) deepest = largest_depth
+        count = 0
+        if (present(rings)) count = rings
+        if (count == 0) count = usual_rings
+        call check_not_negative(error, "largest_depth", deepest)
+        if (count < fewest_rings .or. count > most_rings) then
+            call raise(error, error_invalid, "rings = "//count_text(count)//" is not allowed: it must be from "// &
+                       count_text(fewest_rings)//" to "//count_text(most_rings))
         end if
-        call friction%contact%equilibrium%medium%modulus([1.0_wp], normal, error)
-        if (.not. allocated(error)) call friction%tangential%modulus([1.0_wp], shear, error)
         if (allocated(error)) return
         self%friction = friction
-        self%modulus = shear(1)
-        self%springs%limit = friction%coefficient*normal(1)/shear(1)
+        associate (contact => self%friction%contact, medium => self%friction%contact%equilibrium%medium)
+            if (deepest > 0.0_wp) then
+                call contact%at_depth(deepest, state, error)
+                if (allocated(error)) return
+                self%largest_depth = deepest
+                allocate (self%rings)
+                call new_rings(self%rings, friction%tangential, state%radius, count, error)
+            else if (medium%has_independent_springs()) then
+                call medium%modulus([1.0_wp], normal, error)
+                if (.not. allocated(error)) call friction%tangential%modulus([1.0_wp], shear, error)
+                if (allocated(error)) return
+                self%modulus = shear(1)
+                self%springs%limit = friction%coefficient*normal(1)/shear(1)
+            else
+                call raise(error, error_invalid, "largest_depth is missing: where springs interact, a history of friction "// &
+                           "needs the depth up to which it is led")
+            end if
+        end associate
     end subroutine new_friction_history
 
     !> One step of the path, in which depth and shift change in proportion; after a failure all is as before.
@@ -75,8 +111,8 @@ contains
         real(wp), intent(in) :: tangential
         type(error_t), allocatable, intent(out) :: error
         type(contact_state_t) :: state
-        type(springs_t) :: springs
-        real(wp) :: shift, force, dissipated, stick
+        type(friction_history_t) :: next
+        real(wp) :: shift, force, dissipated, stick, modulus(1)
 
         associate (contact => self%friction%contact)
             select case (normal_given)
@@ -89,6 +125,11 @@ contains
                            "(depth) or 2 (force)")
             end select
             if (allocated(error)) return
+            if (state%depth > self%largest_depth) then
+                call raise(error, error_domain, "depth = "//to_text(state%depth)//" is beyond the rings of this history: they "// &
+                           "reach up to largest_depth = "//to_text(self%largest_depth))
+                return
+            end if
             select case (tangential_given)
             case (given_shift)
                 call check_finite(error, "shift", tangential)
@@ -100,22 +141,66 @@ contains
                            "must be 1 (shift) or 2 (tangential force)")
             end select
             if (allocated(error)) return
-            springs = self%springs
-            call springs%advance(state%depth, shift)
-            call springs%force(contact, force, error)
-            if (.not. allocated(error)) call springs%dissipated(contact, dissipated, error)
-            if (.not. allocated(error)) call radius_at(contact, springs%stick_depth(), stick, error)
+            next = self
+            call move(next, state, shift, force, dissipated, stick, error)
         end associate
         if (allocated(error)) return
-        self%springs = springs
-        self%normal = state
-        self%tangential%shift = shift
-        self%tangential%tangential_force = self%modulus*force
-        self%tangential%stick_radius = stick
-        self%tangential%stiffness = 2.0_wp*stick*self%modulus
-        self%tangential%dissipated_energy = self%tangential%dissipated_energy + self%modulus*dissipated
-        self%tangential%sliding = merge(1.0_wp, 0.0_wp, state%radius > 0.0_wp .and. .not. stick > 0.0_wp)
+        next%normal = state
+        next%tangential%shift = shift
+        next%tangential%tangential_force = force
+        next%tangential%stick_radius = stick
+        next%tangential%dissipated_energy = self%tangential%dissipated_energy + dissipated
+        next%tangential%sliding = merge(1.0_wp, 0.0_wp, state%radius > 0.0_wp .and. .not. stick > 0.0_wp)
+        next%tangential%stiffness = 0.0_wp
+        if (stick > 0.0_wp) then
+            call self%friction%tangential%modulus([stick], modulus, error)
+            if (allocated(error)) return
+            next%tangential%stiffness = 2.0_wp*stick*modulus(1)
+        end if
+        call take(self, next)
     end subroutine advance
+
+    !> T, what is dissipated and the radius of stick of a step.
+    subroutine move(self, state, shift, force, dissipated, stick, error)
+        type(friction_history_t), intent(inout) :: self
+        type(contact_state_t), intent(in) :: state
+        real(wp), intent(in) :: shift
+        real(wp), intent(out) :: force, dissipated, stick
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (friction => self%friction)
+            force = 0.0_wp
+            dissipated = 0.0_wp
+            stick = 0.0_wp
+            if (allocated(self%rings)) then
+                call self%rings%advance(friction%contact, friction%tangential, friction%coefficient, state, shift, error)
+                force = self%rings%force
+                dissipated = self%rings%dissipated
+                stick = self%rings%stick_radius
+            else
+                call self%springs%advance(state%depth, shift)
+                call self%springs%force(friction%contact, force, error)
+                if (.not. allocated(error)) call self%springs%dissipated(friction%contact, dissipated, error)
+                if (.not. allocated(error)) call radius_at(friction%contact, self%springs%stick_depth(), stick, error)
+                force = self%modulus*force
+                dissipated = self%modulus*dissipated
+            end if
+        end associate
+    end subroutine move
+
+    !> The memory of another history of the same contact.
+    subroutine take(self, next)
+        class(friction_history_t), intent(inout) :: self
+        type(friction_history_t), intent(inout) :: next
+
+        if (allocated(next%rings)) then
+            call move_alloc(next%rings, self%rings)
+        else
+            self%springs = next%springs
+        end if
+        self%normal = next%normal
+        self%tangential = next%tangential
+    end subroutine take
 
     !> The shift at which the tangential force is as asked for: it rises with the shift.
     subroutine find_shift(self, state, force, shift, error)
@@ -125,7 +210,8 @@ contains
         real(wp), intent(out) :: shift
         type(error_t), allocatable, intent(out) :: error
         type(force_after_t) :: equation
-        real(wp) :: reach
+        real(wp) :: reach, modulus(1)
+        integer :: i
 
         shift = self%tangential%shift
         call check_finite(error, "tangential_force", force)
@@ -137,11 +223,17 @@ contains
             return
         end if
         if (.not. state%radius > 0.0_wp) return
-        ! beyond, all slides
-        reach = 2.1_wp*self%springs%limit*max(state%depth, self%normal%depth)
+        call self%friction%tangential%modulus([state%radius], modulus, error)
+        if (allocated(error)) return
+        reach = self%friction%coefficient*max(state%force, self%normal%force)/(state%radius*modulus(1))
         allocate (equation%history, source=self)
-        equation%depth = state%depth
+        equation%state = state
         equation%target = force
+        ! up to where all slides
+        do i = 1, most_doublings
+            if (equation%value(shift - reach)*equation%value(shift + reach) <= 0.0_wp .or. allocated(equation%error)) exit
+            reach = 2.0_wp*reach
+        end do
         call find_root(equation, shift - reach, shift + reach, shift, error)
         deallocate (equation%history)
     end subroutine find_shift
@@ -150,13 +242,12 @@ contains
         class(force_after_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        type(springs_t) :: springs
+        type(friction_history_t) :: next
+        real(wp) :: dissipated, stick
 
-        y = 0.0_wp
-        springs = self%history%springs
-        call springs%advance(self%depth, x)
-        call springs%force(self%history%friction%contact, y, self%error)
-        y = self%history%modulus*y - self%target
+        next = self%history
+        call move(next, self%state, x, y, dissipated, stick, self%error)
+        y = y - self%target
     end function force_after
 
 end module mdrcontact_history_friction_history

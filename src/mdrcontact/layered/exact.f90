@@ -8,7 +8,7 @@ module mdrcontact_layered_exact
     use mdrcontact_body, only: body_t
     use mdrcontact_body_sheared, only: new_sheared_body, new_twisted_body, sheared_body_t
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_within, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_within, error_invalid, error_t, raise, to_text
     use mdrcontact_field_load, only: load_t
     use mdrcontact_field_profile_load, only: new_profile_load, profile_load_t
     use mdrcontact_field_slip, only: slip_t
@@ -31,6 +31,8 @@ module mdrcontact_layered_exact
 
     real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 
+    !> Rings of friction up to this many thicknesses of the first layer, which their quadrature has to resolve.
+    real(wp), parameter :: widest = 30.0_wp
     !> Contact radii up to this many depths of all layers are offered.
     real(wp), parameter :: largest_ratio = 1.0e4_wp
     !> The same where all layers are of one material [length].
@@ -71,6 +73,7 @@ module mdrcontact_layered_exact
         procedure :: energies
         procedure :: surface_load
         procedure :: new_tangential
+        procedure :: disc_products
         procedure :: torsional_stiffness
         procedure :: new_slip
     end type layered_exact_t
@@ -534,5 +537,40 @@ contains
         end select
         if (.not. allocated(error)) call move_alloc(own, slip)
     end subroutine new_slip
+
+    !> Those of the surface's material, and of the kernel, by Gauss and Chebyshev's rule of the second kind for both discs' springs
+    !> 2 sqrt(r^2 - x^2).
+    subroutine disc_products(self, radius, radii, products, error)
+        class(layered_exact_t), intent(in) :: self
+        real(wp), intent(in) :: radius
+        real(wp), intent(in) :: radii(:)
+        real(wp), intent(out) :: products(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: t(:), w(:), x(:)
+        real(wp) :: total
+        integer :: i, j, k, n
+
+        if (max(radius, maxval(radii)) > widest*self%kernel%unit .and. .not. self%kernel%vanishes) then
+            call raise(error, error_invalid, "rings of radius "//to_text(max(radius, maxval(radii)))//" are too large for a "// &
+                       "first layer of thickness "//to_text(self%kernel%unit)//": at most "//to_text(widest)//" times that")
+        end if
+        if (allocated(error)) return
+        call self%surface%disc_products(radius, radii, products, error)
+        if (allocated(error) .or. self%kernel%vanishes) return
+        do k = 1, size(radii)
+            n = 8 + 2*ceiling(2.0_wp*max(radius, radii(k))/self%kernel%unit)
+            t = [(cos(pi*real(i, wp)/real(n + 1, wp)), i=1, n)]
+            w = pi/real(n + 1, wp)*(1.0_wp - t**2)
+            if (.not. allocated(x)) allocate (x(n))
+            if (size(x) /= n) x = t
+            total = 0.0_wp
+            ! n is even, and both discs are the same on either side of the axis
+            do j = 1, n/2
+                call self%kernel%evaluate(abs(radius*t(j) - radii(k)*t)/self%kernel%unit, 0.0_wp, x)
+                total = total + 2.0_wp*w(j)*dot_product(w, x)
+            end do
+            products(k) = products(k) + 4.0_wp*(radius*radii(k))**2*total/(pi*self%kernel%unit*self%surface_modulus)
+        end do
+    end subroutine disc_products
 
 end module mdrcontact_layered_exact

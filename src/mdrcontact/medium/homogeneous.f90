@@ -2,8 +2,10 @@
 !> The homogeneous half-space (theory 2): the same modulus at every contact radius, and closed forms for every indenter.
 module mdrcontact_medium_homogeneous
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
+    use mdrcontact_gsl, only: gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium, only: medium_t
@@ -27,6 +29,7 @@ module mdrcontact_medium_homogeneous
         procedure :: is_rigid
         procedure :: half_space_modulus
         procedure :: new_tangential
+        procedure :: disc_products
         procedure :: torsional_stiffness
     end type homogeneous_t
 
@@ -183,5 +186,27 @@ contains
         own%contact_modulus = in_series(moduli(1), moduli(2))
         allocate (tangential, source=own)
     end subroutine new_tangential
+
+    !> int of 4 sqrt(a^2 - x^2) sqrt(b^2 - x^2) dx over the smaller disc, by complete elliptic integrals of modulus b/a.
+    subroutine disc_products(self, radius, radii, products, error)
+        class(homogeneous_t), intent(in) :: self
+        real(wp), intent(in) :: radius
+        real(wp), intent(in) :: radii(:)
+        real(wp), intent(out) :: products(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: a, b
+        integer :: i
+
+        associate (unused => error)
+        end associate
+        do i = 1, size(radii)
+            a = max(radius, radii(i))
+            b = min(radius, radii(i))
+            products(i) = a**2 + b**2
+            if (b < a) products(i) = (a**2 + b**2)*gsl_sf_ellint_ecomp(b/a, 0_c_int) &
+                                     - (a**2 - b**2)*gsl_sf_ellint_kcomp(b/a, 0_c_int)
+            products(i) = 8.0_wp/3.0_wp*a/self%contact_modulus*products(i)
+        end do
+    end subroutine disc_products
 
 end module mdrcontact_medium_homogeneous

@@ -99,7 +99,7 @@ void fuzz_friction(world *w)
     judge("mdr_friction_loop", status, n, out, FINITE);
     judge("mdr_friction_loop", status, n, other, FINITE);
     judge("mdr_friction_loop", status, 1, lost, NOT_NEGATIVE);
-    status = mdr_friction_history_new(f, &h);
+    status = mdr_friction_history_new(f, w->contact_is_exact[slot] ? state.depth : 0.0, 12, &h);
     judge_object("mdr_friction_history_new", status, h);
     if (h) judge_status("mdr_friction_history_advance", mdr_friction_history_advance(h, normal, given, n, path, in, states, found));
     judge_status("mdr_friction_history_free", mdr_friction_history_free(&h));
