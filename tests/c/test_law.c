@@ -181,6 +181,9 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_follow(law, 0.1, NULL, &point), MDR_ENULL, "segment");
     CHECK_STATUS(mdr_law_load(NULL, &law), MDR_ENULL, "path");
     CHECK_UNTOUCHED(3, out);
+    segment = 1; /* in contact before */
+    CHECK_SUCCESS(mdr_law_follow(law, -0.1, &segment, &point));
+    CHECK_TRUE(segment == 0 && point.force == 0.0);
     CHECK_SUCCESS(mdr_law_free(&law));
     CHECK_TRUE(law == NULL);
     CHECK_SUCCESS(mdr_law_free(&law));
