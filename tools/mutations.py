@@ -38,7 +38,7 @@ MUTATIONS = [
     ("profile/transform.f90", "far_distance = 3.0_wp", "far_distance = 0.5_wp", "profile"),
     ("profile/transform.f90", "binomial(k - 1, 0)*(2*k - 1)/(2*k)", "binomial(k - 1, 0)*(2*k + 1)/(2*k)", "profile"),
     ("profile/transform.f90", "if (last > child) self%moments", "if (.false.) self%moments", "profile"),
-    ("profile/transform.f90", "sum(weights*phi/sqrt(2.0_wp*x - s**2))", "sum(weights*phi/sqrt(2.0_wp*x + s**2))", "profile"),
+    ("profile/transform.f90", "phi(:n)/sqrt(2.0_wp*x - square(:n))", "phi(:n)/sqrt(2.0_wp*x + square(:n))", "profile"),
     ("profile/sampled.f90", "if (here < before - rounding) then", "if (here < -huge(here)) then", "profile"),
     ("profile/sampled.f90", "roots(flat_ends + count + 1:) = .true.", "roots(flat_ends + count + 1:) = .false.", "profile"),
     ("layered/legendre.f90", "real(4*c + 5, wp)*over_odd(j)", "real(4*c + 3, wp)*over_odd(j)", "layered_reference"),
