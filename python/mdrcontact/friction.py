@@ -274,7 +274,8 @@ class FrictionHistory:
     Springs of homogeneous bodies do not interact, so that every step in which depth and shift change in proportion is exact,
     whatever its size. Elsewhere rings of the surface each obey Coulomb's law: with 100 of them and 40 steps from turn to
     turn T is good to 2e-4 coefficient F, the stick radius to a third of a ring. A second history with twice the rings shows the
-    error, which becomes half of it or less. It changes as it advances: not for several threads at a time. Each `copy()` goes its own way.
+    error, which becomes half of it or less. It changes as it advances: not for several threads at a time. Each `copy()` goes its
+    own way.
     """
 
     def __init__(
@@ -291,8 +292,8 @@ class FrictionHistory:
             deepest = 0.0 if largest_depth is None else number("largest_depth", largest_depth)
             if (largest_depth is not None and deepest == 0.0) or (rings is not None and (largest_depth is None or rings == 0)):
                 raise InvalidArgumentError(
-                    f"largest_depth = {largest_depth!r}, rings = {rings!r} is not allowed: rings need a largest_depth > 0, and there "
-                    "must be 10 to 1000 of them"
+                    f"largest_depth = {largest_depth!r}, rings = {rings!r} is not allowed: rings need a largest_depth > 0, and "
+                    "there must be 10 to 1000 of them"
                 )
             if isinstance(rings, bool) or not isinstance(rings, (int, np.integer, type(None))):
                 raise ArgumentTypeError(f"rings = {rings!r} is not allowed: it must be a whole number")

@@ -27,11 +27,11 @@ class FrictionLaw(Value):
     largest_depth : > 0 [length]
     smallest_depth : from which on the tolerance holds [length]; None: 1e-4 of the largest
     tolerance : relative, of forces and stiffnesses; 1e-12 to 1e-2
-    continue_beyond : whether larger forces than that at the largest depth are answered too, along the tangent. Else they are refused
+    continue_beyond : whether forces larger than that at the largest depth are answered along the tangent; else they are refused
 
-    On homogeneous bodies (and with Gao's weights, where punches are superposed) it is exact in first shear, sliding, loops and loops
-    inside a loop, with any normal force while the edge slips; an approximation where the contact grows without slip, in a third loop
-    inside a second, and where the shift turns aside. See `first_shear_error` and `path_error`.
+    On homogeneous bodies (and with Gao's weights, where punches are superposed) it is exact in first shear, sliding, loops and
+    loops inside a loop, with any normal force while the edge slips; an approximation where the contact grows without slip, in a
+    third loop inside a second, and where the shift turns aside. See `first_shear_error` and `path_error`.
     """
 
     friction: Friction
@@ -101,8 +101,8 @@ class FrictionLaw(Value):
         forces, shifts = numbers("force", force), numbers("shift", shift)
         if forces.shape != memory.shape or shifts.ndim != 2 or len(shifts) != memory.size or shifts.shape[1] not in (2, 3):
             raise ArgumentTypeError(
-                f"force of shape {forces.shape} and shift of shape {shifts.shape} are not allowed: they must be ({memory.size},) and "
-                f"({memory.size}, 2) or ({memory.size}, 3)"
+                f"force of shape {forces.shape} and shift of shape {shifts.shape} are not allowed: they must be ({memory.size},) "
+                f"and ({memory.size}, 2) or ({memory.size}, 3)"
             )
         in_space = np.zeros((memory.size, 3))
         in_space[:, : shifts.shape[1]] = shifts

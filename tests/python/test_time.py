@@ -180,7 +180,7 @@ def test_table_of_marched_cones(case, body):
 @pytest.mark.parametrize("case", MARCHED)
 @pytest.mark.parametrize(("body", "bound"), [("F1", 3e-7), ("F2", 3e-8)])
 def test_table_of_marched_histories_closely(case, body, bound):
-    """The surface of F2 has no memory of its own; that of F1 has, and where a contact grows again a weak kink moves over its nodes."""
+    """F2's surface has no memory of its own; F1's has, and where a contact grows again a weak kink moves over its nodes."""
     assert marched(case, body, "paraboloid", 1e-7) < (4e-6 if (case, body) == ("march_regrow", "F1") else bound)
 
 

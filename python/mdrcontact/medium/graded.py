@@ -83,8 +83,8 @@ class _Constant:
 class PowerLawGraded(Medium):
     """A half-space with E(z) = E0 (z/z0)^m and constant nu, solved exactly (Hess 2016).
 
-    At the edge of a flat end, r = b, the pressure is infinite for m <= 0 and finite, with a cusp, for m > 0. Nearer to it than 1e-6 b it
-    loses digits: for m = -0.4 it is 5e-4 off at 1e-9 b and 2 % at 1e-12 b, for m = 0.2 2e-7 and 5e-6.
+    At the edge of a flat end, r = b, the pressure is infinite for m <= 0 and finite, with a cusp, for m > 0. Nearer to it than
+    1e-6 b it loses digits: for m = -0.4 it is 5e-4 off at 1e-9 b and 2 % at 1e-12 b, for m = 0.2 2e-7 and 5e-6.
 
     E0 : modulus at the depth z0, > 0 [modulus]
     z0 : > 0 [length]
