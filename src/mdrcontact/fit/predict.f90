@@ -44,16 +44,19 @@ contains
         type(layered_shared_t), intent(inout), optional :: shared
         !> that of ascending_points: the readings y of the data then say which points of an adhesive curve are in contact; without
         !> it the model does: from first touch on approach, until pull-off on retract
-        integer, intent(in), optional :: order(:)
+        integer, intent(in), optional, target :: order(:)
         !> same size as data%x: the contact radii, 0 out of contact; of data of stiffness and depth Oliver and Pharr's [length]
         real(wp), intent(out), optional :: radius(:)
         type(layered_shared_t) :: own
         real(wp), allocatable :: a(:)
+        integer, pointer :: given(:)
 
+        nullify (given)
+        if (present(order)) given => order
         if (present(shared)) then
-            call predict_sharing(problem, values, data, shared, y, a, error, order)
+            call predict_sharing(problem, values, data, shared, y, a, error, given)
         else
-            call predict_sharing(problem, values, data, own, y, a, error, order)
+            call predict_sharing(problem, values, data, own, y, a, error, given)
         end if
         if (.not. present(radius)) return
         radius = 0.0_wp
@@ -69,7 +72,8 @@ contains
         !> the contact radii
         real(wp), allocatable, intent(out) :: a(:)
         type(error_t), allocatable, intent(out) :: error
-        integer, intent(in), optional :: order(:)
+        !> null if it is not given: gfortran 12 computes with the bounds of an absent array
+        integer, pointer, intent(in) :: order(:)
         class(profile_t), allocatable :: profile
         class(medium_t), allocatable :: pressed
         class(medium_t), allocatable, target :: medium
@@ -153,7 +157,7 @@ contains
         real(wp), intent(out) :: y(:)
         real(wp), allocatable, intent(out) :: a(:)
         type(error_t), allocatable, intent(out) :: error
-        integer, intent(in), optional :: order(:)
+        integer, pointer, intent(in) :: order(:)
         type(equilibrium_t) :: equilibrium
         type(force_curve_t) :: curve
         real(wp), allocatable :: d(:), sd(:)
@@ -190,7 +194,7 @@ contains
         if (instrument(at_work_of_adhesion) > 0.0_wp) then
             branch = on_unloading
             if (allocated(data%branch)) branch = data%branch
-            if (present(order)) then
+            if (associated(order)) then
                 sd = 1.0_wp
                 if (allocated(data%sd)) sd = data%sd
                 call separate(order, branch, data%y - instrument(at_force_offset), sd, 0.0_wp, y)

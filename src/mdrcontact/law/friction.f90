@@ -46,7 +46,7 @@ module mdrcontact_law_friction
     !> The law of a contact with friction. It never changes.
     type :: friction_law_t
         !> F and k_t over S, and S over F
-        type(contact_law_t) :: law
+        type(contact_law_t), allocatable :: law
         !> mu [1]
         real(wp) :: coefficient = 0.0_wp
         !> largest error of T found, relative to mu F: in first shear; along cycles of depth and shift against the exact history,
@@ -61,8 +61,8 @@ module mdrcontact_law_friction
     real(wp), parameter :: aside = 0.1_wp
     !> How far from 1 the square of the length of g may come by rounding.
     real(wp), parameter :: drift = 1.0e-13_wp
-    !> Verification: parts of the largest depth, of the shift of sliding; and cycles: steps, shifts in units of the largest mu S,
-    !> cycles of the shift in one of the depth.
+    !> For verification, parts of the largest depth and of the shift of sliding; and cycles: steps, shifts in units of the
+    !> largest mu S, cycles of the shift in one of the depth.
     real(wp), parameter :: depths(*) = [0.01_wp, 0.1_wp, 1.0_wp], parts(*) = [0.05_wp, 0.3_wp, 0.6_wp, 0.9_wp]
     integer, parameter :: steps = 100
     real(wp), parameter :: amplitudes(*) = [0.3_wp, 1.0_wp, 3.0_wp], cycles(*) = [0.5_wp, 1.0_wp, 2.0_wp]
@@ -79,6 +79,7 @@ contains
         !> as of a contact's law
         type(law_options_t), intent(in), optional :: options
 
+        allocate (self%law)
         call new_contact_law(self%law, friction%contact, largest_depth, error, options, friction%tangential)
         self%coefficient = friction%coefficient
         if (.not. allocated(error)) call verify_first_shear(self, friction, largest_depth, error)
