@@ -277,3 +277,15 @@ def test_refusals():
     stiff = friction(mdr.Coated(mdr.Elastic(100.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3)), mdr.PowerLaw(4.0, 1.0))
     with pytest.raises(mdr.DomainError, match="not one disc"), pytest.warns(mdr.NotOneDiscWarning):
         stiff.at_shift(0.1, radius=2.0)
+
+
+def test_energy_by_rings_does_not_grow_with_the_number_of_steps():
+    """A ring in which the contact grows in several steps slips once, not once more in each."""
+    friction = mdr.Friction(mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))), 0.3)
+    corners, depth, shift = np.arange(4), [0.0, 0.01, 0.02, 0.02], [0.0, 0.004, -0.004, 0.0]
+    rows = np.linspace(0.0, 3.0, 3 * 120 + 1)[1:]
+    steps = {"depth": np.interp(rows, corners, depth), "shift": np.interp(rows, corners, shift)}
+    exact = friction.history().advance(**steps).dissipated_energy
+    rings = friction.history(0.02, 20).advance(**steps).dissipated_energy
+    assert np.all(np.diff(rings) >= 0.0)
+    assert np.abs(rings - exact).max() < 0.02 * exact[-1], (rings[119::120], exact[119::120])

@@ -39,6 +39,8 @@ module mdrcontact_history_friction_rings
         !> at the base: the same as above
         real(wp) :: base_depth = 0.0_wp, base_shift = 0.0_wp
         real(wp), allocatable :: base_load(:)
+        !> what the ring in which the contact grows has dissipated since the base, in steps already counted [modulus length^3]
+        real(wp) :: grown = 0.0_wp
         !> after a step: T [modulus length^2], what the step dissipated [modulus length^3], stick radius [length]
         real(wp) :: force = 0.0_wp, dissipated = 0.0_wp, stick_radius = 0.0_wp
     contains
@@ -111,8 +113,9 @@ contains
         !> of the contact [length]
         real(wp), intent(in) :: radius, shift
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable, dimension(:) :: edges, areas, normal, limit, load, offset, before, moved
+        real(wp), allocatable, dimension(:) :: edges, areas, normal, limit, load, offset, before, moved, lost
         real(wp), allocatable :: compliance(:, :)
+        real(wp) :: grown
         integer :: base, known, n
 
         base = size(self%base_load)
@@ -137,7 +140,15 @@ contains
         if (.not. allocated(error)) call minimise_in_box(compliance, shift + offset, limit, load, error)
         if (allocated(error)) return
         moved = matmul(compliance, load) - shift
-        self%dissipated = 0.5_wp*coefficient*sum((before + normal)*abs(moved - offset), mask=abs(load) >= limit)
+        if (radius > self%radius) before(n) = 0.0_wp
+        lost = merge(0.5_wp*coefficient*(before + normal)*abs(moved - offset), 0.0_wp, abs(load) >= limit)
+        if (radius > self%radius) then
+            ! the slip of this ring is that since it touched, whatever the number of steps since then
+            grown = max(self%grown, lost(n))
+            lost(n) = grown - self%grown
+            self%grown = grown
+        end if
+        self%dissipated = sum(lost)
         self%force = sum(load)
         self%stick_radius = stick_radius(edges, 1.0_wp - abs(load)/max(limit, tiny(limit)))
         self%offset = merge(moved, offset, abs(load) >= limit)
@@ -146,6 +157,7 @@ contains
         self%normal = normal
         if (radius > self%radius .and. any(self%radii == radius)) call fill(self, areas)
         if (radius <= self%radius .or. any(self%radii == radius)) then
+            self%grown = 0.0_wp
             self%base_load = self%load
             self%base_depth = state%depth
             self%base_shift = shift
@@ -209,6 +221,7 @@ contains
         self%normal = none
         self%offset = none
         self%base_load = none
+        self%grown = 0.0_wp
         self%base_depth = 0.0_wp
         self%base_shift = shift
         self%radius = 0.0_wp
