@@ -9,6 +9,7 @@ import pytest
 import mdrcontact as mdr
 from mdrcontact.cli import main
 from mdrcontact.cli.example import examples
+from mdrcontact.problem.units import ENERGY, FORCE, LENGTH, parse
 
 PROBLEM = """\
 title = "a ball on oxide"
@@ -89,3 +90,118 @@ def test_the_ready_made_problem(tmp_path):
     problem = tmp_path / "problem.toml"
     problem.write_text(examples()["tin_on_steel"])
     assert main(["friction", str(problem)]) == 0
+
+
+DEPTHS, SHIFTS = np.array([40.0, 60.0, 60.0, 30.0, 50.0, 0.0]), np.array([0.0, 12.0, -8.0, -4.0, 30.0, 0.0])
+HALF_SPACE = 'type = "homogeneous"\nmaterial = { E = "165 GPa", nu = 0.22 }\n[friction]\n'
+
+
+def led(tmp_path, titles, columns, *options, medium=None, keys=""):
+    """The command on a path; without [compute], which it does not need."""
+    lines = [titles, *(",".join(repr(float(x)) for x in row) for row in zip(*columns, strict=True))]
+    (tmp_path / "path.csv").write_text("\n".join(lines) + "\n")
+    text = PROBLEM.split("[compute]")[0] + "[friction]\n"
+    if medium:
+        text = text.split("type = ")[0] + medium
+    problem = tmp_path / "problem.toml"
+    problem.write_text(f'{text}coefficient = 0.2\npath = "path.csv"\n{keys}')
+    return main(["friction", str(problem), *options])
+
+
+def table_of(path):
+    """Columns by name, in SI units."""
+    with path.open() as file:
+        titles, *rows = csv.reader(file)
+    columns = {}
+    for i, title in enumerate(titles):
+        name, _, unit = title.removesuffix("]").partition(" [")
+        columns[name] = np.array([float(row[i]) for row in rows])
+        if unit:
+            columns[name] *= parse(f"1 {unit}", next(d for d in (LENGTH, FORCE, ENERGY) if unit in dict(d.practical)))
+    return columns
+
+
+def test_a_path_on_a_half_space_is_exact(tmp_path, capsys):
+    table, picture = tmp_path / "steps.csv", tmp_path / "path.png"
+    options = "--csv", str(table), "--plot", str(picture)
+    assert led(tmp_path, "depth [nm],shift [nm]", (DEPTHS, SHIFTS), *options, medium=HALF_SPACE) == 0
+    assert "exact springs" in capsys.readouterr().out and picture.read_bytes().startswith(b"\x89PNG")
+    friction = mdr.Friction(mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(165e9, 0.22))), 0.2)
+    expected = friction.history().advance(depth=DEPTHS * 1e-9, shift=SHIFTS * 1e-9)
+    found = table_of(table)
+    assert found["step"].tolist() == [1, 2, 3, 4, 5, 6]
+    force = found["force"]
+    np.testing.assert_allclose(force, friction.contact.at_depth(DEPTHS * 1e-9).force, rtol=1e-12)
+    scale = 0.2 * force.max()
+    np.testing.assert_allclose(found["tangential force"], expected.tangential_force, rtol=0, atol=1e-12 * scale)
+    np.testing.assert_allclose(found["stick radius"], expected.stick_radius, rtol=1e-9, atol=1e-20)
+    np.testing.assert_allclose(found["dissipated energy"], expected.dissipated_energy, rtol=1e-9, atol=1e-22)
+    assert (found["sliding"] > 0.5).tolist() == expected.sliding.tolist() and 0 < expected.sliding.sum() < 6
+    # the same path by forces
+    other = tmp_path / "forces.csv"
+    titles = "normal force [mN],shift [um]"
+    assert led(tmp_path, titles, (force * 1e3, SHIFTS * 1e-3), "--csv", str(other), medium=HALF_SPACE) == 0
+    again = table_of(other)["tangential force"]
+    np.testing.assert_allclose(again, found["tangential force"], rtol=0, atol=1e-9 * scale)
+
+
+def test_a_path_on_a_film_by_rings(tmp_path, capsys):
+    table = tmp_path / "steps.csv"
+    assert led(tmp_path, "depth [nm],shift [nm]", (DEPTHS, SHIFTS), "--csv", str(table), keys="rings = 40\n") == 0
+    words = capsys.readouterr().out
+    assert "40 rings" in words
+    medium = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
+    friction = mdr.Friction(mdr.Contact(mdr.Paraboloid(10e-6), medium), 0.2)
+    # three times the rings and many more steps, straight between the rows
+    rows = np.arange(7)
+    fine = np.linspace(0, 6, 6 * 120 + 1)[1:]
+    depth, shift = (np.interp(fine, rows, [0.0, *path]) * 1e-9 for path in (DEPTHS, SHIFTS))
+    expected = friction.history(depth.max(), 120).advance(depth=depth, shift=shift)
+    found, ends = table_of(table), slice(119, None, 120)
+    scale = 0.2 * friction.contact.at_depth(60e-9).force
+    off = np.abs(found["tangential force"] - expected.tangential_force[ends]).max() / scale
+    lost = expected.dissipated_energy[ends]
+    lost_off = np.abs(found["dissipated energy"] - lost).max() / lost[-1]
+    told = [float(part.split()[0]) for part in words.split(" by ")[1:]]
+    assert 0.0 < told[0] < 5e-3 and 0.0 < told[1] < 5e-2
+    assert off < told[0] and lost_off < told[1], (off, lost_off, told)
+    # the end of each step by its tangential force in place of its shift
+    slides = found["sliding"] > 0.5
+    first = np.flatnonzero(slides)[0]
+    columns = found["force"][:first] * 1e3, found["tangential force"][:first] * 1e6
+    other = tmp_path / "forces.csv"
+    assert first >= 2 and led(tmp_path, "F [mN],T [uN]", columns, "--csv", str(other), keys="rings = 40\n") == 0
+    np.testing.assert_allclose(table_of(other)["shift"], found["shift"][:first], rtol=0, atol=1e-6 * 12e-9)
+
+
+@pytest.mark.parametrize(
+    ("titles", "columns", "keys", "words", "status"),
+    [
+        ("depth [nm],shift", ([1, 2], [0, 1]), "", "the column 'shift' should be the shift, but does not say its unit", 2),
+        ("depth [nm],height [nm]", ([1, 2], [0, 1]), "", "no column is the shift or tangential_force", 2),
+        ("depth [nm],shift [nm]", ([1, -2], [0, 1]), "", "depth = -2e-09 in row 2 of the numbers is not allowed", 2),
+        ("depth [nm],shift [nm]", ([0, 0], [0, 1]), "", "never touch", 2),
+        ("depth [nm],shift [nm]", ([1, 2, 3], [0, np.nan, 1]), "", "row 2 of the numbers has no shift", 2),
+        ("depth [nm],F [mN],shift [nm]", ([1, 2], [1, 2], [0, 1]), "", "both depth and force: say which one leads the path", 2),
+        ("depth [nm],shift [nm]", ([1, 2], [0, 1]), 'normal = "force"\n', "no column is the force", 2),
+        ("depth [nm],shift [nm]", ([1, 2], [0, 1]), "rings = 5\n", "rings = 5 is not allowed", 2),
+        ("depth [nm],shift [nm]", ([1, 2], [0, 1]), 'shifts = ["1 nm"]\n', "not as both shifts and path", 2),
+        ("force [mN],T [mN]", ([1, 2], [0.1, 0.5]), "", "row 2 of the numbers: tangential_force = 5e-04", 1),
+    ],
+)
+def test_faults_of_paths(tmp_path, capsys, titles, columns, keys, words, status):
+    assert led(tmp_path, titles, columns, keys=keys) == status
+    error = capsys.readouterr().err
+    assert words in error and len(error.splitlines()) == 1
+
+
+def test_keys_of_a_path_without_one_and_no_file(tmp_path, capsys):
+    assert run(tmp_path, "coefficient = 0.2\nrings = 50\n") == 2
+    assert "'rings'" in capsys.readouterr().err
+    assert run(tmp_path, 'coefficient = 0.2\npath = "none.csv"\n') == 2
+    assert "none.csv: it cannot be read" in capsys.readouterr().err
+
+
+def test_a_table_with_depth_and_force(tmp_path):
+    columns = [1, 2], [0.01, 0.02], [0, 1]
+    assert led(tmp_path, "depth [nm],F [mN],shift [nm]", columns, keys='normal = "force"\n', medium=HALF_SPACE) == 0

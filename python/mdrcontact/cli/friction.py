@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact friction`: fretting loops of a contact with friction and the energy they dissipate."""
+"""`mdrcontact friction`: fretting loops or a path of a contact with friction, and the energy it dissipates."""
 
 from __future__ import annotations
 
 import argparse
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,8 @@ from ..problem import ProblemError, load
 from ..problem.units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, told
 from . import files
 from .cycles import Cycles, cycles
-from .friction_figure import friction_figure
+from .friction_figure import friction_figure, path_figure
+from .friction_path import Led, lead
 from .table import Column, as_csv, as_text, column
 
 _DESCRIPTION = """\
@@ -29,6 +31,18 @@ The problem file has one table more than for the other commands:
     coefficient = 0.3
     shifts = ["5 nm", "10 nm", "20 nm"]       # amplitudes; or tangential_forces = ["1 mN", ...];
                                               # without either from 1 % to 150 % of the shift of sliding
+
+or a path on which the normal load changes too, from a table with columns such as "depth [nm]" or "force [mN]", and "shift [nm]" or
+"tangential force [mN]"; [compute] is not needed:
+
+    [friction]
+    coefficient = 0.3
+    path = "path.csv"           # each row is a step, the first one from touch at shift 0 on
+    normal = "depth"            # or force: which leads, for a table with both
+    tangential = "shift"        # or tangential_force
+    rings = 100                 # where springs interact (coated, layered, graded bodies)
+
+It is exact on homogeneous bodies. On others the error is stated: the difference from half the rings and half the steps.
 """
 
 _ROWS = 24
@@ -38,11 +52,11 @@ def add(subparsers: Any) -> None:
     """Adds the command to the command line."""
     parser = subparsers.add_parser(
         "friction",
-        help="fretting loops: partial slip, sliding, dissipated energy",
+        help="fretting loops or any path: partial slip, sliding, dissipated energy",
         description=_DESCRIPTION,
     )
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [friction]")
-    files.add_options(parser, "amplitudes, forces, stick radii and energies")
+    files.add_options(parser, "forces, stick radii and energies of amplitudes or steps")
     parser.set_defaults(run=run)
 
 
@@ -52,14 +66,19 @@ def run(arguments: argparse.Namespace) -> None:
     problem = load(arguments.problem)
     if problem.friction is None:
         raise ProblemError(f"{arguments.problem}: the table [friction] is missing: write it with coefficient = 0.3")
-    found = cycles(problem, problem.friction, with_loops=bool(arguments.plot))
-    table = columns(found)
-    print(f"{problem.title}\n\n{_words(found)}\n\n{as_text(table, _ROWS)}")
+    picture = bool(arguments.plot)
+    if problem.friction.path is None:
+        found = cycles(problem, problem.friction, with_loops=picture)
+        words, table, draw = _words(found), columns(found), partial(friction_figure, problem, found)
+    else:
+        led = lead(problem, problem.friction, problem.friction.path)
+        words, table, draw = _path_words(led), path_columns(led), partial(path_figure, problem, led)
+    print(f"{problem.title}\n\n{words}\n\n{as_text(table, _ROWS)}")
     results = {}
     if arguments.csv:
         results[arguments.csv] = as_csv(table)
-    if arguments.plot:
-        results[arguments.plot] = friction_figure(problem, found, files.figure_format(arguments.plot))
+    if picture:
+        results[arguments.plot] = draw(files.figure_format(arguments.plot))
     files.write(results, arguments.overwrite)
 
 
@@ -75,6 +94,39 @@ def columns(found: Cycles) -> list[Column]:
         column("stiffness", np.asarray(turns.stiffness), STIFFNESS),
         column("energy of a cycle", found.energies, ENERGY),
     ]
+
+
+def path_columns(led: Led) -> list[Column]:
+    """What the table shows of a path."""
+    shear = led.shear
+    return [
+        column("step", np.arange(1.0, len(np.asarray(shear.shift)) + 1.0), RATIO),
+        column("depth", np.asarray(led.state.depth), LENGTH),
+        column("force", np.asarray(led.state.force), FORCE),
+        column("shift", np.asarray(shear.shift), LENGTH),
+        column("tangential force", np.asarray(shear.tangential_force), FORCE),
+        column("stick radius", np.asarray(shear.stick_radius), LENGTH),
+        column("dissipated energy", np.asarray(shear.dissipated_energy), ENERGY),
+        column("sliding", np.asarray(shear.sliding, dtype=float), RATIO),
+    ]
+
+
+def _path_words(led: Led) -> str:
+    forces = np.asarray(led.shear.tangential_force)
+    steps, sliding = len(forces), int(np.count_nonzero(led.shear.sliding))
+    largest = int(np.argmax(np.abs(forces)))
+    means = (
+        f"{led.rings} rings; from half the rings and steps T differs by {led.force_error:.1g} of the largest mu F, the "
+        f"dissipated energy by {led.energy_error:.1g} of its end value"
+        if led.rings
+        else "exact springs"
+    )
+    return (
+        f"path of {steps} steps, {sliding} of them end in sliding; coefficient of friction {led.friction.coefficient:g}\n"
+        f"largest tangential force {told(forces[largest], FORCE)} in step {largest + 1}, dissipated energy "
+        f"{told(np.asarray(led.shear.dissipated_energy)[-1], ENERGY)}\n"
+        f"{means}"
+    )
 
 
 def _words(found: Cycles) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The figure of the command `friction`: loops, and the energy of a cycle against its amplitude."""
+"""The figures of the command `friction`: loops, and the energy of a cycle against its amplitude; a path, and its energy."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from ..problem import Problem
 from ..problem.units import ENERGY, FORCE, LENGTH, practical
 from .cycles import Cycles
 from .figures import COLOURS, _figure, _render, _style
+from .friction_path import Led
 
 
 def friction_figure(problem: Problem, found: Cycles, form: str) -> bytes:
@@ -34,4 +35,36 @@ def friction_figure(problem: Problem, found: Cycles, form: str) -> bytes:
             "sliding", (float(along.of(found.sliding_shift)), 0.02), xycoords=("data", "axes fraction"), ha="right", color="#707070"
         )
         axes[1].set(xlabel=f"amplitude of the shift [{along.symbol}]", ylabel=f"energy of a cycle [{energy.symbol}]")
+        return _render(figure, form)
+
+
+def path_figure(problem: Problem, led: Led, form: str) -> bytes:
+    """Tangential force against shift along a path, and against the steps T between -mu F and mu F, and the energy dissipated."""
+    with _style():
+        figure, axes = _figure(problem.title, 1, 3, (12.0, 4.0))
+        shift, force, lost = (
+            np.concatenate([[0.0], np.asarray(values, dtype=float)])
+            for values in (led.shear.shift, led.shear.tangential_force, led.shear.dissipated_energy)
+        )
+        limit = led.friction.coefficient * np.concatenate([[0.0], np.asarray(led.state.force)])
+        steps = np.arange(len(shift))
+        length, newton, energy = practical(LENGTH, shift), practical(FORCE, np.concatenate([force, limit])), practical(ENERGY, lost)
+        slides = np.concatenate([[False], np.asarray(led.shear.sliding)])
+        axes[0].plot(length.of(shift), newton.of(force), color=COLOURS[0])
+        axes[0].plot(length.of(shift[slides]), newton.of(force[slides]), "o", color=COLOURS[1], markersize=3, label="sliding")
+        axes[0].plot(length.of(shift[-1]), newton.of(force[-1]), "s", color="#000000", markersize=4, label="end")
+        axes[0].set(xlabel=f"shift s [{length.symbol}]", ylabel=f"tangential force T [{newton.symbol}]")
+        axes[0].legend()
+        axes[1].fill_between(
+            steps,
+            -newton.of(limit),
+            newton.of(limit),
+            color="#eeeeee",
+            label="within \N{PLUS-MINUS SIGN}\N{GREEK SMALL LETTER MU}F",
+        )
+        axes[1].plot(steps, newton.of(force), color=COLOURS[0])
+        axes[1].set(xlabel="step", ylabel=f"tangential force T [{newton.symbol}]")
+        axes[1].legend()
+        axes[2].plot(steps, energy.of(lost), color=COLOURS[2])
+        axes[2].set(xlabel="step", ylabel=f"dissipated energy [{energy.symbol}]", ylim=(0, None))
         return _render(figure, form)

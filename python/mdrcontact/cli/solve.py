@@ -21,7 +21,7 @@ from .table import Column, column
 Array = NDArray[np.float64]
 
 _CHUNKS = 50
-_PATIENCE = 2.0
+PATIENCE = 2.0
 """Seconds without a word to the user."""
 
 
@@ -48,7 +48,7 @@ class Curve(NamedTuple):
 def progress(curves: int, control: Control) -> Iterator[Any]:
     """A bar on the terminal for that many curves, shown once the work has taken long enough to wonder about."""
     total = curves * len(control.values)
-    with tqdm(total=total, unit="states", delay=_PATIENCE, disable=None, leave=False) as bar:
+    with tqdm(total=total, unit="states", delay=PATIENCE, disable=None, leave=False) as bar:
         yield bar
 
 

@@ -56,25 +56,32 @@ def read(table: dict[str, Any], title: str = "", folder: Path = Path()) -> Probl
     """The problem that the tables of a problem file describe; files that it names lie in `folder`."""
     whole = Section(table, "the file", _TABLES)
     sections = {}
-    path = None
+    path = sliding = None
     if "history" in table:
         path = history.read_history(Section(table["history"], "history", history.KNOWN), folder)
+    if "friction" in table:
+        sliding = friction.read_friction(Section(table["friction"], "friction", friction.KNOWN), folder)
+    way = path or (sliding and sliding.path)
     for name, known in (("indenter", indenter.KNOWN), ("medium", medium.KNOWN), ("compute", compute.KNOWN)):
-        if name == "compute" and path is not None and name not in table:
+        if name == "compute" and way and name not in table:
             continue
         if name not in table:
             raise ProblemError(f"the table [{name}] is missing: a problem has [indenter], [medium] and [compute]")
         sections[name] = Section(table[name], name, known)
     shape = sections["indenter"]
+    if "compute" in sections or not way:
+        control = compute.read_control(sections["compute"])
+    else:
+        control = Control(way.name, way.values.max(keepdims=True))
     if "title" in whole:
         title = str(whole.plain("title"))
     return Problem(
         title,
         indenter.read_indenter(shape),
         medium.read_medium(sections["medium"], shape),
-        compute.read_control(sections["compute"]) if "compute" in sections else history.control_of(path),
+        control,
         adhesion.read_adhesion(Section(table["adhesion"], "adhesion", adhesion.KNOWN)) if "adhesion" in table else None,
         strength.read_strength(Section(table["strength"], "strength", strength.KNOWN)) if "strength" in table else None,
-        friction.read_friction(Section(table["friction"], "friction", friction.KNOWN)) if "friction" in table else None,
+        sliding,
         path,
     )

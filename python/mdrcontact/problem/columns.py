@@ -70,22 +70,27 @@ class MeasuredTable(NamedTuple):
 
     def find(self, role: str, aliases: Sequence[str], dimension: Dimension) -> str:
         """The column whose name, without unit, is one of the aliases and whose unit fits; a refusal names the true reason."""
-        nearly = None
-        for title in self.titles:
-            bare = _BRACKETS.fullmatch(title)
-            named = name_of(title, dimension) if title not in self.units else bare[1] if bare else title
-            if named.lower() not in aliases:
-                continue
+        named = self.named(aliases, dimension)
+        for title in named:
             if self.unit_of(title, dimension) is not None:
                 return title
-            nearly = nearly or title
-        if nearly:
+        if named:
             raise ProblemError(
-                f"{self.path}: the column {nearly!r} should be the {role}, but does not say its unit: "
-                f"{self._remedy(nearly, dimension)}"
+                f"{self.path}: the column {named[0]!r} should be the {role}, but does not say its unit: "
+                f"{self._remedy(named[0], dimension)}"
             )
         titles = ", ".join(repr(t) for t in self.titles)
         raise ProblemError(f'{self.path}: no column is the {role}: name it in [data], as in {role} = "..."; there are {titles}')
+
+    def named(self, aliases: Sequence[str], dimension: Dimension) -> list[str]:
+        """The columns whose name, without unit, is one of the aliases."""
+        found = []
+        for title in self.titles:
+            bare = _BRACKETS.fullmatch(title)
+            name = name_of(title, dimension) if title not in self.units else bare[1] if bare else title
+            if name.lower() in aliases:
+                found.append(title)
+        return found
 
     def unit_of(self, title: str, dimension: Dimension) -> str | None:
         """The unit of a column if it is one of that dimension; "" for plain numbers."""
@@ -102,7 +107,7 @@ class MeasuredTable(NamedTuple):
         unit = dimension.example.split()[-1]
         if title in self.units:
             return f"{self.units[title]!r} is no unit of {dimension.name}"
-        return f'write it as in "{title} [{unit}]", or in the problem file: [data] units = {{ "{title}" = "{unit}" }}'
+        return f'write it as in "{title} [{unit}]", or, for a fit, in the problem file: [data] units = {{ "{title}" = "{unit}" }}'
 
 
 def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable:
@@ -271,8 +276,8 @@ def _header(path: Path, above: Sequence[Sequence[str]], width: int) -> tuple[lis
     if not rows:
         shorter = f", but {len(words[-1])} words" if words and len(words[-1]) > 1 else ""
         raise ProblemError(
-            f"{path}: no line above the numbers has names for the {width} columns{shorter}: name them in [data], as in columns = "
-            '["depth [nm]", "load [mN]"]'
+            f"{path}: no line above the numbers has names for the {width} columns{shorter}: write such a line, or, for a fit, name "
+            'them in [data], as in columns = ["depth [nm]", "load [mN]"]'
         )
     padded = [(row + width * [""])[:width] for row in rows]
     bare = [cell.strip("[]() ") for cell in padded[-1]]

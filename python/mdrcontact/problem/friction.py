@@ -3,36 +3,141 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
+from .columns import MeasuredTable, read_table
 from .section import ProblemError, Section
 from .units import FORCE, LENGTH, Dimension
 
-KNOWN: Mapping[str, Dimension | None] = {"coefficient": None, "shifts": LENGTH, "tangential_forces": FORCE}
+KNOWN: Mapping[str, Dimension | None] = {
+    "coefficient": None,
+    "shifts": LENGTH,
+    "tangential_forces": FORCE,
+    "path": None,
+    "normal": None,
+    "tangential": None,
+    "rings": None,
+}
+
+_NORMAL = {
+    "depth": (("depth", "d", "indentation"), LENGTH),
+    "force": (("force", "normal force", "normal_force", "load", "f"), FORCE),
+}
+_TANGENTIAL = {
+    "shift": (("shift", "s", "tangential displacement", "tangential_displacement"), LENGTH),
+    "tangential_force": (("tangential force", "tangential_force", "t"), FORCE),
+}
+"""Names of columns, and what they hold."""
+_FEWEST_RINGS, _MOST_RINGS = 20, 1000
+
+
+class SlidingPath(NamedTuple):
+    """A path of normal and tangential loading, row by row from the bodies' first touch on; SI units."""
+
+    file: Path
+    name: str
+    """"depth" or "force": what is prescribed of the normal load"""
+    values: NDArray[np.float64]
+    along: str
+    """"shift" or "tangential_force": what is prescribed along the surface"""
+    along_values: NDArray[np.float64]
+    rings: int | None
+    """None: 100 where the springs interact, none elsewhere"""
 
 
 class Sliding(NamedTuple):
-    """Coefficient of friction, and the amplitudes of cycles; SI units."""
+    """Coefficient of friction, and the amplitudes of cycles or a path; SI units."""
 
     coefficient: float
     control: str
     """"shift" or "force": what the amplitudes are"""
     amplitudes: tuple[float, ...]
     """ascending; empty if the file gives none"""
+    path: SlidingPath | None = None
 
 
-def read_friction(section: Section) -> Sliding:
-    """What [friction] says."""
+def read_friction(section: Section, folder: Path) -> Sliding:
+    """What [friction] says; the file of a path lies in `folder`."""
     coefficient = section.number("coefficient")
-    given = [key for key in ("shifts", "tangential_forces") if key in section]
+    given = [key for key in ("shifts", "tangential_forces", "path") if key in section]
     if len(given) > 1:
-        raise ProblemError(f"[{section.path}]: give amplitudes as shifts or as tangential_forces, not as both")
+        raise ProblemError(
+            f"[{section.path}]: give amplitudes as shifts or as tangential_forces, or a path, not as both {given[0]} and {given[1]}"
+        )
     if not coefficient > 0.0:
         raise ProblemError(f"[{section.path}]: coefficient = {coefficient!r} is not allowed: it must be greater than 0")
+    if given == ["path"]:
+        return Sliding(coefficient, "shift", (), _read_path(section, folder))
+    section.only(("coefficient", "shifts", "tangential_forces"), "amplitudes of cycles, it goes with path")
     if not given:
         return Sliding(coefficient, "shift", ())
     amplitudes = section.quantities(given[0])
     if not amplitudes or amplitudes[0] <= 0.0 or any(b <= a for a, b in zip(amplitudes, amplitudes[1:], strict=False)):
         raise ProblemError(f"[{section.path}]: {given[0]} must be an ascending list with at least one value, all greater than 0")
     return Sliding(coefficient, "shift" if given[0] == "shifts" else "force", tuple(amplitudes))
+
+
+def _read_path(section: Section, folder: Path) -> SlidingPath:
+    name = section.plain("path")
+    if not isinstance(name, str):
+        raise ProblemError(f'[{section.path}]: path = {name!r} is not the name of a table: write it as in path = "path.csv"')
+    rings = None
+    if "rings" in section:
+        rings = section.count("rings", default=_FEWEST_RINGS, largest=_MOST_RINGS)
+        if rings < _FEWEST_RINGS:
+            raise ProblemError(
+                f"[{section.path}]: rings = {rings} is not allowed: it must be a whole number from {_FEWEST_RINGS} to {_MOST_RINGS}"
+            )
+    table = read_table(folder / name)
+    normal, values = _column(section, table, "normal", _NORMAL)
+    along, along_values = _column(section, table, "tangential", _TANGENTIAL)
+    # spreadsheets leave empty rows at the end
+    last = np.flatnonzero(np.isfinite(values) | np.isfinite(along_values))[-1:] + 1
+    values, along_values = (column[: int(last.sum())] for column in (values, along_values))
+    for what, column in ((normal, values), (along, along_values)):
+        for row in np.flatnonzero(~np.isfinite(column))[:1]:
+            raise ProblemError(f"{table.path}: row {row + 1} of the numbers has no {what}: each row is a step and needs one")
+    for row in np.flatnonzero(values < 0.0)[:1]:
+        raise ProblemError(
+            f"{table.path}: {normal} = {values[row]:g} in row {row + 1} of the numbers is not allowed: it must be 0 or more, "
+            "0 where the bodies part"
+        )
+    if not np.any(values > 0.0):
+        raise ProblemError(f"{table.path}: the bodies never touch: at least one {normal} must be greater than 0")
+    return SlidingPath(table.path, normal, values, along, along_values, rings)
+
+
+def _column(
+    section: Section, table: MeasuredTable, key: str, kinds: Mapping[str, tuple[tuple[str, ...], Dimension]]
+) -> tuple[str, NDArray[np.float64]]:
+    """Which of two quantities a table prescribes, and its values."""
+    there = {kind: [*_titles(table, aliases, dimension)] for kind, (aliases, dimension) in kinds.items()}
+    named = [kind for kind in kinds if there[kind]]
+    first, second = kinds
+    if key not in section and len(named) > 1:
+        raise ProblemError(
+            f"{table.path}: it has both {first} and {second}: say which one leads the path, as in [{section.path}] "
+            f'{key} = "{first}"'
+        )
+    kind = section.choice(key, kinds, default=named[0] if named else first)
+    aliases, dimension = kinds[kind]
+    if not there[kind]:
+        wanted = kind if key in section else f"{first} or {second}"
+        raise ProblemError(
+            f'{table.path}: no column is the {wanted}: name one so, with its unit, as in "{kind} '
+            f'[{dimension.example.split()[-1]}]"; there are {", ".join(map(repr, table.titles))}'
+        )
+    values, _ = table.column(table.find(kind, aliases, dimension), dimension)
+    return kind, values
+
+
+def _titles(table: MeasuredTable, aliases: Sequence[str], dimension: Dimension) -> Iterator[str]:
+    """Columns of one of these names, but for those that a row of units makes another quantity: t may be a time."""
+    for title in table.named(aliases, dimension):
+        if title not in table.units or table.unit_of(title, dimension) is not None:
+            yield title

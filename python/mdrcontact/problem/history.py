@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .columns import read_table
-from .compute import Control
 from .section import ProblemError, Section
 from .units import FORCE, LENGTH, TIME, Dimension
 
@@ -44,12 +43,6 @@ class HistoryPath(NamedTuple):
     name: str
     time: NDArray[np.float64]
     values: NDArray[np.float64]
-
-
-def control_of(path: HistoryPath | None) -> Control:
-    """The largest value of a path, for a file without [compute]."""
-    assert path is not None
-    return Control(path.name, np.array([path.values.max()]))
 
 
 def read_history(section: Section, folder: Path) -> HistoryPath:
