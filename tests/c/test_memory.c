@@ -19,6 +19,8 @@ enum { COUNT = 200000, LARGE_TEXT = 300000, NUMBERS = 12 };
 static double in[COUNT], out[COUNT];
 static char large_text[LARGE_TEXT + 1];
 static int labels[100 * 100 * 10];
+static mdr_state states[COUNT];
+static mdr_tangential_state sheared[COUNT];
 
 static void refuse_large_requests(void)
 {
@@ -36,6 +38,8 @@ int main(void)
     mdr_medium *m = NULL;
     mdr_contact *c = NULL;
     mdr_law *law = NULL;
+    mdr_friction *friction = NULL;
+    mdr_friction_history *path = NULL, *rings = NULL;
     mdr_medium *table = NULL, *relaxing = NULL;
     mdr_material *polymer = NULL;
     mdr_contact *in_time = NULL;
@@ -49,6 +53,10 @@ int main(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
     CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
+    CHECK_SUCCESS(mdr_friction_new(c, 0.3, &friction));
+    CHECK_SUCCESS(mdr_friction_history_new(friction, 0.0, 0, &path));
+    CHECK_SUCCESS(mdr_friction_history_advance(path, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, &(double){0.01}, &(double){1e-3}, states,
+                                               sheared));
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, &modulus, &relaxation_time, 0.0, 0.3, 0.0, &polymer));
     CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, polymer, MDR_MODEL_EXACT, NULL, &relaxing));
     CHECK_SUCCESS(mdr_contact_new(p, relaxing, NULL, &in_time));
@@ -84,6 +92,9 @@ int main(void)
     CHECK_STATUS(mdr_contact_history(in_time, MDR_GIVEN_DEPTH, 1e-5, COUNT, in, in, NULL, NULL, out), MDR_ENOMEMORY, "memory");
     CHECK_STATUS(mdr_contact_dynamic_stiffness(in_time, COUNT, in, in, out, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_step_response(in_time, MDR_STEP_CREEP, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_friction_states(friction, states, MDR_GIVEN_SHIFT, COUNT, in, sheared), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_friction_history_advance(path, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, COUNT, in, in, states, sheared), MDR_ENOMEMORY,
+                 "memory");
     for (int i = 0; i < COUNT; i += 1000) CHECK_CLOSE(out[i], untouched, 0.0);
     /* objects whose size the caller chooses */
     CHECK_STATUS(mdr_law_read(large_text, LARGE_TEXT, &law), MDR_ENOMEMORY, "not enough memory");
@@ -92,13 +103,16 @@ int main(void)
     CHECK_STATUS(mdr_medium_table(COUNT, in, in, &table), MDR_ENOMEMORY, "no memory");
     CHECK_STATUS(mdr_fit_predict(&problem, COUNT, in, in, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_structure_voxels(size, labels, 1, in + 1, in, in + 1, 1.0, 0.3, NULL, &voxels), MDR_ENOMEMORY, "memory");
-    CHECK_TRUE(law == NULL && table == NULL && voxels == NULL);
+    CHECK_STATUS(mdr_friction_history_new(friction, 0.1, 1000, &rings), MDR_ENOMEMORY, "memory");
+    CHECK_TRUE(rings == NULL && law == NULL && table == NULL && voxels == NULL);
     /* this needs no memory of the array's size */
     CHECK_SUCCESS(mdr_weight_i0(COUNT, in, 0.3, out));
     grant_all_requests();
 
     CHECK_SUCCESS(mdr_contact_from_radius(c, COUNT, in, NULL, NULL, out, NULL));
     CHECK_CLOSE(out[COUNT - 1], 4.0 / 3.0 / 0.91 * pow(in[COUNT - 1], 3), 1e-12);
+    CHECK_SUCCESS(mdr_friction_history_free(&path));
+    CHECK_SUCCESS(mdr_friction_free(&friction));
     CHECK_SUCCESS(mdr_contact_free(&c));
     CHECK_SUCCESS(mdr_contact_free(&in_time));
     CHECK_SUCCESS(mdr_medium_free(&relaxing));

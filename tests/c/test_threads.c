@@ -4,7 +4,7 @@
 
 #include <pthread.h>
 
-enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 11 * POINTS };
+enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 15 * POINTS };
 
 typedef struct task {
     const mdr_profile *profile;
@@ -12,11 +12,37 @@ typedef struct task {
     const mdr_contact *contact;
     const mdr_material *material;
     const mdr_contact *relaxing;
+    const mdr_friction *friction;
     int number;
     int failed_calls;
     int wrong_texts;
     double values[VALUES];
 } task;
+
+/* A path of a contact with friction, and of a copy that turns back half way, each owned by this thread. */
+static int lead(const mdr_friction *friction, double *v)
+{
+    const double depth[POINTS] = {0.02, 0.05, 0.08, 0.06, 0.1, 0.01}, shift[POINTS] = {0.0, 0.01, 0.005, -0.01, 0.03, 0.0};
+    mdr_friction_history *there = NULL, *back = NULL;
+    mdr_state states[POINTS];
+    mdr_tangential_state out[POINTS];
+    int failed = 0;
+
+    failed += mdr_friction_history_new(friction, 0.1, 20, &there) != MDR_SUCCESS;
+    for (int i = 0; i < POINTS; i++) {
+        if (i == 3) failed += mdr_friction_history_copy(there, &back) != MDR_SUCCESS;
+        failed += mdr_friction_history_advance(there, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, depth + i, shift + i, states, out + i)
+                  != MDR_SUCCESS;
+        v[i] = out[i].tangential_force;
+        v[POINTS + i] = out[i].dissipated_energy;
+    }
+    failed += mdr_friction_history_free(&there) != MDR_SUCCESS;
+    failed += mdr_friction_history_advance(back, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 2, depth, shift, states, out) != MDR_SUCCESS;
+    failed += mdr_friction_history_free(&back) != MDR_SUCCESS;
+    v[2 * POINTS] = out[1].tangential_force;
+    v[3 * POINTS] = out[1].dissipated_energy;
+    return failed;
+}
 
 /* Every evaluation there is, into task->values. */
 static void evaluate(task *t)
@@ -37,6 +63,7 @@ static void evaluate(task *t)
     failed += mdr_material_relaxation(t->material, POINTS, a, v + 8 * POINTS) != MDR_SUCCESS;
     failed += mdr_contact_history(t->relaxing, MDR_GIVEN_DEPTH, 1e-5, POINTS, a, d, NULL, NULL, v + 9 * POINTS) != MDR_SUCCESS;
     failed += mdr_contact_dynamic_stiffness(t->relaxing, 1, a, a, v + 10 * POINTS, v + 10 * POINTS + 1) != MDR_SUCCESS;
+    failed += lead(t->friction, v + 11 * POINTS);
     t->failed_calls += failed;
 }
 
@@ -67,7 +94,9 @@ int main(int argc, char **argv)
     const int model = argc > 1 ? MDR_MODEL_EXACT : MDR_MODEL_GAO;
     mdr_profile *profile = NULL;
     mdr_medium *medium = NULL;
-    mdr_contact *contact = NULL, *relaxing = NULL;
+    mdr_contact *contact = NULL, *relaxing = NULL, *sheared = NULL;
+    mdr_medium *film = NULL;
+    mdr_friction *friction = NULL;
     mdr_material *material = NULL;
     mdr_medium *gel = NULL;
     const double modulus = 2.0, relaxation_time = 0.5, thickness = 0.5;
@@ -80,6 +109,10 @@ int main(int argc, char **argv)
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, &modulus, &relaxation_time, 0.0, 0.3, 0.0, &material));
     CHECK_SUCCESS(mdr_medium_viscoelastic(1, (const mdr_material *const[]){material}, &thickness, NULL, MDR_MODEL_EXACT, NULL, &gel));
     CHECK_SUCCESS(mdr_contact_new(profile, gel, NULL, &relaxing));
+    CHECK_SUCCESS(mdr_medium_coated(72.0, 0.17, 0.5, 165.0, 0.22, MDR_MODEL_EXACT, NULL, &film));
+    CHECK_SUCCESS(mdr_contact_new(profile, film, NULL, &sheared));
+    CHECK_SUCCESS(mdr_friction_new(sheared, 0.3, &friction));
+    alone.friction = friction;
     alone.material = material;
     alone.relaxing = relaxing;
     alone.profile = profile;
@@ -91,6 +124,7 @@ int main(int argc, char **argv)
     }
     evaluate(&alone);
     CHECK_INT(alone.failed_calls, 0);
+    CHECK_TRUE(alone.values[13 * POINTS - 1] > 0.0);
     CHECK_STATUS(mdr_profile_paraboloid(-77.0, &profile), MDR_EINVALID, "radius = -77");
 
     for (int i = 0; i < THREADS; i++) CHECK_INT(pthread_create(&threads[i], NULL, run, &tasks[i]), 0);
@@ -102,6 +136,9 @@ int main(int argc, char **argv)
     }
     CHECK_SUCCESS(mdr_contact_free(&contact));
     CHECK_SUCCESS(mdr_contact_free(&relaxing));
+    CHECK_SUCCESS(mdr_friction_free(&friction));
+    CHECK_SUCCESS(mdr_contact_free(&sheared));
+    CHECK_SUCCESS(mdr_medium_free(&film));
     CHECK_SUCCESS(mdr_medium_free(&gel));
     CHECK_SUCCESS(mdr_material_free(&material));
     CHECK_SUCCESS(mdr_medium_free(&medium));

@@ -8,7 +8,7 @@
 module mdrcontact_history_friction_rings
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: error_domain, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, error_domain, error_t, raise, to_text
     use mdrcontact_history_friction_box, only: minimise_in_box
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t
@@ -56,10 +56,12 @@ contains
         real(wp), intent(in) :: largest_radius
         integer, intent(in) :: count
         type(error_t), allocatable, intent(out) :: error
-        integer :: i
+        integer :: i, stat
 
         self%radii = [(largest_radius*real(i, wp)/real(count, wp), i=1, count)]
-        allocate (self%products(count, count))
+        allocate (self%products(count, count), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         do i = 1, count
             call tangential%disc_products(self%radii(i), self%radii(:i), self%products(:i, i), error)
             if (allocated(error)) return
