@@ -135,13 +135,15 @@ static void options_begin_with_their_size(void)
     CHECK_STATUS(mdr_medium_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m), MDR_EINVALID, "size = 0");
 }
 
-/* What is no handle at all is refused by its first bytes. */
+/* What is no handle at all, zeros or a caller's own numbers, is refused by its first bytes: nothing behind them is followed. */
 static void what_is_no_handle_is_refused(void)
 {
-    static double anything[64];
+    static double anything[128];
     const double r = 1.0;
     double out = 0.0;
 
+    CHECK_STATUS(mdr_profile_height((const mdr_profile *)anything, 1, &r, &out), MDR_EINVALID, "is not an mdr_profile handle");
+    for (int i = 0; i < 128; i++) anything[i] = 1.0;
     CHECK_STATUS(mdr_profile_height((const mdr_profile *)anything, 1, &r, &out), MDR_EINVALID, "is not an mdr_profile handle");
 }
 
