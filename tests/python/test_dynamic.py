@@ -52,6 +52,20 @@ def test_intervals_at_zero_depth_hold_the_truth():
     assert inside >= 16
 
 
+def test_the_error_of_the_tip_is_in_the_modulus_at_zero_depth():
+    """S/(2 a) of a homogeneous body under a rigid tip: the modulus goes as the area to the power -1/2, at zero depth too."""
+    stiff = mdr.Homogeneous(mdr.Elastic(OXIDE.E, OXIDE.nu))
+    a = np.linspace(60e-9, 400e-9, 12)
+    stiffness = 2.0 * a * float(stiff.modulus(1.0))
+    force = 9e9 * np.pi * a**2
+    data = mdr.StiffnessDepth(a * np.sqrt(np.pi / 24.5) + 0.75 * force / stiffness, force, stiffness, relative_sd=1e-6)
+    free = {"E": None, "area_factor": mdr.Free(prior=(1.0, 0.02))}
+    found = mdr.modulus_at_depths(data, TIP, stiff, free)
+    moved = OXIDE.E * (1.0 - 1.02**-0.5)
+    assert found.common_error == pytest.approx(np.full(12, moved), rel=1e-5)
+    assert found.at_zero_error == pytest.approx(moved, rel=1e-5)
+
+
 def test_a_joint_prior_is_a_common_error_too():
     data = dynamic(0.01, points=12)
     alone = {"coating.E": None, "area_factor": mdr.Free(prior=(1.0, 0.02)), "thickness": mdr.Free(prior=(500e-9, 1e-8))}

@@ -8,7 +8,7 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
-from mdrcontact.problem import ProblemError, load, read
+from mdrcontact.problem import ProblemError, load, read, units
 from mdrcontact.problem.units import ANGLE, FORCE, LENGTH, MODULUS, UnitError, is_unit, parse, practical
 
 GOOD = """
@@ -110,6 +110,13 @@ def test_endless_units_are_refused_at_once(unit):
         with pytest.raises(UnitError, match="characters"):
             parse(text, LENGTH)
     assert time.process_time() - start < 0.5
+
+
+@pytest.mark.parametrize("dimension", [d for d in vars(units).values() if isinstance(d, units.Dimension) and d is not units.RATIO])
+def test_units_mean_the_same_written_and_read(dimension):
+    factors = [factor for _, factor in dimension.practical]
+    assert [parse(f"1 {name}", dimension) for name, _ in dimension.practical] == pytest.approx(factors, rel=1e-15)
+    assert parse(f"1 {dimension.si}", dimension) == 1.0
 
 
 def test_practical_units():

@@ -142,6 +142,17 @@ def test_dynamic_stiffness_of_one_body_under_several_names():
     assert held.dynamic_stiffness(1.0, depth=resting.depth) == pytest.approx(held.dynamic_stiffness(1.0, force=0.5), rel=1e-10)
 
 
+def test_a_depth_leads_to_the_radius_of_power_laws_by_their_shear_moduli():
+    """Film and base whose moduli keep their ratio at all times are at a depth what elastic ones of that ratio are."""
+    film, base = mdr.PowerLawRheology(1.0, 1.0, 0.3, nu=0.5), mdr.PowerLawRheology(4.0, 1.0, 0.3, nu=0.1)
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(film, 1.0, base))
+    elastic = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(of_shear(1.0, 0.5), 1.0, of_shear(4.0, 0.1)))
+    radius = elastic.at_depth(0.5).radius
+    found = contact.dynamic_stiffness(2.0, depth=0.5)
+    assert found == contact.dynamic_stiffness(2.0, radius=radius)
+    assert found == pytest.approx(math.gamma(0.7) * 2j**0.3 * elastic.medium.stiffness(radius), rel=1e-9)
+
+
 MARCHED = {
     "march_triangle": ("depth", [0.0, 1.0, 2.0], [0.2, 0.8, 0.2]),
     "march_regrow": ("depth", [0.0, 0.4, 0.6, 1.0, 1.2], [0.3, 0.8, 0.6, 0.9, 0.7]),
@@ -269,6 +280,9 @@ def test_dashpot_alone_is_kelvin_voigt():
     kelvin = mdr.Viscoelastic(2.0, [], nu=0.5, viscosity=0.7)
     assert kelvin.creep(0.3) == pytest.approx((1.0 - math.exp(-0.3 * 2.0 / 0.7)) / 2.0, rel=1e-14)
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(kelvin))
+    omega = np.array([0.1, 3.0, 40.0])
+    assert kelvin.complex_modulus(omega) == pytest.approx(2.0 + 0.7j * omega, rel=1e-14)
+    assert contact.dynamic_stiffness(omega, radius=0.5) == pytest.approx(2.0 * 0.5 * 4.0 * (2.0 + 0.7j * omega), rel=1e-13)
     time = np.linspace(0.0, 1.0, 11)
     history = contact.history(time, depth=0.3 * time)
     a = history.radius[1:]
