@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, numbers
 from .errors import ArgumentTypeError, InvalidArgumentError
-from .material import Elastic, PowerLawRheology, Viscoelastic
+from .material import RIGID, Elastic, PowerLawRheology, Viscoelastic
 from .medium import Coated, Homogeneous, Layered
 from .profile import FlatPunch
 
@@ -98,17 +98,39 @@ def _radius(contact: Any, given: dict[str, ArrayLike]) -> Any:
 
 
 def _at_rest(medium: Any, needs_modulus: bool) -> Any:
-    """The relaxed body; at a given depth it does not matter how stiff a body of power laws is."""
+    """The relaxed body. A power law relaxes without end: under a force there is none; at a depth the radius follows from the
+    ratios of the moduli, in which what relaxes less is rigid at last."""
+    exponent = max((m.exponent for m in _materials(medium) if isinstance(m, PowerLawRheology)), default=0.0)
 
     def relaxed(material: Any) -> Any:
-        if isinstance(material, PowerLawRheology) and not needs_modulus:
-            return Elastic(2.0 * material.modulus * (1.0 + material.nu), material.nu)
-        return material.relaxed if isinstance(material, (Viscoelastic, PowerLawRheology)) else material
+        if needs_modulus or exponent == 0.0:
+            return material.relaxed if isinstance(material, (Viscoelastic, PowerLawRheology)) else material
+        if isinstance(material, PowerLawRheology) and material.exponent == exponent:
+            return Elastic(2.0 * material.modulus * material.time**exponent * (1.0 + material.nu), material.nu)
+        return RIGID
+
+    def layer(material: Any) -> Any:
+        rest = relaxed(material)
+        if rest is RIGID:
+            raise InvalidArgumentError(
+                "a depth is not allowed here: a layer that does not relax, or relaxes by a smaller power, becomes rigid beside a "
+                "power law in the end; give the contact radius, radius="
+            )
+        return rest
 
     if isinstance(medium, Homogeneous):
         return Homogeneous(relaxed(medium.material))
     if isinstance(medium, Coated):
-        return medium.replace(coating=relaxed(medium.coating), substrate=relaxed(medium.substrate))
+        return medium.replace(coating=layer(medium.coating), substrate=relaxed(medium.substrate))
     if isinstance(medium, Layered):
-        return medium.replace(layers=[(relaxed(m), h) for m, h in medium.layers], substrate=relaxed(medium.substrate))
+        return medium.replace(layers=[(layer(m), h) for m, h in medium.layers], substrate=relaxed(medium.substrate))
     return medium
+
+
+def _materials(medium: Any) -> list[Any]:
+    """Of every layer and the substrate."""
+    if isinstance(medium, Homogeneous):
+        return [medium.material]
+    if isinstance(medium, Coated):
+        return [medium.coating, medium.substrate]
+    return [*(m for m, _ in medium.layers), medium.substrate] if isinstance(medium, Layered) else []

@@ -151,6 +151,22 @@ def test_a_depth_leads_to_the_radius_of_power_laws_by_their_shear_moduli():
     found = contact.dynamic_stiffness(2.0, depth=0.5)
     assert found == contact.dynamic_stiffness(2.0, radius=radius)
     assert found == pytest.approx(math.gamma(0.7) * 2j**0.3 * elastic.medium.stiffness(radius), rel=1e-9)
+    later = contact.replace(medium=mdr.Coated(film, 1.0, mdr.PowerLawRheology(4.0 * 16.0**-0.3, 16.0, 0.3, nu=0.1)))
+    assert later.dynamic_stiffness(2.0, depth=0.5) == pytest.approx(found, rel=1e-12)  # the same base, G told at another time
+    time = np.linspace(0.0, 2.0, 9)
+    assert later.history(time, depth=0.2 * time).force == pytest.approx(contact.history(time, depth=0.2 * time).force, rel=1e-9)
+
+
+def test_a_gel_of_a_power_law_rests_on_a_rigid_base():
+    """It relaxes without end: what does not is rigid beside it at last, whatever its modulus."""
+    gel = mdr.PowerLawRheology(1.0, 1.0, 0.2, nu=0.5)
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(gel, 1.0, of_shear(4.0, 0.2)))
+    rigid = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(of_shear(1.0, 0.5), 1.0, mdr.RIGID))
+    radius = rigid.at_depth(0.5).radius
+    assert contact.dynamic_stiffness(2.0, depth=0.5) == pytest.approx(contact.dynamic_stiffness(2.0, radius=radius), rel=1e-12)
+    below = contact.replace(medium=mdr.Coated(of_shear(1.0, 0.3), 1.0, gel))
+    with pytest.raises(mdr.InvalidArgumentError, match="give the contact radius"):
+        below.dynamic_stiffness(2.0, depth=0.5)
 
 
 MARCHED = {

@@ -93,7 +93,7 @@ contains
         if (size(thickness) > 0) self%is_proportional = self%is_proportional .and. .not. any(materials%bulk > 0.0_wp)
         do i = 1, size(materials)
             if (allocated(error)) return
-            call reference_material(materials(i), elastic(i), error)
+            call reference_material(materials(i), materials(1), elastic(i), error)
         end do
         if (allocated(error)) return
         if (size(thickness) == 0) then
@@ -105,9 +105,10 @@ contains
         end if
     end subroutine new_viscoelastic_medium
 
-    !> The elastic material that stands for a relaxing one.
-    subroutine reference_material(rheology, material, error)
-        type(rheology_t), intent(in) :: rheology
+    !> The elastic material that stands for a relaxing one; of a power law its modulus at the time for which that of the first
+    !> is given.
+    subroutine reference_material(rheology, first, material, error)
+        type(rheology_t), intent(in) :: rheology, first
         type(material_t), intent(out) :: material
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: shear
@@ -116,7 +117,10 @@ contains
             call rheology%glassy(material, error)
         else
             shear = rheology%shear%instant()
-            if (rheology%is_power_law()) shear = rheology%modulus
+            if (rheology%is_power_law()) then
+                shear = rheology%modulus
+                if (first%is_power_law()) shear = shear*(rheology%time/first%time)**rheology%exponent
+            end if
             call new_material(material, 2.0_wp*shear*(1.0_wp + rheology%poisson), rheology%poisson, error)
         end if
     end subroutine reference_material
