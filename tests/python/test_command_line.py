@@ -333,7 +333,7 @@ def test_progress_appears_when_it_takes_long(monkeypatch):
     for patience, shown in ((0.0, True), (60.0, False)):
         terminal = Terminal()
         monkeypatch.setattr(sys, "stderr", terminal)
-        monkeypatch.setattr(solve, "_PATIENCE", patience)
+        monkeypatch.setattr(solve, "PATIENCE", patience)
         with solve.progress(1, problem.control) as bar:
             solve.solve(problem.contact(), problem.control, bar)
             bar.refresh() if shown else None

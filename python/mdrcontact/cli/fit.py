@@ -17,6 +17,7 @@ from ..problem.data import Curve
 from ..problem.fit_file import FitFile, load_fit_file
 from ..problem.units import AREA, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, practical
 from . import files, fit_many
+from .solve import PATIENCE
 from .table import Column, aligned, as_csv, column, number
 
 _DESCRIPTION = """\
@@ -105,7 +106,7 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
     print(result.summary())
     intervals = {}
     if arguments.interval != "normal":
-        with tqdm(total=len(result.names), unit="intervals", delay=2.0, disable=None, leave=False) as bar:
+        with tqdm(total=len(result.names), unit="intervals", delay=PATIENCE, disable=None, leave=False) as bar:
             for name in result.names:
                 intervals[name] = result.interval(name, method=arguments.interval, seed=0)
                 bar.update()

@@ -21,6 +21,7 @@ from ..problem.data import Curve
 from ..problem.fit_file import FitFile
 from ..problem.units import practical
 from . import files, many_figure
+from .solve import PATIENCE
 from .table import aligned, number
 
 _MOST_WARNINGS, _MOST_ROWS = 10, 300
@@ -31,7 +32,7 @@ def run_folder(arguments: argparse.Namespace, problem: FitFile) -> None:
     """Fits every curve of a folder."""
     paths = files.data_files(arguments.data)
     curves: list[Curve] = []
-    with tqdm(total=len(paths), unit="files", delay=2.0, disable=None, leave=False) as bar:
+    with tqdm(total=len(paths), unit="files", delay=PATIENCE, disable=None, leave=False) as bar:
         for path in paths:
             try:
                 curves += problem.curves(path)
@@ -49,7 +50,7 @@ def run_curves(arguments: argparse.Namespace, problem: FitFile, curves: list[Cur
     """Fits each curve and reports all of them."""
     print("\n".join([f"{len(curves)} curves in {arguments.data}; as in", *(f"  {note}" for note in _first_notes(curves))]))
     tasks = [functools.partial(_only_data, curve) for curve in curves]
-    with tqdm(total=len(curves), unit="curves", delay=2.0, disable=None, leave=False) as bar:
+    with tqdm(total=len(curves), unit="curves", delay=PATIENCE, disable=None, leave=False) as bar:
         results = fit_many(
             tasks,
             problem.indenter,

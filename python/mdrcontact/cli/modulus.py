@@ -18,6 +18,7 @@ from ..problem import ProblemError
 from ..problem.fit_file import load_fit_file
 from ..problem.units import LENGTH, MODULUS, RATIO, practical
 from . import files
+from .solve import PATIENCE
 from .table import Column, as_csv, as_text, column
 
 _DESCRIPTION = """\
@@ -56,7 +57,7 @@ def run(arguments: argparse.Namespace) -> None:
     print("\n".join([str(arguments.data), *(f"  {note}" for note in notes)]))
     if not isinstance(data, StiffnessDepth):
         raise ProblemError('[data]: kind must be "stiffness-depth"')
-    with tqdm(total=len(data), unit="points", delay=2.0, disable=None, leave=False) as bar:
+    with tqdm(total=len(data), unit="points", delay=PATIENCE, disable=None, leave=False) as bar:
         profile = modulus_at_depths(
             data,
             problem.indenter,

@@ -18,6 +18,7 @@ from ..problem.strength import Strengths
 from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, told
 from . import files
 from .inside import Inside, interface_name, layer_map, layer_name
+from .solve import PATIENCE
 from .stress_figure import stress_figure
 from .table import aligned, as_csv, column, number
 
@@ -79,7 +80,7 @@ def _inside(problem: Problem, contact: Contact, state: State, friction: float, w
     failures: tuple[Failure, ...] = ()
     unreached: list[str] = []
     if problem.strength is not None:
-        with tqdm(total=len(problem.strength), unit="modes", delay=2.0, disable=None, leave=False) as bar:
+        with tqdm(total=len(problem.strength), unit="modes", delay=PATIENCE, disable=None, leave=False) as bar:
             failures = _failures(contact, problem.strength, friction, 3.0 * float(state.radius), bar)
         reached = {(failure.mode, failure.place) for failure in failures}
         unreached = [
