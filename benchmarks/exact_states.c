@@ -8,27 +8,9 @@
 #include <time.h>
 
 #include "mdrcontact.h"
+#include "measure.h"
 
 enum { ROUNDS = 9, POINTS = 4096, ARRAY = 200, FIT_POINTS = 500, PROFILES = 4, RADII = 3, FILMS = 3, FEW = 16, MANY = 1000 };
-
-/* Processor time: what other programs of the machine take does not count. */
-static double busy(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static void check(int status)
-{
-    char text[512];
-    if (status == MDR_SUCCESS) return;
-    mdr_last_error(text, sizeof text);
-    fprintf(stderr, "%s: %s\n", mdr_status_name(status), text);
-    exit(EXIT_FAILURE);
-}
-
-static double least(double a, double b) { return a < b ? a : b; }
 
 /* Seconds of one atan + log. */
 static double unit(void)

@@ -10,6 +10,7 @@
 /* for the batches of two points at a time, which a processor without AVX2 gets */
 #define mdrcontact_law_points law_points
 #include "../src/mdrcontact/law/kernel.c"
+#include "measure.h"
 
 enum { POINTS = 4096, ROUNDS = 20, REPEATS = 200, LAWS = 1000, MANY = 1000000, BIG = 400000, TRIES = 300, DIRECT = 1000 };
 
@@ -18,23 +19,6 @@ static double seconds(void)
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-/* Processor time: what other programs of the machine take does not count. */
-static double busy(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static void check(int status)
-{
-    char text[512];
-    if (status == MDR_SUCCESS) return;
-    mdr_last_error(text, sizeof text);
-    fprintf(stderr, "%s: %s\n", mdr_status_name(status), text);
-    exit(EXIT_FAILURE);
 }
 
 static double uniform(unsigned long long *state)
@@ -239,8 +223,6 @@ static const struct {
     {"friction_step", friction_step},
 };
 enum { MEASURED = sizeof measured / sizeof *measured };
-
-static double least(double a, double b) { return a < b ? a : b; }
 
 /* Processor seconds a point of each, by turns, so that what else disturbs disturbs all of them. */
 static void measure(task *t, double spent[MEASURED])
