@@ -9,7 +9,7 @@ module mdrcontact_profile
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: profile_t, root_beyond
+    public :: profile_t, root_after, root_beyond
 
     !> An axisymmetric indenter. Concrete shapes are made by their `new_...` procedures and never change afterwards.
     !>
@@ -166,5 +166,13 @@ contains
 
         root = sqrt(max(x - b, 0.0_wp)*(x + b))
     end function root_beyond
+
+    !> The same for x = b + gap, whose gap is known to more digits than the difference x - b.
+    elemental function root_after(gap, b) result(root)
+        real(wp), intent(in) :: gap, b
+        real(wp) :: root
+
+        root = sqrt(max(gap, 0.0_wp)*(gap + 2.0_wp*b))
+    end function root_after
 
 end module mdrcontact_profile

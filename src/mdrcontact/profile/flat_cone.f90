@@ -4,7 +4,7 @@ module mdrcontact_profile_flat_cone
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_error, only: check_inclination, check_positive, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_profile, only: profile_t, root_beyond
+    use mdrcontact_profile, only: profile_t, root_after, root_beyond
     implicit none (type, external)
     private
     public :: flat_cone_t, new_flat_cone
@@ -85,7 +85,7 @@ contains
         real(wp) :: gap, root
 
         gap = (start - self%flat_radius) + distance
-        root = sqrt(max(gap, 0.0_wp)*(gap + 2.0_wp*self%flat_radius))
+        root = root_after(gap, self%flat_radius)
         if (root > 0.0_wp) then
             y = self%tangent*(atan2(root, self%flat_radius) + self%flat_radius/root)
         else
