@@ -36,7 +36,7 @@ fuzz() {
             ;;
         *)
             build_library_fuzzers
-            "$build/native/tests/fuzz/fuzz_$target" "${options[@]}" -max_len="$([[ $target == law ]] && echo 9000 || echo 400)" \
+            "$build/native/tests/fuzz/fuzz_$target" "${options[@]}" -max_len="$([[ $target == law ]] && echo 9000 || echo 600)" \
                 "$build/$target" "tests/fuzz/corpus/$target"
             ;;
     esac

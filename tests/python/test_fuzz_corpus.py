@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import runpy
 from pathlib import Path
 
@@ -12,11 +13,27 @@ from mdrcontact.problem import ProblemError, load
 
 FUZZ = Path(__file__).parents[1] / "fuzz"
 CORPUS = sorted((FUZZ / "corpus" / "readers").iterdir())
+HEADER = Path(__file__).parents[2] / "include" / "mdrcontact.h"
+NOT_FUZZED = {
+    "mdr_version": "takes nothing",
+    "mdr_law_save": "writes a file; mdr_law_write has the same content",
+    "mdr_law_load": "reads a file; mdr_law_read has the same content",
+    "mdr_set_cancel": "c_cancel ends every kind of long call",
+}
 
 
 @pytest.fixture(scope="module")
 def feed():
     return runpy.run_path(str(FUZZ / "readers" / "entry.py"))["feed"]
+
+
+def test_every_function_of_c_is_fuzzed():
+    comments = r"/\*.*?\*/"
+    functions = set(re.findall(r"\b(mdr_\w+)\(", re.sub(comments, "", HEADER.read_text(), flags=re.DOTALL)))
+    sources = "\n".join(path.read_text() for path in FUZZ.glob("*/*.c"))
+    called = set(re.findall(r"\bmdr_\w+", re.sub(comments + r'|"[^"\n]*"', "", sources, flags=re.DOTALL)))
+    assert len(functions) > 100
+    assert sorted(functions - called) == sorted(NOT_FUZZED)
 
 
 def test_corpus_is_tame(feed):

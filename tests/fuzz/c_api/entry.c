@@ -8,14 +8,17 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static void (*const families[])(world *) = {
     fuzz_profiles, fuzz_media, fuzz_contacts, fuzz_states, fuzz_fields, fuzz_adhesion, fuzz_laws, fuzz_structures, fuzz_fits,
-    fuzz_formulas, fuzz_inside, fuzz_friction
+    fuzz_formulas, fuzz_inside, fuzz_friction, fuzz_shear, fuzz_time, fuzz_wide_fits, fuzz_lists
 };
-/* The last families came later: bytes mean what they meant before to all inputs that are kept, but for the highest. */
-enum { FAMILIES = sizeof families / sizeof families[0], EARLIER = 10, HIGHEST = 240, MOST_CALLS = 40 };
+enum { FAMILIES = sizeof families / sizeof families[0], MOST_CALLS = 40 };
 
+/* Families came in three goes: bytes mean what they meant before to all inputs that are kept, but for the highest. */
 static int family_of(int byte)
 {
-    return byte < HIGHEST ? byte % EARLIER : EARLIER + byte % (FAMILIES - EARLIER);
+    enum { FIRST = 10, SECOND = 12, FIRST_BYTES = 240, SECOND_BYTES = 244 };
+    if (byte < FIRST_BYTES) return byte % FIRST;
+    if (byte < SECOND_BYTES) return FIRST + byte % (SECOND - FIRST);
+    return SECOND + byte % (FAMILIES - SECOND);
 }
 
 static void free_all(world *w)
@@ -24,11 +27,15 @@ static void free_all(world *w)
         judge_status("mdr_contact_free", mdr_contact_free(&w->contacts[i]));
         judge_status("mdr_medium_free", mdr_medium_free(&w->media[i]));
         judge_status("mdr_profile_free", mdr_profile_free(&w->profiles[i]));
-        if (w->contacts[i] || w->media[i] || w->profiles[i]) finding("mdr_..._free", "the handle is still there", i);
+        judge_status("mdr_material_free", mdr_material_free(&w->materials[i]));
+        if (w->contacts[i] || w->media[i] || w->profiles[i] || w->materials[i]) {
+            finding("mdr_..._free", "the handle is still there", i);
+        }
     }
     mdr_loop_free(&w->loop);
     mdr_law_free(&w->law);
     mdr_structure_free(&w->structure);
+    mdr_friction_law_free(&w->friction_law);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -4,11 +4,11 @@
 #include <math.h>
 #include <stddef.h>
 
-enum { MOST_NUMBERS = 20, PRICE_OF_FIT = 60 };
+enum { EARLIER_NUMBERS = 20, MOST_NUMBERS = 44, PRICE_OF_FIT = 60 };
 
-static const mdr_fit_parameter *take_parameters(input *in, mdr_fit_parameter parameters[MOST_NUMBERS])
+static const mdr_fit_parameter *take_parameters(input *in, int count, mdr_fit_parameter parameters[MOST_NUMBERS])
 {
-    for (int i = 0; i < MOST_NUMBERS; i++) {
+    for (int i = 0; i < count; i++) {
         mdr_fit_parameter *p = &parameters[i];
         const int b = take_byte(in);
         *p = (mdr_fit_parameter){take_positive(in), -INFINITY, INFINITY, 0.0, 0.0, b % 4 == 0};
@@ -22,22 +22,55 @@ static const mdr_fit_parameter *take_parameters(input *in, mdr_fit_parameter par
     return parameters;
 }
 
-void fuzz_fits(world *w)
+/* How far a fuzzer's choices go. The first came before the others and stay as they are, for the inputs that are kept. */
+typedef struct choices {
+    int kinds, indenters, media, numbers, is_wide;
+} choices;
+
+/* What came later: counterbodies, common priors, the branch or part of each point. */
+static void widen(world *w, mdr_fit_problem *problem, int branch[MOST_POINTS], double weights[2 * MOST_NUMBERS])
+{
+    input *in = &w->in;
+    for (int i = 0; i < MOST_POINTS; i++) branch[i] = take_code(in, 2);
+    for (int i = 0; i < 2 * MOST_NUMBERS; i++) weights[i] = i % 5 == 0 ? take_number(in) : 0.0;
+    if (take_byte(in) % 2) problem->branch = branch;
+    if (take_chance(in)) problem->prior_weights = weights;
+    if (take_chance(in)) problem->prior_count = take_choice(in, 3);
+    if (take_chance(in)) problem->counterbody = take_choice(in, 6);
+    problem->counterbody_model = take_choice(in, MDR_MODEL_EXACT);
+    problem->counterbody_object = some_medium(w);
+    for (int i = 0; i < SLOTS; i++) {
+        if (problem->counterbody_object == w->media[i] && w->medium_is_exact[i]) problem->counterbody_object = NULL;
+    }
+}
+
+/* An instrument that reads what is, which viscoelastic bodies ask for; one byte in four leaves it as it came. */
+static void settle_instrument(input *in, int count, mdr_fit_parameter parameters[MOST_NUMBERS])
+{
+    static const double values[MDR_FIT_INSTRUMENT_COUNT] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
+    if (take_byte(in) % 4 == 3 || count > MOST_NUMBERS || count < MDR_FIT_INSTRUMENT_COUNT) return;
+    for (int i = 0; i < MDR_FIT_INSTRUMENT_COUNT; i++) {
+        parameters[count - MDR_FIT_INSTRUMENT_COUNT + i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, 0};
+    }
+}
+
+static void fit(world *w, choices of)
 {
     input *in = &w->in;
     double x[MOST_POINTS], y[MOST_POINTS], force[MOST_POINTS], sd[MOST_POINTS];
     double fitted[MOST_POINTS], residuals[MOST_POINTS], radii[MOST_POINTS];
     double values[MOST_NUMBERS], covariance[MOST_NUMBERS * MOST_NUMBERS], weakest[MOST_NUMBERS], lower, upper;
+    double weights[2 * MOST_NUMBERS];
     mdr_fit_parameter parameters[MOST_NUMBERS];
     mdr_fit_summary summary;
     mdr_fit_problem problem;
-    int status, count = 0, n = take_count(in), at_bound[MOST_NUMBERS];
+    int status, count = 0, n = take_count(in), at_bound[MOST_NUMBERS], branch[MOST_POINTS];
 
     mdr_fit_problem_init(&problem);
-    problem.data_kind = take_code(in, 4);
-    problem.indenter = take_choice(in, 9);
+    problem.data_kind = take_code(in, of.kinds);
+    problem.indenter = take_choice(in, of.indenters);
     problem.profile = some_profile(w);
-    problem.medium = take_choice(in, 5);
+    problem.medium = take_choice(in, of.media);
     problem.model = take_choice(in, MDR_MODEL_EXACT);
     problem.layers = take_code(in, 2);
     problem.adhesion_rule = take_choice(in, 3);
@@ -45,7 +78,7 @@ void fuzz_fits(world *w)
     problem.sd_is_absolute = take_choice(in, 2);
     problem.max_iterations = 5;
     problem.check_units = take_choice(in, 2);
-    if (problem.medium == MDR_FIT_MEDIUM_GIVEN) {
+    if (problem.medium == MDR_FIT_MEDIUM_GIVEN || problem.medium == MDR_FIT_MEDIUM_VISCOELASTIC) {
         const int slot = take_byte(in) % SLOTS;
         if (!w->medium_is_exact[slot]) problem.medium_object = w->media[slot];
     }
@@ -54,10 +87,12 @@ void fuzz_fits(world *w)
     take_positives(in, y);
     take_positives(in, force);
     take_positives(in, sd);
-    problem.parameters = take_parameters(in, parameters);
+    if (of.is_wide) widen(w, &problem, branch, weights);
+    problem.parameters = take_parameters(in, of.numbers, parameters);
     judge_status("mdr_fit_parameter_count", mdr_fit_parameter_count(&problem, &count));
-    problem.parameter_count = take_chance(in) ? take_choice(in, MOST_NUMBERS) : count;
-    if (problem.parameter_count > MOST_NUMBERS || !afford(w, PRICE_OF_FIT)) return;
+    if (of.is_wide) settle_instrument(in, count, parameters);
+    problem.parameter_count = take_chance(in) ? take_choice(in, of.numbers) : count;
+    if (problem.parameter_count > of.numbers || !afford(w, PRICE_OF_FIT)) return;
     fill(fitted), fill(residuals), fill(radii);
     status = mdr_fit_predict(&problem, n, x, y, take_chance(in) ? NULL : force, fitted, radii);
     judge("mdr_fit_predict", status, n, fitted, FINITE);
@@ -72,4 +107,19 @@ void fuzz_fits(world *w)
         judge_status("mdr_fit_interval", status);
         if (status == MDR_SUCCESS && (isnan(lower) || isnan(upper))) finding("mdr_fit_interval", "NaN", lower);
     }
+}
+
+void fuzz_fits(world *w)
+{
+    fit(w, (choices){.kinds = 4, .indenters = 9, .media = 5, .numbers = EARLIER_NUMBERS, .is_wide = 0});
+}
+
+void fuzz_wide_fits(world *w)
+{
+    double factor[MOST_POINTS];
+    const double level = take_ratio(&w->in), degrees_of_freedom = take_positive(&w->in);
+
+    fill(factor);
+    judge("mdr_fit_quantile", mdr_fit_quantile(level, degrees_of_freedom, factor), 1, factor, NOT_NEGATIVE);
+    fit(w, (choices){.kinds = 7, .indenters = 10, .media = 6, .numbers = MOST_NUMBERS, .is_wide = 1});
 }

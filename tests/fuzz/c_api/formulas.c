@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Weights and closed forms. */
+/* Weights and closed forms, names and facts of models. */
 #include "world.h"
 
+#include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 void fuzz_formulas(world *w)
 {
@@ -35,5 +37,33 @@ void fuzz_formulas(world *w)
         judge("mdr_adhesive_depth_scale", mdr_adhesive_depth_scale(p, q, r, out), 1, out, NOT_NEGATIVE);
         break;
     default: judge("mdr_reduced_adhesive_depth", mdr_reduced_adhesive_depth(n, x, p, q, out), n, out, FINITE); break;
+    }
+}
+
+/* Names and facts of models, and the points of a rule. */
+void fuzz_lists(world *w)
+{
+    enum { MOST_ORDER = 3, POINTS = 6 * MOST_ORDER * MOST_ORDER * MOST_ORDER };
+    const int model = take_choice(&w->in, MDR_MODEL_GAO_POWER + 2), length = take_choice(&w->in, 30);
+    const int order = take_choice(&w->in, 4);
+    double points[3 * POINTS], weights[2 * POINTS];
+    mdr_model_facts facts;
+    char name[30];
+    int status, again = -1;
+
+    memset(name, 'x', sizeof name), name[sizeof name - 1] = '\0';
+    status = mdr_model_name(model, length < (int)sizeof name ? length : (int)sizeof name, name);
+    judge_status("mdr_model_name", status);
+    if (status == MDR_SUCCESS && (mdr_model_from_name(name, &again) != MDR_SUCCESS || again != model)) {
+        finding("mdr_model_from_name", "another model", again);
+    }
+    judge_status("mdr_model_from_name", mdr_model_from_name(name, &again));
+    judge_status("mdr_model_info", mdr_model_info(model, &facts));
+    if (order > MOST_ORDER) return;
+    status = mdr_lateral_rule(order, take_ratio(&w->in), points, weights);
+    judge_status("mdr_lateral_rule", status);
+    for (int i = 0; i < 6 * order * order * order && status == MDR_SUCCESS; i++) {
+        if (!isfinite(points[3 * i] + points[3 * i + 1] + points[3 * i + 2])) finding("mdr_lateral_rule", "no point", i);
+        if (!isfinite(weights[2 * i] + weights[2 * i + 1])) finding("mdr_lateral_rule", "no weight", i);
     }
 }

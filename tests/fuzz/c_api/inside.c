@@ -6,18 +6,6 @@
 
 enum { PRICE_OF_INSIDE = 8, PRICE_OF_EXACT_INSIDE = 20 };
 
-/* A state of the contact, or seldom none. */
-static mdr_state some_state(world *w, const mdr_contact *contact)
-{
-    const double at = take_positive(&w->in);
-    mdr_state state = {at, at, at, at, 0.0};
-    if (mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &at, &state) != MDR_SUCCESS && take_chance(&w->in)) {
-        state.radius = take_number(&w->in);
-        state.excess = take_number(&w->in);
-    }
-    return state;
-}
-
 /* Stresses and displacements, energies, and the lowest pressure. */
 void fuzz_inside(world *w)
 {
@@ -67,7 +55,7 @@ void fuzz_friction(world *w)
     mdr_tangential_state found[MOST_POINTS];
     mdr_state states[MOST_POINTS], state;
     mdr_friction *f = NULL;
-    mdr_friction_history *h = NULL;
+    mdr_friction_history *h = NULL, *copy = NULL;
     int slot, status;
     const mdr_contact *contact = some_contact(w, &slot);
 
@@ -102,6 +90,9 @@ void fuzz_friction(world *w)
     status = mdr_friction_history_new(f, w->contact_is_exact[slot] ? state.depth : 0.0, 12, &h);
     judge_object("mdr_friction_history_new", status, h);
     if (h) judge_status("mdr_friction_history_advance", mdr_friction_history_advance(h, normal, given, n, path, in, states, found));
+    status = mdr_friction_history_copy(h, &copy);
+    judge_object("mdr_friction_history_copy", status, copy);
     judge_status("mdr_friction_history_free", mdr_friction_history_free(&h));
+    judge_status("mdr_friction_history_free", mdr_friction_history_free(&copy));
     judge_status("mdr_friction_free", mdr_friction_free(&f));
 }

@@ -54,6 +54,28 @@ const mdr_structure *some_structure(world *w)
     return take_byte(&w->in) == 254 ? (const mdr_structure *)w->law : w->structure;
 }
 
+const mdr_material *some_material(world *w)
+{
+    int slot;
+    return pick(w, (void *const *)w->materials, &slot, w->media[0]);
+}
+
+const mdr_friction_law *some_friction_law(world *w)
+{
+    return take_byte(&w->in) == 254 ? (const mdr_friction_law *)w->law : w->friction_law;
+}
+
+mdr_state some_state(world *w, const mdr_contact *contact)
+{
+    const double at = take_positive(&w->in);
+    mdr_state state = {at, at, at, at, 0.0};
+    if (mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &at, &state) != MDR_SUCCESS && take_chance(&w->in)) {
+        state.radius = take_number(&w->in);
+        state.excess = take_number(&w->in);
+    }
+    return state;
+}
+
 void finding(const char *call, const char *what, double value)
 {
     fprintf(stderr, "FINDING: %s: %s (%.17g)\n", call, what, value);
@@ -63,9 +85,12 @@ void finding(const char *call, const char *what, double value)
 void judge_status(const char *call, int status)
 {
     char words[64];
+    mdr_failure failure;
     if (status == MDR_SUCCESS) return;
     if (strcmp(mdr_status_name(status), "unknown status") == 0) finding(call, "a status that has no name", status);
     if (mdr_last_error(words, (int)sizeof words) < 1) finding(call, "a failure without words", status);
+    mdr_last_failure(&failure);
+    if (failure.status != status || failure.text[0] == '\0') finding(call, "a failure without parts", failure.status);
 }
 
 void fill(double values[MOST_POINTS])

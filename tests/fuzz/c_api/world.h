@@ -20,6 +20,8 @@ typedef struct world {
     mdr_loop *loop;
     mdr_law *law;
     mdr_structure *structure;
+    mdr_material *materials[SLOTS];
+    mdr_friction_law *friction_law;
 } world;
 
 /* Whether a call of that price may still be made. */
@@ -31,6 +33,10 @@ const mdr_medium *some_medium(world *w);
 const mdr_contact *some_contact(world *w, int *slot);
 const mdr_law *some_law(world *w);
 const mdr_structure *some_structure(world *w);
+const mdr_material *some_material(world *w);
+const mdr_friction_law *some_friction_law(world *w);
+/* A state of the contact, or seldom none. */
+mdr_state some_state(world *w, const mdr_contact *contact);
 
 /* Ends the program with a report: the finding. */
 void finding(const char *call, const char *what, double value);
@@ -67,5 +73,9 @@ void fuzz_fits(world *w);
 void fuzz_formulas(world *w);
 void fuzz_inside(world *w);
 void fuzz_friction(world *w);
+void fuzz_shear(world *w);
+void fuzz_time(world *w);
+void fuzz_wide_fits(world *w);
+void fuzz_lists(world *w);
 
 #endif

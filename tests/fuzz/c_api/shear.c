@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Stiffness along the surface, and compiled laws with friction. */
+#include "world.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+enum { PRICE_OF_LAW = 40, PRICE_OF_EXACT_LAW = 90, PRICE_OF_MODULUS = 2, PRICE_OF_EXACT_MODULUS = 20 };
+
+static void moduli(world *w)
+{
+    const int n = take_count(&w->in), slot = take_byte(&w->in) % SLOTS;
+    const double nu = take_ratio(&w->in);
+    double a[MOST_POINTS], out[MOST_POINTS];
+
+    take_positives(&w->in, a);
+    fill(out);
+    judge("mdr_weight_i0_tangential", mdr_weight_i0_tangential(n, a, nu, out), n, out, FINITE);
+    fill(out);
+    judge("mdr_weight_j0_tangential", mdr_weight_j0_tangential(n, a, nu, out), n, out, FINITE);
+    if (!afford(w, w->medium_is_exact[slot] ? PRICE_OF_EXACT_MODULUS : PRICE_OF_MODULUS)) return;
+    fill(out);
+    judge("mdr_medium_tangential_modulus", mdr_medium_tangential_modulus(w->media[slot], n, a, out), n, out, POSITIVE);
+    fill(out);
+    judge("mdr_medium_torsional_stiffness", mdr_medium_torsional_stiffness(w->media[slot], n, a, out), n, out, POSITIVE);
+}
+
+static void compile(world *w)
+{
+    const double coefficient = take_chance(&w->in) ? take_positive(&w->in) : 0.3, largest = take_positive(&w->in);
+    double out[MOST_POINTS], other[MOST_POINTS];
+    mdr_law_options options;
+    mdr_friction *friction = NULL;
+    mdr_friction_law *made = NULL;
+    int slot, status;
+    const mdr_contact *contact = some_contact(w, &slot);
+
+    mdr_law_options_init(&options);
+    options.tolerance = take_chance(&w->in) ? take_number(&w->in) : 1e-3;
+    options.continue_beyond = take_byte(&w->in) % 2;
+    if (!afford(w, w->contact_is_exact[slot] ? PRICE_OF_EXACT_LAW : PRICE_OF_LAW)) return;
+    status = mdr_friction_new(contact, coefficient, &friction);
+    judge_object("mdr_friction_new", status, friction);
+    status = mdr_friction_law_new(friction, largest, &options, &made);
+    judge_object("mdr_friction_law_new", status, made);
+    mdr_friction_free(&friction);
+    if (!made) return;
+    mdr_friction_law_free(&w->friction_law);
+    w->friction_law = made;
+    fill(out), fill(other);
+    status = mdr_friction_law_errors(made, out, other);
+    judge("mdr_friction_law_errors", status, 1, out, NOT_NEGATIVE);
+    judge("mdr_friction_law_errors", status, 1, other, FINITE);
+}
+
+/* The steps of a few contacts, whose planes turn in between. */
+static void advance(world *w)
+{
+    enum { STEPS = 4, OF_MEMORY = sizeof(mdr_friction_memory) / sizeof(double) };
+    double force[MOST_POINTS], shift[3 * MOST_POINTS], normal[3 * MOST_POINTS], numbers[OF_MEMORY];
+    mdr_friction_memory memory[MOST_POINTS];
+    const int n = take_count(&w->in);
+    const mdr_friction_law *law = some_friction_law(w);
+    int status;
+
+    memset(memory, 0, sizeof memory);
+    if (take_chance(&w->in)) memory[0].normal_force = take_number(&w->in), memory[0].level = take_number(&w->in);
+    for (int step = 0; step < STEPS; step++) {
+        take_numbers(&w->in, force);
+        for (int i = 0; i < 3; i++) take_numbers(&w->in, &shift[i * MOST_POINTS]);
+        for (int i = 0; i < 3 * MOST_POINTS; i++) normal[i] = i % 3 == 2;
+        if (take_chance(&w->in)) normal[0] = 0.6, normal[2] = take_chance(&w->in) ? take_number(&w->in) : 0.8;
+        status = mdr_friction_memory_turn(n, normal, memory);
+        judge_status("mdr_friction_memory_turn", status);
+        status = mdr_friction_law_advance(law, n, force, shift, memory);
+        judge_status("mdr_friction_law_advance", status);
+        for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
+            memcpy(numbers, &memory[i], sizeof numbers);
+            for (int k = 0; k < OF_MEMORY; k++) if (!isfinite(numbers[k])) finding("mdr_friction_law_advance", "no number", k);
+        }
+    }
+}
+
+void fuzz_shear(world *w)
+{
+    switch (take_byte(&w->in) % 3) {
+    case 0: moduli(w); break;
+    case 1: compile(w); break;
+    default: advance(w); break;
+    }
+}
