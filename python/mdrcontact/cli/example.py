@@ -33,8 +33,9 @@ def run(arguments: argparse.Namespace) -> None:
     """Prints the list or one example."""
     texts = examples()
     if arguments.name is None:
+        width = max(map(len, texts)) + 2
         for name, text in texts.items():
-            print(f"{name:<16}{_title(text)}")
+            print(f"{name:<{width}}{_title(text)}")
     elif arguments.name not in texts:
         raise ProblemError(f"there is no example {arguments.name!r}: {nearest(arguments.name, texts)}")
     else:
