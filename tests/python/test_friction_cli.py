@@ -68,7 +68,7 @@ def test_without_amplitudes_and_under_forces(tmp_path, capsys):
     [
         ("coefficient = 0.0\n", "greater than 0", 2),
         ("", "'coefficient' is missing", 2),
-        ('coefficient = 0.2\nshifts = ["2 nm", "1 nm"]\n', "ascending", 2),
+        ('coefficient = 0.2\nshifts = ["2 nm", "1 nm"]\n', "entry 2 of shifts", 2),
         ('coefficient = 0.2\nshifts = ["2 nm"]\ntangential_forces = ["1 mN"]\n', "not as both", 2),
         ('coefficient = 0.2\ntangential_forces = ["2 mN"]\n', "slides", 1),
         ("coefficient = 0.2\nfriction = 1\n", "unknown key", 2),

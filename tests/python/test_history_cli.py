@@ -36,7 +36,7 @@ def test_examples_run_and_draw(path, tmp_path, capsys):
         head, *rows = csv.reader(file)
     assert [title.split()[0] for title in head] == ["time", "depth", "radius", "force"]
     wanted = load(path)
-    found = wanted.contact().history(wanted.history.time, **{wanted.history.name: wanted.history.values})
+    found = wanted.contact(in_time=True).history(wanted.history.time, **{wanted.history.name: wanted.history.values})
     assert float(rows[-1][0]) == pytest.approx(found.time[-1], rel=1e-12) and len(rows) == len(found.time)
 
 
@@ -97,9 +97,9 @@ def test_refusals(history, material, words):
 def test_commands_say_which_one_takes_time(tmp_path, capsys):
     text = EXAMPLES[0].read_text(encoding="utf-8")
     (tmp_path / "gel.toml").write_text(text, encoding="utf-8")
-    for command, status in ("curve", 1), ("compare", 2):
-        assert main([command, str(tmp_path / "gel.toml")]) == status
-        assert "history" in capsys.readouterr().err
+    for command, *more in ["curve"], ["compare"], ["stress"], ["law", str(tmp_path / "gel.law")]:
+        assert main([command, str(tmp_path / "gel.toml"), *more]) == 2
+        assert "use mdrcontact history" in capsys.readouterr().err
     (tmp_path / "none.toml").write_text((ROOT / "examples/problems/sio2_on_si.toml").read_text(encoding="utf-8"), encoding="utf-8")
     assert main(["history", str(tmp_path / "none.toml")]) == 2
     assert "[history] is missing" in capsys.readouterr().err

@@ -181,11 +181,19 @@ FAULTS = [
     ('max_depth = "100 nm"', "", r"give one of max_depth, max_force, max_radius"),
     ('max_depth = "100 nm"', 'max_depth = "100 nm"\nmax_force = "1 mN"', r"max_depth and max_force"),
     ('max_depth = "100 nm"', 'max_depht = "100 nm"', r"did you mean 'max_depth'\?"),
-    ('max_depth = "100 nm"', 'max_depth = "-100 nm"', r"max_depth must be greater than 0"),
-    ('max_depth = "100 nm"', 'max_depth = "100 nm"\nmin_depth = "200 nm"', r"min_depth between 0 and it"),
+    ('max_depth = "100 nm"', 'max_depth = "-100 nm"', r"max_depth = '-100 nm' is not allowed: .* greater than 0"),
+    (
+        'max_depth = "100 nm"',
+        'max_depth = "100 nm"\nmin_depth = "200 nm"',
+        r"min_depth = '200 nm' and max_depth = '100 nm' .* between 0 and it",
+    ),
     ('max_depth = "100 nm"', 'max_depth = "100 nm"\nmin_force = "1 mN"', r"'min_force' does not belong to max_depth"),
-    ('max_depth = "100 nm"\npoints = 4', 'depths = ["2 nm", "1 nm"]', r"ascending"),
-    ('max_depth = "100 nm"\npoints = 4', "depths = []", r"at least one value"),
+    (
+        'max_depth = "100 nm"\npoints = 4',
+        'depths = ["2 nm", "1 nm"]',
+        r"entry 2 of depths, '1 nm', .* greater than the one before it",
+    ),
+    ('max_depth = "100 nm"\npoints = 4', "depths = []", r"depths is empty: give at least one value"),
     ('max_depth = "100 nm"\npoints = 4', 'depths = "1 nm"', r"depths must be a list"),
     ('max_depth = "100 nm"\npoints = 4', "depths = [1, 2]", r"depths = 1 has no unit"),
     ("points = 4", "points = 0", r"points = 0 is not allowed: .* from 1 to"),
@@ -324,5 +332,5 @@ def test_example_problems_are_good(path):
     if problem.history is None:
         assert (problem.control.states(problem.contact()).force > 0).all()
     else:
-        history = problem.contact().history(problem.history.time, **{problem.history.name: problem.history.values})
+        history = problem.contact(in_time=True).history(problem.history.time, **{problem.history.name: problem.history.values})
         assert (history.force >= 0).all() and history.force.max() > 0

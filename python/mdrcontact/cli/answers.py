@@ -13,7 +13,6 @@ from ..errors import MDRError
 from ..material import RIGID, Elastic
 from ..medium import Coated, Graded, Homogeneous, Layered, Medium, Pair
 from ..medium.models import MODELS
-from ..medium.viscoelastic import is_viscoelastic
 from ..problem import Problem, ProblemError
 from ..problem.units import FORCE, LENGTH, Dimension
 from .solve import Array, Curve, progress, solve
@@ -32,8 +31,7 @@ class Answer(NamedTuple):
 
 def ask(problem: Problem) -> tuple[list[Answer], list[tuple[str, str]]]:
     """The answers of all models, and the words of those that refuse."""
-    if is_viscoelastic(problem.medium):
-        raise ProblemError("there is nothing to compare: models are compared on elastic bodies; use mdrcontact history")
+    problem.check_elastic()
     names = candidates(problem.medium)
     if not names:
         kind = type(problem.medium).__name__

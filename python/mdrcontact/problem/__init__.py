@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from ..contact import Contact
 from ..medium import Medium
+from ..medium.viscoelastic import is_viscoelastic
 from ..profile import Profile
 from . import adhesion, compute, friction, history, indenter, medium, strength
 from .adhesion import Adhesion
@@ -36,8 +37,15 @@ class Problem(NamedTuple):
     friction: Sliding | None = None
     history: HistoryPath | None = None
 
-    def contact(self) -> Contact:
-        """The contact of the indenter with the medium, with adhesion if the file has it."""
+    def check_elastic(self) -> None:
+        """Refuses a medium whose states depend on time, for a command that knows no time."""
+        if is_viscoelastic(self.medium):
+            raise ProblemError("[medium] is viscoelastic, and this command takes elastic bodies: use mdrcontact history")
+
+    def contact(self, in_time: bool = False) -> Contact:
+        """The contact of the indenter with the medium, with adhesion if the file has it; viscoelastic only if led `in_time`."""
+        if not in_time:
+            self.check_elastic()
         if self.adhesion is None:
             return Contact(self.indenter, self.medium)
         return Contact(self.indenter, self.medium, self.adhesion.work_of_adhesion, self.adhesion.adhesion_rule)

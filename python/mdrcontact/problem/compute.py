@@ -59,10 +59,7 @@ def read_control(section: Section) -> Control:
     if not key.startswith("max_"):
         section.only((key,), f"a list of {key}")
         name = next(name for name, many in _LISTS.items() if many == key)
-        values = np.array(section.quantities(key))
-        if not values.size or not np.all(np.isfinite(values)) or np.any(np.diff(values) <= 0.0):
-            raise ProblemError(f"[{section.path}]: {key} must be an ascending list with at least one value, all finite")
-        return Control(name, values)
+        return Control(name, np.array(section.ascending(key)))
     name = key.removeprefix("max_")
     section.only((key, f"min_{name}", "points", "spacing"), key)
     return Control(name, _range(section, name))
@@ -76,6 +73,9 @@ def _range(section: Section, name: str) -> NDArray[np.float64]:
     if f"min_{name}" in section:
         smallest = section.quantity(f"min_{name}")
     if not 0.0 < smallest <= largest < math.inf:
-        raise ProblemError(f"[{section.path}]: max_{name} must be greater than 0, finite, and min_{name} between 0 and it")
+        given = " and ".join(f"{key} = {section.plain(key)!r}" for key in (f"min_{name}", f"max_{name}") if key in section)
+        raise ProblemError(
+            f"[{section.path}]: {given} is not allowed: max_{name} must be finite and greater than 0, min_{name} between 0 and it"
+        )
     space = np.geomspace if logarithmic else np.linspace
     return space(smallest, largest, points) if points > 1 else np.array([largest])

@@ -76,9 +76,7 @@ def read_friction(section: Section, folder: Path) -> Sliding:
     section.only(("coefficient", "shifts", "tangential_forces"), "amplitudes of cycles, it goes with path")
     if not given:
         return Sliding(coefficient, "shift", ())
-    amplitudes = section.quantities(given[0])
-    if not amplitudes or amplitudes[0] <= 0.0 or any(b <= a for a, b in zip(amplitudes, amplitudes[1:], strict=False)):
-        raise ProblemError(f"[{section.path}]: {given[0]} must be an ascending list with at least one value, all greater than 0")
+    amplitudes = section.ascending(given[0], positive=True)
     return Sliding(coefficient, "shift" if given[0] == "shifts" else "force", tuple(amplitudes))
 
 

@@ -78,7 +78,7 @@ def read_history(section: Section, folder: Path) -> HistoryPath:
 def _duration(section: Section, key: str) -> float:
     value = section.quantity(key)
     if not 0.0 < value < np.inf:
-        raise ProblemError(f"[{section.path}]: {key} must be greater than 0 and finite")
+        raise ProblemError(f"[{section.path}]: {key} = {section.plain(key)!r} is not allowed: it must be greater than 0 and finite")
     return value
 
 
@@ -94,7 +94,7 @@ def _pieces(times: list[float], values: list[float], points: int) -> tuple[NDArr
 def _from_file(section: Section, folder: Path) -> HistoryPath:
     name = section.plain("file")
     if not isinstance(name, str):
-        raise ProblemError(f'[{section.path}]: file must be the name of a table, as in file = "path.csv"')
+        raise ProblemError(f'[{section.path}]: file = {name!r} is not the name of a table: write it as in file = "path.csv"')
     table = read_table(folder / name)
     control = section.choice("control", _DIMENSIONS, default="depth")
     title = section.plain("time") if "time" in section else table.find("time", ("time", "t"), TIME)

@@ -64,6 +64,20 @@ class Section:
             raise ProblemError(f"[{self.path}]: {key} must be a list, as in {self._example(key, many=True)}")
         return [self._convert(key, entry, suffix) for entry in value]
 
+    def ascending(self, key: str, positive: bool = False) -> list[float]:
+        """A list of at least one quantity in SI units, each greater than the one before it, and if `positive` than 0."""
+        values = self.quantities(key)
+        if not values:
+            raise ProblemError(f"[{self.path}]: {key} is empty: give at least one value, as in {self._example(key, many=True)}")
+        for i, value in enumerate(values):
+            before = values[i - 1] if i else 0.0 if positive else -math.inf
+            if not before < value < math.inf:
+                bound = "finite" + (" and greater than the one before it" if i else " and greater than 0" if positive else "")
+                raise ProblemError(
+                    f"[{self.path}]: entry {i + 1} of {key}, {self.plain(key)[i]!r}, is not allowed: it must be {bound}"
+                )
+        return values
+
     def number(self, key: str, default: float | None = None) -> float:
         """A number without unit."""
         if default is not None and key not in self:
