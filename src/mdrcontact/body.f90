@@ -19,6 +19,8 @@ module mdrcontact_body
     contains
         !> sigma(k) and chi(k) = sigma(k) - 1, each to full relative precision as far as it is known
         procedure(response_at), deferred :: response
+        !> the two at several wavenumbers
+        procedure :: responses
         !> the same two for the compliance under shear in the plane of the wave, k C_L = ((1 - nu0)/G0) sigma, and across it,
         !> k C_T = (1/G0) sigma
         procedure(response_at), deferred :: in_plane_response
@@ -88,6 +90,19 @@ module mdrcontact_body
     end interface
 
 contains
+
+    !> `response` at each of several wavenumbers. A body may keep what it finds for another one: this is not pure.
+    subroutine responses(self, k, sigma, chi)
+        class(body_t), intent(in) :: self
+        complex(wp), intent(in) :: k(:)
+        !> same size as k
+        complex(wp), intent(out) :: sigma(:), chi(:)
+        integer :: i
+
+        do i = 1, size(k)
+            call self%response(k(i), sigma(i), chi(i))
+        end do
+    end subroutine responses
 
     pure function no(self) result(answer)
         class(body_t), intent(in) :: self

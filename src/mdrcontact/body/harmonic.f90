@@ -10,17 +10,32 @@ module mdrcontact_body_harmonic
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: harmonic_t, new_harmonic
+    public :: harmonic_t, harmonic_memory_t, new_harmonic
+
+    !> Both parts of sigma and of chi at some wavenumbers: (sigma real, imaginary, chi real, imaginary; wavenumber).
+    type :: block_t
+        complex(wp) :: first = 0.0_wp
+        complex(wp), allocatable :: values(:, :)
+    end type block_t
+
+    !> What one part leaves to the other, which asks for the same wavenumbers: blocks in the order in which they were asked for.
+    type :: harmonic_memory_t
+        private
+        type(block_t) :: blocks(512)
+        integer :: count = 0, latest = 0
+    end type harmonic_memory_t
 
     !> One of the two parts; the stack is that of the elastic body of the same thicknesses.
     type, extends(stack_t) :: harmonic_t
-        private
-        type(surface_t) :: oscillating
+        type(surface_t), private :: oscillating
         !> sigma(0)
-        complex(wp) :: zero = 0.0_wp
+        complex(wp), private :: zero = 0.0_wp
+        type(harmonic_memory_t), pointer, private :: memory => null()
+        !> which part it is
         logical :: is_imaginary = .false.
     contains
         procedure :: response
+        procedure :: responses
         procedure :: long_wave_limit
         procedure :: first_depth
         procedure :: last_depth
@@ -29,38 +44,84 @@ module mdrcontact_body_harmonic
 
 contains
 
-    !> The real or the imaginary part of chi; sigma = 1 + chi of both.
-    pure function new_harmonic(shear, poisson, thickness, rigid_base, is_imaginary) result(self)
+    !> The real part of chi, or after a change of `is_imaginary` the imaginary one; sigma = 1 + chi of both.
+    subroutine new_harmonic(self, memory, shear, poisson, thickness, rigid_base)
+        type(harmonic_t), intent(out) :: self
+        !> lives as long as the body
+        type(harmonic_memory_t), intent(inout), target :: memory
         !> of the layers and, one more, of the half-space, which is not used if the base is rigid [modulus]; [1]
         complex(wp), intent(in) :: shear(:), poisson(:)
         !> of the layers [length]
         real(wp), intent(in) :: thickness(:)
-        logical, intent(in) :: rigid_base, is_imaginary
-        type(harmonic_t) :: self
+        logical, intent(in) :: rigid_base
         integer :: n
 
         n = size(thickness)
         self%oscillating = new_surface(shear, poisson, thickness, rigid_base)
         if (.not. rigid_base) self%zero = shear(1)*(1.0_wp - poisson(n + 1))/(shear(n + 1)*(1.0_wp - poisson(1)))
-        self%is_imaginary = is_imaginary
-    end function new_harmonic
+        memory%count = 0
+        memory%latest = 0
+        self%memory => memory
+    end subroutine new_harmonic
 
     pure subroutine response(self, k, sigma, chi)
         class(harmonic_t), intent(in) :: self
         complex(wp), intent(in) :: k
         complex(wp), intent(out) :: sigma, chi
-        complex(wp) :: other_sigma, other_chi
+        complex(wp) :: parts(4)
+
+        parts = both_parts(self, k)
+        sigma = parts(merge(2, 1, self%is_imaginary))
+        chi = parts(merge(4, 3, self%is_imaginary))
+    end subroutine response
+
+    !> The part at wavenumbers of which the first one tells them all: what the other part was asked for is known.
+    subroutine responses(self, k, sigma, chi)
+        class(harmonic_t), intent(in) :: self
+        complex(wp), intent(in) :: k(:)
+        complex(wp), intent(out) :: sigma(:), chi(:)
+        complex(wp) :: values(4, size(k))
+        integer :: i, place
+
+        associate (memory => self%memory)
+            do i = 1, memory%count
+                place = modulo(memory%latest + i - 1, memory%count) + 1
+                if (abs(memory%blocks(place)%first - k(1)) > 0.0_wp) cycle
+                if (size(memory%blocks(place)%values, 2) == size(k)) exit
+            end do
+            if (i <= memory%count) then
+                values = memory%blocks(place)%values
+                memory%latest = place
+            else
+                do i = 1, size(k)
+                    values(:, i) = both_parts(self, k(i))
+                end do
+                if (memory%count < size(memory%blocks)) then
+                    memory%count = memory%count + 1
+                    memory%blocks(memory%count)%first = k(1)
+                    memory%blocks(memory%count)%values = values
+                end if
+            end if
+        end associate
+        sigma = values(merge(2, 1, self%is_imaginary), :)
+        chi = values(merge(4, 3, self%is_imaginary), :)
+    end subroutine responses
+
+    pure function both_parts(self, k) result(parts)
+        class(harmonic_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp) :: parts(4)
+        complex(wp) :: sigma, chi, other_sigma, other_chi
 
         call self%oscillating%normal_response(k, sigma, chi)
-        call self%oscillating%normal_response(conjg(k), other_sigma, other_chi)
-        if (self%is_imaginary) then
-            chi = (chi - conjg(other_chi))/(0.0_wp, 2.0_wp)
-            sigma = 1.0_wp + chi
-        else
-            chi = 0.5_wp*(chi + conjg(other_chi))
-            sigma = 0.5_wp*(sigma + conjg(other_sigma))
-        end if
-    end subroutine response
+        other_sigma = sigma
+        other_chi = chi
+        if (abs(aimag(k)) > 0.0_wp) call self%oscillating%normal_response(conjg(k), other_sigma, other_chi)
+        parts(1) = 0.5_wp*(sigma + conjg(other_sigma))
+        parts(3) = 0.5_wp*(chi + conjg(other_chi))
+        parts(4) = (chi - conjg(other_chi))/(0.0_wp, 2.0_wp)
+        parts(2) = 1.0_wp + parts(4)
+    end function both_parts
 
     pure function long_wave_limit(self) result(value)
         class(harmonic_t), intent(in) :: self

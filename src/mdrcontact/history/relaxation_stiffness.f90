@@ -2,7 +2,7 @@
 !> The contact stiffness k(a; s) of a viscoelastic body at constant contact radius (theory of time 4): at s = i omega the dynamic
 !> stiffness, its inverse Laplace transform the answer of a flat punch to a step.
 module mdrcontact_history_relaxation_stiffness
-    use mdrcontact_body_harmonic, only: harmonic_t, new_harmonic
+    use mdrcontact_body_harmonic, only: harmonic_memory_t, harmonic_t, new_harmonic
     use mdrcontact_contact, only: contact_t
     use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_kinds, only: pi, wp
@@ -170,6 +170,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         complex(wp) :: shear(size(medium%thickness) + 1), poisson(size(medium%thickness) + 1)
         type(harmonic_t) :: body
+        type(harmonic_memory_t), target :: memory
         integer :: n, part
 
         n = size(medium%materials)
@@ -178,8 +179,9 @@ contains
         shear(:n) = medium%materials%complex_shear(s)
         poisson(:n) = medium%materials%complex_poisson(s)
         at%surface_modulus = contact_modulus(shear(1), poisson(1))
+        call new_harmonic(body, memory, shear, poisson, medium%thickness, medium%rigid_base)
         do part = 1, 2
-            body = new_harmonic(shear, poisson, medium%thickness, medium%rigid_base, part == 2)
+            body%is_imaginary = part == 2
             call shared_kernel(at%shared, body, at%parts(part), error)
             if (allocated(error)) return
         end do

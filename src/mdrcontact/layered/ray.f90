@@ -77,19 +77,17 @@ contains
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         integer, intent(in) :: bottom
-        complex(wp) :: sigma, chi, change(size(table%nodes))
+        complex(wp), dimension(size(table%nodes)) :: sigma, chi, change
         real(wp) :: base, sigma_zero
         integer :: i, octave
 
         sigma_zero = surface%long_wave_limit()
         do octave = ray%bottom - 1, bottom, -1
             base = scale(1.0_wp, octave)
-            do i = 1, size(table%nodes)
-                call surface%response(table%direction*(base*table%nodes(i)/unit), sigma, chi)
-                change(i) = sigma - sigma_zero
-                if (octave >= negligible_octave) ray%weighted_chi(i, octave) = base*table%weights(i)*table%direction*chi
-                ray%weighted_change(i, octave) = base*table%weights(i)*table%direction*change(i)
-            end do
+            call surface%responses(table%direction*(base*table%nodes/unit), sigma, chi)
+            change = sigma - sigma_zero
+            if (octave >= negligible_octave) ray%weighted_chi(:, octave) = base*table%weights*table%direction*chi
+            ray%weighted_change(:, octave) = base*table%weights*table%direction*change
             do i = 0, order
                 ray%moments(i, octave) = sum(table%powers(:, i)*ray%weighted_change(:, octave))
             end do
@@ -150,19 +148,17 @@ contains
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         logical, intent(out) :: holds
-        complex(wp) :: sigma, chi, along_ray
+        complex(wp) :: sigma(size(table%nodes)), chi(size(table%nodes)), along_ray
         real(wp) :: magnitude, base
-        integer :: i, octave
+        integer :: octave
 
         along_ray = sum(ray%weighted_chi(:, ray%lowest:ray%top)) + ray%chi_zero*scale(1.0_wp, ray%lowest)*table%direction
         allocate (ray%on_axis(size(table%nodes), ray%lowest:ray%top))
         do octave = ray%lowest, ray%top
             base = scale(1.0_wp, octave)
-            do i = 1, size(table%nodes)
-                call surface%response(cmplx(base*table%nodes(i)/unit, 0.0_wp, wp), sigma, chi)
-                ray%on_axis(i, octave) = base*table%weights(i)*real(chi, wp)
-                ray%largest = max(ray%largest, abs(real(chi, wp)))
-            end do
+            call surface%responses(cmplx(base*table%nodes/unit, 0.0_wp, wp), sigma, chi)
+            ray%on_axis(:, octave) = base*table%weights*real(chi, wp)
+            ray%largest = max(ray%largest, maxval(abs(real(chi, wp))))
         end do
         ray%origin = ray%chi_zero*scale(1.0_wp, ray%lowest) + sum(ray%on_axis)
         magnitude = sum(abs(ray%on_axis))
