@@ -1421,10 +1421,10 @@ typedef struct mdr_friction_memory {
     double stick_force[3]; /**< F of the same. */
 } mdr_friction_memory;
 
-/** Compiles a contact with friction. Its own errors: mdr_friction_law_errors().
+/** Compiles a contact with friction. Its own errors: mdr_friction_law_info().
  *  @param f              contact with friction
  *  @param largest_depth  > 0 [length]
- *  @param options        as for mdr_law_new(), or NULL for the defaults; the description is not kept
+ *  @param options        as for mdr_law_new(), or NULL for the defaults
  *  @param out            receives the handle
  *  @return also as mdr_law_new() and mdr_friction_states() */
 int mdr_friction_law_new(const mdr_friction *f, double largest_depth, const mdr_law_options *options, mdr_friction_law **out);
@@ -1447,13 +1447,57 @@ int mdr_friction_law_advance(const mdr_friction_law *law, int n, const double fo
  *  @param memory  [n] of each contact */
 int mdr_friction_memory_turn(int n, const double normal[], mdr_friction_memory memory[]);
 
-/** How far the tangential force is from that of the contact. Outputs that are NULL are skipped.
+/** What a law with friction is. */
+typedef struct mdr_friction_law_facts {
+    double coefficient;           /**< Of friction [1]. */
+    double highest_force;         /**< The largest normal force of the compiled range [modulus length^2]. */
+    double highest_sliding_shift; /**< The shift of first shear at which the contact slides under that force [length]. */
+    double tolerance;             /**< What was asked for, relative. */
+    double first_shear_error;     /**< The largest error of T found in first shear at constant F, relative to coefficient F: near the
+                                       tolerance on homogeneous bodies and with Gao's weights, some per cent on exact layered ones. */
+    double path_error;            /**< The largest error of T found along cycles of depth and shift against the exact history,
+                                       relative to the largest coefficient F; -1 on bodies other than homogeneous ones. */
+    int description_length;       /**< Of the description, without its closing zero. */
+    int continue_beyond;          /**< 1 if it answers beyond its range too, else 0. */
+} mdr_friction_law_facts;
+
+/** What a law with friction is.
+ *  @param law    law
+ *  @param facts  receives it */
+int mdr_friction_law_info(const mdr_friction_law *law, mdr_friction_law_facts *facts);
+
+/** The problem a law with friction was made from, in the words of the options.
+ *  @param law     law
+ *  @param buffer  receives the text; may be NULL if length < 1
+ *  @param length  size of buffer, description_length + 1 for all of it; what does not fit is cut off */
+int mdr_friction_law_description(const mdr_friction_law *law, char *buffer, int length);
+
+/** Writes a law with friction to a file, as mdr_law_save() does. What contacts remember, mdr_friction_memory, is the caller's to
+ *  store.
+ *  @param law   law
+ *  @param path  name of the file; what exists under it must be a regular file
+ *  @return also MDR_EFILE if it cannot be written */
+int mdr_friction_law_save(const mdr_friction_law *law, const char *path);
+
+/** Reads a law with friction that was saved from any of the library's languages.
+ *  @param path  name of the file
+ *  @param out   receives the handle
+ *  @return also MDR_EFILE if the file cannot be read, is damaged, or is none of a law with friction */
+int mdr_friction_law_load(const char *path, mdr_friction_law **out);
+
+/** The content of the file of a law with friction, in memory.
  *  @param law          law
- *  @param first_shear  or NULL: largest error found in first shear at constant F, relative to coefficient F: near the tolerance on
- *                      homogeneous bodies and with Gao's weights, some per cent on exact layered ones
- *  @param path         or NULL: largest error found along cycles of depth and shift against the exact history, relative to the
- *                      largest coefficient F; -1 on bodies other than homogeneous ones */
-int mdr_friction_law_errors(const mdr_friction_law *law, double *first_shear, double *path);
+ *  @param buffer       receives the content, if it fits; may be NULL if length < 1
+ *  @param length       size of buffer
+ *  @param full_length  receives the number of bytes of the content */
+int mdr_friction_law_write(const mdr_friction_law *law, char *buffer, int length, int *full_length);
+
+/** A law with friction from the content of its file.
+ *  @param buffer  the content
+ *  @param length  number of bytes
+ *  @param out     receives the handle
+ *  @return also MDR_EFILE if the content is damaged, or is none of a law with friction */
+int mdr_friction_law_read(const char *buffer, int length, mdr_friction_law **out);
 
 /** Frees a law and sets *law to NULL. law = NULL and *law = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *law is not a law with friction */

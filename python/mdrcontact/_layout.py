@@ -148,6 +148,19 @@ friction_memory = np.dtype(
     ],
     align=True,
 )
+friction_law_facts = np.dtype(
+    [
+        ("coefficient", np.float64),
+        ("highest_force", np.float64),
+        ("highest_sliding_shift", np.float64),
+        ("tolerance", np.float64),
+        ("first_shear_error", np.float64),
+        ("path_error", np.float64),
+        ("description_length", np.intc),
+        ("continue_beyond", np.intc),
+    ],
+    align=True,
+)
 fit_parameter = np.dtype(
     [
         ("value", np.float64),

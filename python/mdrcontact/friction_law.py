@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,22 +10,23 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
 from ._boundary import Handle, address, call, number, numbers, record
-from ._value import Value
+from ._law_file import LawFile, law_options
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .friction import Friction
 
 __all__ = ["FrictionLaw"]
 
 
-@dataclass(frozen=True)
-class FrictionLaw(Value):
+class FrictionLaw(LawFile):
     """The tangential force of contacts in codes that integrate motion: stick, partial slip, sliding, and what earlier slip left
-    behind, for the price of two polynomials a step. It never changes and may be shared between threads.
+    behind, for the price of two polynomials a step. It never changes, may be shared between threads, and is saved, loaded and
+    pickled with all it needs; what the contacts remember is the caller's array.
 
     friction : the `Friction` to compile
     largest_depth : > 0 [length]
     smallest_depth : from which on the tolerance holds [length]; None: 1e-4 of the largest
     tolerance : relative, of forces and stiffnesses; 1e-12 to 1e-2
+    description : the problem in words, kept in files; None: the friction's repr
     continue_beyond : whether forces larger than that at the largest depth are answered along the tangent; else they are refused
 
     On homogeneous bodies (and with Gao's weights, where punches are superposed) it is exact in first shear, sliding, loops and
@@ -34,11 +34,9 @@ class FrictionLaw(Value):
     third loop inside a second, and where the shift turns aside. See `first_shear_error` and `path_error`.
     """
 
-    friction: Friction
-    largest_depth: float
-    smallest_depth: float | None = None
-    tolerance: float = 1e-9
-    continue_beyond: bool = False
+    __slots__ = ("_facts",)
+
+    _write, _read, _describe = _native.friction_law_write, _native.friction_law_read, _native.friction_law_description
 
     def __init__(
         self,
@@ -47,38 +45,62 @@ class FrictionLaw(Value):
         *,
         smallest_depth: float | None = None,
         tolerance: float = 1e-9,
+        description: str | None = None,
         continue_beyond: bool = False,
     ) -> None:
         if not isinstance(friction, Friction):
             raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
-        smallest = 0.0 if smallest_depth is None else number("smallest_depth", smallest_depth)
-        if smallest_depth is not None and smallest == 0.0:
-            raise InvalidArgumentError("smallest_depth = 0.0 is not allowed: it must be greater than 0")
-        largest, relative = number("largest_depth", largest_depth), number("tolerance", tolerance)
-        options = record(_layout.law_options, _native.law_options_init, smallest_depth=smallest, tolerance=relative,
-                         continue_beyond=bool(continue_beyond))  # fmt: skip
-        created = _native.friction_law_new(friction._handle.address, largest, address(options))
-        self._set(
-            _handle=Handle(created, _native.friction_law_free),
-            friction=friction,
-            largest_depth=largest,
-            smallest_depth=smallest_depth,
-            tolerance=relative,
-            continue_beyond=bool(continue_beyond),
-        )
+        options, text = law_options(description, repr(friction), smallest_depth, tolerance, continue_beyond)
+        largest = number("largest_depth", largest_depth)
+        self._own(_native.friction_law_new(friction._handle.address, largest, address(options)))
+        del text  # the options point to it
+
+    def _own(self, created: tuple[int, int]) -> None:
+        self._handle = Handle(created, _native.friction_law_free)
+        facts = record(_layout.friction_law_facts)
+        call(_native.friction_law_info, self._handle.address, address(facts))
+        self._facts = facts[0]
+
+    @property
+    def coefficient(self) -> float:
+        """Of friction [1]."""
+        return float(self._facts["coefficient"])
+
+    @property
+    def largest_force(self) -> float:
+        """The largest normal force of the compiled range [modulus length^2]."""
+        return float(self._facts["highest_force"])
+
+    @property
+    def largest_sliding_shift(self) -> float:
+        """The shift of first shear at which the contact slides under the largest normal force [length]."""
+        return float(self._facts["highest_sliding_shift"])
+
+    @property
+    def tolerance(self) -> float:
+        """The relative tolerance asked for."""
+        return float(self._facts["tolerance"])
+
+    @property
+    def description(self) -> str:
+        """The problem the law was made from."""
+        return self._description(int(self._facts["description_length"]))
 
     @property
     def first_shear_error(self) -> float:
-        """The largest error of T found in first shear at constant normal force, relative to coefficient F: near the tolerance on
-        homogeneous bodies and with Gao's weights, some per cent on exact layered ones."""
-        return float(call(_native.friction_law_errors, self._handle.address)[0])
+        """The largest error of T found in first shear at constant normal force F, relative to coefficient F: near the tolerance on
+        homogeneous bodies and with Gao's weights, up to some per cent on exact layered ones."""
+        return float(self._facts["first_shear_error"])
 
     @property
     def path_error(self) -> float | None:
         """The largest error of T found along cycles of depth and shift against the exact history, relative to the largest
         coefficient F; None on bodies other than homogeneous ones."""
-        error = float(call(_native.friction_law_errors, self._handle.address)[1])
+        error = float(self._facts["path_error"])
         return None if error < 0.0 else error
+
+    def __repr__(self) -> str:
+        return f"<FrictionLaw of {self.description}, forces up to {self.largest_force:.4g}>"
 
     @staticmethod
     def contacts(count: int) -> NDArray[Any]:

@@ -3,10 +3,7 @@
 
 from __future__ import annotations
 
-import os
 import warnings
-from collections.abc import Callable
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,10 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native, adhesion
 from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record
-from ._files import replace
+from ._law_file import LawFile, law_options
 from .adhesion import BRANCHES
 from .contact import Contact
-from .errors import ArgumentTypeError, BeyondRangeWarning, FileError, InvalidArgumentError
+from .errors import ArgumentTypeError, BeyondRangeWarning
 
 __all__ = ["ContactLaw", "LawState"]
 
@@ -41,7 +38,7 @@ class LawState(NamedTuple):
     """dF/dd along the branch [modulus length], the derivative that implicit codes need; equal to k without adhesion"""
 
 
-class ContactLaw:
+class ContactLaw(LawFile):
     """The law of one contact over a range of depths, made once, verified, then evaluated in nanoseconds. It never changes, may be
     shared between threads, and pickles with all it needs: processes on other machines do not solve the contact again.
 
@@ -57,7 +54,9 @@ class ContactLaw:
     Unlike the contact, the law has an answer for bodies that are apart: zero.
     """
 
-    __slots__ = ("_handle", "_address", "_facts", "_highest")
+    __slots__ = ("_address", "_facts", "_highest")
+
+    _write, _read, _describe = _native.law_write, _native.law_read, _native.law_description
 
     def __init__(
         self,
@@ -71,17 +70,9 @@ class ContactLaw:
     ) -> None:
         if not isinstance(contact, Contact):
             raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
-        words = repr(contact) if description is None else description
-        if not isinstance(words, str) or "\0" in words:
-            raise ArgumentTypeError(f"description = {description!r} is not allowed: it must be a text without null characters")
-        smallest = 0.0 if smallest_depth is None else number("smallest_depth", smallest_depth)
-        if smallest_depth is not None and smallest == 0.0:
-            raise InvalidArgumentError("smallest_depth = 0.0 is not allowed: it must be greater than 0")
-        text = np.frombuffer(words.encode() + b"\0", np.uint8)
-        options = record(_layout.law_options, _native.law_options_init, smallest_depth=smallest,
-                         tolerance=number("tolerance", tolerance), description=address(text),
-                         continue_beyond=bool(continue_beyond))  # fmt: skip
+        options, text = law_options(description, repr(contact), smallest_depth, tolerance, continue_beyond)
         self._own(_native.law_new(contact._handle.address, number("largest_depth", largest_depth), address(options)))
+        del text  # the options point to it
 
     def _own(self, created: tuple[int, int]) -> None:
         self._handle = Handle(created, _native.law_free)
@@ -186,49 +177,11 @@ class ContactLaw:
     @property
     def description(self) -> str:
         """The problem the law was made from."""
-        length = int(self._facts["description_length"])
-        buffer = np.zeros(length + 1, np.uint8)
-        call(_native.law_description, self._address, address(buffer), length + 1)
-        return str(bytes(buffer[:length]), "utf-8")
-
-    def to_bytes(self) -> bytes:
-        """The content of a law's file: version, description, numbers, checksum."""
-        length = call(_native.law_write, self._address, 0, 0)
-        buffer = np.zeros(length, np.uint8)
-        call(_native.law_write, self._address, address(buffer), length)
-        return bytes(buffer)
-
-    @classmethod
-    def from_bytes(cls, content: bytes) -> ContactLaw:
-        """The law in a file's content. Damaged or foreign content is refused with its reason (FileError)."""
-        law = cls.__new__(cls)
-        law._own(_native.law_read(address(np.frombuffer(content or b"\0", np.uint8)), len(content)))
-        return law
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the law to a file that any of the library's languages reads. When that fails (FileError), what was there stays."""
-        replace(path, self.to_bytes())
-
-    @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> ContactLaw:
-        """Reads a law that was saved from Python, C or Fortran."""
-        try:
-            return cls.from_bytes(Path(path).read_bytes())
-        except FileError as problem:
-            raise FileError(f"the file {os.fspath(path)} is refused: {problem}") from problem
-
-    def __reduce__(self) -> tuple[Callable[[bytes], ContactLaw], tuple[bytes]]:
-        return type(self).from_bytes, (self.to_bytes(),)
+        return self._description(int(self._facts["description_length"]))
 
     def __repr__(self) -> str:
         low, high = self.depth_range
         return f"<ContactLaw of {self.description}, depths {low:.4g} to {high:.4g}, error {self.error:.1e}>"
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, ContactLaw) and self.to_bytes() == other.to_bytes()
-
-    def __hash__(self) -> int:
-        return hash(self.to_bytes())
 
 
 def _as_given(values: Any) -> FloatOrArray:

@@ -262,20 +262,25 @@ static void laws(void)
     mdr_friction *f = NULL;
     mdr_friction_law *law = NULL, *none = NULL;
     mdr_law_options options;
-    mdr_state state;
+    mdr_state state, deepest;
     mdr_tangential_state exact;
     mdr_friction_memory memory[2] = {{{0.0}, {0.0}, 0.0, 0.0, {0.0}, {0.0}, {0.0}}}, before;
-    double first = 1.0, path = 1.0, shift[6] = {0.0}, force[2], normal[6] = {0.0, 0.6, 0.8, 0.0, 0.0, 1.0}, sliding;
+    mdr_friction_law_facts facts;
+    double shift[6] = {0.0}, force[2], normal[6] = {0.0, 0.6, 0.8, 0.0, 0.0, 1.0}, sliding;
 
     CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
     mdr_law_options_init(&options);
     options.tolerance = 1e-8;
     CHECK_SUCCESS(mdr_friction_law_new(f, 0.1, &options, &law));
-    CHECK_SUCCESS(mdr_friction_law_errors(law, &first, &path));
-    CHECK_SUCCESS(mdr_friction_law_errors(law, NULL, NULL));
-    CHECK_TRUE(first < 1e-8 && path > 1e-3 && path < 0.1);
+    CHECK_SUCCESS(mdr_friction_law_info(law, &facts));
+    CHECK_TRUE(facts.first_shear_error < 1e-8 && facts.path_error > 1e-3 && facts.path_error < 0.1);
+    CHECK_TRUE(facts.coefficient == mu && facts.tolerance == 1e-8 && facts.continue_beyond == 0);
     CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &(double){0.05}, &state));
     CHECK_SUCCESS(mdr_friction_sliding(f, &state, &sliding, NULL));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, 1, &facts.highest_force, &deepest));
+    CHECK_TRUE(deepest.depth >= 0.1 && deepest.depth < 0.11);
+    CHECK_SUCCESS(mdr_friction_sliding(f, &deepest, &deepest.depth, NULL));
+    CHECK_CLOSE(facts.highest_sliding_shift, deepest.depth, 1e-7);
     force[0] = force[1] = state.force;
     CHECK_SUCCESS(mdr_friction_law_advance(law, 2, force, shift, memory));
     shift[0] = 0.6 * sliding;
@@ -311,7 +316,8 @@ static void laws(void)
     CHECK_STATUS(mdr_friction_law_new(NULL, 0.1, NULL, &none), MDR_ENULL, "f is NULL");
     CHECK_STATUS(mdr_friction_law_new(f, 0.1, NULL, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_friction_law_new(f, NAN, NULL, &none), MDR_EINVALID, "largest_depth");
-    CHECK_STATUS(mdr_friction_law_errors(NULL, &first, &path), MDR_ENULL, "law is NULL");
+    CHECK_STATUS(mdr_friction_law_info(NULL, &facts), MDR_ENULL, "law is NULL");
+    CHECK_STATUS(mdr_friction_law_info(law, NULL), MDR_ENULL, "facts is NULL");
     none = (mdr_friction_law *)c;
     CHECK_STATUS(mdr_friction_law_free(&none), MDR_EINVALID, "not an mdr_friction_law");
     CHECK_SUCCESS(mdr_friction_law_free(&law));
@@ -321,10 +327,76 @@ static void laws(void)
     CHECK_SUCCESS(mdr_contact_free(&c));
 }
 
+/* The same law from its file and from memory; the other kind of law is refused by name. */
+static void law_files(void)
+{
+    static const char *const path = "friction.mdrlaw";
+    mdr_contact *c = on_half_space();
+    mdr_friction *f = NULL;
+    mdr_friction_law *law = NULL, *again = NULL;
+    mdr_law *normal = NULL;
+    mdr_law_options options;
+    mdr_friction_law_facts facts, other;
+    mdr_friction_memory memory[2] = {{{0.0}, {0.0}, 0.0, 0.0, {0.0}, {0.0}, {0.0}}};
+    double shift[3] = {0.0}, force = 0.02;
+    char words[32], *content;
+    int length = 0, second = 0;
+
+    CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
+    mdr_law_options_init(&options);
+    options.description = "a ball on steel";
+    options.continue_beyond = 1;
+    CHECK_SUCCESS(mdr_friction_law_new(f, 0.1, &options, &law));
+    CHECK_SUCCESS(mdr_friction_law_save(law, path));
+    CHECK_SUCCESS(mdr_friction_law_load(path, &again));
+    CHECK_SUCCESS(mdr_friction_law_info(law, &facts));
+    CHECK_SUCCESS(mdr_friction_law_info(again, &other));
+    CHECK_TRUE(memcmp(&facts, &other, sizeof facts) == 0 && facts.continue_beyond == 1);
+    CHECK_SUCCESS(mdr_friction_law_description(again, words, (int)sizeof words));
+    CHECK_TRUE(strcmp(words, "a ball on steel") == 0 && facts.description_length == 15);
+    for (int i = 0; i < 5; i++) {
+        CHECK_SUCCESS(mdr_friction_law_advance(law, 1, &force, shift, &memory[0]));
+        CHECK_SUCCESS(mdr_friction_law_advance(again, 1, &force, shift, &memory[1]));
+        shift[i % 2] = i < 3 ? 2e-3 : -1e-3;
+        force *= 1.2;
+    }
+    CHECK_TRUE(memory[0].force[0] > 0.0 && memcmp(&memory[0], &memory[1], sizeof memory[0]) == 0);
+    CHECK_SUCCESS(mdr_friction_law_free(&again));
+    CHECK_SUCCESS(mdr_friction_law_write(law, NULL, 0, &length));
+    content = malloc((size_t)length);
+    CHECK_SUCCESS(mdr_friction_law_write(law, content, length, &length));
+    CHECK_SUCCESS(mdr_friction_law_read(content, length, &again));
+    CHECK_SUCCESS(mdr_friction_law_write(again, NULL, 0, &second));
+    CHECK_TRUE(second == length);
+    CHECK_SUCCESS(mdr_friction_law_free(&again));
+    content[length / 2] ^= 1;
+    CHECK_STATUS(mdr_friction_law_read(content, length, &again), MDR_EFILE, "damaged");
+    CHECK_STATUS(mdr_friction_law_read(content, length - 1, &again), MDR_EFILE, "cut off");
+    CHECK_STATUS(mdr_friction_law_read(content, -1, &again), MDR_EINVALID, "length");
+    CHECK_STATUS(mdr_friction_law_read(NULL, length, &again), MDR_ENULL, "buffer is NULL");
+    CHECK_STATUS(mdr_friction_law_write(law, NULL, length, &length), MDR_ENULL, "buffer is NULL");
+    CHECK_STATUS(mdr_friction_law_write(law, content, length, NULL), MDR_ENULL, "full_length is NULL");
+    CHECK_STATUS(mdr_friction_law_save(law, NULL), MDR_ENULL, "path is NULL");
+    CHECK_STATUS(mdr_friction_law_load(NULL, &again), MDR_ENULL, "path is NULL");
+    CHECK_STATUS(mdr_friction_law_save(NULL, path), MDR_ENULL, "law is NULL");
+    CHECK_STATUS(mdr_law_load(path, &normal), MDR_EFILE, "holds a friction law where a contact law is wanted");
+    CHECK_SUCCESS(mdr_law_new(c, 0.1, NULL, &normal));
+    CHECK_SUCCESS(mdr_law_save(normal, path));
+    CHECK_STATUS(mdr_friction_law_load(path, &again), MDR_EFILE, "holds a contact law where a friction law is wanted");
+    CHECK_TRUE(again == NULL);
+    remove(path);
+    free(content);
+    CHECK_SUCCESS(mdr_law_free(&normal));
+    CHECK_SUCCESS(mdr_friction_law_free(&law));
+    CHECK_SUCCESS(mdr_friction_free(&f));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
 int main(void)
 {
     weights();
     laws();
+    law_files();
     histories();
     partial_slip();
     refusals();

@@ -206,8 +206,36 @@ def test_law():
     assert layered.path_error is None
 
 
+def test_law_files(tmp_path):
+    pair = friction(mdr.Homogeneous(STEEL))
+    law = mdr.FrictionLaw(pair, 0.1, tolerance=1e-7)
+    assert law.description == repr(pair)
+    assert law.coefficient == MU
+    assert law.tolerance == 1e-7
+    assert 0.1 <= pair.contact.at_force(law.largest_force).depth < 0.11
+    assert law.largest_sliding_shift == pytest.approx(pair.sliding_shift(force=law.largest_force), rel=1e-6)
+    path = tmp_path / "ball.mdrlaw"
+    law.save(path)
+    again = mdr.FrictionLaw.load(path)
+    assert (again, hash(again), repr(again), again.path_error) == (law, hash(law), repr(law), law.path_error)
+    assert again != mdr.FrictionLaw(pair, 0.1, tolerance=1e-7, description="other words")
+    forces = []
+    for each in (law, again):
+        contacts = each.contacts(1)
+        path_of_shift = [[0.0, 0.0], [1e-3, 1e-3], [-5e-4, 0.0]]
+        forces.append([each.advance(contacts, [law.largest_force * 0.5], [step]).tolist() for step in path_of_shift])
+    assert forces[0] == forces[1]
+    with pytest.raises(mdr.FileError, match="ball.mdrlaw is refused: it holds a friction law where a contact law is wanted"):
+        mdr.ContactLaw.load(path)
+    with pytest.raises(mdr.FileError, match="it holds a contact law where a friction law is wanted"):
+        mdr.FrictionLaw.from_bytes(mdr.ContactLaw(pair.contact, 0.1).to_bytes())
+    with pytest.raises(mdr.FileError, match="not a compiled friction law"):
+        mdr.FrictionLaw.from_bytes(b"")
+
+
 def test_law_refusals():
-    law = mdr.FrictionLaw(friction(mdr.Homogeneous(STEEL)), 0.1)
+    pair = friction(mdr.Homogeneous(STEEL))
+    law = mdr.FrictionLaw(pair, 0.1)
     contacts = law.contacts(2)
     with pytest.raises(mdr.DomainError, match="largest force"):
         law.advance(contacts, [1e9, 1.0], np.zeros((2, 2)))
@@ -223,9 +251,9 @@ def test_law_refusals():
     with pytest.raises(mdr.InvalidArgumentError, match="count"):
         law.contacts(-1)
     with pytest.raises(mdr.InvalidArgumentError, match="smallest_depth"):
-        mdr.FrictionLaw(law.friction, 0.1, smallest_depth=0.0)
+        mdr.FrictionLaw(pair, 0.1, smallest_depth=0.0)
     with pytest.raises(mdr.ArgumentTypeError, match="must be a Friction"):
-        mdr.FrictionLaw(law.friction.contact, 0.1)
+        mdr.FrictionLaw(pair.contact, 0.1)
     assert not contacts["normal_force"].any()
 
 

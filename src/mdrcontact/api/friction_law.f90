@@ -1,11 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Compiled laws of contacts with friction, for C.
 module mdrcontact_api_friction_law
-    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_law, only: read_law_options
-    use mdrcontact_api_status, only: status_of
+    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_text, only: write_text
     use mdrcontact_error, only: error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_history_friction, only: friction_t
     use mdrcontact_kinds, only: wp
@@ -13,7 +14,18 @@ module mdrcontact_api_friction_law
     use mdrcontact_law_friction, only: check_step, friction_law_t, friction_memory_t, new_friction_law, turn_memory
     implicit none (type, external)
     private
-    public :: mdr_friction_law_new, mdr_friction_law_advance, mdr_friction_law_errors, mdr_friction_memory_turn
+    public :: mdr_friction_law_new, mdr_friction_law_advance, mdr_friction_law_info, mdr_friction_law_description, &
+              mdr_friction_memory_turn
+
+    !> struct mdr_friction_law_facts
+    type, bind(C) :: c_friction_law_facts_t
+        real(c_double) :: coefficient = 0.0_c_double
+        real(c_double) :: highest_force = 0.0_c_double, highest_sliding_shift = 0.0_c_double
+        real(c_double) :: tolerance = 0.0_c_double
+        real(c_double) :: first_shear_error = 0.0_c_double, path_error = 0.0_c_double
+        integer(c_int) :: description_length = 0_c_int
+        integer(c_int) :: continue_beyond = 0_c_int
+    end type c_friction_law_facts_t
 
     !> How far from 1 the length of a normal may be.
     real(wp), parameter :: loose = 1.0e-6_wp
@@ -99,18 +111,36 @@ contains
         status = status_of(error)
     end function mdr_friction_memory_turn
 
-    function mdr_friction_law_errors(law, first_shear, path) result(status) bind(C)
+    function mdr_friction_law_info(law, facts) result(status) bind(C)
         type(c_ptr), value :: law
-        real(c_double), intent(inout), optional :: first_shear, path
+        type(c_friction_law_facts_t), intent(inout), optional :: facts
         integer(c_int) :: status
         type(friction_law_t), pointer :: inside
         type(error_t), allocatable :: error
 
         call open_handle(law, "law", inside, error)
+        call check_given(error, "facts", present(facts))
         status = status_of(error)
         if (allocated(error)) return
-        if (present(first_shear)) first_shear = inside%first_shear_error
-        if (present(path)) path = inside%path_error
-    end function mdr_friction_law_errors
+        associate (table => inside%law%by_force)
+            facts = c_friction_law_facts_t(inside%coefficient, table%highest, inside%coefficient*inside%law%by_depth%highest, &
+                                           inside%law%tolerance, inside%first_shear_error, inside%path_error, &
+                                           len(inside%law%description, kind=c_int), merge(1_c_int, 0_c_int, table%continued))
+        end associate
+    end function mdr_friction_law_info
+
+    function mdr_friction_law_description(law, buffer, length) result(status) bind(C)
+        type(c_ptr), value :: law, buffer
+        integer(c_int), value :: length
+        integer(c_int) :: status
+        type(friction_law_t), pointer :: inside
+        type(error_t), allocatable :: error
+
+        call open_handle(law, "law", inside, error)
+        call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
+        status = status_of(error)
+        if (allocated(error) .or. length < 1) return
+        call write_text(inside%law%description, int(length), buffer)
+    end function mdr_friction_law_description
 
 end module mdrcontact_api_friction_law

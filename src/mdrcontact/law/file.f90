@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A compiled law as a file: a first line that names the format and its version, the problem it was made from in words, the numbers
-!> in hexadecimal (every bit, on any machine), and a checksum.
+!> A compiled law, of a contact or with friction, as a file: a first line that names the format and its version, the problem it was
+!> made from in words, the numbers in hexadecimal (every bit, on any machine), and a checksum.
 module mdrcontact_law_file
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_error, only: explain, check_memory, count_text, error_file, error_t, raise
@@ -8,6 +8,7 @@ module mdrcontact_law_file
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_crc32, only: crc32_text
+    use mdrcontact_law_friction, only: friction_law_t
     use mdrcontact_law_sound, only: is_sound
     use mdrcontact_law_table, only: add_energies, find_direct
     use mdrcontact_law_words, only: put_table, read_table, reader_t, word_count
@@ -16,15 +17,35 @@ module mdrcontact_law_file
     public :: save_law, load_law, law_to_text, law_from_text
 
     character(len=*), parameter :: new_line_character = achar(10)
-    character(len=*), parameter :: title = "mdrcontact compiled contact law, format "
+    character(len=*), parameter :: kinds(2) = ["contact ", "friction"]
+    integer, parameter :: of_contact = 1, of_friction = 2
     character(len=*), parameter :: version = "2"
     character(len=*), parameter :: checksum_name = "crc32 "
     integer, parameter :: word_length = 17, checksum_line = len(checksum_name) + 8 + 1
 
+    !> Writes a law to a file, which it replaces; when anything goes wrong the file stays as it was.
+    interface save_law
+        module procedure save_contact_law, save_friction_law
+    end interface save_law
+
+    !> Reads a law from a file.
+    interface load_law
+        module procedure load_contact_law, load_friction_law
+    end interface load_law
+
+    !> The content of a law's file.
+    interface law_to_text
+        module procedure contact_law_to_text, friction_law_to_text
+    end interface law_to_text
+
+    !> The law in a file's content.
+    interface law_from_text
+        module procedure contact_law_from_text, friction_law_from_text
+    end interface law_from_text
+
 contains
 
-    !> Writes a law to a file, which it replaces; when anything goes wrong the file stays as it was.
-    subroutine save_law(law, path, error)
+    subroutine save_contact_law(law, path, error)
         type(contact_law_t), intent(in) :: law
         !> name of the file. Trailing blanks do not count, as in Fortran's open; a null character ends a name in which they do
         character(len=*), intent(in) :: path
@@ -33,10 +54,20 @@ contains
 
         call law_to_text(law, text, error)
         if (.not. allocated(error)) call write_file(path, text, error)
-    end subroutine save_law
+    end subroutine save_contact_law
 
-    !> Reads a law from a file.
-    subroutine load_law(law, path, error)
+    subroutine save_friction_law(law, path, error)
+        type(friction_law_t), intent(in) :: law
+        !> as above
+        character(len=*), intent(in) :: path
+        type(error_t), allocatable, intent(out) :: error
+        character(len=:), allocatable :: text
+
+        call law_to_text(law, text, error)
+        if (.not. allocated(error)) call write_file(path, text, error)
+    end subroutine save_friction_law
+
+    subroutine load_contact_law(law, path, error)
         type(contact_law_t), intent(out) :: law
         !> name of the file, as in save_law
         character(len=*), intent(in) :: path
@@ -47,18 +78,73 @@ contains
         if (allocated(error)) return
         call law_from_text(law, text, error)
         if (allocated(error)) call explain(error, "the file "//path(:path_length(path))//" is refused: ", "")
-    end subroutine load_law
+    end subroutine load_contact_law
 
-    !> The content of a law's file.
-    pure subroutine law_to_text(law, text, error)
+    subroutine load_friction_law(law, path, error)
+        type(friction_law_t), intent(out) :: law
+        !> name of the file, as in save_law
+        character(len=*), intent(in) :: path
+        type(error_t), allocatable, intent(out) :: error
+        character(len=:), allocatable :: text
+
+        call read_file(path, text, error)
+        if (allocated(error)) return
+        call law_from_text(law, text, error)
+        if (allocated(error)) call explain(error, "the file "//path(:path_length(path))//" is refused: ", "")
+    end subroutine load_friction_law
+
+    pure subroutine contact_law_to_text(law, text, error)
         type(contact_law_t), intent(in) :: law
         character(len=:), allocatable, intent(out) :: text
         type(error_t), allocatable, intent(inout) :: error
+
+        call put(law, [real(wp) ::], of_contact, text, error)
+    end subroutine contact_law_to_text
+
+    pure subroutine friction_law_to_text(law, text, error)
+        type(friction_law_t), intent(in) :: law
+        character(len=:), allocatable, intent(out) :: text
+        type(error_t), allocatable, intent(inout) :: error
+
+        call put(law%law, [law%coefficient, law%first_shear_error, law%path_error], of_friction, text, error)
+    end subroutine friction_law_to_text
+
+    subroutine contact_law_from_text(law, text, error)
+        type(contact_law_t), intent(out) :: law
+        character(len=*), intent(in) :: text
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: more(0)
+
+        call get(law, more, of_contact, text, error)
+    end subroutine contact_law_from_text
+
+    subroutine friction_law_from_text(law, text, error)
+        type(friction_law_t), intent(out) :: law
+        character(len=*), intent(in) :: text
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: more(3)
+
+        allocate (law%law)
+        call get(law%law, more, of_friction, text, error)
+        if (allocated(error)) return
+        law%coefficient = more(1)
+        law%first_shear_error = more(2)
+        law%path_error = more(3)
+        if (.not. law%coefficient > 0.0_wp .or. law%law%by_depth%adhesive) call raise_unsound(error)
+    end subroutine friction_law_from_text
+
+    !> Tables, and the numbers that a kind of law has beside them.
+    pure subroutine put(law, more, kind, text, error)
+        type(contact_law_t), intent(in) :: law
+        real(wp), intent(in) :: more(:)
+        integer, intent(in) :: kind
+        character(len=:), allocatable, intent(out) :: text
+        type(error_t), allocatable, intent(inout) :: error
         integer(int64), allocatable :: words(:)
-        character(len=:), allocatable :: first_line
+        character(len=:), allocatable :: title, first_line
         integer :: i, start, stat, count
 
-        count = 3 + word_count(law%by_depth) + word_count(law%by_force)
+        count = 3 + word_count(law%by_depth) + word_count(law%by_force) + size(more)
         if (law%radius > 0.0_wp) count = count + 1
         allocate (words(count), stat=stat)
         call check_memory(error, stat)
@@ -66,9 +152,11 @@ contains
         words(:3) = [transfer([law%tolerance, law%error], [0_int64]), int(law%solutions, int64)]
         call put_table(law%by_depth, words(4:))
         call put_table(law%by_force, words(4 + word_count(law%by_depth):))
-        if (law%radius > 0.0_wp) words(count) = transfer(law%radius, 0_int64)
-        first_line = title//version//new_line_character//count_text(len(law%description))//" characters of description, then "// &
-                     count_text(size(words))//" numbers"//new_line_character
+        if (law%radius > 0.0_wp) words(count - size(more)) = transfer(law%radius, 0_int64)
+        words(count - size(more) + 1:) = transfer(more, [0_int64], size(more))
+        call make_title(kind, title)
+        first_line = title//version//new_line_character//count_text(len(law%description))// &
+                     " characters of description, then "//count_text(size(words))//" numbers"//new_line_character
         start = len(first_line) + len(law%description) + 1
         allocate (character(len=start + word_length*size(words) + 1 + checksum_line) :: text, stat=stat)
         call check_memory(error, stat)
@@ -82,17 +170,20 @@ contains
         end do
         text(start + 1:start + 1) = new_line_character
         text(start + 2:) = checksum_name//crc32_text(text(:start + 1))//new_line_character
-    end subroutine law_to_text
+    end subroutine put
 
-    !> The law in a file's content.
-    subroutine law_from_text(law, text, error)
+    !> The inverse of put.
+    subroutine get(law, more, kind, text, error)
         type(contact_law_t), intent(out) :: law
+        real(wp), intent(out) :: more(:)
+        integer, intent(in) :: kind
         character(len=*), intent(in) :: text
         type(error_t), allocatable, intent(out) :: error
         type(reader_t) :: reader
-        integer :: start
+        integer :: i, start
 
-        call check_frame(text, error)
+        more = 0.0_wp
+        call check_frame(text, kind, error)
         if (allocated(error)) return
         call read_words(text, law%description, reader%words, start, error)
         if (allocated(error)) return
@@ -103,10 +194,13 @@ contains
         if (reader%sound .and. .not. allocated(error)) call read_table(reader, law%by_force, error)
         if (allocated(error)) return
         ! the radius is there for a paraboloid only
-        if (reader%sound .and. reader%next == size(reader%words)) then
+        if (reader%sound .and. reader%next == size(reader%words) - size(more)) then
             law%radius = reader%number()
             reader%sound = reader%sound .and. law%radius > 0.0_wp
         end if
+        do i = 1, size(more)
+            more(i) = reader%number()
+        end do
         if (reader%sound) reader%sound = reader%next == size(reader%words) + 1
         if (reader%sound) reader%sound = is_sound(law)
         if (reader%sound) then
@@ -114,19 +208,41 @@ contains
             call find_direct(law%by_depth)
             call find_direct(law%by_force)
         else
-            call raise(error, error_file, "its numbers do not describe a contact law")
+            call raise_unsound(error)
         end if
-    end subroutine law_from_text
+    end subroutine get
+
+    pure subroutine raise_unsound(error)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call raise(error, error_file, "its numbers do not describe a contact law")
+    end subroutine raise_unsound
+
+    pure subroutine make_title(kind, title)
+        integer, intent(in) :: kind
+        character(len=:), allocatable, intent(out) :: title
+
+        title = "mdrcontact compiled "//trim(kinds(kind))//" law, format "
+    end subroutine make_title
 
     !> Title, version and checksum.
-    pure subroutine check_frame(text, error)
+    pure subroutine check_frame(text, kind, error)
         character(len=*), intent(in) :: text
+        integer, intent(in) :: kind
         type(error_t), allocatable, intent(inout) :: error
+        character(len=:), allocatable :: title, other
         integer :: line_end, body
 
         body = len(text) - checksum_line
+        call make_title(kind, title)
+        call make_title(3 - kind, other)
         if (index(text, title) /= 1) then
-            call raise(error, error_file, "it is not a compiled contact law of mdrcontact")
+            if (index(text, other) == 1) then
+                call raise(error, error_file, "it holds a "//trim(kinds(3 - kind))//" law where a "//trim(kinds(kind))// &
+                           " law is wanted")
+            else
+                call raise(error, error_file, "it is not a compiled "//trim(kinds(kind))//" law of mdrcontact")
+            end if
             return
         end if
         line_end = index(text, new_line_character)

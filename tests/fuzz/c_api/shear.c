@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { PRICE_OF_LAW = 40, PRICE_OF_EXACT_LAW = 90, PRICE_OF_MODULUS = 2, PRICE_OF_EXACT_MODULUS = 20 };
@@ -26,10 +27,31 @@ static void moduli(world *w)
     judge("mdr_medium_torsional_stiffness", mdr_medium_torsional_stiffness(w->media[slot], n, a, out), n, out, POSITIVE);
 }
 
+/* What it is; and what was written is read again. */
+static void write_and_read(const mdr_friction_law *law)
+{
+    mdr_friction_law_facts facts;
+    mdr_friction_law *again = NULL;
+    char words[8];
+    int length = 0, second = 0;
+
+    judge_status("mdr_friction_law_info", mdr_friction_law_info(law, &facts));
+    if (!(facts.first_shear_error >= 0.0 && facts.path_error >= -1.0)) finding("mdr_friction_law_info", "no error", 0);
+    judge_status("mdr_friction_law_description", mdr_friction_law_description(law, words, (int)sizeof words));
+    if (mdr_friction_law_write(law, NULL, 0, &length) != MDR_SUCCESS) return;
+    char *text = malloc((size_t)length);
+    judge_status("mdr_friction_law_write", mdr_friction_law_write(law, text, length, &length));
+    judge_object("mdr_friction_law_read", mdr_friction_law_read(text, length, &again), again);
+    if (!again) finding("mdr_friction_law_read", "refuses what mdr_friction_law_write wrote", length);
+    mdr_friction_law_write(again, NULL, 0, &second);
+    if (second != length) finding("mdr_friction_law_write", "another length after reading", second);
+    mdr_friction_law_free(&again);
+    free(text);
+}
+
 static void compile(world *w)
 {
     const double coefficient = take_chance(&w->in) ? take_positive(&w->in) : 0.3, largest = take_positive(&w->in);
-    double out[MOST_POINTS], other[MOST_POINTS];
     mdr_law_options options;
     mdr_friction *friction = NULL;
     mdr_friction_law *made = NULL;
@@ -48,10 +70,7 @@ static void compile(world *w)
     if (!made) return;
     mdr_friction_law_free(&w->friction_law);
     w->friction_law = made;
-    fill(out), fill(other);
-    status = mdr_friction_law_errors(made, out, other);
-    judge("mdr_friction_law_errors", status, 1, out, NOT_NEGATIVE);
-    judge("mdr_friction_law_errors", status, 1, other, FINITE);
+    write_and_read(made);
 }
 
 /* The steps of a few contacts, whose planes turn in between. */

@@ -2,7 +2,7 @@
 /*
  * The reader of saved laws. The first byte of the input says what the others are: the text of a file as it is, a text whose
  * checksum is put right first (it would stop almost every mutation at the gate), or the bits of the numbers, from which the
- * text is made.
+ * text is made, with friction or without.
  * A law that is accepted is evaluated everywhere: it may be wrong, but it must be tame.
  */
 #include "mdrcontact.h"
@@ -75,12 +75,28 @@ static void evaluate(const mdr_law *law)
     if (mdr_law_write(law, NULL, 0, &length) != MDR_SUCCESS || length < CHECKSUM_LINE) finding("cannot be written again");
 }
 
+/* A law with friction, led along a path. */
+static void rub(const mdr_friction_law *law)
+{
+    mdr_friction_law_facts facts;
+    mdr_friction_memory memory = {{0.0}, {0.0}, 0.0, 0.0, {0.0}, {0.0}, {0.0}};
+    int length = 0;
+
+    if (mdr_friction_law_info(law, &facts) != MDR_SUCCESS) finding("with friction has no facts");
+    for (int i = 0; i < DEPTHS; i++) {
+        const double force = facts.highest_force * (i + 1) / (DEPTHS - 1.0);
+        const double shift[3] = {facts.highest_sliding_shift * (i % 3 - 0.7), 0.0, i == 5 ? 0.1 * facts.highest_sliding_shift : 0.0};
+        mdr_friction_law_advance(law, 1, &force, shift, &memory);
+    }
+    if (mdr_friction_law_write(law, NULL, 0, &length) != MDR_SUCCESS || length < CHECKSUM_LINE) finding("cannot be written again");
+}
+
 /* The file with these bits as its numbers. */
-static size_t text_of_numbers(const uint8_t *data, size_t size, char *text)
+static size_t text_of_numbers(const uint8_t *data, size_t size, int friction, char *text)
 {
     const size_t count = size / 8;
-    int length = sprintf(text, "mdrcontact compiled contact law, format 2\n1 characters of description, then %d numbers\nx\n",
-                         (int)count);
+    int length = sprintf(text, "mdrcontact compiled %s law, format 2\n1 characters of description, then %d numbers\nx\n",
+                         friction ? "friction" : "contact", (int)count);
     for (size_t i = 0; i < count; i++) {
         for (int j = 7; j >= 0; j--) length += sprintf(text + length, "%02X", data[8 * i + (size_t)j]);
         text[length++] = i % 8 == 7 ? '\n' : ' ';
@@ -92,6 +108,7 @@ static size_t text_of_numbers(const uint8_t *data, size_t size, char *text)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     mdr_law *law = NULL;
+    mdr_friction_law *friction = NULL;
     char words[1024];
     size_t length = size - 1;
 
@@ -99,7 +116,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     char *buffer = malloc(3 * size + 256);
     if (!buffer) return 0;
     memcpy(buffer, data + 1, length);
-    if (data[0] % 4 >= 2) length = text_of_numbers(data + 1, length, buffer);
+    if (data[0] % 4 >= 2) length = text_of_numbers(data + 1, length, data[0] % 8 >= 4, buffer);
     if (data[0] % 4 >= 1) mend_checksum(buffer, length);
     /* in a block of its very size, so that a checker sees what lies beyond */
     char *text = malloc(length > 0 ? length : 1);
@@ -112,6 +129,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     } else if (mdr_last_error(words, (int)sizeof words) < 1) {
         finding("is refused without words");
     }
+    if (mdr_friction_law_read(text, (int)length, &friction) == MDR_SUCCESS) rub(friction);
+    mdr_friction_law_free(&friction);
     mdr_law_free(&law);
     free(text);
     free(buffer);

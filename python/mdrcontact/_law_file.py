@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the compiled laws have in common: the content of their file, which is also how they are compared, copied and pickled."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, ClassVar, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _layout, _native
+from ._boundary import Handle, address, call, number, record
+from ._files import replace
+from .errors import ArgumentTypeError, FileError, InvalidArgumentError
+
+Law = TypeVar("Law", bound="LawFile")
+
+
+class LawFile:
+    """A compiled law with a file. It never changes."""
+
+    __slots__ = ("_handle",)
+
+    _handle: Handle
+    _write: ClassVar[Callable[..., Any]]
+    _read: ClassVar[Callable[..., Any]]
+    _describe: ClassVar[Callable[..., Any]]
+
+    def _own(self, created: tuple[int, int]) -> None:
+        raise NotImplementedError
+
+    def _description(self, length: int) -> str:
+        buffer = np.zeros(length + 1, np.uint8)
+        call(type(self)._describe, self._handle.address, address(buffer), length + 1)
+        return str(bytes(buffer[:length]), "utf-8")
+
+    def to_bytes(self) -> bytes:
+        """The content of a law's file: version, description, numbers, checksum."""
+        length = call(type(self)._write, self._handle.address, 0, 0)
+        buffer = np.zeros(length, np.uint8)
+        call(type(self)._write, self._handle.address, address(buffer), length)
+        return bytes(buffer)
+
+    @classmethod
+    def from_bytes(cls: type[Law], content: bytes) -> Law:
+        """The law in a file's content. Damaged or foreign content is refused with its reason (FileError)."""
+        law = cls.__new__(cls)
+        law._own(cls._read(address(np.frombuffer(content or b"\0", np.uint8)), len(content)))
+        return law
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the law to a file that any of the library's languages reads. When that fails (FileError), what was there stays."""
+        replace(path, self.to_bytes())
+
+    @classmethod
+    def load(cls: type[Law], path: str | os.PathLike[str]) -> Law:
+        """Reads a law that was saved from Python, C or Fortran."""
+        try:
+            return cls.from_bytes(Path(path).read_bytes())
+        except FileError as problem:
+            raise FileError(f"the file {os.fspath(path)} is refused: {problem}") from problem
+
+    def __reduce__(self) -> tuple[Callable[[bytes], Any], tuple[bytes]]:
+        return type(self).from_bytes, (self.to_bytes(),)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, type(self)) and self.to_bytes() == other.to_bytes()
+
+    def __hash__(self) -> int:
+        return hash(self.to_bytes())
+
+
+def law_options(
+    description: str | None, otherwise: str, smallest_depth: float | None, tolerance: float, continue_beyond: bool
+) -> tuple[NDArray[Any], NDArray[np.uint8]]:
+    """Struct mdr_law_options and the text of the description in it, which must live as long."""
+    words = otherwise if description is None else description
+    if not isinstance(words, str) or "\0" in words:
+        raise ArgumentTypeError(f"description = {description!r} is not allowed: it must be a text without null characters")
+    smallest = 0.0 if smallest_depth is None else number("smallest_depth", smallest_depth)
+    if smallest_depth is not None and smallest == 0.0:
+        raise InvalidArgumentError("smallest_depth = 0.0 is not allowed: it must be greater than 0")
+    text = np.frombuffer(words.encode() + b"\0", np.uint8)
+    chosen = record(_layout.law_options, _native.law_options_init, smallest_depth=smallest,
+                    tolerance=number("tolerance", tolerance), description=address(text),
+                    continue_beyond=bool(continue_beyond))  # fmt: skip
+    return chosen, text
