@@ -18,6 +18,8 @@ NOT_FUZZED = {
     "mdr_version": "takes nothing",
     "mdr_law_save": "writes a file; mdr_law_write has the same content",
     "mdr_law_load": "reads a file; mdr_law_read has the same content",
+    "mdr_friction_law_save": "writes a file; mdr_friction_law_write has the same content",
+    "mdr_friction_law_load": "reads a file; mdr_friction_law_read has the same content",
     "mdr_set_cancel": "c_cancel ends every kind of long call",
 }
 

@@ -100,14 +100,15 @@ static void write_and_read(world *w)
     mdr_law *again = NULL;
     mdr_law_facts facts;
     char words[8];
-    int length = 0, second = 0;
+    int length = 0, second = 0, status;
 
     judge_status("mdr_law_info", mdr_law_info(law, &facts));
     judge_status("mdr_law_description", mdr_law_description(law, words, take_choice(&w->in, 8)));
     if (mdr_law_write(law, NULL, 0, &length) != MDR_SUCCESS) return;
     char *text = malloc((size_t)length);
     judge_status("mdr_law_write", mdr_law_write(law, text, length, &length));
-    judge_object("mdr_law_read", mdr_law_read(text, length, &again), again);
+    status = mdr_law_read(text, length, &again);
+    judge_object("mdr_law_read", status, again);
     if (!again) finding("mdr_law_read", "refuses what mdr_law_write wrote", length);
     mdr_law_write(again, NULL, 0, &second);
     if (second != length) finding("mdr_law_write", "another length after reading", second);

@@ -33,7 +33,7 @@ static void write_and_read(const mdr_friction_law *law)
     mdr_friction_law_facts facts;
     mdr_friction_law *again = NULL;
     char words[8];
-    int length = 0, second = 0;
+    int length = 0, second = 0, status;
 
     judge_status("mdr_friction_law_info", mdr_friction_law_info(law, &facts));
     if (!(facts.first_shear_error >= 0.0 && facts.path_error >= -1.0)) finding("mdr_friction_law_info", "no error", 0);
@@ -41,7 +41,8 @@ static void write_and_read(const mdr_friction_law *law)
     if (mdr_friction_law_write(law, NULL, 0, &length) != MDR_SUCCESS) return;
     char *text = malloc((size_t)length);
     judge_status("mdr_friction_law_write", mdr_friction_law_write(law, text, length, &length));
-    judge_object("mdr_friction_law_read", mdr_friction_law_read(text, length, &again), again);
+    status = mdr_friction_law_read(text, length, &again);
+    judge_object("mdr_friction_law_read", status, again);
     if (!again) finding("mdr_friction_law_read", "refuses what mdr_friction_law_write wrote", length);
     mdr_friction_law_write(again, NULL, 0, &second);
     if (second != length) finding("mdr_friction_law_write", "another length after reading", second);
