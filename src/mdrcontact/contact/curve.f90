@@ -11,8 +11,9 @@ module mdrcontact_contact_curve
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
-    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_numerics_chebyshev, only: half, node, nodes => terms, series_of_slopes, series_of_values
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_roots, only: find_root
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -20,9 +21,11 @@ module mdrcontact_contact_curve
     private
     public :: curve_t, curve_point_t, new_curve
 
-    !> Chebyshev nodes in a panel, and the length in ln a up to which that many usually suffice.
-    integer, parameter :: nodes = 16
+    !> The length in ln a of a panel for which its terms usually suffice.
     real(wp), parameter :: usual_length = 1.6_wp
+    !> Halving a panel makes its last terms many times smaller: where more than this part is left, slopes may be less exact than
+    !> values.
+    real(wp), parameter :: least_gain = 0.1_wp
     !> A panel is not halved below this length: a kink is then resolved well enough.
     real(wp), parameter :: shortest_length = 1.0e-4_wp
     !> Halving a panel of a smooth quantity below this length makes its last coefficients many times smaller: else they are noise.
@@ -98,7 +101,7 @@ contains
         real(wp), intent(in), optional :: largest_noise
         real(wp), allocatable :: waiting(:), before(:), kept(:, :, :)
         real(wp) :: panel(rows, nodes), left, right, tail, attainable, noise, edges(most_panels + 1)
-        logical :: root, roots(most_panels)
+        logical :: root, has_slopes, by_slopes, tested, roots(most_panels)
         integer :: count, i
 
         self%end_radius = equilibrium%profile%end_radius()
@@ -110,6 +113,10 @@ contains
         allocate (waiting, source=first_edges(coordinates))
         allocate (before(size(waiting)), source=huge(1.0_wp))
         allocate (kept(rows, nodes, most_panels))
+        ! where states are solved for, slopes come with them
+        has_slopes = .not. (self%adhesive .or. equilibrium%medium%has_modulus_formula())
+        by_slopes = has_slopes
+        tested = .false.
         count = 0
         edges(1) = coordinates(1)
         do while (size(waiting) > 0)
@@ -123,14 +130,25 @@ contains
             root = any(coordinates(2:) == left)
             call check_cancelled(error)
             if (allocated(error)) return
-            call sample_panel(self, equilibrium, left, right, root, panel, error)
+            call sample_panel(self, equilibrium, left, right, root, by_slopes, has_slopes, panel, error)
             if (allocated(error)) return
+            if (by_slopes .and. .not. has_slopes) then
+                by_slopes = .false.
+                cycle
+            end if
             ! Close to a flat end a - b, and all that depends on it, has lost digits.
             attainable = max(tolerance, 16.0_wp*epsilon(1.0_wp)*self%end_radius*exp(-left))
             tail = maxval(abs(panel(:, nodes - 1:)))
             ! What halving does not make smaller is noise of the equilibria.
             if (right - left < noisy_length .and. tail > 0.5_wp*before(1)) attainable = max(attainable, noise)
+            if (by_slopes .and. tail > attainable .and. (.not. tested .or. tail > least_gain*before(1))) then
+                ! if values alone make the panel, slopes are left for good
+                by_slopes = .false.
+                tested = .true.
+                cycle
+            end if
             if (tail > attainable .and. right - left > shortest_length) then
+                by_slopes = has_slopes
                 waiting = [0.5_wp*(left + right), waiting]
                 before = [tail, tail, before(2:)]
                 cycle
@@ -164,56 +182,53 @@ contains
         end do
     end function first_edges
 
-    subroutine sample_panel(self, equilibrium, left, right, root, coefficients, error)
+    !> The series of a panel, from values and slopes where the slopes are known.
+    subroutine sample_panel(self, equilibrium, left, right, root, by_slopes, has_slopes, coefficients, error)
         type(curve_t), intent(inout) :: self
         type(equilibrium_t), intent(in) :: equilibrium
         real(wp), intent(in) :: left, right
-        logical, intent(in) :: root
+        logical, intent(in) :: root, by_slopes
+        !> whether slopes are known; where they are asked for and are not, there is no series
+        logical, intent(inout) :: has_slopes
         real(wp), intent(out) :: coefficients(rows, nodes)
         type(error_t), allocatable, intent(out) :: error
         type(contact_state_t) :: state
-        real(wp) :: values(rows, nodes), t
-        integer :: i
+        real(wp) :: values(rows, nodes), slopes(rows, nodes), t, rate
+        integer :: i, count
 
         coefficients = 0.0_wp
         values = 0.0_wp
-        do i = 1, nodes
-            t = 0.5_wp*(1.0_wp + node(i))
-            if (root) t = t**2
-            call equilibrium%parts(equilibrium%radius_of(left + (right - left)*t), state, error)
+        slopes = 0.0_wp
+        count = merge(half, nodes, by_slopes)
+        do i = 1, count
+            t = 0.5_wp*(1.0_wp + node(i, count))
+            rate = 0.5_wp*(right - left)
+            if (root) then
+                rate = 2.0_wp*t*rate
+                t = t**2
+            end if
+            call equilibrium%parts(equilibrium%radius_of(left + (right - left)*t), state, error, slopes(:of_stiffness, i))
             if (allocated(error)) return
             self%solutions = self%solutions + 1
+            if (by_slopes .and. .not. slopes(of_depth, i) > 0.0_wp) then
+                has_slopes = .false.
+                return
+            end if
             values(:, i) = [state%depth, state%force, state%stiffness, merge(-state%excess, 1.0_wp, self%adhesive)]
             if (.not. (minval(values(:, i)) >= 0.0_wp .and. maxval(values(:, i)) <= huge(1.0_wp))) then
                 call raise(error, error_no_convergence, "the depth or the force of this medium is not a positive "// &
                            "number near a = "//to_text(state%radius))
                 return
             end if
+            values(:, i) = log(max(values(:, i), tiny(1.0_wp)))
+            slopes(:, i) = rate*slopes(:, i)
         end do
-        coefficients = chebyshev(log(max(values, tiny(1.0_wp))))
+        if (by_slopes) then
+            coefficients = series_of_slopes(values(:, :half), slopes(:, :half))
+        else
+            coefficients = series_of_values(values)
+        end if
     end subroutine sample_panel
-
-    !> Node i of a panel, in the panel's variable: descending.
-    elemental function node(i) result(z)
-        integer, intent(in) :: i
-        real(wp) :: z
-
-        z = cos(pi*(i - 0.5_wp)/nodes)
-    end function node
-
-    !> Coefficients of rows of values at the nodes.
-    pure function chebyshev(values) result(coefficients)
-        !> (any number of rows, nodes)
-        real(wp), intent(in) :: values(:, :)
-        real(wp) :: coefficients(size(values, 1), nodes)
-        integer :: i, j
-        !> (i, j): T_(j-1) at node i, times its weight
-        real(wp), parameter :: cosines(nodes, nodes) = &
-                               reshape([((cos(pi*(j - 1)*(i - 0.5_wp)/nodes)*merge(1.0_wp, 2.0_wp, j == 1)/nodes, &
-                                          i=1, nodes), j=1, nodes)], [nodes, nodes])
-
-        coefficients = matmul(values, cosines)
-    end function chebyshev
 
     pure subroutine edge_values(self, i, depth, force)
         type(curve_t), intent(in) :: self
@@ -512,16 +527,16 @@ contains
         integer :: panel, i, j
 
         self%adhesive = .false.
-        places = [-1.0_wp, (node(i), i=nodes, 1, -1), 1.0_wp]
+        places = [-1.0_wp, (node(i, nodes), i=nodes, 1, -1), 1.0_wp]
         do panel = 1, size(self%from_root)
             do i = 1, nodes
-                call series(self%coefficients(:, :, panel), node(i), v, dv)
-                point = point_of(self, panel, node(i), v)
+                call series(self%coefficients(:, :, panel), node(i, nodes), v, dv)
+                point = point_of(self, panel, node(i, nodes), v)
                 call tangential%modulus([point%radius], modulus, error)
                 if (allocated(error)) return
                 k(i) = 2.0_wp*point%radius*modulus(1)
             end do
-            self%coefficients(of_stiffness, :, panel) = reshape(chebyshev(reshape(log(k), [1, nodes])), [nodes])
+            self%coefficients(of_stiffness, :, panel) = reshape(series_of_values(reshape(log(k), [1, nodes])), [nodes])
             if (panel == 1) then
                 ! below, F and k_t are powers of a
                 call series(self%coefficients(:, :, 1), -1.0_wp, v, dv)
@@ -538,7 +553,7 @@ contains
                 gained(i) = gained(i) + gained(i - 1)
             end do
             shifts(1:) = shifts(0) + gained(nodes:1:-1)
-            self%coefficients(of_depth, :, panel) = reshape(chebyshev(reshape(log(shifts(1:)), [1, nodes])), [nodes])
+            self%coefficients(of_depth, :, panel) = reshape(series_of_values(reshape(log(shifts(1:)), [1, nodes])), [nodes])
             shifts(0) = shifts(0) + gained(nodes + 1)
         end do
         do i = 1, size(self%edges)

@@ -147,18 +147,28 @@ contains
 
     !> The parts of the state at a radius > 0: depth and force of the non-adhesive state, the stiffness, and the excess -dl(a),
     !> equation (28) or its energy-consistent form.
-    subroutine parts(self, radius, state, error)
+    subroutine parts(self, radius, state, error, slopes)
         class(equilibrium_t), intent(in) :: self
         real(wp), intent(in) :: radius
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: modulus, stiffness_slope
+        !> of ln d0, ln F0 and ln k over the coordinate; 0 where d0'(a) is not known
+        real(wp), intent(out), optional :: slopes(3)
+        real(wp) :: modulus, stiffness_slope, depth_slope
 
         state%radius = radius
+        depth_slope = -1.0_wp
+        if (present(slopes)) depth_slope = self%medium%nonadhesive_slope(self%profile, radius)
         call self%medium%response(self%profile, radius, state%depth, state%force, modulus, stiffness_slope, error, &
-                                  adhesive=self%work_of_adhesion > 0.0_wp)
+                                  adhesive=self%work_of_adhesion > 0.0_wp, depth_slope=depth_slope)
         if (allocated(error)) return
         state%stiffness = 2.0_wp*radius*modulus
+        if (present(slopes)) then
+            ! property B (theory 4, 6): dF = k dd
+            slopes = [depth_slope/state%depth, state%stiffness*depth_slope/state%force, stiffness_slope/state%stiffness] &
+                     *(radius - self%profile%end_radius())
+            if (.not. (depth_slope > 0.0_wp .and. all(ieee_is_finite(slopes)))) slopes = 0.0_wp
+        end if
         if (.not. self%work_of_adhesion > 0.0_wp) return
         if (self%rule == adhesion_energy .or. (self%rule == adhesion_automatic .and. self%medium%is_exact())) then
             modulus = 0.5_wp*stiffness_slope

@@ -9,6 +9,7 @@ module mdrcontact_fit_force_curve
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_chebyshev, only: node, series_of_values, series_value, terms
     implicit none (type, external)
     private
     public :: force_curve_t, new_force_curve
@@ -17,6 +18,8 @@ module mdrcontact_fit_force_curve
     real(wp), parameter :: tolerance = 1.0e-9_wp
     !> Depths below this part of the largest one are extrapolated.
     real(wp), parameter :: smallest_depth_ratio = 1.0e-6_wp
+    !> So many depths for each term of the series in the depth pay for them.
+    integer, parameter :: worth = 3
 
     !> A traced curve.
     type :: force_curve_t
@@ -29,6 +32,10 @@ module mdrcontact_fit_force_curve
         logical :: adhesive = .false.
         !> the state at the vertical wall of the indenter, beyond which it is a flat punch
         type(contact_state_t), allocatable :: wall
+        !> where many depths will be asked for without adhesion: ln d at the ends of the curve's panels; series of ln F and of the
+        !> coordinate in ln d between them (2, terms, panels); and whether they are as accurate as the curve
+        real(wp), allocatable :: log_depths(:), series(:, :, :)
+        logical, allocatable :: converged(:)
     contains
         procedure :: at
         procedure :: pull_off_depth
@@ -37,12 +44,14 @@ module mdrcontact_fit_force_curve
 contains
 
     !> Traces the curve between two depths.
-    subroutine new_force_curve(self, equilibrium, smallest, largest, error)
+    subroutine new_force_curve(self, equilibrium, smallest, largest, error, count)
         type(force_curve_t), intent(out) :: self
         type(equilibrium_t), intent(in) :: equilibrium
         !> the range of depths that will be asked for, largest > 0, or with adhesion anything but 0 [length]
         real(wp), intent(in) :: smallest, largest
         type(error_t), allocatable, intent(out) :: error
+        !> how many depths will be asked for; default: few
+        integer, intent(in), optional :: count
         real(wp), allocatable :: brackets(:, :)
         real(wp) :: found
         integer :: i, solutions
@@ -93,7 +102,35 @@ contains
         end if
         self%lowest = self%curve%at(self%first)
         self%highest = self%curve%at(self%last)
+        if (self%adhesive .or. .not. present(count)) return
+        if (count >= worth*terms*(size(self%curve%edges) - 1)) call expand_in_depth(self)
     end subroutine new_force_curve
+
+    !> From series in the coordinate to series in ln d, panel by panel.
+    pure subroutine expand_in_depth(self)
+        type(force_curve_t), intent(inout) :: self
+        type(curve_point_t) :: point
+        real(wp) :: values(2, terms), middle, half
+        integer :: i, j, panels
+
+        panels = size(self%curve%edges) - 1
+        allocate (self%log_depths(panels + 1), self%series(2, terms, panels), self%converged(panels))
+        do i = 1, panels + 1
+            point = self%curve%at(self%curve%edges(i))
+            self%log_depths(i) = log(point%depth)
+        end do
+        do i = 1, panels
+            middle = 0.5_wp*(self%log_depths(i) + self%log_depths(i + 1))
+            half = 0.5_wp*(self%log_depths(i + 1) - self%log_depths(i))
+            do j = 1, terms
+                point = self%curve%find(depth_control, 0.0_wp, 1.0_wp, .false., exp(middle + half*node(j, terms)), &
+                                        self%curve%edges(i), self%curve%edges(i + 1))
+                values(:, j) = [log(point%force), point%x]
+            end do
+            self%series(:, :, i) = series_of_values(values)
+            self%converged(i) = half > 0.0_wp .and. maxval(abs(self%series(:, terms - 1:, i))) <= tolerance
+        end do
+    end subroutine expand_in_depth
 
     !> The depth at which unloading leaves the curve and the bodies part; without adhesion 0.
     pure function pull_off_depth(self) result(depth)
@@ -122,7 +159,8 @@ contains
         !> false where the indenter or the medium ends before
         logical, intent(out) :: reached
         type(curve_point_t) :: point
-        real(wp) :: power
+        real(wp) :: power, values(2), z
+        integer :: panel
 
         reached = .true.
         force = 0.0_wp
@@ -136,6 +174,17 @@ contains
             end if
         end if
         reached = d <= self%highest%depth + 1.0e-6_wp*(self%highest%depth - self%lowest%depth)
+        if (allocated(self%series) .and. d > self%lowest%depth) then
+            panel = max(count(self%log_depths(:size(self%converged)) <= log(d)), 1)
+            if (self%converged(panel)) then
+                z = (2.0_wp*log(d) - self%log_depths(panel) - self%log_depths(panel + 1)) &
+                    /(self%log_depths(panel + 1) - self%log_depths(panel))
+                values = exp(series_value(self%series(:, :, panel), z))
+                force = values(1)
+                radius = self%curve%end_radius + values(2)
+                return
+            end if
+        end if
         point = self%lowest
         if (d > self%lowest%depth .and. self%adhesive) then
             point = self%curve%find(depth_control, self%lowest%depth, 1.0_wp, .true., d - self%lowest%depth, self%first, self%last)

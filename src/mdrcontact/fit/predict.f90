@@ -184,7 +184,7 @@ contains
         if (allocated(error)) return
         smallest = minval(d)
         if (.not. instrument(at_work_of_adhesion) > 0.0_wp) smallest = minval(d, mask=d > 0.0_wp)
-        call new_force_curve(curve, equilibrium, smallest, maxval(d), error)
+        call new_force_curve(curve, equilibrium, smallest, maxval(d), error, n)
         if (allocated(error)) return
         everywhere = .true.
         do i = 1, n
