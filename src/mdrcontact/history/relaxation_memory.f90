@@ -23,6 +23,8 @@ module mdrcontact_history_relaxation_memory
     integer, parameter :: counts(*) = [6, 10, 14, 18, 24, 32, 40]
     integer, parameter :: samples_per_time = 4
     real(wp), parameter :: beyond = 30.0_wp
+    !> Relative error that rounding leaves of the transform.
+    real(wp), parameter :: reachable = 1.0e-12_wp
 
     !> Memory of one body for contacts up to one radius.
     type :: memory_t
@@ -73,7 +75,7 @@ contains
         call place_waves(self, medium, radius)
         do i = 1, size(counts)
             call fit_times(self, medium, counts(i), longest, misfit, error)
-            if (allocated(error) .or. misfit <= tolerance) return
+            if (allocated(error) .or. misfit <= max(tolerance, reachable)) return
         end do
         call raise(error, error_no_convergence, "the memory of this body spreads over too many times")
     end subroutine new_memory

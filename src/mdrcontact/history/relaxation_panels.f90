@@ -1,5 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Functions of x on panels of Gauss-Lobatto nodes: their ends are nodes.
+!> Functions of x on panels, x = low + (high - low) (3 s^2 - 2 s^3), polynomials in s: what goes as the root of the distance from an
+!> end, as memories do where an edge has turned and g(x) does beside a flat end, is smooth in s. Gauss-Lobatto nodes of s: the ends
+!> are nodes.
 module mdrcontact_history_relaxation_panels
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
@@ -8,6 +10,8 @@ module mdrcontact_history_relaxation_panels
 
     !> Nodes in a panel.
     integer, parameter :: per_panel = 16
+    !> Ends weigh nothing, and what is divided by weights nothing else.
+    real(wp), parameter :: no_weight = 1.0e-30_wp
 
     !> Adjoining panels on which functions are known at Lobatto's nodes.
     type :: panels_t
@@ -25,6 +29,8 @@ contains
         integer :: i, first
 
         call lobatto(nodes, weights)
+        weights = max(6.0_wp*nodes*(1.0_wp - nodes)*weights, no_weight)
+        nodes = nodes**2*(3.0_wp - 2.0_wp*nodes)
         allocate (self%ends(0:ubound(ends, 1)))
         self%ends = ends
         allocate (self%x(per_panel*ubound(ends, 1)), self%weights(per_panel*ubound(ends, 1)))
@@ -41,7 +47,7 @@ contains
         type(panels_t), intent(in) :: panels
         real(wp), intent(in) :: values(:, :), x(:)
         real(wp) :: found(size(x), size(values, 2))
-        real(wp) :: nodes(per_panel), weights(per_panel), barycentric(per_panel), u, row(per_panel)
+        real(wp) :: nodes(per_panel), weights(per_panel), barycentric(per_panel), s, row(per_panel)
         integer :: i, j, panel, first
 
         call lobatto(nodes, weights)
@@ -61,13 +67,14 @@ contains
             do while (x(i) > panels%ends(panel))
                 panel = panel + 1
             end do
-            u = (x(i) - panels%ends(panel - 1))/(panels%ends(panel) - panels%ends(panel - 1))
+            s = (x(i) - panels%ends(panel - 1))/(panels%ends(panel) - panels%ends(panel - 1))
+            s = 0.5_wp - sin(asin(1.0_wp - 2.0_wp*s)/3.0_wp)
             first = per_panel*(panel - 1)
-            j = minloc(abs(u - nodes), dim=1)
-            if (abs(u - nodes(j)) < 4.0_wp*epsilon(u)) then
+            j = minloc(abs(s - nodes), dim=1)
+            if (abs(s - nodes(j)) < 4.0_wp*epsilon(s)) then
                 found(i, :) = values(first + j, :)
             else
-                row = barycentric/(u - nodes)
+                row = barycentric/(s - nodes)
                 found(i, :) = matmul(row/sum(row), values(first + 1:first + per_panel, :))
             end if
         end do

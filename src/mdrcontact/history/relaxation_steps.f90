@@ -22,6 +22,8 @@ module mdrcontact_history_relaxation_steps
     !> Steps after a kink: in units of the shortest time, after first contact in units of the interval, and how fast they grow.
     real(wp), parameter :: first_step = 0.25_wp, first_touch = 1.0e-3_wp, growth = 1.6_wp
     integer, parameter :: most_levels = 9
+    !> What the common times may add to the error of the transform, which is up to 1000 times smaller than that in time.
+    real(wp), parameter :: memory_part = 1.0e-3_wp
 
 contains
 
@@ -49,16 +51,18 @@ contains
             call raise(error, error_invalid, "this history needs the model exact: it does not follow from elastic curves")
         end if
         if (.not. allocated(error)) call widest(contact, medium, given, maxval(values), limit, error)
-        if (.not. allocated(error)) call new_memory(memory, medium, limit, 0.1_wp*tolerance, error)
+        if (.not. allocated(error)) call new_memory(memory, medium, limit, memory_part*tolerance, error)
         if (allocated(error)) return
         best_before = 0.0_wp
         before = 0.0_wp
+        change = huge(1.0_wp)
         do level = 0, most_levels
             call march_once(contact, memory, limit, given, time, values, level, now, error)
             if (allocated(error)) return
             best = (4.0_wp*now - before)/3.0_wp
-            change = largest_change(now, best)
-            if (level > 1) change = max(0.1_wp*change, largest_change(best, best_before))
+            if (level == 1) change = largest_change(now, best)
+            ! the error of `best` falls at most as fast as the fourth power of the step: what falls faster falls by chance
+            if (level > 1) change = max(change/16.0_wp, largest_change(best, best_before))
             if (level > 0 .and. change <= tolerance) then
                 depth = merge(now(:, 1), best(:, 1), given == given_depth)
                 ! where contact is lost between two steps, or between the levels, there is nothing to extrapolate
