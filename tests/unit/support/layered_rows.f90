@@ -11,7 +11,7 @@ module layered_rows
     private
     public :: layered_row_t, read_layered_rows, new_row_bodies
 
-    integer, parameter :: most_layers = 8, columns = 11
+    integer, parameter :: most_layers = 8
 
     type :: layered_row_t
         integer :: layers = 0
@@ -42,7 +42,7 @@ contains
     function parsed(line) result(row)
         character(len=*), intent(in) :: line
         type(layered_row_t) :: row
-        character(len=line_length) :: field(columns), layers(most_layers)
+        character(len=line_length) :: field(8), layers(most_layers)
 
         call split(line, ",", field)
         call split(field(1), ";", layers)
@@ -55,10 +55,7 @@ contains
         read (field(5), *) row%substrate_poisson
         read (field(6), *) row%radius
         row%profile = field(7) (:len(row%profile))
-        read (field(8), *) row%work_of_adhesion
-        read (field(9), *) row%modulus
-        read (field(10), *) row%depth
-        read (field(11), *) row%force
+        read (field(8), *) row%work_of_adhesion, row%modulus, row%depth, row%force
     end function parsed
 
     subroutine new_row_bodies(row, profile, medium)

@@ -5,12 +5,10 @@ module pair_rows
     use mdrcontact_material, only: material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_rigid
-    use reference_tables, only: line_length, new_table_medium, numbers_of, read_table, split
+    use reference_tables, only: layers_of, line_length, new_table_medium, numbers_of, read_table, split
     implicit none (type, external)
     private
     public :: pair_row_t, read_pair_rows, new_row_body
-
-    integer, parameter :: most_parts = 9
 
     type :: pair_row_t
         character(len=80) :: bodies(2) = ""
@@ -29,25 +27,16 @@ contains
         type(pair_row_t), allocatable, intent(out) :: rows(:)
         character(len=line_length), allocatable :: lines(:)
         character(len=line_length) :: words(4)
-        real(wp) :: values(11)
         integer :: i
 
         call read_table(path, lines)
         allocate (rows(size(lines)))
         do i = 1, size(lines)
             call split(lines(i), ",", words)
-            call numbers_of(words(4), ",", values)
             rows(i)%bodies = words(:2) (:80)
             rows(i)%profile = words(3) (:80)
-            rows(i)%radius = values(1)
-            rows(i)%work_of_adhesion = values(2)
-            rows(i)%surface_modulus = values(3)
-            rows(i)%depth = values(4)
-            rows(i)%force = values(5)
-            rows(i)%modulus = values(6)
-            rows(i)%modulus_slope = values(7)
-            rows(i)%displacements = values(8:9)
-            rows(i)%energies = values(10:11)
+            read (words(4), *) rows(i)%radius, rows(i)%work_of_adhesion, rows(i)%surface_modulus, rows(i)%depth, rows(i)%force, &
+                rows(i)%modulus, rows(i)%modulus_slope, rows(i)%displacements, rows(i)%energies
         end do
     end subroutine read_pair_rows
 
@@ -55,29 +44,26 @@ contains
     subroutine new_row_body(text, medium)
         character(len=*), intent(in) :: text
         class(medium_t), allocatable, intent(out) :: medium
-        character(len=line_length) :: parts(most_parts)
-        type(material_t) :: layers(most_parts - 1), substrate
+        type(material_t) :: substrate
         type(homogeneous_t) :: rigid
-        real(wp) :: h(most_parts - 1), values(3)
-        integer :: i, n
+        real(wp), allocatable :: h(:), E(:), nu(:)
+        real(wp) :: values(2)
+        logical :: rigid_base
+        integer :: i, last
 
         if (text == "rigid") then
             call new_rigid(rigid)
             allocate (medium, source=rigid)
             return
         end if
-        call split(text, ";", parts)
-        n = count(parts /= "") - 1
-        do i = 1, n
-            call numbers_of(parts(i), ":", values)
-            h(i) = values(1)
-            layers(i) = material_t(values(2), values(3))
-        end do
-        if (adjustl(parts(n + 1)) /= "rigid base") then
-            call numbers_of(parts(n + 1), ":", values(:2))
+        last = index(text, ";", back=.true.)
+        call layers_of(text(:last - 1), h, E, nu)
+        rigid_base = adjustl(text(last + 1:)) == "rigid base"
+        if (.not. rigid_base) then
+            call numbers_of(text(last + 1:), ":", values)
             substrate = material_t(values(1), values(2))
         end if
-        call new_table_medium(medium, layers(:n), h(:n), substrate, adjustl(parts(n + 1)) == "rigid base")
+        call new_table_medium(medium, [(material_t(E(i), nu(i)), i=1, size(h))], h, substrate, rigid_base)
     end subroutine new_row_body
 
 end module pair_rows

@@ -12,9 +12,9 @@ module reference_tables
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
     implicit none (type, external)
     private
-    public :: line_length, read_table, split, numbers_of, new_table_medium, new_table_profile
+    public :: line_length, read_table, split, numbers_of, layers_of, new_table_medium, new_table_profile
 
-    integer, parameter :: line_length = 512
+    integer, parameter :: line_length = 512, most_layers = 8
     real(wp), parameter :: eighth_turn = atan(1.0_wp)
 
 contains
@@ -70,6 +70,24 @@ contains
         end do
         read (spaced, *) values
     end subroutine numbers_of
+
+    !> Layers "h:modulus:nu; ..." from the surface down; none for a blank or "-".
+    subroutine layers_of(text, thickness, moduli, poisson)
+        character(len=*), intent(in) :: text
+        real(wp), allocatable, intent(out) :: thickness(:), moduli(:), poisson(:)
+        character(len=line_length) :: parts(most_layers)
+        real(wp) :: values(3, most_layers)
+        integer :: i, n
+
+        call split(text, ";", parts)
+        n = count(parts /= "" .and. parts /= "-")
+        do i = 1, n
+            call numbers_of(parts(i), ":", values(:, i))
+        end do
+        thickness = values(1, :n)
+        moduli = values(2, :n)
+        poisson = values(3, :n)
+    end subroutine layers_of
 
     !> Layers from the surface down, if there are any, on a half-space or a rigid base, solved exactly.
     subroutine new_table_medium(medium, layers, thickness, substrate, rigid_base)

@@ -7,12 +7,10 @@ module tangential_rows
     use mdrcontact_material, only: material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
-    use reference_tables, only: line_length, new_table_medium, new_table_profile, numbers_of, read_table, split
+    use reference_tables, only: layers_of, line_length, new_table_medium, new_table_profile, read_table, split
     implicit none (type, external)
     private
     public :: tangential_row_t, read_tangential_rows, new_row_contact
-
-    integer, parameter :: most_layers = 8
 
     type :: tangential_row_t
         character(len=80) :: layers = "", base = "", profile = ""
@@ -31,31 +29,19 @@ contains
         type(tangential_row_t), allocatable, intent(out) :: rows(:)
         character(len=line_length), allocatable :: lines(:)
         character(len=line_length) :: words(6)
-        real(wp) :: values(13)
         integer :: i
 
         call read_table(path, lines)
         allocate (rows(size(lines)))
         do i = 1, size(lines)
             call split(lines(i), ",", words)
-            call numbers_of(words(6), ",", values)
             rows(i)%layers = words(2) (:80)
             rows(i)%base = words(3) (:80)
             read (words(4), *) rows(i)%base_poisson
             rows(i)%profile = words(5) (:80)
-            rows(i)%radius = values(1)
-            rows(i)%coefficient = values(2)
-            rows(i)%part = values(3)
-            rows(i)%shift = values(4)
-            rows(i)%sliding_shift = values(5)
-            rows(i)%depth = values(6)
-            rows(i)%force = values(7)
-            rows(i)%stiffness = values(8)
-            rows(i)%tangential_stiffness = values(9)
-            rows(i)%stick_radius = values(10)
-            rows(i)%tangential_force = values(11)
-            rows(i)%cycle_energy = values(12)
-            rows(i)%slope = values(13)
+            read (words(6), *) rows(i)%radius, rows(i)%coefficient, rows(i)%part, rows(i)%shift, rows(i)%sliding_shift, &
+                rows(i)%depth, rows(i)%force, rows(i)%stiffness, rows(i)%tangential_stiffness, rows(i)%stick_radius, &
+                rows(i)%tangential_force, rows(i)%cycle_energy, rows(i)%slope
         end do
     end subroutine read_tangential_rows
 
@@ -66,22 +52,15 @@ contains
         class(medium_t), allocatable :: medium
         class(profile_t), allocatable :: profile
         type(error_t), allocatable :: error
-        type(material_t) :: layers(most_layers), substrate
-        real(wp) :: h(most_layers), values(3), base
-        character(len=line_length) :: parts(most_layers)
-        integer :: i, n
+        real(wp), allocatable :: h(:), G(:), nu(:)
+        real(wp) :: base
+        integer :: i
 
         base = 1.0_wp
         if (row%base /= "inf") read (row%base, *) base
-        substrate = material_t(2.0_wp*base*(1.0_wp + row%base_poisson), row%base_poisson)
-        call split(row%layers, ";", parts)
-        n = merge(0, count(parts /= ""), row%layers == "-")
-        do i = 1, n
-            call numbers_of(parts(i), ":", values)
-            h(i) = values(1)
-            layers(i) = material_t(2.0_wp*values(2)*(1.0_wp + values(3)), values(3))
-        end do
-        call new_table_medium(medium, layers(:n), h(:n), substrate, row%base == "inf")
+        call layers_of(row%layers, h, G, nu)
+        call new_table_medium(medium, [(material_t(2.0_wp*G(i)*(1.0_wp + nu(i)), nu(i)), i=1, size(h))], h, &
+                              material_t(2.0_wp*base*(1.0_wp + row%base_poisson), row%base_poisson), row%base == "inf")
         call new_table_profile(profile, trim(row%profile))
         call new_contact(contact, profile, medium, error)
         if (allocated(error)) error stop "a contact of the table could not be made"
