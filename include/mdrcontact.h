@@ -23,7 +23,8 @@
  * Every function that can fail returns MDR_SUCCESS (0) or another value of enum mdr_status; mdr_last_error() then says in
  * words which argument was wrong, what it was and what is allowed. A failed call writes no output and loses no memory.
  * Every function can return MDR_ENULL for a missing pointer, MDR_EINVALID for NaN, infinity, a negative n, a handle of another kind
- * or a value out of its range, and MDR_ENOMEMORY; only further codes are listed with the functions.
+ * or a value out of its range, MDR_ENOMEMORY, MDR_ENOCONVERGENCE for a result outside the number range, and in long calls
+ * MDR_ECANCELLED; only further codes, and further reasons, are listed with the functions.
  *
  * @par Arrays
  * `n` is the number of elements of all arrays of the call; n = 0 is allowed, and then the arrays may be NULL. An
@@ -35,10 +36,10 @@
  * was compiled with fewer members than the library has gets the defaults of the rest. MDR_EINVALID for a size that cannot be.
  *
  * @par Handles and who frees them
- * mdr_profile, mdr_medium, mdr_material, mdr_contact, mdr_friction, mdr_loop, mdr_structure, mdr_law and mdr_friction_law are made by the functions with
- * an `out` argument, belong to the caller, and are freed by mdr_profile_free() and so on, which also set the caller's pointer to
- * NULL. What a handle was made from may be freed at once: it holds copies (but mdr_structure_callback() keeps the user's function
- * and context). A handle never changes after its creation, but for mdr_friction_history.
+ * They are made by the functions with an argument `out`, belong to the caller, and are freed by mdr_profile_free() and so on, which
+ * also set the caller's pointer to NULL. What a handle was made from may be freed at once: it holds copies (but
+ * mdr_structure_callback() keeps the user's function and context). A handle never changes after its creation, but for
+ * mdr_friction_history, which must not be used by two threads at a time.
  *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
@@ -137,7 +138,7 @@ int mdr_set_cancel(mdr_cancel cancel, void *context);
 
 /** An indenter. Made by mdr_profile_..., freed by mdr_profile_free(). */
 typedef struct mdr_profile mdr_profile;
-/** An elastic half-space. Made by mdr_medium_..., freed by mdr_medium_free(). */
+/** What is pressed: an elastic or viscoelastic half-space, or two bodies. Made by mdr_medium_..., freed by mdr_medium_free(). */
 typedef struct mdr_medium mdr_medium;
 /** An indenter on a medium. Made by mdr_contact_new(), freed by mdr_contact_free(). */
 typedef struct mdr_contact mdr_contact;
@@ -530,7 +531,7 @@ int mdr_medium_callback(mdr_function modulus, void *context, double smallest_rad
  *  @param n    number of radii
  *  @param a    [n] contact radii > 0 [length]
  *  @param out  [n] E_eff [modulus]
- *  @return also MDR_EDOMAIN where a tabulated or sampled medium is not defined */
+ *  @return also MDR_EINVALID for rigid and viscoelastic media, MDR_EDOMAIN where the medium is not defined, MDR_ENOCONVERGENCE */
 int mdr_medium_modulus(const mdr_medium *m, int n, const double a[], double out[]);
 
 /** k = 2 a E_eff(a), the stiffness of a flat punch of radius a, equation (10) [modulus length]. Arguments and errors as
@@ -644,8 +645,8 @@ typedef struct mdr_state {
     double radius;    /**< a, contact radius [length]. */
     double force;     /**< F, normal force, positive in compression [modulus length^2]. */
     double stiffness; /**< k = dF/dd at constant a, 2 a E_eff(a) [modulus length]. */
-    double excess;    /**< Depth beyond that of the non-adhesive state of this radius: 0 without adhesion, less than 0 with it, the whole
-                           depth under a flat punch [length]. */
+    double excess;    /**< Depth beyond that of the non-adhesive state of this radius: 0 without adhesion, less than 0 with it, the
+                           whole depth under a flat punch [length]. */
 } mdr_state;
 
 /** Which number determines a state. */
@@ -658,10 +659,10 @@ enum mdr_given {
 
 /** Fields of a state. */
 enum mdr_field_kind {
-    MDR_FIELD_PRESSURE = 1,     /**< p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says so: at
-                                     the edge of a flat punch or of an adhesive contact, at the apex of a cone. */
-    MDR_FIELD_DISPLACEMENT = 2, /**< u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the free
-                                     surface beyond; any r >= 0. Of two bodies both together, each into its body [length]. */
+    MDR_FIELD_PRESSURE = 1,     /**< p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says
+                                     so: at the edge of a flat punch or of an adhesive contact, at the apex of a cone. */
+    MDR_FIELD_DISPLACEMENT = 2, /**< u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the
+                                     free surface beyond; any r >= 0. Of two bodies both together, each into its body [length]. */
     MDR_FIELD_LINE_LOAD = 3,    /**< q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a [modulus
                                      length]. */
     MDR_FIELD_DISPLACEMENT_LOWER = 4, /**< u(r) of the medium, or of the lower of two bodies, into that body: where its surface was
@@ -704,22 +705,22 @@ int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], doub
  *  bodies follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the maximum.
  *  Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all layers, for
  *  materials with a glassy and a relaxed limit, indenters without a flat end and the model exact.
- *  @param c      contact
- *  @param given  one of enum mdr_given
+ *  @param c          contact
+ *  @param given      one of enum mdr_given
  *  @param tolerance  of marching, relative to the largest depth, radius and force; 1e-9 to 1e-2, 1e-5 is a good choice
- *  @param n      number of times
- *  @param time   [n] strictly ascending [time]
- *  @param in     [n] depths, < 0 where the bodies are apart [length], forces >= 0 [modulus length^2] or radii >= 0 [length]
- *  @param d      [n] or NULL: depths [length]
- *  @param a      [n] or NULL: contact radii, 0 where the bodies are apart [length]
- *  @param F      [n] or NULL: forces [modulus length^2]
+ *  @param n          number of times
+ *  @param time       [n] strictly ascending [time]
+ *  @param in         [n] depths, < 0 where the bodies are apart [length], forces >= 0 [modulus length^2] or radii >= 0 [length]
+ *  @param d          [n] or NULL: depths [length]
+ *  @param a          [n] or NULL: contact radii, 0 where the bodies are apart [length]
+ *  @param F          [n] or NULL: forces [modulus length^2]
  *  @return MDR_EINVALID also for elastic bodies, for what can be marched only and is not offered, and where a contact that grows
  *          again would not be one disc; MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_contact_history(const mdr_contact *c, int given, double tolerance, int n, const double time[], const double in[],
                         double d[], double a[], double F[]);
 
-/** The dynamic stiffness k* = k' + i k'' of a contact with a viscoelastic body that oscillates by little about a contact radius; the
- *  energy lost in a cycle is pi k'' times the amplitude squared. Exact for any materials, power laws included, under the model
+/** The dynamic stiffness k* = k' + i k'' of a contact with a viscoelastic body that oscillates by little about a contact radius;
+ *  the energy lost in a cycle is pi k'' times the amplitude squared. Exact for any materials, power laws included, under the model
  *  exact; under other models for materials that relax in proportion.
  *  @param c        contact; the indenter does not matter
  *  @param n        number of frequencies
@@ -767,10 +768,10 @@ int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *low
  *  @return also MDR_EDOMAIN for a position outside the range of the field, MDR_ENOCONVERGENCE */
 int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, int n, const double r[], double out[]);
 
-/** The lowest pressure of a state without adhesion. Below 0 the bodies would have to pull on each other: the contact is then not one
- *  disc, its pressure is not that of the true contact, and F(d) is off by up to 0.05 % (cone), 0.6 % (r^4) or 3.5 % (flat punch). It
- *  happens on stiff coatings, solved exactly: from a ratio of moduli of 5 (nu = 1/2) to 7 (nu = 0) under flat ends, 6 to 10
- *  under r^4, 8 to 12 under r^3, 12 to 20 under r^2.5, 50 to 100 under cones; never under paraboloids.
+/** The lowest pressure of a state without adhesion. Below 0 the bodies would have to pull on each other: the contact is then not
+ *  one disc, its pressure is not that of the true contact, and F(d) is off by up to 0.05 % (cone), 0.6 % (r^4) or 3.5 % (flat
+ *  punch). It happens on stiff coatings, solved exactly: from a ratio of moduli of 5 (nu = 1/2) to 7 (nu = 0) under flat ends,
+ *  6 to 10 under r^4, 8 to 12 under r^3, 12 to 20 under r^2.5, 50 to 100 under cones; never under paraboloids.
  *  @param c         contact without adhesion
  *  @param state     a state of this contact, with a radius > 0
  *  @param pressure  or NULL: the smallest p(r), 0 <= r <= a; 0, at the edge, where no pressure is negative [modulus]
@@ -807,10 +808,10 @@ typedef struct mdr_interior {
 /** Displacements and stresses inside a body of homogeneous, layered or graded material, under the state's pressure.
  *
  *  Points that form a grid of few distinct r and z cost far less than as many scattered ones. Where the load is singular on the
- *  surface (edge of a flat punch or of an adhesive contact, apex of a cone, edge of a flat end) stresses are infinite, with friction
- *  the shear tractions too; the sign is that inside the contact. What jumps there, s_rt across the edge of a flat end, has its value
- *  just below the surface, halfway. Under an approximate model it is the field in the layers under the model's own pressure, whose
- *  surface does not fit the indenter.
+ *  surface (edge of a flat punch or of an adhesive contact, apex of a cone, edge of a flat end) stresses are infinite, with
+ *  friction the shear tractions too; the sign is that inside the contact. What jumps there, s_rt across the edge of a flat end,
+ *  has its value just below the surface, halfway. Under an approximate model it is the field in the layers under the model's own
+ *  pressure, whose surface does not fit the indenter.
  *  @param c         contact
  *  @param body      one of enum mdr_body
  *  @param state     a state of this contact, with a radius > 0
@@ -916,8 +917,8 @@ int mdr_friction_sliding(const mdr_friction *f, const mdr_state *state, double *
 int mdr_friction_field(const mdr_friction *f, const mdr_state *state, const mdr_tangential_state *shear, int field, int n,
                        const double r[], double out[]);
 
-/** The loop of a cycle between +amplitude and -amplitude, by Masing's rule, which is exact here: from each turn the force changes as
- *  twice the first loading of half the way.
+/** The loop of a cycle between +amplitude and -amplitude, by Masing's rule, which is exact here: from each turn the force changes
+ *  as twice the first loading of half the way.
  *  @param f           contact with friction
  *  @param state       the normal state, with a radius > 0
  *  @param given       one of enum mdr_tangential_given: what the amplitude is
@@ -931,8 +932,8 @@ int mdr_friction_field(const mdr_friction *f, const mdr_state *state, const mdr_
 int mdr_friction_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double shift[],
                       double force[], double *dissipated);
 
-/** A contact with friction and its past, along any path of normal and tangential loading. It changes: unlike all other handles it must
- *  not be used by two threads at a time. Made by mdr_friction_history_new(), freed by mdr_friction_history_free(). */
+/** A contact with friction and its past, along any path of normal and tangential loading; not for two threads at a time. Made by
+ *  mdr_friction_history_new() or mdr_friction_history_copy(), freed by mdr_friction_history_free(). */
 typedef struct mdr_friction_history mdr_friction_history;
 
 /** A contact that has not been loaded yet.
@@ -963,8 +964,8 @@ int mdr_friction_history_copy(const mdr_friction_history *h, mdr_friction_histor
  *  @param states            [n] normal states reached
  *  @param out               [n] tangential states reached: stick_radius is where the last step did not slip, dissipated_energy that
  *                           since the beginning
- *  @return also MDR_EUNREACHABLE for a tangential force at which the contact slides, MDR_EDOMAIN beyond the largest depth of rings or
- *          if the pressure would be negative somewhere, MDR_ENOCONVERGENCE, and as mdr_contact_states() */
+ *  @return also MDR_EUNREACHABLE for a tangential force at which the contact slides, MDR_EDOMAIN beyond the largest depth of rings
+ *          or if the pressure would be negative somewhere, MDR_ENOCONVERGENCE, and as mdr_contact_states() */
 int mdr_friction_history_advance(mdr_friction_history *h, int normal_given, int tangential_given, int n, const double normal[],
                                  const double tangential[], mdr_state states[], mdr_tangential_state out[]);
 
@@ -1227,8 +1228,8 @@ int mdr_lateral_rule(int order, double nu, double points[], double weights[]);
 /* ---- compiled laws: F(d), a(d), k(d) and their inverses for the price of a short polynomial; docs/laws.md ------------ */
 
 /** The law of one contact over a range of depths, made once, verified against the contact, then evaluated in nanoseconds.
- *  Unlike a contact it has an answer for bodies that are apart: 0. Made by mdr_law_new(), mdr_law_load() or mdr_law_read(), freed
- *  by mdr_law_free(). */
+ *  Unlike a contact it has an answer for bodies that are apart: 0. Made by mdr_law_new(), mdr_law_with_radius(), mdr_law_load() or
+ *  mdr_law_read(), freed by mdr_law_free(). */
 typedef struct mdr_law mdr_law;
 
 /** What a law can be asked for. Set by mdr_law_options_init(), then changed. */
@@ -1405,20 +1406,20 @@ int mdr_law_free(mdr_law **law);
 /* ---- compiled laws with friction ---------------------------------------------------------------------------------- */
 
 /** The tangential force of contacts in codes that integrate motion, step by step, for the price of two polynomials: stick, partial
- *  slip, sliding, and what earlier slip left behind. Made by mdr_friction_law_new(), freed by mdr_friction_law_free(); never changes. */
+ *  slip, sliding, and what earlier slip left behind. Made by mdr_friction_law_new(), freed by mdr_friction_law_free(). */
 typedef struct mdr_friction_law mdr_friction_law;
 
 /** What one contact remembers between steps: the caller's, one for each contact, all 0 before the first step and after the bodies
  *  have parted. May be copied and stored. */
 typedef struct mdr_friction_memory {
-    double force[3];     /**< T, the tangential force on the medium, in the coordinates of the shifts [modulus length^2]. */
-    double axis[3];      /**< Direction in which the edge slips or slipped last, of length 1; 0: the load is in proportion to p. */
-    double normal_force; /**< F after the last step [modulus length^2]. */
-    double level;        /**< S(F), the shift at which it would slide if the coefficient were 1 [length]. */
+    double force[3];       /**< T, the tangential force on the medium, in the coordinates of the shifts [modulus length^2]. */
+    double axis[3];        /**< Direction in which the edge slips or slipped last, of length 1; 0: the load is as p. */
+    double normal_force;   /**< F after the last step [modulus length^2]. */
+    double level;          /**< S(F), the shift at which it would slide if the coefficient were 1 [length]. */
     double slope[3];       /**< How much faster than p the load falls inside the disc of stick, and inside what is left of the slip
                                 before the last two turns, in units of the coefficient; 0: of none [1]. */
     double stick_level[3]; /**< S of the same [length]. */
-    double stick_force[3]; /**< F of the same. */
+    double stick_force[3]; /**< F of the same [modulus length^2]. */
 } mdr_friction_memory;
 
 /** Compiles a contact with friction. Its own errors: mdr_friction_law_info().
@@ -1441,7 +1442,7 @@ int mdr_friction_law_advance(const mdr_friction_law *law, int n, const double fo
                              mdr_friction_memory memory[]);
 
 /** Lays the memories of contacts whose tangent planes have turned into the new planes, with the lengths they have: before the next
- *  step of bodies that roll or turn. Shifts in coordinates that turn with the contact, and contacts whose plane stays, do not need it.
+ *  step of bodies that roll or turn. Not needed where the plane stays, or shifts are given in coordinates that turn with it.
  *  @param n       number of contacts
  *  @param normal  [3 n] x, y, z of the normal of each plane, of length 1
  *  @param memory  [n] of each contact */
@@ -1507,20 +1508,20 @@ int mdr_friction_law_free(mdr_friction_law **law);
 
 /** What x and y of the data are. */
 enum mdr_fit_data_kind {
-    MDR_FIT_FORCE_DEPTH = 1,     /**< Indentation depth [length] and force [modulus length^2]. */
-    MDR_FIT_STIFFNESS_DEPTH = 2, /**< Indentation depth [length] and contact stiffness > 0 [modulus length]; given the force of each
-                                      point [modulus length^2] (dynamic nanoindentation). */
-    MDR_FIT_MODULUS_RADIUS = 3,  /**< Contact radius > 0 [length] and effective contact modulus [modulus]. */
+    MDR_FIT_FORCE_DEPTH = 1,      /**< Indentation depth [length] and force [modulus length^2]. */
+    MDR_FIT_STIFFNESS_DEPTH = 2,  /**< Indentation depth [length] and contact stiffness > 0 [modulus length]; given the force of
+                                       each point [modulus length^2] (dynamic nanoindentation). */
+    MDR_FIT_MODULUS_RADIUS = 3,   /**< Contact radius > 0 [length] and effective contact modulus [modulus]. */
     MDR_FIT_STIFFNESS_RADIUS = 4, /**< Contact radius > 0 [length] and contact stiffness [modulus length]. */
-    MDR_FIT_FORCE_TIME = 5,      /**< Ascending times [time] and force [modulus length^2] of a viscoelastic body; given the
-                                      indentation depth at each time [length], in between linear: mdr_contact_history(). */
-    MDR_FIT_DEPTH_TIME = 6,      /**< Ascending times [time] and indentation depth [length]; given the force [modulus length^2]. */
+    MDR_FIT_FORCE_TIME = 5,       /**< Ascending times [time] and force [modulus length^2] of a viscoelastic body; given the
+                                       indentation depth at each time [length], in between linear: mdr_contact_history(). */
+    MDR_FIT_DEPTH_TIME = 6,       /**< Ascending times [time] and indentation depth [length]; given the force [modulus length^2]. */
     MDR_FIT_DYNAMIC_STIFFNESS = 7 /**< Angular frequency > 0 [1/time] and, as `branch` says of each point, MDR_FIT_STORAGE or
-                                      MDR_FIT_LOSS, real or imaginary part of the dynamic stiffness [modulus length]; given the
-                                      contact radius > 0 [length]: mdr_contact_dynamic_stiffness(). */
+                                       MDR_FIT_LOSS, real or imaginary part of the dynamic stiffness [modulus length]; given the
+                                       contact radius > 0 [length]: mdr_contact_dynamic_stiffness(). */
 };
 
-/** What a point of MDR_FIT_DYNAMIC_STIFFNESS is. */
+/** What a point of MDR_FIT_DYNAMIC_STIFFNESS is: the real or the imaginary part. */
 enum mdr_fit_part { MDR_FIT_STORAGE = 1, MDR_FIT_LOSS = 2 };
 
 /** Kinds of indenter. Their parameters are the arguments of mdr_profile_paraboloid() and so on, in that order. */
@@ -1547,10 +1548,10 @@ enum mdr_fit_medium {
                                          alpha or wave_factor of the model, 1 if it has neither. */
     MDR_FIT_MEDIUM_GRADED = 3,      /**< z, E, nu at each depth from the surface down. */
     MDR_FIT_MEDIUM_POWER_GRADED = 4, /**< E0, z0, exponent, nu. */
-    MDR_FIT_MEDIUM_VISCOELASTIC = 5 /**< Materials, model and layers of the handle `medium_object`, a viscoelastic medium, with other
-                                         numbers: those of each material from the surface down, behind a layer's its thickness. Of
-                                         an elastic material E, nu; of a power law modulus, time, exponent, nu; of a Prony series
-                                         relaxed modulus, modulus and time of each term, viscosity, and bulk modulus or nu. */
+    MDR_FIT_MEDIUM_VISCOELASTIC = 5 /**< Materials, model and layers of the handle `medium_object`, a viscoelastic medium, with
+                                         other numbers: of each material from the surface down, behind a layer's its thickness.
+                                         Elastic: E, nu; power law: modulus, time, exponent, nu; Prony series: relaxed modulus,
+                                         modulus and time of each term, viscosity, bulk modulus or nu. */
 };
 
 /** The parameters of the instrument, by their place behind those of indenter, medium and counterbody. */
@@ -1607,7 +1608,7 @@ typedef struct mdr_fit_problem {
     int check_units;                     /**< 1: data more than 300 times larger or smaller than the model at the start are refused;
                                               default 1. */
     int parameter_count;                 /**< See mdr_fit_parameter_count(). */
-    const mdr_fit_parameter *parameters; /**< [parameter_count] those of the indenter, the medium, the counterbody, and the instrument. */
+    const mdr_fit_parameter *parameters; /**< [parameter_count] those of indenter, medium, counterbody, and instrument. */
     int prior_count;                     /**< Rows of prior_weights >= 0; default 0. */
     const double *prior_weights;         /**< [prior_count][parameter_count] what is known of several parameters together: the sum
                                               over j of weight j times (value - prior) of parameter j has mean 0 and variance 1. For
@@ -1686,10 +1687,9 @@ int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const
 int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
                     double fitted[], double radius[]);
 
-/** Profile-likelihood interval of one free parameter: the values at which the
- * weighted sum of squares, minimal over all other free ones, exceeds its minimum by the quantile of that level (chi-square with one
- * degree of freedom, or F where the noise is estimated). An end
- *  beyond a bound is the bound; one that does not exist is infinite. Data as for mdr_fit_solve().
+/** Profile-likelihood interval of one free parameter: the values at which the weighted sum of squares, minimal over all other free
+ *  ones, exceeds its minimum by the quantile of that level (chi-square with one degree of freedom, or F where the noise is
+ *  estimated). An end beyond a bound is the bound; one that does not exist is infinite. Data as for mdr_fit_solve().
  *  @param problem   problem
  *  @param n         number of points
  *  @param x         [n] see enum mdr_fit_data_kind

@@ -3,11 +3,11 @@
  * @file mdrcontact_law.h
  * Compiled laws in inner loops: force and slope as inline functions of C and C++, for the price of their polynomial.
  *
- * A view is a plain structure that points into a law: made once by mdr_law_view_of(), valid as long as the law, to be copied freely and
- * used by any number of threads. The functions below compute by themselves where a contact without adhesion is closed and its
- * indenter smooth: at depths between view.lowest and view.highest. Everywhere else (open contact, near first touch, adhesion, behind a break
- * of the indenter, beyond the largest depth, NaN) they call the library. Either way the results are those of mdr_law_at_depth(), to
- * the last bit where the compiler does not contract a*b + c into one operation (-ffp-contract=off, or no -march with FMA).
+ * A view is a plain structure that points into a law: made once by mdr_law_view_of(), valid as long as the law, to be copied freely
+ * and used by any number of threads. The functions below compute by themselves where a contact without adhesion is closed and its
+ * indenter smooth: at depths between view.lowest and view.highest. Everywhere else (open contact, near first touch, adhesion,
+ * behind a break of the indenter, beyond the largest depth, NaN) they call the library. Either way the results are those of
+ * mdr_law_at_depth(), to the last bit unless the compiler makes one operation of a*b + c (-ffp-contract=off prevents it).
  */
 #ifndef MDRCONTACT_LAW_H
 #define MDRCONTACT_LAW_H
