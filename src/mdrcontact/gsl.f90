@@ -15,7 +15,7 @@ module mdrcontact_gsl
               gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, &
               gsl_root_test_interval
     public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1, gsl_sf_bessel_il_scaled_array, gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
-    public :: gsl_sort_index
+    public :: gsl_interp_bsearch, gsl_sort_index
     public :: gsl_interp_steffen, gsl_spline_alloc, gsl_spline_init, gsl_spline_free, gsl_spline_eval_deriv
 
     !> Status of a call that did what it says.
@@ -115,6 +115,15 @@ module mdrcontact_gsl
             real(c_double), value :: lower, upper, epsabs, epsrel
             integer(c_int) :: status
         end function gsl_root_test_interval
+
+        !> i from first to last - 1 with edges(i) <= x < edges(i + 1), counted from 0.
+        pure function gsl_interp_bsearch(edges, x, first, last) result(i) bind(C)
+            import :: c_double, c_size_t
+            real(c_double), intent(in) :: edges(*)
+            real(c_double), intent(in), value :: x
+            integer(c_size_t), intent(in), value :: first, last
+            integer(c_size_t) :: i
+        end function gsl_interp_bsearch
 
         !> An interpolation of n points; null without memory.
         function gsl_spline_alloc(kind, n) result(spline) bind(C)

@@ -19,6 +19,7 @@ module mdrcontact_body_graded
     use mdrcontact_numerics_quadrature, only: merged_breaks, new_antiderivative
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
     private
     public :: graded_body_t, new_graded_body, new_graded_body_from_functions
@@ -179,22 +180,13 @@ contains
         !> G [modulus] and nu [1] there
         real(wp), intent(out) :: shear, poisson
         real(wp) :: young, fraction
-        integer :: low, high, middle
+        integer :: i
 
         if (allocated(self%z)) then
-            low = 1
-            high = size(self%z)
-            do while (high - low > 1)
-                middle = (low + high)/2
-                if (z < self%z(middle)) then
-                    high = middle
-                else
-                    low = middle
-                end if
-            end do
-            fraction = min((z - self%z(low))/(self%z(high) - self%z(low)), 1.0_wp)
-            young = self%young(low) + fraction*(self%young(high) - self%young(low))
-            poisson = self%poisson(low) + fraction*(self%poisson(high) - self%poisson(low))
+            i = interval_of(self%z, z)
+            fraction = min((z - self%z(i))/(self%z(i + 1) - self%z(i)), 1.0_wp)
+            young = self%young(i) + fraction*(self%young(i + 1) - self%young(i))
+            poisson = self%poisson(i) + fraction*(self%poisson(i + 1) - self%poisson(i))
         else
             ! a polynomial must not be continued beyond its panel
             young = self%young_of%value(min(max(z, self%young_of%lower()), self%young_of%upper()))

@@ -16,6 +16,7 @@ module mdrcontact_contact_curve
     use mdrcontact_numerics_chebyshev, only: half, node, nodes => terms, series_of_slopes, series_of_values
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_roots, only: find_root
+    use mdrcontact_numerics_search, only: interval_of
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
@@ -301,24 +302,6 @@ contains
                         e(of_force)*dv(of_force) - e(of_stiffness)*e(of_excess)*(dv(of_stiffness) + dv(of_excess)))
     end subroutine control_of
 
-    pure function panel_of(self, x) result(panel)
-        type(curve_t), intent(in) :: self
-        real(wp), intent(in) :: x
-        integer :: panel
-        integer :: high, middle
-
-        panel = 1
-        high = size(self%from_root) + 1
-        do while (high - panel > 1)
-            middle = (panel + high)/2
-            if (x < self%edges(middle)) then
-                high = middle
-            else
-                panel = middle
-            end if
-        end do
-    end function panel_of
-
     !> The panel's variable, -1 at its left and 1 at its right edge.
     pure function local(self, panel, x) result(z)
         type(curve_t), intent(in) :: self
@@ -339,7 +322,7 @@ contains
         real(wp) :: v(rows), dv(rows)
         integer :: panel
 
-        panel = panel_of(self, x)
+        panel = interval_of(self%edges, x)
         call series(self%coefficients(:, :, panel), local(self, panel, x), v, dv)
         point = point_of(self, panel, local(self, panel, x), v)
     end function at
@@ -351,7 +334,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: rate
 
-        rate = slope_in(self, panel_of(self, x), control, x)
+        rate = slope_in(self, interval_of(self%edges, x), control, x)
     end function slope
 
     !> ds/dx by the samples of one panel.
@@ -390,8 +373,8 @@ contains
             point = self%at(merge(first, last, side > 0.0_wp))
             return
         end if
-        panel = panel_of(self, first)
-        last_panel = panel_of(self, last)
+        panel = interval_of(self%edges, first)
+        last_panel = interval_of(self%edges, last)
         middle = last_panel
         do while (last_panel > panel)
             middle = (panel + last_panel + 1)/2

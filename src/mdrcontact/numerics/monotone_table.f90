@@ -10,6 +10,7 @@ module mdrcontact_numerics_monotone_table
                               gsl_spline_free, gsl_spline_init, gsl_success
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
     private
     public :: monotone_table_t, new_monotone_table
@@ -128,26 +129,17 @@ contains
         class(monotone_table_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp), intent(out) :: c(0:3), u
-        integer :: low, high, middle
+        integer :: i
         real(wp) :: length, rise
 
-        low = 1
-        high = size(self%x)
-        do while (high - low > 1)
-            middle = (low + high)/2
-            if (x < self%x(middle)) then
-                high = middle
-            else
-                low = middle
-            end if
-        end do
-        length = self%x(high) - self%x(low)
-        rise = (self%y(high) - self%y(low))/length
-        c(0) = self%y(low)
-        c(1) = self%slopes(low)
-        c(2) = (3.0_wp*rise - 2.0_wp*self%slopes(low) - self%slopes(high))/length
-        c(3) = (self%slopes(low) + self%slopes(high) - 2.0_wp*rise)/length**2
-        u = x - self%x(low)
+        i = interval_of(self%x, x)
+        length = self%x(i + 1) - self%x(i)
+        rise = (self%y(i + 1) - self%y(i))/length
+        c(0) = self%y(i)
+        c(1) = self%slopes(i)
+        c(2) = (3.0_wp*rise - 2.0_wp*self%slopes(i) - self%slopes(i + 1))/length
+        c(3) = (self%slopes(i) + self%slopes(i + 1) - 2.0_wp*rise)/length**2
+        u = x - self%x(i)
     end subroutine cubic
 
 end module mdrcontact_numerics_monotone_table

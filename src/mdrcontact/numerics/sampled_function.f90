@@ -8,17 +8,17 @@ module mdrcontact_numerics_sampled_function
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
-    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_chebyshev, only: chebyshev_sum, chebyshev_sums, cosine_transform, differentiate
     use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
     private
-    public :: sampled_function_t, new_sampled_function, cosine_transform
+    public :: sampled_function_t, new_sampled_function
 
     !> Chebyshev nodes, and coefficients, in a panel.
     integer, parameter :: nodes = 20
-    !> Points that are evaluated side by side.
-    integer, parameter :: block = 8
     integer, parameter :: most_panels = 20000
     !> A panel is not halved below this length relative to its distance from 0.
     real(wp), parameter :: shortest_panel = 1.0e-10_wp
@@ -154,41 +154,6 @@ contains
         call integrate_panels(self)
     end subroutine new_sampled_function
 
-    !> The matrix from the values at Chebyshev's n nodes to the coefficients; column 2 holds 2/n times the nodes.
-    pure subroutine cosine_transform(cosines)
-        !> (n, n)
-        real(wp), intent(out) :: cosines(:, :)
-        integer :: i, j, n
-
-        n = size(cosines, 1)
-        do j = 1, n
-            do i = 1, n
-                cosines(i, j) = (2.0_wp/n)*cosine((j - 1)*(2*i - 1), 2*n)
-            end do
-        end do
-        cosines(:, 1) = 0.5_wp*cosines(:, 1)
-
-    contains
-
-        !> cos(pi k/m), m even, from an angle below pi/4: rounding errors of large ones would look like coefficients.
-        pure function cosine(k, m) result(value)
-            integer, intent(in) :: k, m
-            real(wp) :: value
-            integer :: rest
-
-            rest = modulo(k, 2*m)
-            rest = min(rest, 2*m - rest)
-            value = real(merge(1, -1, 2*rest <= m), wp)
-            rest = min(rest, m - rest)
-            if (4*rest <= m) then
-                value = value*cos(pi*rest/m)
-            else
-                value = value*sin(pi*(m/2 - rest)/m)
-            end if
-        end function cosine
-
-    end subroutine cosine_transform
-
     !> How many coefficients are more than the rounding of values and of positions.
     pure function leading(c, left, right) result(count)
         real(wp), intent(in) :: c(nodes), left, right
@@ -275,7 +240,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = value_in(self, panel_of(self, x), x)
+        y = value_in(self, interval_of(self%edges, x), x)
     end function value
 
     !> f(x) and f'(x) at points of one panel, counted from 1, that does not begin at a branch.
@@ -323,7 +288,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = slope_in(self, panel_of(self, x), x)
+        y = slope_in(self, interval_of(self%edges, x), x)
     end function slope
 
     elemental function slope_in(self, panel, x) result(y)
@@ -347,7 +312,7 @@ contains
         real(wp) :: y
         integer :: i
 
-        i = panel_of(self, x)
+        i = interval_of(self%edges, x)
         y = self%integrals(i) + partial_integral(self, i, local(self, i, x))
     end function integral
 
@@ -403,23 +368,6 @@ contains
         call move_alloc(self%integrals, to%integrals)
     end subroutine move_to
 
-    pure function panel_of(self, x) result(low)
-        type(sampled_function_t), intent(in) :: self
-        real(wp), intent(in) :: x
-        integer :: low, high, middle
-
-        low = 1
-        high = size(self%from_root) + 1
-        do while (high - low > 1)
-            middle = (low + high)/2
-            if (x < self%edges(middle)) then
-                high = middle
-            else
-                low = middle
-            end if
-        end do
-    end function panel_of
-
     !> The panel's variable, 0 at its left and 1 at its right edge.
     pure function local(self, i, x) result(t)
         type(sampled_function_t), intent(in) :: self
@@ -460,64 +408,5 @@ contains
         y = 0.5_wp*(self%edges(i + 1) - self%edges(i)) &
             *(chebyshev_sum(primitive, 2.0_wp*t - 1.0_wp) - chebyshev_sum(primitive, -1.0_wp))
     end function partial_integral
-
-    !> Clenshaw's sum of c(1) T_0 + c(2) T_1 + ... at z.
-    pure function chebyshev_sum(c, z) result(y)
-        real(wp), intent(in) :: c(:), z
-        real(wp) :: y
-        real(wp) :: b1, b2, b3
-        integer :: j
-
-        b1 = 0.0_wp
-        b2 = 0.0_wp
-        do j = size(c), 2, -1
-            b3 = b2
-            b2 = b1
-            b1 = 2.0_wp*z*b2 - b3 + c(j)
-        end do
-        y = z*b1 - b2 + c(1)
-    end function chebyshev_sum
-
-    !> The same at several points of the panel from left to right.
-    pure subroutine chebyshev_sums(c, left, right, x, y)
-        real(wp), intent(in) :: c(:), left, right, x(:)
-        real(wp), intent(out) :: y(:)
-        real(wp) :: z(block), b1(block), b2(block), b3(block)
-        integer :: first, j, n
-
-        do first = 0, size(x) - 1, block
-            n = min(block, size(x) - first)
-            ! as many as a block has, also of the last points
-            z = left
-            do j = 1, n
-                z(j) = x(first + j)
-            end do
-            z = 2.0_wp*(z - left)*(1.0_wp/(right - left)) - 1.0_wp
-            b1 = 0.0_wp
-            b2 = 0.0_wp
-            do j = size(c), 2, -1
-                b3 = 2.0_wp*z*b1 - b2 + c(j)
-                b2 = b1
-                b1 = b3
-            end do
-            z = z*b1 - b2 + c(1)
-            do j = 1, n
-                y(first + j) = z(j)
-            end do
-        end do
-    end subroutine chebyshev_sums
-
-    pure subroutine differentiate(c, derivative)
-        real(wp), intent(in) :: c(nodes)
-        real(wp), intent(out) :: derivative(nodes)
-        integer :: j
-
-        derivative(nodes) = 0.0_wp
-        derivative(nodes - 1) = 2.0_wp*(nodes - 1)*c(nodes)
-        do j = nodes - 2, 1, -1
-            derivative(j) = derivative(j + 2) + 2.0_wp*j*c(j + 1)
-        end do
-        derivative(1) = 0.5_wp*derivative(1)
-    end subroutine differentiate
 
 end module mdrcontact_numerics_sampled_function

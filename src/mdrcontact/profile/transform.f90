@@ -10,9 +10,11 @@
 module mdrcontact_profile_transform
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: half_pi, wp
+    use mdrcontact_numerics_chebyshev, only: chebyshev_sum, cosine_transform
     use mdrcontact_numerics_quadrature, only: gauss_legendre
-    use mdrcontact_numerics_sampled_function, only: cosine_transform, sampled_function_t
+    use mdrcontact_numerics_sampled_function, only: sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
     private
     public :: transform_t, new_transform
@@ -222,7 +224,7 @@ contains
         if (self%block > 0) then
             if (x >= self%edges(self%block) .and. x <= self%edges(self%block + 1)) return
         end if
-        self%block = panel_of(self%edges, x)
+        self%block = interval_of(self%edges, x)
         self%near_count = 0
         self%far_count = 0
         call sort_group(self, size(self%first) - 1, size(self%centre))
@@ -269,23 +271,6 @@ contains
         end if
     end subroutine sort_group
 
-    !> The last panel whose left edge is at most x.
-    pure function panel_of(edges, x) result(low)
-        real(wp), intent(in) :: edges(:), x
-        integer :: low, high, middle
-
-        low = 1
-        high = size(edges)
-        do while (high - low > 1)
-            middle = (low + high)/2
-            if (x < edges(middle)) then
-                high = middle
-            else
-                low = middle
-            end if
-        end do
-    end function panel_of
-
     !> c(0) + c(1) t + ..., in four chains side by side.
     pure function series(c, t) result(y)
         real(wp), intent(in) :: c(0:terms - 1), t
@@ -305,20 +290,11 @@ contains
         class(transform_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: z, low, high, b1, b2, b3
-        integer :: j
+        real(wp) :: low, high
 
         low = self%edges(self%block)
         high = self%edges(self%block + 1)
-        z = 2.0_wp*(x - low)*(x + low)/((high - low)*(high + low)) - 1.0_wp
-        b1 = 0.0_wp
-        b2 = 0.0_wp
-        do j = far_nodes, 2, -1
-            b3 = b2
-            b2 = b1
-            b1 = 2.0_wp*z*b2 - b3 + self%far_part(j)
-        end do
-        y = z*b1 - b2 + self%far_part(1)
+        y = chebyshev_sum(self%far_part, 2.0_wp*(x - low)*(x + low)/((high - low)*(high + low)) - 1.0_wp)
     end function far_value
 
     !> The integral over a panel as far as x, in s = sqrt(x - r).
