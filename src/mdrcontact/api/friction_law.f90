@@ -5,13 +5,13 @@ module mdrcontact_api_friction_law
     use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_law, only: read_law_options
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_api_text, only: write_text
-    use mdrcontact_error, only: error_invalid, error_t, raise, raise_at, to_text
+    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_history_friction, only: friction_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_from_contact, only: law_options_t
-    use mdrcontact_law_friction, only: check_step, friction_law_t, friction_memory_t, new_friction_law, turn_memory
+    use mdrcontact_law_friction, only: friction_law_t, friction_memory_t, new_friction_law, turn_memory
     implicit none (type, external)
     private
     public :: mdr_friction_law_new, mdr_friction_law_advance, mdr_friction_law_info, mdr_friction_law_description, &
@@ -54,31 +54,19 @@ contains
     function mdr_friction_law_advance(law, n, force, shift, memory) result(status) bind(C)
         type(c_ptr), value :: law
         integer(c_int), value :: n
-        real(c_double), intent(in), optional :: force(n), shift(3, n)
-        type(friction_memory_t), intent(inout), optional :: memory(n)
+        real(c_double), intent(in), optional, target :: force(n), shift(3, n)
+        type(friction_memory_t), intent(inout), optional, target :: memory(n)
         integer(c_int) :: status
         type(friction_law_t), pointer :: inside
         type(error_t), allocatable :: error
-        integer :: i
 
         call open_handle(law, "law", inside, error)
         call check_count(error, n)
         call check_array(error, "force", n, present(force))
         call check_array(error, "shift", n, present(shift))
         call check_array(error, "memory", n, present(memory))
-        if (.not. allocated(error)) then
-            ! all are possible before the first one is done
-            do i = 1, n
-                call check_step(inside, force(i), shift(:, i), memory(i), error)
-                if (.not. allocated(error)) cycle
-                call raise_at(error, i)
-                exit
-            end do
-        end if
-        if (.not. allocated(error)) then
-            do i = 1, n
-                call inside%step(force(i), shift(:, i), memory(i))
-            end do
+        if (.not. allocated(error) .and. n > 0) then
+            call inside%advance_all(int(n), force, shift, memory, wanted_threads(), error)
         end if
         status = status_of(error)
     end function mdr_friction_law_advance

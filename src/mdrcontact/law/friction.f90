@@ -13,21 +13,22 @@
 module mdrcontact_law_friction
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_contact, only: on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
-    use mdrcontact_error, only: check_finite, error_domain, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_finite, error_domain, error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_history_friction, only: first_shear_t, friction_t, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, new_friction_history
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_law, only: contact_law_t
-    use mdrcontact_law_evaluate, only: point_at
+    use mdrcontact_law_evaluate, only: point_at, run_points, wanted_t
     use mdrcontact_law_from_contact, only: law_options_t, new_contact_law
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial_with_slope
     use mdrcontact_law_table, only: law_table_t
     implicit none (type, external)
     private
-    public :: check_step, friction_law_t, friction_memory_t, new_friction_law, turn_memory
+    public :: friction_law_t, friction_memory_t, new_friction_law, turn_memory
 
     integer, parameter :: levels = 3
 
@@ -54,8 +55,22 @@ module mdrcontact_law_friction
         real(wp) :: first_shear_error = 0.0_wp, path_error = -1.0_wp
     contains
         procedure :: advance
-        procedure :: step
+        procedure :: advance_all
     end type friction_law_t
+
+    !> One step of each of many contacts.
+    type, extends(batch_t) :: steps_t
+        type(contact_law_t), pointer :: law => null()
+        real(wp) :: coefficient = 0.0_wp
+        real(wp), pointer, contiguous :: force(:) => null(), shift(:, :) => null()
+        type(friction_memory_t), pointer, contiguous :: memory(:) => null()
+    contains
+        procedure :: work => do_steps
+    end type steps_t
+
+    !> Contacts for which the law is asked at a time, and below how many each by itself is quicker; from how many on several threads
+    !> pay.
+    integer, parameter :: block_size = 256, few = 6, smallest_parallel = 64*block_size
 
     !> A shift across n that is more than this part of that along it ends n.
     real(wp), parameter :: aside = 0.1_wp
@@ -102,7 +117,77 @@ contains
         if (.not. allocated(error)) call step(self, force, shift, memory)
     end subroutine advance
 
-    !> The same for a step that is possible: check_step has no error.
+    !> One step of each of many contacts, on `threads` threads (0: as many as the runtime offers), as advance does it. After an
+    !> error all memories are as before, and the error names the first contact that is at fault.
+    subroutine advance_all(self, n, force, shift, memory, threads, error)
+        class(friction_law_t), intent(in), target :: self
+        integer, intent(in) :: n
+        !> as of advance
+        real(wp), intent(in), target :: force(n), shift(3, n)
+        !> of each contact
+        type(friction_memory_t), intent(inout), target :: memory(n)
+        integer, intent(in) :: threads
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        ! all are possible before the first one is done
+        do i = 1, n
+            if (is_plain(self, force(i), shift(:, i), memory(i))) cycle
+            call check_step(self, force(i), shift(:, i), memory(i), error)
+            if (.not. allocated(error)) cycle
+            call raise_at(error, i)
+            return
+        end do
+        if (n >= few) then
+            call run_steps(self, force, shift, memory, threads, error)
+        else
+            do i = 1, n
+                call step(self, force(i), shift(:, i), memory(i))
+            end do
+        end if
+    end subroutine advance_all
+
+    subroutine run_steps(self, force, shift, memory, threads, error)
+        class(friction_law_t), intent(in), target :: self
+        real(wp), intent(in), target, contiguous :: force(:), shift(:, :)
+        type(friction_memory_t), intent(inout), target, contiguous :: memory(:)
+        integer, intent(in) :: threads
+        type(error_t), allocatable, intent(inout) :: error
+        type(steps_t) :: steps
+
+        steps%is_quick = .true.
+        steps%law => self%law
+        steps%coefficient = self%coefficient
+        steps%force => force
+        steps%shift => shift
+        steps%memory => memory
+        call run_batch(steps, size(force), block_size, smallest_parallel, threads, error)
+    end subroutine run_steps
+
+    !> Steps of contacts first to last; the law is asked for many points at a time, which is quicker, and gives the same bits.
+    subroutine do_steps(self, first, last, error)
+        class(steps_t), intent(inout) :: self
+        integer, intent(in) :: first, last
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), dimension(block_size), target :: level, compliance, stick, at_stick
+        integer :: i, n
+
+        n = last - first + 1
+        call run_points(self%law%by_force, on_unloading, self%force(first:last), .false., 1, wanted_t(level(:n), compliance(:n)))
+        do i = 1, n
+            call begin_step(self%coefficient, self%force(first + i - 1), self%shift(:, first + i - 1), level(i), compliance(i), &
+                            self%memory(first + i - 1))
+            stick(i) = self%memory(first + i - 1)%stick_level(1)
+            ! where nothing sticks any other answer is as good, and this one quick
+            if (.not. stick(i) > 0.0_wp) stick(i) = self%law%by_depth%direct%lowest
+        end do
+        call run_points(self%law%by_depth, on_unloading, stick(:n), .false., 1, wanted_t(at_stick(:n)))
+        do i = 1, n
+            call end_step(self%coefficient, self%force(first + i - 1), at_stick(i), self%memory(first + i - 1))
+        end do
+    end subroutine do_steps
+
+    !> advance, of a step that is possible: check_step has no error.
     pure subroutine step(self, force, shift, memory)
         class(friction_law_t), intent(in) :: self
         !> F at the end of the step [modulus length^2]
@@ -111,19 +196,34 @@ contains
         real(wp), intent(in) :: shift(3)
         !> of this contact
         type(friction_memory_t), intent(inout) :: memory
-        real(wp) :: level, compliance, rise, way, mu, total
+        real(wp) :: level, compliance, at_stick, unused
+
+        at_stick = 0.0_wp
+        call values_at(self%law%by_force, force, level, compliance)
+        call begin_step(self%coefficient, force, shift, level, compliance, memory)
+        if (memory%stick_level(1) > 0.0_wp) call values_at(self%law%by_depth, memory%stick_level(1), at_stick, unused)
+        call end_step(self%coefficient, force, at_stick, memory)
+    end subroutine step
+
+    !> All of a step but for what F(S1) brings: T without the load that is missing in the disc of stick, and that disc.
+    pure subroutine begin_step(mu, force, shift, level, compliance, memory)
+        real(wp), intent(in) :: mu, force, shift(3)
+        !> S after the step, and dS/dF
+        real(wp), intent(in) :: level, compliance
+        type(friction_memory_t), intent(inout) :: memory
+        real(wp) :: rise, way, total
+        logical :: has_axis
 
         if (.not. force > 0.0_wp) then
             memory = friction_memory_t()
             return
         end if
-        mu = self%coefficient
-        call values_at(self%law%by_force, force, level, compliance)
         rise = level - memory%level
-        total = dot_product(shift, shift)
-        way = dot_product(shift, memory%axis)
-        if (has_axis(memory)) then
-            if (total > (1.0_wp + aside**2)*max(way**2, (mu*rise)**2)) memory%axis = 0.0_wp
+        total = squared(shift)
+        way = along(shift, memory%axis)
+        has_axis = squared(memory%axis) > 0.0_wp
+        if (has_axis) then
+            has_axis = total <= (1.0_wp + aside**2)*max(way**2, (mu*rise)**2)
         else
             way = sqrt(total)
         end if
@@ -131,46 +231,77 @@ contains
             memory%force = memory%force + (force - memory%normal_force)/rise*shift
             memory%axis = 0.0_wp
         else
-            if (.not. has_axis(memory)) call choose_axis(mu, shift, rise, memory)
-            if (has_axis(memory)) call slip(self, force, shift, level, rise, compliance, memory)
+            if (.not. has_axis) call choose_axis(mu, shift, rise, memory, has_axis)
+            if (has_axis) call slip(mu, force, shift, level, rise, compliance, memory)
         end if
         memory%normal_force = force
         memory%level = level
-        total = dot_product(memory%force, memory%force)
+    end subroutine begin_step
+
+    !> The rest; without an axis nothing is missing.
+    pure subroutine end_step(mu, force, at_stick, memory)
+        real(wp), intent(in) :: mu, force
+        !> F(S1), where S1 > 0
+        real(wp), intent(in) :: at_stick
+        type(friction_memory_t), intent(inout) :: memory
+        real(wp) :: total
+
+        memory%stick_force(1) = 0.0_wp
+        if (memory%stick_level(1) > 0.0_wp) memory%stick_force(1) = at_stick
+        memory%force = memory%force - mu*along(memory%slope, memory%stick_force)*memory%axis
+        total = squared(memory%force)
         if (total > (mu*force)**2) memory%force = mu*force/sqrt(total)*memory%force
-    end subroutine step
+    end subroutine end_step
 
     !> A step in which the edge slips, forward or back.
-    pure subroutine slip(self, force, shift, level, rise, compliance, memory)
-        class(friction_law_t), intent(in) :: self
-        real(wp), intent(in) :: force, shift(3)
+    pure subroutine slip(mu, force, shift, level, rise, compliance, memory)
+        real(wp), intent(in) :: mu, force, shift(3)
         !> S after the step, how much it has grown, and dS/dF
         real(wp), intent(in) :: level, rise, compliance
         type(friction_memory_t), intent(inout) :: memory
-        real(wp) :: way, edge(3), along, moved, mu
+        real(wp) :: way, edge(3), share, moved, stiffness
 
-        mu = self%coefficient
         edge = memory%axis
         if (memory%normal_force > 0.0_wp) then
-            edge = (memory%force/mu + dot_product(memory%slope, memory%stick_force)*memory%axis)/memory%normal_force
-            along = dot_product(edge, edge)
-            if (abs(along - 1.0_wp) > drift) edge = edge/sqrt(along)
+            edge = (memory%force/mu + along(memory%slope, memory%stick_force)*memory%axis)/memory%normal_force
+            share = squared(edge)
+            if (abs(share - 1.0_wp) > drift) edge = edge/sqrt(share)
         end if
-        along = max(dot_product(edge, memory%axis), 0.0_wp)
-        way = dot_product(shift, memory%axis)
-        moved = way/mu - along*rise
+        share = max(along(edge, memory%axis), 0.0_wp)
+        way = along(shift, memory%axis)
+        moved = way/mu - share*rise
         if (moved < 0.0_wp) then
-            call turn(along, memory, edge)
+            call turn(share, memory, edge)
             way = -way
-            moved = way/mu - along*rise
+            moved = way/mu - share*rise
         end if
         call move_stick(moved, level, memory)
-        call values_at(self%law%by_depth, memory%stick_level(1), memory%stick_force(1), along)
         ! the limit is a circle: what slides follows the shift
         if (.not. memory%stick_level(1) > 0.0_wp) way = min(way, 0.0_wp)
-        memory%force = (mu*force)*edge - (mu*dot_product(memory%slope, memory%stick_force) + way/compliance)*memory%axis &
-                       + shift/compliance
+        stiffness = 1.0_wp/compliance
+        memory%force = mu*force*edge - stiffness*way*memory%axis + stiffness*shift
     end subroutine slip
+
+    !> Whether a step is certainly possible; where not, check_step says what is wrong, if anything is.
+    pure function is_plain(self, force, shift, memory) result(plain)
+        class(friction_law_t), intent(in) :: self
+        real(wp), intent(in) :: force, shift(3)
+        type(friction_memory_t), intent(in) :: memory
+        logical :: plain
+
+        plain = abs(force + (shift(1) + shift(2) + shift(3)) + sum_of(memory)) <= huge(force) &
+                .and. force <= self%law%by_force%highest
+    end function is_plain
+
+    !> No finite number if any is not.
+    pure function sum_of(memory) result(total)
+        type(friction_memory_t), intent(in) :: memory
+        real(wp) :: total
+        real(wp) :: part(3)
+
+        part = ((memory%force + memory%axis) + (memory%slope + memory%stick_level)) + memory%stick_force
+        total = (part(1) + part(2)) + (part(3) + (memory%normal_force + memory%level))
+    end function sum_of
 
     !> Whether a step is possible.
     pure subroutine check_step(self, force, shift, memory, error)
@@ -181,14 +312,11 @@ contains
         real(wp), intent(in) :: shift(3)
         !> see force
         type(friction_memory_t), intent(in) :: memory
-        type(error_t), allocatable, intent(out) :: error
-        real(wp) :: all_of_it
+        type(error_t), allocatable, intent(inout) :: error
 
         if (.not. ieee_is_finite(force)) call check_finite(error, "force", force)
         if (.not. all(ieee_is_finite(shift))) call raise(error, error_invalid, " must be finite", "shift")
-        all_of_it = sum(memory%force) + sum(memory%axis) + memory%normal_force + memory%level &
-                    + sum(memory%slope + memory%stick_level + memory%stick_force)
-        if (.not. ieee_is_finite(all_of_it)) then
+        if (.not. ieee_is_finite(sum_of(memory))) then
             call raise(error, error_invalid, " must be finite, and all 0 before the first step", "memory")
         end if
         if (force > self%law%by_force%highest .and. .not. self%law%by_force%continued) then
@@ -197,19 +325,19 @@ contains
         end if
     end subroutine check_step
 
-    pure function length_of(vector) result(length)
-        real(wp), intent(in) :: vector(3)
-        real(wp) :: length
+    pure function along(a, b) result(product)
+        real(wp), intent(in) :: a(3), b(3)
+        real(wp) :: product
 
-        length = sqrt(dot_product(vector, vector))
-    end function length_of
+        product = a(1)*b(1) + a(2)*b(2) + a(3)*b(3)
+    end function along
 
-    pure function has_axis(memory) result(has)
-        type(friction_memory_t), intent(in) :: memory
-        logical :: has
+    pure function squared(a) result(square)
+        real(wp), intent(in) :: a(3)
+        real(wp) :: square
 
-        has = any(memory%axis /= 0.0_wp)
-    end function has_axis
+        square = along(a, a)
+    end function squared
 
     !> The other quantity and its slope where the bodies touch.
     pure subroutine values_at(table, s, other, slope)
@@ -229,33 +357,39 @@ contains
     end subroutine values_at
 
     !> The direction in which the edge begins to slip, from a load in proportion to the pressure, and how far its limit is.
-    pure subroutine choose_axis(mu, shift, rise, memory)
+    pure subroutine choose_axis(mu, shift, rise, memory, found)
         real(wp), intent(in) :: mu, shift(3), rise
         type(friction_memory_t), intent(inout) :: memory
-        real(wp) :: share(3), pulled(3), c
+        !> whether there is one: not without a pull
+        logical, intent(out) :: found
+        real(wp) :: share(3), pulled(3), c, length
 
         share = 0.0_wp
         if (memory%normal_force > 0.0_wp) share = memory%force/(mu*memory%normal_force)
         ! a falling limit meets the load
         pulled = shift - mu*min(rise, 0.0_wp)*share
-        if (.not. length_of(pulled) > 0.0_wp) return
-        memory%axis = pulled/length_of(pulled)
-        c = dot_product(share, memory%axis)
-        memory%slope = [max(sqrt(max(1.0_wp - dot_product(share, share) + c**2, 0.0_wp)) - c, 0.0_wp), 0.0_wp, 0.0_wp]
+        length = norm2(pulled)
+        found = length > 0.0_wp
+        memory%axis = 0.0_wp
+        if (.not. found) return
+        memory%axis = pulled/length
+        c = along(share, memory%axis)
+        memory%slope = [max(sqrt(max(1.0_wp - squared(share) + c**2, 0.0_wp)) - c, 0.0_wp), 0.0_wp, 0.0_wp]
         memory%stick_level = [memory%level, 0.0_wp, 0.0_wp]
         memory%stick_force = [memory%normal_force, 0.0_wp, 0.0_wp]
     end subroutine choose_axis
 
     !> The edge slips back: a new chord from the other limit. What is left of the oldest slip is added to that of the next.
-    pure subroutine turn(along, memory, edge)
-        real(wp), intent(in) :: along
+    pure subroutine turn(share, memory, edge)
+        !> g.n
+        real(wp), intent(in) :: share
         type(friction_memory_t), intent(inout) :: memory
         real(wp), intent(inout) :: edge(3)
 
         if (memory%stick_force(levels) > 0.0_wp) then
             memory%slope(2) = memory%slope(2) + memory%slope(levels)*memory%stick_force(levels)/memory%stick_force(2)
         end if
-        memory%slope = [2.0_wp*along, -memory%slope(:2)]
+        memory%slope = [2.0_wp*share, -memory%slope(:2)]
         memory%stick_level = [memory%level, memory%stick_level(:2)]
         memory%stick_force = [memory%normal_force, memory%stick_force(:2)]
         edge = edge - memory%slope(1)*memory%axis
@@ -301,9 +435,9 @@ contains
         real(wp), intent(in) :: normal(3)
         real(wp) :: length, left
 
-        length = length_of(vector)
-        vector = vector - dot_product(vector, normal)*normal
-        left = length_of(vector)
+        length = norm2(vector)
+        vector = vector - along(vector, normal)*normal
+        left = norm2(vector)
         if (left > 0.0_wp) vector = length/left*vector
     end subroutine lay
 
