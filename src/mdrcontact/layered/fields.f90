@@ -6,14 +6,12 @@
 !> sigma = sqrt(1 - r^2/a^2).
 module mdrcontact_layered_fields
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_legendre, only: contact_rule, edge_row, interaction_matrix, is_fine, moments_t, new_moments, &
-                                           normalisation
-    use mdrcontact_layered_moments, only: profile_moments
+    use mdrcontact_layered_legendre, only: contact_rule, is_fine, moments_t, new_interaction, normalisation
     use mdrcontact_layered_rule, only: new_rule, rule_t
-    use mdrcontact_layered_solve, only: factorize, first_unknowns, next_unknowns, solve_lower, solve_upper
+    use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, solve_lower, solve_upper
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -86,44 +84,25 @@ contains
         real(wp), intent(out) :: reached
         logical, intent(out) :: solved
         type(error_t), allocatable, intent(inout) :: error
-        type(moments_t) :: moments
-        real(wp), allocatable :: h(:, :), x(:, :), row(:), g(:), s(:)
-        real(wp) :: mean, beyond
-        integer :: i, status
+        type(equation_t) :: equation
+        real(wp) :: x(n, 3), s(n), beyond
 
-        solved = .false.
         reached = 0.0_wp
-        call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n, 4*n, is_fine(kernel, a/kernel%unit, n), error)
-        if (allocated(error)) return
-        allocate (h(n, n), stat=status)
-        call check_memory(error, status)
-        if (allocated(error)) return
-        allocate (x(n, 2), row(n), g(n), s(n))
-        call interaction_matrix(moments, h)
-        call edge_row(moments, h(:, 1), row)
-        call profile_moments(profile, a, g, error)
-        if (allocated(error)) return
-        mean = g(1)*sqrt(0.5_wp)
-        g(1) = 0.0_wp
-        do i = 1, n
-            h(i, i) = h(i, i) + moments%diagonal
-        end do
-        call factorize(n, n, h, solved)
-        if (.not. solved) return
-        x(:, 1) = 0.0_wp
-        x(1, 1) = sqrt(2.0_wp)
-        x(:, 2) = g
-        call solve_lower(n, n, 2, h, x)
-        call solve_upper(n, n, 2, h, x)
+        call new_equation(equation, kernel, a, n, n, 4*n + 4, 4*n, solved, error, profile)
+        if (allocated(error) .or. .not. solved) return
+        x = equation%rhs
+        call solve_lower(n, n, 3, equation%h, x)
+        call solve_upper(n, n, 3, equation%h, x)
         self%a = a
-        self%edge = excess*sum(row*x(:, 1))
-        beyond = (profile%mdr(a) - mean + self%edge + sum(row*x(:, 2)))/sum(row*x(:, 1))
-        self%depth = mean + beyond
+        associate (row => equation%rhs(:, 2))
+            self%edge = excess*sum(row*x(:, 1))
+            beyond = (equation%rise + self%edge + sum(row*x(:, 3)))/sum(row*x(:, 1))
+        end associate
+        self%depth = equation%mean + beyond
         s = normalisation(n)
-        self%q = s*(beyond*x(:, 1) - x(:, 2))
-        self%v = -s*g - self%q
+        self%q = s*(beyond*x(:, 1) - x(:, 3))
+        self%v = -s*equation%rhs(:, 3) - self%q
         self%v(1) = self%v(1) + beyond
-        reached = 0.0_wp
         if (kernel%vanishes) return
         reached = maxval(abs(self%v(n - 3:)))*real(2*n, wp)/sqrt(sum((self%q/s)**2) + tiny(1.0_wp))
     end subroutine expand
@@ -192,16 +171,15 @@ contains
         real(wp), intent(out) :: v(:)
         type(error_t), allocatable, intent(inout) :: error
         type(moments_t) :: moments
-        real(wp) :: h(size(v), size(v)), s(size(v)), q(size(v))
+        real(wp), allocatable :: h(:, :)
+        real(wp) :: s(size(v)), q(size(v))
         integer :: i, n
 
         v = 0.0_wp
         if (kernel%vanishes) return
         n = size(v)
-        call new_moments(moments, kernel, self%a/kernel%unit, 4*n + 4, 4*n, 4*n, is_fine(kernel, self%a/kernel%unit, n), &
-                         error)
+        call new_interaction(moments, h, kernel, self%a, n, n, 4*n + 4, 4*n, error)
         if (allocated(error)) return
-        call interaction_matrix(moments, h)
         s = normalisation(n)
         q = self%q/s
         do i = 1, n

@@ -6,13 +6,13 @@
 !> contact, and its slope there. Two constants of the kernel that would drown the rest are kept apart: X(0) of a stiff film
 !> (`shift`), and the integral of X over the whole axis for a soft one (`diagonal`, what it leaves of the unit matrix).
 module mdrcontact_layered_legendre
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
     implicit none (type, external)
     private
-    public :: moments_t, new_moments, contact_rule, interaction_matrix, edge_kernel, edge_row, edge_slopes, is_fine, normalisation
+    public :: moments_t, new_interaction, contact_rule, edge_kernel, edge_row, edge_slopes, is_fine, normalisation
 
     !> Of a rule of N nodes, moments up to order 0.8 N are right.
     real(wp), parameter :: trusted = 0.8_wp
@@ -34,6 +34,29 @@ module mdrcontact_layered_legendre
     end type moments_t
 
 contains
+
+    !> H_ij, i >= j, without `diagonal`, and the moments that it is made of; what lies above the diagonal of h is not defined.
+    subroutine new_interaction(moments, h, kernel, a, rows, columns, count, order, error, odd)
+        type(moments_t), intent(out) :: moments
+        !> (rows, columns)
+        real(wp), allocatable, intent(out) :: h(:, :)
+        type(kernel_t), intent(in) :: kernel
+        !> [length]
+        real(wp), intent(in) :: a
+        !> count and order as in contact_rule
+        integer, intent(in) :: rows, columns, count, order
+        type(error_t), allocatable, intent(inout) :: error
+        !> between odd polynomials, sqrt((4j + 3)/2) P_(2j+1)(u), instead; default false
+        logical, intent(in), optional :: odd
+        integer :: status
+
+        call new_moments(moments, kernel, a/kernel%unit, count, order, 2*(rows + columns), &
+                         is_fine(kernel, a/kernel%unit, columns), error)
+        if (allocated(error)) return
+        allocate (h(rows, columns), stat=status)
+        call check_memory(error, status)
+        if (.not. allocated(error)) call fill_matrix(moments, h, odd)
+    end subroutine new_interaction
 
     !> s_j, j = 0 ... size - 1.
     pure function normalisation(count) result(s)
@@ -191,16 +214,18 @@ contains
         total = sum(part)
     end subroutine add_order
 
-    !> H_ij for i >= j, i < rows, j < columns, without `diagonal`; what lies above the diagonal is not defined.
-    pure subroutine interaction_matrix(moments, h, h_odd)
+    !> The matrix of new_interaction.
+    pure subroutine fill_matrix(moments, h, is_odd)
         type(moments_t), intent(in) :: moments
         real(wp), intent(out) :: h(0:, 0:)
-        !> the same between odd polynomials, sqrt((4i + 3)/2) P_(2i+1)(u); same shape
-        real(wp), intent(out), optional :: h_odd(0:, 0:)
+        logical, intent(in), optional :: is_odd
         real(wp) :: s(0:ubound(h, 1)), even(0:ubound(h, 1) + ubound(h, 2) + 1), odd(0:ubound(h, 1) + ubound(h, 2))
         real(wp), dimension(0:ubound(h, 1) + ubound(h, 2)) :: over_even, over_odd
         integer :: c, j, last
+        logical :: between_odd
 
+        between_odd = .false.
+        if (present(is_odd)) between_odd = is_odd
         last = ubound(odd, 1)
         do j = 0, last
             over_even(j) = 1.0_wp/real(4*j + 1, wp)
@@ -219,9 +244,9 @@ contains
         s = sqrt(moments%a/pi)*normalisation(size(s))
         do c = 0, ubound(h, 2)
             h(c:, c) = s(c)*s(c:)*even(c:ubound(h, 1))
-            if (present(h_odd)) then
+            if (between_odd) then
                 do j = c, ubound(h, 1)
-                    h_odd(j, c) = 0.5_wp*moments%a/pi*sqrt(real(4*c + 3, wp)*real(4*j + 3, wp))*odd(j)
+                    h(j, c) = 0.5_wp*moments%a/pi*sqrt(real(4*c + 3, wp)*real(4*j + 3, wp))*odd(j)
                 end do
             end if
             last = last - 1
@@ -232,7 +257,7 @@ contains
                 odd(j) = odd(j) + (real(4*c + 5, wp)*over_odd(j))*(even(j) - even(j + 1))
             end do
         end do
-    end subroutine interaction_matrix
+    end subroutine fill_matrix
 
     !> r'_j: values at the edge of the contact are sum r'_j c_j for a solution c of (1 + H) c = (sqrt(2), 0, ...), and
     !> sum r'_j c_j - (K c)(a) for others: row 0 of 1 + H over sqrt(2) less the edge row of K. The difference 1 - (K c)(a), which

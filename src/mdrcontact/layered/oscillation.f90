@@ -8,7 +8,7 @@ module mdrcontact_layered_oscillation
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_legendre, only: interaction_matrix, is_fine, moments_t, new_moments
+    use mdrcontact_layered_legendre, only: moments_t, new_interaction
     use mdrcontact_layered_solve, only: first_unknowns
     implicit none (type, external)
     private
@@ -60,18 +60,14 @@ contains
         integer :: part, i, j, stat
 
         modulus = 0.0_wp
-        allocate (h(2*n, n), stat=stat)
-        call check_memory(error, stat)
         allocate (matrix(2*n, n), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         matrix = 0.0_wp
         diagonal = 0.0_wp
         do part = 1, 2
-            call new_moments(moments, parts(part), a/parts(part)%unit, 4*n + 4, 6*n, 6*n, &
-                             is_fine(parts(part), a/parts(part)%unit, n), error)
+            call new_interaction(moments, h, parts(part), a, 2*n, n, 4*n + 4, 6*n, error)
             if (allocated(error)) return
-            call interaction_matrix(moments, h)
             do j = 1, n
                 if (part == 1) matrix(j:, j) = h(j:, j)
                 if (part == 2) matrix(j:, j) = matrix(j:, j) + (0.0_wp, 1.0_wp)*h(j:, j)

@@ -7,17 +7,16 @@
 !> product with g is taken whole, as an integral.
 module mdrcontact_layered_solve
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_lapack, only: dpotrf
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_legendre, only: edge_kernel, edge_row, edge_slopes, interaction_matrix, is_fine, moments_t, &
-                                           new_moments
+    use mdrcontact_layered_legendre, only: edge_kernel, edge_row, edge_slopes, is_fine, moments_t, new_interaction
     use mdrcontact_layered_moments, only: edge_moment, is_smooth, profile_moments
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: solution_t, solve, first_unknowns, next_unknowns, factorize, solve_lower, solve_upper
+    public :: equation_t, new_equation, solution_t, solve, first_unknowns, next_unknowns, factorize, solve_lower, solve_upper
 
     !> Unknowns at most, and those that a graded body is begun with at most.
     integer, parameter :: most_unknowns = 1500, first_graded = 16
@@ -30,6 +29,17 @@ module mdrcontact_layered_solve
     real(wp), parameter :: safety = 4.0_wp
     !> Rounding of the kernel and its moments, with some to spare.
     real(wp), parameter :: rounding = 14.0_wp*epsilon(1.0_wp)
+
+    !> (1 + K) q = E0* (d - g) at one contact radius by n unknowns, with as many rows as are wanted.
+    type :: equation_t
+        type(moments_t) :: moments
+        !> the Cholesky factor of the first n rows of 1 + H, and the rows beyond
+        real(wp), allocatable :: h(:, :)
+        !> right-hand sides: 1, values at the edge (see edge_row), and g less its mean
+        real(wp), allocatable :: rhs(:, :)
+        !> the mean of g over the contact, and g(a) less that [length]
+        real(wp) :: mean = 0.0_wp, rise = 0.0_wp
+    end type equation_t
 
     !> The state at one contact radius.
     type :: solution_t
@@ -129,6 +139,41 @@ contains
         next = n + ceiling(n*min(max(0.06_wp*log(max(factor, 1.0_wp)), 0.15_wp), 0.8_wp))
     end function next_unknowns
 
+    !> The equation at contact radius a; without a profile for the flat punch alone.
+    subroutine new_equation(self, kernel, a, rows, n, count, order, solved, error, profile)
+        type(equation_t), intent(out) :: self
+        type(kernel_t), intent(in) :: kernel
+        !> [length]
+        real(wp), intent(in) :: a
+        !> rows, unknowns, and the arguments of new_interaction
+        integer, intent(in) :: rows, n, count, order
+        !> the matrix was positive definite
+        logical, intent(out) :: solved
+        type(error_t), allocatable, intent(inout) :: error
+        class(profile_t), intent(in), optional :: profile
+        integer :: i
+
+        solved = .false.
+        call new_interaction(self%moments, self%h, kernel, a, rows, n, count, order, error)
+        if (allocated(error)) return
+        allocate (self%rhs(rows, 3))
+        self%rhs(:, 1) = 0.0_wp
+        self%rhs(1, 1) = sqrt(2.0_wp)
+        call edge_row(self%moments, self%h(:, 1), self%rhs(:, 2))
+        self%rhs(:, 3) = 0.0_wp
+        if (present(profile)) then
+            call profile_moments(profile, a, self%rhs(:, 3), error)
+            if (allocated(error)) return
+            self%mean = self%rhs(1, 3)*sqrt(0.5_wp)
+            self%rhs(1, 3) = 0.0_wp
+            self%rise = profile%mdr(a) - self%mean
+        end if
+        do i = 1, n
+            self%h(i, i) = self%h(i, i) + self%moments%diagonal
+        end do
+        call factorize(n, rows, self%h, solved)
+    end subroutine new_equation
+
     !> The solution by n unknowns, with its errors.
     subroutine solve_with(kernel, a, n, nodes, solution, solved, error, profile)
         type(kernel_t), intent(in) :: kernel
@@ -140,66 +185,42 @@ contains
         logical, intent(out) :: solved
         type(error_t), allocatable, intent(inout) :: error
         class(profile_t), intent(in), optional :: profile
-        type(moments_t) :: moments
-        real(wp), allocatable :: h(:, :), rhs(:, :), forward(:, :), rest(:, :), known(:)
-        real(wp) :: mean, rise, beyond, tail
-        integer :: i, m, sides, status
-        logical :: fine
+        type(equation_t) :: equation
+        real(wp), allocatable :: forward(:, :), rest(:, :), known(:)
+        real(wp) :: beyond, tail
+        integer :: m, sides
 
         m = 2*n
-        fine = is_fine(kernel, a/kernel%unit, n)
-        sides = merge(3, 2, present(profile))
         solution%unknowns = n
-        solved = .false.
-        call new_moments(moments, kernel, a/kernel%unit, nodes, ceiling(needed*2*(m + n)), 2*(m + n), fine, error)
-        if (allocated(error)) return
-        allocate (h(m, n), stat=status)
-        call check_memory(error, status)
-        if (allocated(error)) return
-        allocate (rhs(m, 3), forward(n, 3), rest(m - n, 3))
-        call interaction_matrix(moments, h)
-        rhs(:, 1) = 0.0_wp
-        rhs(1, 1) = sqrt(2.0_wp)
-        call edge_row(moments, h(:, 1), rhs(:, 2))
-        mean = 0.0_wp
-        rise = 0.0_wp
+        sides = merge(3, 2, present(profile))
+        call new_equation(equation, kernel, a, m, n, nodes, ceiling(needed*2*(m + n)), solved, error, profile)
+        if (allocated(error) .or. .not. solved) return
+        allocate (forward(n, 3), rest(m - n, 3), known(m))
         tail = 0.0_wp
-        rhs(:, 3) = 0.0_wp
-        allocate (known(m))
         known = 0.0_wp
-        if (present(profile)) then
-            call profile_moments(profile, a, rhs(:, 3), error)
-            if (allocated(error)) return
-            mean = rhs(1, 3)*sqrt(0.5_wp)
-            rhs(1, 3) = 0.0_wp
-            rise = profile%mdr(a) - mean
-            if (fine .and. any(abs(rhs(n + 1:, 3)) > 0.0_wp)) then
-                call edge_moment(profile, kernel, a, moments%shift, mean, tail, error)
+        associate (moments => equation%moments, h => equation%h, rhs => equation%rhs)
+            if (is_fine(kernel, a/kernel%unit, n) .and. any(abs(rhs(n + 1:, 3)) > 0.0_wp)) then
+                call edge_moment(profile, kernel, a, moments%shift, equation%mean, tail, error)
                 if (allocated(error)) return
                 known = edge_kernel(moments, m)*rhs(:, 3)
                 tail = sum(known(:n)) - tail
             end if
-        end if
-        do i = 1, n
-            h(i, i) = h(i, i) + moments%diagonal
-        end do
-        call factorize(n, m, h, solved)
-        if (.not. solved) return
-        forward = rhs(:n, :)
-        call solve_lower(n, m, sides, h, forward)
-        rest = rhs(n + 1:, :)
-        rhs(:n, :) = forward
-        call solve_upper(n, m, sides, h, rhs)
-        rest(:, :sides) = rest(:, :sides) - matmul(h(n + 1:, :), rhs(:n, :sides))
-        call add_rest(n, m, a, mean, rise, h, forward, rest, known(n + 1:), tail, solution)
-        ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
-        if (present(profile)) then
-            beyond = solution%depth - mean
-            rhs(n + 1:, :) = rest
-            solution%depth_slope = sum(edge_slopes(moments, m)*(beyond*rhs(:, 1) - rhs(:, 3)))/kernel%unit
-            solution%depth_slope = (profile%mdr_slope(a) + solution%depth_slope)/solution%punch_edge
-        end if
-        solution%rounding = rounding*(2.0_wp + moments%magnitude*max(1.0_wp, solution%modulus))
+            forward = rhs(:n, :)
+            call solve_lower(n, m, sides, h, forward)
+            rest = rhs(n + 1:, :)
+            rhs(:n, :) = forward
+            call solve_upper(n, m, sides, h, rhs)
+            rest(:, :sides) = rest(:, :sides) - matmul(h(n + 1:, :), rhs(:n, :sides))
+            call add_rest(n, m, a, equation%mean, equation%rise, h, forward, rest, known(n + 1:), tail, solution)
+            if (present(profile)) then
+                beyond = solution%depth - equation%mean
+                rhs(n + 1:, :) = rest
+                solution%depth_slope = sum(edge_slopes(moments, m)*(beyond*rhs(:, 1) - rhs(:, 3)))/kernel%unit
+                solution%depth_slope = (profile%mdr_slope(a) + solution%depth_slope)/solution%punch_edge
+            end if
+            ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
+            solution%rounding = rounding*(2.0_wp + moments%magnitude*max(1.0_wp, solution%modulus))
+        end associate
         solution%errors = solution%errors + solution%rounding
     end subroutine solve_with
 

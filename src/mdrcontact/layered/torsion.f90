@@ -2,10 +2,10 @@
 !> A contact that sticks all over and is twisted about its axis, exactly (theory 10): 4 G0 phi x = q + K q with odd q, the kernel of
 !> shear across the plane of waves, and the moment M = 4 int_0^a x q dx; 16 G a^3 phi/3 on a homogeneous body.
 module mdrcontact_layered_torsion
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_legendre, only: interaction_matrix, is_fine, moments_t, new_moments
+    use mdrcontact_layered_legendre, only: moments_t, new_interaction
     use mdrcontact_layered_solve, only: factorize, first_unknowns, next_unknowns, solve_lower
     implicit none (type, external)
     private
@@ -47,30 +47,25 @@ contains
             integer, intent(in) :: n
             real(wp), intent(out) :: first
             type(moments_t) :: moments
-            real(wp), allocatable :: even(:, :), odd(:, :)
+            real(wp), allocatable :: h(:, :)
             real(wp) :: x(n, 1)
-            integer :: i, status
+            integer :: i
             logical :: solved
 
             first = 1.0_wp
-            call new_moments(moments, kernel, a/kernel%unit, 4*n + 4, 4*n, 4*n, is_fine(kernel, a/kernel%unit, n), error)
+            call new_interaction(moments, h, kernel, a, n, n, 4*n + 4, 4*n, error, odd=.true.)
             if (allocated(error)) return
-            allocate (even(n, n), stat=status)
-            if (status == 0) allocate (odd(n, n), stat=status)
-            call check_memory(error, status)
-            if (allocated(error)) return
-            call interaction_matrix(moments, even, odd)
             do i = 1, n
-                odd(i, i) = odd(i, i) + moments%diagonal
+                h(i, i) = h(i, i) + moments%diagonal
             end do
-            call factorize(n, n, odd, solved)
+            call factorize(n, n, h, solved)
             if (.not. solved) then
                 call raise(error, error_no_convergence, "the springs of this body nearly cancel at contact radius "//to_text(a))
                 return
             end if
             x = 0.0_wp
             x(1, 1) = 1.0_wp
-            call solve_lower(n, n, 1, odd, x)
+            call solve_lower(n, n, 1, h, x)
             first = sum(x**2)
         end subroutine solve_with
 
