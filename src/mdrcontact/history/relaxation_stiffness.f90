@@ -7,8 +7,8 @@ module mdrcontact_history_relaxation_stiffness
     use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_oscillation, only: complex_modulus
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
+    use mdrcontact_layered_stiffness, only: relative_stiffness
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_model, only: models
     implicit none (type, external)
@@ -149,7 +149,7 @@ contains
                            "relax in proportion")
             else
                 if (abs(at%s - s) > 0.0_wp) call prepare(medium, at, s, error)
-                if (.not. allocated(error)) call complex_modulus(at%parts, radius, tolerance, value, error)
+                if (.not. allocated(error)) call relative_stiffness(at%parts, radius, tolerance, .false., value, error)
                 value = 2.0_wp*radius*at%surface_modulus*value
             end if
         end associate

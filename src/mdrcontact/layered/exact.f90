@@ -20,7 +20,7 @@ module mdrcontact_layered_exact
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
     use mdrcontact_layered_slip, only: layered_slip_t, new_layered_slip
     use mdrcontact_layered_solve, only: solution_t, solve
-    use mdrcontact_layered_torsion, only: torsional_ratio
+    use mdrcontact_layered_stiffness, only: relative_stiffness
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium, only: lower_body, medium_t, upper_body
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
@@ -499,14 +499,15 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         type(layered_exact_t) :: twisted
+        complex(wp) :: ratio
         integer :: i
 
         values = 0.0_wp
         call new_under_shear(twisted, self, .true., error)
         do i = 1, size(a)
             if (allocated(error)) return
-            call torsional_ratio(twisted%kernel, self%tolerance, a(i), values(i), error)
-            values(i) = values(i)*4.0_wp/3.0_wp*twisted%surface_modulus*a(i)**3
+            call relative_stiffness([twisted%kernel], a(i), self%tolerance, .true., ratio, error)
+            values(i) = 4.0_wp/3.0_wp*twisted%surface_modulus*a(i)**3*real(ratio, wp)
         end do
     end subroutine torsional_stiffness
 
