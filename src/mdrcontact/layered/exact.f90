@@ -67,7 +67,6 @@ module mdrcontact_layered_exact
         procedure :: is_exact
         procedure :: largest_radius
         procedure :: zeta
-        procedure :: body
         procedure :: accuracy
         procedure :: take_share
         procedure :: energies
@@ -164,14 +163,6 @@ contains
         if (.not. allocated(error)) call add_kernels(lower%kernel, upper%kernel, self%parts%share, self%kernel, error)
     end subroutine new_exact_pair
 
-    !> A copy of the body that the medium was made of.
-    subroutine body(self, copy)
-        class(layered_exact_t), intent(in) :: self
-        class(body_t), allocatable, intent(out) :: copy
-
-        if (allocated(self%pressed)) allocate (copy, source=self%pressed)
-    end subroutine body
-
     !> The relative tolerance of its results.
     pure function accuracy(self) result(value)
         class(layered_exact_t), intent(in) :: self
@@ -219,14 +210,9 @@ contains
         real(wp), intent(in) :: a
         real(wp), intent(out) :: depth, force
         type(error_t), allocatable, intent(out) :: error
-        type(solution_t) :: solution
+        real(wp) :: modulus, stiffness_slope
 
-        depth = 0.0_wp
-        force = 0.0_wp
-        call solve(self%kernel, self%tolerance, a, solution, error, profile)
-        if (allocated(error)) return
-        depth = solution%depth
-        force = self%surface_modulus*solution%force
+        call self%response(profile, a, depth, force, modulus, stiffness_slope, error)
     end subroutine depth_and_force
 
     !> All of them from one solution: k'(a) = 2 E0* q_1(a; a)^2, where E_eff + a E_eff' would cancel on a soft film.
@@ -307,13 +293,9 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         type(line_load_t) :: load
-        integer :: i
 
         call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
-        if (allocated(error)) return
-        do i = 1, size(r)
-            values(i) = self%surface_modulus*load%at(profile, r(i))
-        end do
+        if (.not. allocated(error)) values = self%surface_modulus*load%at(profile, r)
     end subroutine line_load
 
     !> p(r) by equation (6): the half-space of the surface material under d - g, and what the layers below it add.

@@ -11,6 +11,7 @@ module mdrcontact_layered_fields
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: contact_rule, is_fine, moments_t, new_interaction, normalisation
     use mdrcontact_layered_rule, only: new_rule, rule_t
+    use mdrcontact_layered_series, only: even_sum
     use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, solve_lower, solve_upper
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
@@ -108,32 +109,15 @@ contains
     end subroutine expand
 
     !> q(x)/E0* [length].
-    pure function at(self, profile, x) result(value)
+    pure function at(self, profile, x) result(values)
         class(line_load_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> 0 <= x <= a [length]
-        real(wp), intent(in) :: x
-        real(wp) :: value
+        real(wp), intent(in) :: x(:)
+        real(wp) :: values(size(x))
 
-        value = self%depth - profile%mdr(x) - even_sum(self%v, x/self%a)
+        values = self%depth - profile%mdr(x) - even_sum(self%v, x/self%a)
     end function at
-
-    !> sum of c_j P_2j(u).
-    pure function even_sum(c, u) result(total)
-        real(wp), intent(in) :: c(0:), u
-        real(wp) :: total
-        real(wp) :: even, odd
-        integer :: j
-
-        even = 1.0_wp
-        odd = u
-        total = c(0)
-        do j = 1, ubound(c, 1)
-            even = (real(4*j - 1, wp)*u*odd - real(2*j - 1, wp)*even)/real(2*j, wp)
-            odd = (real(4*j + 1, wp)*u*even - real(2*j, wp)*odd)/real(2*j + 1, wp)
-            total = total + c(j)*even
-        end do
-    end function even_sum
 
     !> The pressure over E0* that v takes from the homogeneous one, without what is singular at the edge:
     !> -(sigma/(pi a)) sum v_j B_j(sigma), B_j = [P_2j(sigma)/P_2j(0) - 1]/sigma^2.
@@ -199,26 +183,20 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
-        real(wp) :: t, range
-        integer :: i, j, n
+        real(wp) :: steps(size(c)/2 + 1), range
+        integer :: i, j
 
         ! x = r sin(t): even polynomials of degree 2 size(c) - 2 in sin(t). Inside equal steps of t take them exactly.
-        n = size(c)/2 + 1
+        steps = [(sin(half_pi*(real(i, wp) - 0.5_wp)/real(size(steps), wp)), i=1, size(steps))]
         call new_rule(rule, size(c) + 16, error)
         values = 0.0_wp
         if (allocated(error)) return
         do j = 1, size(r)
             if (r(j) <= self%a) then
-                do i = 1, n
-                    t = half_pi*(real(i, wp) - 0.5_wp)/real(n, wp)
-                    values(j) = values(j) + even_sum(c, r(j)/self%a*sin(t))/real(n, wp)
-                end do
+                values(j) = sum(even_sum(c, r(j)/self%a*steps))/real(size(steps), wp)
             else
-                range = asin(self%a/r(j))
-                do i = 1, size(rule%weights)
-                    t = 0.5_wp*range*rule%distance(i)
-                    values(j) = values(j) + 0.5_wp*range/half_pi*rule%weights(i)*even_sum(c, min(r(j)/self%a*sin(t), 1.0_wp))
-                end do
+                range = 0.5_wp*asin(self%a/r(j))
+                values(j) = range/half_pi*sum(rule%weights*even_sum(c, min(r(j)/self%a*sin(range*rule%distance), 1.0_wp)))
             end if
         end do
     end subroutine displacement_by
@@ -230,18 +208,14 @@ contains
         real(wp), intent(in) :: v(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: work
-        real(wp), allocatable :: x(:), dx(:)
-        real(wp) :: q
-        integer :: i
+        real(wp), allocatable :: x(:), dx(:), q(:)
 
         call graded_rule(smallest_panel_ratio*self%a, self%a, profile%break_radii(), profile%singular_radius(), x, dx, &
                          error)
         work = 0.0_wp
         if (allocated(error)) return
-        do i = 1, size(x)
-            q = self%at(profile, x(i))
-            work = work + dx(i)*q*(q + even_sum(v, x(i)/self%a))
-        end do
+        q = self%at(profile, x)
+        work = sum(dx*q*(q + even_sum(v, x/self%a)))
     end function work_on
 
     !> Coefficients of P_0, P_1, ... from the nodes of a Gauss rule and values times weights there.
@@ -281,10 +255,8 @@ contains
         call new_rule(panel, panel_nodes, error)
         values = 0.0_wp
         if (allocated(error) .or. size(r) == 0) return
-        allocate (load(size(rule%weights)), x(size(rule%weights)))
-        do i = 1, size(load)
-            load(i) = a/pi*rule%weights(i)*even_sum(self%q, 1.0_wp - rule%distance(i))
-        end do
+        load = a/pi*rule%weights*even_sum(self%q, 1.0_wp - rule%distance)
+        allocate (x, mold=load)
         ! panel k begins at a distance longest_panel (2^(k-1) - 1) from the edge [unit] and is longest_panel 2^(k-1) long: w at
         ! the nodes, and as Legendre series
         panels = panel_at((maxval(r) - self%a)/kernel%unit)

@@ -11,6 +11,7 @@ module mdrcontact_layered_moments
     use mdrcontact_layered_legendre, only: normalisation
     use mdrcontact_layered_piecewise, only: piecewise_moments
     use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
+    use mdrcontact_layered_series, only: add_projections
     use mdrcontact_layered_slip_profile, only: slip_profile_t
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
@@ -185,25 +186,8 @@ contains
             end if
             x = min(low + (high - low)*t, high)
             w = w*profile%mdr(x)
-            call add_sums(size(x), x/a, w, g)
+            call add_projections(size(x), x/a, w, g)
         end do
     end subroutine add_interval
-
-    !> Adds sum w P_2j(u).
-    pure subroutine add_sums(n, u, w, g)
-        integer, intent(in) :: n
-        real(wp), intent(in) :: u(n), w(n)
-        real(wp), intent(inout) :: g(0:)
-        real(wp) :: even(n), odd(n)
-        integer :: j
-
-        even = w
-        odd = u*w
-        do j = 0, ubound(g, 1)
-            g(j) = g(j) + sum(even)
-            even = (real(4*j + 3, wp)*u*odd - real(2*j + 1, wp)*even)/real(2*j + 2, wp)
-            odd = (real(4*j + 5, wp)*u*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
-        end do
-    end subroutine add_sums
 
 end module mdrcontact_layered_moments

@@ -7,6 +7,7 @@ module mdrcontact_layered_slip_profile
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_legendre, only: normalisation
     use mdrcontact_layered_rule, only: new_rule, rule_t
+    use mdrcontact_layered_series, only: add_projections, even_sum
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -148,44 +149,15 @@ contains
         real(wp), intent(inout) :: g(0:)
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
-        integer :: last
+        real(wp), allocatable :: u(:), added(:)
 
-        last = min(ubound(g, 1), size(self%c) - 1)
-        call new_rule(rule, size(self%c) + last, error)
+        allocate (added(0:min(ubound(g, 1), size(self%c) - 1)), source=0.0_wp)
+        call new_rule(rule, size(self%c) + size(added) - 1, error)
         if (allocated(error)) return
-        call add_moments(size(rule%weights), 0.5_wp*rule%distance, rule%weights, self%c, self%at_axis, a/self%radius, g(:last))
+        u = 0.5_wp*rule%distance
+        call add_projections(size(u), u, rule%weights*(even_sum(self%c, (a/self%radius)*u) - self%at_axis), added)
+        g(:size(added) - 1) = g(:size(added) - 1) + normalisation(size(added))*added
         g = self%ratio*g
     end subroutine moments
-
-    !> Adds int_-1^1 [sum of c_j P_2j(part |u|) - at_axis] s_i P_2i(u) du, i = 0 ..., by a rule for 0 < u < 1.
-    pure subroutine add_moments(n, u, weights, c, at_axis, part, g)
-        !> a multiple of 4: whole vectors
-        integer, intent(in) :: n
-        real(wp), intent(in) :: u(n), weights(n), c(0:), at_axis, part
-        real(wp), intent(inout) :: g(0:)
-        real(wp) :: even(n), odd(n), total(n), s(0:ubound(g, 1)), two(2)
-        integer :: j
-
-        even = 1.0_wp
-        odd = part*u
-        total = c(0) - at_axis
-        do j = 1, ubound(c, 1)
-            two = [real(4*j - 1, wp)*part, real(1 - 2*j, wp)]/real(2*j, wp)
-            even = two(1)*u*odd + two(2)*even
-            two = [real(4*j + 1, wp)*part, real(-2*j, wp)]/real(2*j + 1, wp)
-            odd = two(1)*u*even + two(2)*odd
-            total = total + c(j)*even
-        end do
-        s = normalisation(size(g))
-        even = total*weights
-        odd = u*even
-        do j = 0, ubound(g, 1)
-            g(j) = g(j) + s(j)*sum(even)
-            two = [real(4*j + 3, wp), real(-2*j - 1, wp)]/real(2*j + 2, wp)
-            even = two(1)*u*odd + two(2)*even
-            two = [real(4*j + 5, wp), real(-2*j - 2, wp)]/real(2*j + 3, wp)
-            odd = two(1)*u*even + two(2)*odd
-        end do
-    end subroutine add_moments
 
 end module mdrcontact_layered_slip_profile

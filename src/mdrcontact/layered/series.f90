@@ -1,0 +1,51 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Series in even Legendre polynomials, at many places side by side.
+module mdrcontact_layered_series
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: add_projections, even_sum
+
+contains
+
+    !> sum of c_j P_2j(u), j = 0 ...
+    pure function even_sum(c, u) result(total)
+        real(wp), intent(in) :: c(0:)
+        real(wp), intent(in), contiguous :: u(:)
+        real(wp) :: total(size(u))
+        real(wp), dimension(size(u)) :: even, odd
+        real(wp) :: two(2)
+        integer :: j
+
+        even = 1.0_wp
+        odd = u
+        total = c(0)
+        do j = 1, ubound(c, 1)
+            two = [real(4*j - 1, wp), real(1 - 2*j, wp)]/real(2*j, wp)
+            even = two(1)*u*odd + two(2)*even
+            two = [real(4*j + 1, wp), real(-2*j, wp)]/real(2*j + 1, wp)
+            odd = two(1)*u*even + two(2)*odd
+            total = total + c(j)*even
+        end do
+    end function even_sum
+
+    !> Adds sum w P_2j(u), j = 0 ..., to g.
+    pure subroutine add_projections(n, u, w, g)
+        integer, intent(in) :: n
+        real(wp), intent(in) :: u(n), w(n)
+        real(wp), intent(inout) :: g(0:)
+        real(wp) :: even(n), odd(n), two(2)
+        integer :: j
+
+        even = w
+        odd = u*w
+        do j = 0, ubound(g, 1)
+            g(j) = g(j) + sum(even)
+            two = [real(4*j + 3, wp), real(-2*j - 1, wp)]/real(2*j + 2, wp)
+            even = two(1)*u*odd + two(2)*even
+            two = [real(4*j + 5, wp), real(-2*j - 2, wp)]/real(2*j + 3, wp)
+            odd = two(1)*u*even + two(2)*odd
+        end do
+    end subroutine add_projections
+
+end module mdrcontact_layered_series
