@@ -31,14 +31,6 @@ contains
         else if (second%vanishes .or. weights(2) <= 0.0_wp) then
             kernel = first
             call scale_kernel(kernel, weights(1), weights(2))
-        else if (first%unit == second%unit .and. first%plateau == second%plateau .and. first%octaves() == second%octaves()) then
-            kernel = first
-            kernel%resolved = min(first%resolved, second%resolved)
-            kernel%origin = weights(1)*first%origin + weights(2)*second%origin
-            kernel%sigma_zero = weights(1)*first%sigma_zero + weights(2)*second%sigma_zero
-            kernel%coefficients = weights(1)*first%coefficients + weights(2)*second%coefficients
-            kernel%tail = weights(1)*first%tail + weights(2)*second%tail
-            call kernel%integrate()
         else
             call fill_sum(first, second, weights, kernel, error)
         end if

@@ -29,7 +29,6 @@ module mdrcontact_medium_effective
         procedure :: nonadhesive_slope
         procedure :: has_modulus_formula
         procedure :: depth_and_force
-        procedure :: response
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
@@ -142,23 +141,6 @@ contains
         force = 2.0_wp*(self%effective_modulus(lowest)*profile%mdr_moment(lowest) &
                         + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
     end subroutine depth_and_force
-
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
-        class(effective_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
-        type(error_t), allocatable, intent(out) :: error
-        logical, intent(in), optional :: adhesive
-        real(wp), intent(inout), optional :: depth_slope
-        real(wp), intent(inout), optional :: accuracy
-
-        if (present(adhesive) .or. present(depth_slope)) continue
-        if (present(accuracy)) accuracy = 0.0_wp
-        call self%depth_and_force(profile, a, depth, force, error)
-        modulus = self%effective_modulus(a)
-        stiffness_slope = 2.0_wp*(modulus + a*self%effective_modulus_slope(a))
-    end subroutine response
 
     !> The share of a below which the modulus may be taken as constant: what lies there is too little of the force for its
     !> variation, even by a factor of a thousand between the radii looked at, to show.

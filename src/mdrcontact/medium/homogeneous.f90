@@ -139,24 +139,10 @@ contains
         real(wp), intent(in) :: a(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        class(medium_t), allocatable :: known
-        type(material_t) :: material
         real(wp) :: moduli(2)
 
-        values = 0.0_wp
-        ! of the same media
-        call self%new_tangential(known, error)
-        if (allocated(error)) return
-        moduli = ieee_value(1.0_wp, ieee_positive_inf)
-        if (allocated(self%pressed)) then
-            material = self%pressed%surface_material()
-            moduli(1) = material%shear()
-        end if
-        if (allocated(self%counterbody)) then
-            material = self%counterbody%surface_material()
-            moduli(2) = material%shear()
-        end if
-        values = 16.0_wp/3.0_wp*in_series(moduli(1), moduli(2))*a**3
+        call moduli_under_shear(self, moduli, error)
+        values = 16.0_wp/3.0_wp*moduli(1)*a**3
     end subroutine torsional_stiffness
 
     !> The half-space of modulus G*; of two, 1/G* = 1/G1* + 1/G2*.
@@ -165,27 +151,39 @@ contains
         class(medium_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
         type(homogeneous_t) :: own
-        type(material_t) :: material
         real(wp) :: moduli(2)
 
+        call moduli_under_shear(self, moduli, error)
+        if (allocated(error)) return
+        own%contact_modulus = moduli(2)
+        allocate (tangential, source=own)
+    end subroutine new_tangential
+
+    !> G and G*; of two bodies in series, 1/G = 1/G1 + 1/G2.
+    pure subroutine moduli_under_shear(self, moduli, error)
+        class(homogeneous_t), intent(in) :: self
+        real(wp), intent(out) :: moduli(2)
+        type(error_t), allocatable, intent(out) :: error
+
         moduli = ieee_value(1.0_wp, ieee_positive_inf)
-        if (allocated(self%pressed)) then
-            material = self%pressed%surface_material()
-            moduli(1) = material%tangential()
-        end if
-        if (allocated(self%counterbody)) then
-            material = self%counterbody%surface_material()
-            moduli(2) = material%tangential()
-        end if
+        if (allocated(self%pressed)) moduli = of(self%pressed%surface_material())
+        if (allocated(self%counterbody)) moduli = in_series(moduli, of(self%counterbody%surface_material()))
         if ((.not. allocated(self%pressed) .and. self%share_of_upper < 1.0_wp) .or. &
             (.not. allocated(self%counterbody) .and. self%share_of_upper > 0.0_wp)) then
             call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
                        "not known: give E and nu")
-            return
         end if
-        own%contact_modulus = in_series(moduli(1), moduli(2))
-        allocate (tangential, source=own)
-    end subroutine new_tangential
+
+    contains
+
+        pure function of(material) result(moduli)
+            type(material_t), intent(in) :: material
+            real(wp) :: moduli(2)
+
+            moduli = [material%shear(), material%tangential()]
+        end function of
+
+    end subroutine moduli_under_shear
 
     !> int of 4 sqrt(a^2 - x^2) sqrt(b^2 - x^2) dx over the smaller disc, by complete elliptic integrals of modulus b/a.
     subroutine disc_products(self, radius, radii, products, error)
