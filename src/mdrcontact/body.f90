@@ -14,8 +14,19 @@ module mdrcontact_body
     private
     public :: body_t
 
-    !> A body of which media are made: by a model (mdrcontact_model), or by its exact compliance.
+    !> A body of which media are made: by a model (mdrcontact_model), or by its exact compliance. Its numbers are to be read only.
     type, abstract :: body_t
+        type(material_t) :: surface_material
+        !> E0*, the contact modulus of the surface material [modulus]
+        real(wp) :: surface_modulus = 0.0_wp
+        !> sigma(0) = E0*/E1* with the contact modulus E1* of the substrate; 0 on a rigid base [1]
+        real(wp) :: long_wave_limit = 0.0_wp
+        !> the same under shear in the plane of the wave, and across it [1]
+        real(wp) :: in_plane_limit = 0.0_wp, anti_plane_limit = 0.0_wp
+        !> depth of the first interface, 0 if the body is homogeneous, and that below which it is homogeneous, or rigid [length]
+        real(wp) :: first_depth = 0.0_wp, last_depth = 0.0_wp
+        !> whether the layers of sublayers() only stand for constants that vary with depth
+        logical :: is_graded = .false.
     contains
         !> sigma(k) and chi(k) = sigma(k) - 1, each to full relative precision as far as it is known
         procedure(response_at), deferred :: response
@@ -26,24 +37,11 @@ module mdrcontact_body
         procedure(response_at), deferred :: in_plane_response
         !> see in_plane_response
         procedure(response_at), deferred :: anti_plane_response
-        !> the surface material
-        procedure(material_of), deferred :: surface_material
-        !> sigma(0) in the plane and across it; 0 on a rigid base [1]
-        procedure(shear_limits_of), deferred :: shear_limits
-        !> E0*, the contact modulus of the surface material [modulus]
-        procedure(number), deferred :: surface_modulus
-        !> sigma(0) = E0*/E1* with the contact modulus E1* of the substrate; 0 on a rigid base [1]
-        procedure(number), deferred :: long_wave_limit
-        !> depth of the first interface [length]; 0 if the body is homogeneous
-        procedure(number), deferred :: first_depth
-        !> depth below which the body is homogeneous, or rigid [length]
-        procedure(number), deferred :: last_depth
-        !> numbers without a unit that determine the body but for its size and stiffness; none if that takes too many
-        procedure(numbers), deferred :: ratios
+        !> numbers without a unit that determine the body but for its size and stiffness; none if that takes too many, or where
+        !> kernels are not kept
+        procedure :: ratios => none
         !> the body as homogeneous layers, for stresses inside
         procedure(sublayers_at), deferred :: sublayers
-        !> whether these layers only stand for constants that vary with depth
-        procedure :: is_graded => no
     end type body_t
 
     abstract interface
@@ -54,30 +52,6 @@ module mdrcontact_body
             complex(wp), intent(in) :: k
             complex(wp), intent(out) :: sigma, chi
         end subroutine response_at
-
-        pure function material_of(self) result(material)
-            import :: body_t, material_t
-            class(body_t), intent(in) :: self
-            type(material_t) :: material
-        end function material_of
-
-        pure subroutine shear_limits_of(self, in_plane, anti_plane)
-            import :: body_t, wp
-            class(body_t), intent(in) :: self
-            real(wp), intent(out) :: in_plane, anti_plane
-        end subroutine shear_limits_of
-
-        pure function number(self) result(value)
-            import :: body_t, wp
-            class(body_t), intent(in) :: self
-            real(wp) :: value
-        end function number
-
-        pure function numbers(self) result(values)
-            import :: body_t, wp
-            class(body_t), intent(in) :: self
-            real(wp), allocatable :: values(:)
-        end function numbers
 
         pure subroutine sublayers_at(self, unit, ratio, depths, layers)
             import :: body_t, layers_t, wp
@@ -104,13 +78,13 @@ contains
         end do
     end subroutine responses
 
-    pure function no(self) result(answer)
+    pure function none(self) result(values)
         class(body_t), intent(in) :: self
-        logical :: answer
+        real(wp), allocatable :: values(:)
 
         associate (unused => self)
         end associate
-        answer = .false.
-    end function no
+        values = [real(wp) ::]
+    end function none
 
 end module mdrcontact_body

@@ -206,7 +206,7 @@ contains
         else
             allocate (body, source=self%equilibrium%medium%pressed)
         end if
-        if (body%is_graded()) then
+        if (body%is_graded) then
             call raise(error, error_invalid, "a graded body has no layers whose energies could be told apart")
             return
         end if

@@ -50,25 +50,13 @@ module mdrcontact_body_graded
         !> compliance of a half-space of the material at each end, relative to 1/(2 G) of the surface (2, 2, end)
         real(wp), allocatable :: local(:, :, :)
         type(layer_modes_t) :: top
-        type(material_t) :: surface
-        real(wp) :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
-        !> sigma(0) under shear, in the plane and across it
-        real(wp) :: in_plane_zero = 0.0_wp, anti_plane_zero = 0.0_wp
     contains
         procedure :: constants
         procedure :: knots
         procedure :: response
         procedure :: in_plane_response
         procedure :: anti_plane_response
-        procedure :: surface_material
-        procedure :: shear_limits
-        procedure :: surface_modulus
-        procedure :: long_wave_limit
-        procedure :: first_depth
-        procedure :: last_depth
-        procedure :: ratios
         procedure :: sublayers
-        procedure :: is_graded
     end type graded_body_t
 
     !> A user's function of depth, watched for values that are not numbers.
@@ -214,9 +202,8 @@ contains
         if (allocated(error)) return
         call self%constants(0.5_wp*first, surface_shear, surface_nu)
         self%top = new_layer_modes(cmplx(surface_nu, kind=wp))
-        self%surface%young = 2.0_wp*surface_shear*(1.0_wp + surface_nu)
-        self%surface%poisson = surface_nu
-        self%contact_modulus = 2.0_wp*surface_shear/(1.0_wp - surface_nu)
+        self%surface_material = material_t(2.0_wp*surface_shear*(1.0_wp + surface_nu), surface_nu)
+        self%surface_modulus = 2.0_wp*surface_shear/(1.0_wp - surface_nu)
         do i = 1, n
             do j = 1, nodes
                 call self%constants(self%ends(i) + (self%ends(i + 1) - self%ends(i))*t(j), shear(j), nu(j))
@@ -240,9 +227,12 @@ contains
             call self%constants(self%ends(i + 1), g, v)
             self%local(:, :, i) = real(half_space_compliance(cmplx(v, kind=wp)), wp)*(surface_shear/g)
         end do
-        self%sigma_zero = self%contact_modulus*(1.0_wp - v)/(2.0_wp*g)
-        self%anti_plane_zero = surface_shear/g
-        self%in_plane_zero = self%anti_plane_zero*(1.0_wp - v)/(1.0_wp - surface_nu)
+        self%long_wave_limit = self%surface_modulus*(1.0_wp - v)/(2.0_wp*g)
+        self%anti_plane_limit = surface_shear/g
+        self%in_plane_limit = self%anti_plane_limit*(1.0_wp - v)/(1.0_wp - surface_nu)
+        self%first_depth = self%ends(2)
+        self%last_depth = self%ends(n + 1)
+        self%is_graded = .true.
     end subroutine build
 
     subroutine sublayer_ends(self, first, knots, ends)
@@ -364,58 +354,6 @@ contains
         end if
     end subroutine carry
 
-    pure function surface_material(self) result(material)
-        class(graded_body_t), intent(in) :: self
-        type(material_t) :: material
-
-        material = self%surface
-    end function surface_material
-
-    pure subroutine shear_limits(self, in_plane, anti_plane)
-        class(graded_body_t), intent(in) :: self
-        real(wp), intent(out) :: in_plane, anti_plane
-
-        in_plane = self%in_plane_zero
-        anti_plane = self%anti_plane_zero
-    end subroutine shear_limits
-
-    pure function surface_modulus(self) result(value)
-        class(graded_body_t), intent(in) :: self
-        real(wp) :: value
-
-        value = self%contact_modulus
-    end function surface_modulus
-
-    pure function long_wave_limit(self) result(value)
-        class(graded_body_t), intent(in) :: self
-        real(wp) :: value
-
-        value = self%sigma_zero
-    end function long_wave_limit
-
-    pure function first_depth(self) result(value)
-        class(graded_body_t), intent(in) :: self
-        real(wp) :: value
-
-        value = self%ends(2)
-    end function first_depth
-
-    pure function last_depth(self) result(value)
-        class(graded_body_t), intent(in) :: self
-        real(wp) :: value
-
-        value = self%ends(size(self%ends))
-    end function last_depth
-
-    pure function ratios(self) result(values)
-        class(graded_body_t), intent(in) :: self
-        real(wp), allocatable :: values(:)
-
-        associate (unused => self)
-        end associate
-        values = [real(wp) ::]
-    end function ratios
-
     !> Homogeneous layers with the constants of their middles, faces at the knots and the depths.
     pure subroutine sublayers(self, unit, ratio, depths, layers)
         class(graded_body_t), intent(in) :: self
@@ -430,7 +368,7 @@ contains
         do i = 2, size(fixed)
             length = fixed(i) - fixed(i - 1)
             parts = max(1, ceiling(log((unit + fixed(i))/(unit + fixed(i - 1)))/ratio))
-            if (fixed(i) > self%last_depth()) parts = 1
+            if (fixed(i) > self%last_depth) parts = 1
             faces = [faces, [(fixed(i - 1) + length*real(j, wp)/real(parts, wp), j=1, parts - 1)], fixed(i)]
         end do
         associate (n => size(faces))
@@ -458,18 +396,9 @@ contains
         allocate (faces(1), source=0.0_wp)
         knots = merged_breaks(self%knots(), depths)
         do i = 1, size(knots)
-            least = ratio*(unit + knots(i))*merge(0.0_wp, fraction, any(depths == knots(i)) .or. knots(i) >= self%last_depth())
+            least = ratio*(unit + knots(i))*merge(0.0_wp, fraction, any(depths == knots(i)) .or. knots(i) >= self%last_depth)
             if (knots(i) - faces(size(faces)) > least) faces = [faces, knots(i)]
         end do
     end subroutine fixed_faces
-
-    pure function is_graded(self) result(answer)
-        class(graded_body_t), intent(in) :: self
-        logical :: answer
-
-        associate (unused => self)
-        end associate
-        answer = .true.
-    end function is_graded
 
 end module mdrcontact_body_graded

@@ -25,26 +25,24 @@ module mdrcontact_body_harmonic
         integer :: count = 0, latest = 0
     end type harmonic_memory_t
 
-    !> One of the two parts; the stack is that of the elastic body of the same thicknesses.
+    !> One of the two parts; of the stack's data none but the depths are used.
     type, extends(stack_t) :: harmonic_t
         type(surface_t), private :: oscillating
         !> sigma(0)
         complex(wp), private :: zero = 0.0_wp
         type(harmonic_memory_t), pointer, private :: memory => null()
         !> which part it is
-        logical :: is_imaginary = .false.
+        logical, private :: is_imaginary = .false.
     contains
         procedure :: response
         procedure :: responses
-        procedure :: long_wave_limit
-        procedure :: first_depth
-        procedure :: last_depth
+        procedure :: take_part
         procedure :: ratios
     end type harmonic_t
 
 contains
 
-    !> The real part of chi, or after a change of `is_imaginary` the imaginary one; sigma = 1 + chi of both.
+    !> The body whose part take_part() chooses.
     subroutine new_harmonic(self, memory, shear, poisson, thickness, rigid_base)
         type(harmonic_t), intent(out) :: self
         !> lives as long as the body
@@ -62,7 +60,18 @@ contains
         memory%count = 0
         memory%latest = 0
         self%memory => memory
+        self%first_depth = self%oscillating%h(1)
+        self%last_depth = self%oscillating%depth
     end subroutine new_harmonic
+
+    !> Makes it the real or the imaginary part of chi; sigma = 1 + chi of both.
+    pure subroutine take_part(self, imaginary)
+        class(harmonic_t), intent(inout) :: self
+        logical, intent(in) :: imaginary
+
+        self%is_imaginary = imaginary
+        self%long_wave_limit = merge(1.0_wp + aimag(self%zero), real(self%zero, wp), imaginary)
+    end subroutine take_part
 
     pure subroutine response(self, k, sigma, chi)
         class(harmonic_t), intent(in) :: self
@@ -122,28 +131,6 @@ contains
         parts(4) = (chi - conjg(other_chi))/(0.0_wp, 2.0_wp)
         parts(2) = 1.0_wp + parts(4)
     end function both_parts
-
-    pure function long_wave_limit(self) result(value)
-        class(harmonic_t), intent(in) :: self
-        real(wp) :: value
-
-        value = real(self%zero, wp)
-        if (self%is_imaginary) value = 1.0_wp + aimag(self%zero)
-    end function long_wave_limit
-
-    pure function first_depth(self) result(value)
-        class(harmonic_t), intent(in) :: self
-        real(wp) :: value
-
-        value = self%oscillating%h(1)
-    end function first_depth
-
-    pure function last_depth(self) result(value)
-        class(harmonic_t), intent(in) :: self
-        real(wp) :: value
-
-        value = self%oscillating%depth
-    end function last_depth
 
     !> None: no two frequencies have the same kernel.
     pure function ratios(self) result(values)

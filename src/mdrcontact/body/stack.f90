@@ -25,19 +25,10 @@ module mdrcontact_body_stack
         !> moduli relative to the first layer's
         type(surface_t) :: surface
         real(wp), allocatable, private :: shear(:)
-        real(wp), private :: contact_modulus = 0.0_wp, sigma_zero = 0.0_wp
-        !> sigma(0) under shear across the plane, G of the first layer over that of the base, and in the plane; 0 if rigid
-        real(wp), private :: base_compliance = 0.0_wp, in_plane_zero = 0.0_wp
     contains
         procedure :: response
         procedure :: in_plane_response
         procedure :: anti_plane_response
-        procedure :: surface_material
-        procedure :: shear_limits
-        procedure :: surface_modulus
-        procedure :: long_wave_limit
-        procedure :: first_depth
-        procedure :: last_depth
         procedure :: ratios
         procedure :: sublayers
     end type stack_t
@@ -100,17 +91,20 @@ contains
         self%rigid_base = rigid
         surface = substrate
         if (count > 0) surface = kept(1)
-        self%contact_modulus = surface%contact()
+        self%surface_material = surface
+        self%surface_modulus = surface%contact()
         self%shear = kept(:count)%shear()/surface%shear()
         shear(:count) = kept(:count)%shear()
         poisson(:count) = kept(:count)%poisson
         shear(count + 1) = substrate%shear()
         poisson(count + 1) = substrate%poisson
         self%surface = new_surface(shear(:count + 1), poisson(:count + 1), kept_thickness(:count), rigid)
+        if (count > 0) self%first_depth = kept_thickness(1)
+        self%last_depth = self%surface%depth
         if (rigid) return
-        self%sigma_zero = surface%contact()/substrate%contact()
-        self%base_compliance = surface%shear()/substrate%shear()
-        self%in_plane_zero = self%base_compliance*(1.0_wp - substrate%poisson)/(1.0_wp - surface%poisson)
+        self%long_wave_limit = surface%contact()/substrate%contact()
+        self%anti_plane_limit = surface%shear()/substrate%shear()
+        self%in_plane_limit = self%anti_plane_limit*(1.0_wp - substrate%poisson)/(1.0_wp - surface%poisson)
     end subroutine new_stack
 
     pure function same(one, other) result(answer)
@@ -148,7 +142,7 @@ contains
 
         sigma = 1.0_wp
         chi = 0.0_wp
-        below = self%base_compliance
+        below = self%anti_plane_limit
         seen = self%surface%layers_seen(k)
         if (seen < size(self%surface%h)) below = 1.0_wp/self%shear(seen + 1)
         do i = seen, 1, -1
@@ -163,51 +157,6 @@ contains
         end do
     end subroutine anti_plane_response
 
-    pure function surface_material(self) result(material)
-        class(stack_t), intent(in) :: self
-        type(material_t) :: material
-
-        material = self%substrate
-        if (size(self%layers) > 0) material = self%layers(1)
-    end function surface_material
-
-    pure subroutine shear_limits(self, in_plane, anti_plane)
-        class(stack_t), intent(in) :: self
-        real(wp), intent(out) :: in_plane, anti_plane
-
-        in_plane = self%in_plane_zero
-        anti_plane = self%base_compliance
-    end subroutine shear_limits
-
-    pure function surface_modulus(self) result(value)
-        class(stack_t), intent(in) :: self
-        real(wp) :: value
-
-        value = self%contact_modulus
-    end function surface_modulus
-
-    pure function long_wave_limit(self) result(value)
-        class(stack_t), intent(in) :: self
-        real(wp) :: value
-
-        value = self%sigma_zero
-    end function long_wave_limit
-
-    pure function first_depth(self) result(value)
-        class(stack_t), intent(in) :: self
-        real(wp) :: value
-
-        value = 0.0_wp
-        if (size(self%surface%h) > 0) value = self%surface%h(1)
-    end function first_depth
-
-    pure function last_depth(self) result(value)
-        class(stack_t), intent(in) :: self
-        real(wp) :: value
-
-        value = self%surface%depth
-    end function last_depth
-
     pure function ratios(self) result(values)
         class(stack_t), intent(in) :: self
         real(wp), allocatable :: values(:)
@@ -218,7 +167,7 @@ contains
             values(n + 1:2*n) = self%shear
             values(2*n + 1:3*n) = real(self%surface%modes%poisson, wp)
             values(3*n + 1:3*n + 4) = real([self%surface%base(:, 1), self%surface%base(:, 2)], wp)
-            values(3*n + 5) = self%sigma_zero
+            values(3*n + 5) = self%long_wave_limit
         end associate
     end function ratios
 

@@ -43,7 +43,7 @@ contains
         integer, allocatable :: first(:), chosen(:)
         integer :: which(size(z)), group, i
 
-        if (.not. body%is_graded()) then
+        if (.not. body%is_graded) then
             call body%sublayers(load%radius, coarsest, z(:0), layers)
             call interior_field(load, layers, r, z, below, field, error, friction, angle, threads)
             return

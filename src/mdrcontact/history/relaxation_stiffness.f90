@@ -181,7 +181,7 @@ contains
         at%surface_modulus = contact_modulus(shear(1), poisson(1))
         call new_harmonic(body, memory, shear, poisson, medium%thickness, medium%rigid_base)
         do part = 1, 2
-            body%is_imaginary = part == 2
+            call body%take_part(part == 2)
             call shared_kernel(at%shared, body, at%parts(part), error)
             if (allocated(error)) return
         end do

@@ -104,8 +104,8 @@ contains
             self%tolerance = tolerance
         end if
         allocate (self%pressed, source=body)
-        self%surface_modulus = body%surface_modulus()
-        self%depth = body%last_depth()
+        self%surface_modulus = body%surface_modulus
+        self%depth = body%last_depth
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (allocated(error)) return
         if (present(shared)) then
@@ -417,7 +417,7 @@ contains
         if (allocated(error)) return
         allocate (own)
         call new_profile_load(own, profile, self%surface_modulus, a, self%surface_modulus*springs%edge, springs%v, &
-                              self%pressed%first_depth())
+                              self%pressed%first_depth)
         call move_alloc(own, load)
     end subroutine surface_load
 

@@ -49,7 +49,7 @@ contains
         real(wp) :: largest
         integer :: i, latest
 
-        ray%chi_zero = surface%long_wave_limit() - 1.0_wp
+        ray%chi_zero = surface%long_wave_limit - 1.0_wp
         do i = -2, 1000
             call surface%response(table%direction*(scale(1.0_wp, i)/unit), sigma, chi)
             if (abs(chi)*scale(1.0_wp, i) < 1.0e-20_wp) exit
@@ -60,7 +60,7 @@ contains
                   ray%weighted_change(size(table%nodes), negligible_octave - more:ray%top), &
                   ray%moments(0:order, negligible_octave - more:ray%top))
         ! structure of the size of the whole body must have been seen
-        latest = min(first_wave, floor(log(unit/surface%last_depth())/log(2.0_wp))) - 2
+        latest = min(first_wave, floor(log(unit/surface%last_depth)/log(2.0_wp))) - 2
         largest = 0.0_wp
         do i = ray%top, negligible_octave, -1
             call extend_ray(ray, surface, unit, table, i)
@@ -81,7 +81,7 @@ contains
         real(wp) :: base, sigma_zero
         integer :: i, octave
 
-        sigma_zero = surface%long_wave_limit()
+        sigma_zero = surface%long_wave_limit
         do octave = ray%bottom - 1, bottom, -1
             base = scale(1.0_wp, octave)
             call surface%responses(table%direction*(base*table%nodes/unit), sigma, chi)

@@ -36,14 +36,14 @@ contains
         type(error_t), allocatable :: beyond
         real(wp) :: smallest, largest, values(2)
 
-        smallest = first_ratio*exact%pressed%first_depth()
+        smallest = first_ratio*exact%pressed%first_depth
         do
             call exact%modulus(smallest*[1.0_wp, 0.1_wp], values, error)
             if (allocated(error)) return
             if (abs(values(1) - values(2)) <= negligible*values(2)) exit
             smallest = 0.1_wp*smallest
         end do
-        largest = largest_ratio*exact%pressed%last_depth()
+        largest = largest_ratio*exact%pressed%last_depth
         do
             call exact%modulus([largest], values(:1), beyond)
             if (.not. allocated(beyond)) exit

@@ -54,7 +54,7 @@ contains
             shared%oldest = modulo(i, most_kernels) + 1
         end if
         kernel = shared%kernels(i)%kernel
-        if (.not. kernel%vanishes) kernel%unit = surface%first_depth()
+        if (.not. kernel%vanishes) kernel%unit = surface%first_depth
     end subroutine shared_kernel
 
     pure function is_same(kept, ratios) result(answer)

@@ -43,11 +43,11 @@ contains
         integer :: attempt
         logical :: holds
 
-        kernel%vanishes = .not. surface%first_depth() > 0.0_wp
+        kernel%vanishes = .not. surface%first_depth > 0.0_wp
         if (kernel%vanishes) return
-        kernel%unit = surface%first_depth()
-        kernel%resolved = merge(1.0_wp, huge(1.0_wp), surface%last_depth() <= coarse*kernel%unit)
-        kernel%sigma_zero = surface%long_wave_limit()
+        kernel%unit = surface%first_depth
+        kernel%resolved = merge(1.0_wp, huge(1.0_wp), surface%last_depth <= coarse*kernel%unit)
+        kernel%sigma_zero = surface%long_wave_limit
         do attempt = 1, attempts
             call check_cancelled(error)
             if (allocated(error)) return
@@ -109,8 +109,8 @@ contains
             level = level - slope*middle
             kernel%tail = [level*scale(1.0_wp, 2*octave), slope*scale(1.0_wp, 4*octave)]
             ! not before the whole body has shown
-            if (scale(kernel%unit, octave) < surface%last_depth()) cycle
-            if (spread <= 1.0e-13_wp*maxval(abs(x)) .or. spread <= 1.0e-14_wp*scale(abs(surface%long_wave_limit()), -octave)) exit
+            if (scale(kernel%unit, octave) < surface%last_depth) cycle
+            if (spread <= 1.0e-13_wp*maxval(abs(x)) .or. spread <= 1.0e-14_wp*scale(abs(surface%long_wave_limit), -octave)) exit
         end do
         octave = min(octave, most_octaves - 1)
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)

@@ -166,8 +166,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         moduli = ieee_value(1.0_wp, ieee_positive_inf)
-        if (allocated(self%pressed)) moduli = of(self%pressed%surface_material())
-        if (allocated(self%counterbody)) moduli = in_series(moduli, of(self%counterbody%surface_material()))
+        if (allocated(self%pressed)) moduli = of(self%pressed%surface_material)
+        if (allocated(self%counterbody)) moduli = in_series(moduli, of(self%counterbody%surface_material))
         if ((.not. allocated(self%pressed) .and. self%share_of_upper < 1.0_wp) .or. &
             (.not. allocated(self%counterbody) .and. self%share_of_upper > 0.0_wp)) then
             call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &

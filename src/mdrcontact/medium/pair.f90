@@ -135,12 +135,12 @@ contains
         class is (effective_medium_t)
             allocate (effective, source=medium)
         class is (layered_exact_t)
-            if (medium%pressed%first_depth() > 0.0_wp) then
+            if (medium%pressed%first_depth > 0.0_wp) then
                 call new_sampled_exact(sampled, medium, error)
                 if (.not. allocated(error)) allocate (effective, source=sampled)
             else
                 ! layers of one material
-                call new_homogeneous_from_modulus(homogeneous, medium%pressed%surface_modulus(), error)
+                call new_homogeneous_from_modulus(homogeneous, medium%pressed%surface_modulus, error)
                 if (allocated(error)) return
                 allocate (homogeneous%pressed, source=medium%pressed)
                 allocate (effective, source=homogeneous)
