@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The coverage-guided fuzzers, one after the other: tools/fuzz.sh [SECONDS each, 60] [c_api | law | readers ...]
+# The coverage-guided fuzzers, one after the other: tools/fuzz.sh [MINUTES in total, 3] [c_api | law | readers ...]
 #   c_api    the whole C API                      } libFuzzer (libfuzzer-14-dev), library with AddressSanitizer,
 #   law      the reader of saved laws             } UndefinedBehaviorSanitizer and the run-time checks of gfortran
 #   readers  problem files, fit files and tables    atheris, in an environment of its own
-# What they find lies in build/fuzz/findings; the corpora grow in build/fuzz, not in tests/fuzz/corpus: see docs/faults.md.
+# Prints executions, features reached and findings of each target, and fails if there is a finding; a finding is kept in
+# build/fuzz/findings, and the target goes on. The corpora grow in build/fuzz, not in tests/fuzz/corpus: see docs/faults.md.
+# Two of these commands may run at a time.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-seconds=${1:-60}
+minutes=${1:-3}
 shift || true
 targets=("$@")
 ((${#targets[@]})) || targets=(c_api law readers)
@@ -23,25 +25,50 @@ build_library_fuzzers() {
     cmake --build "$build/native" --parallel 2 > "$build/build.log"
 }
 
-fuzz() {
-    local target=$1 options=(-max_total_time="$seconds" -timeout=30 -rss_limit_mb=3000 -print_final_stats=1)
-    options+=(-artifact_prefix="$build/findings/$target-")
-    mkdir -p "$build/$target"
-    case $target in
+install_package() {
+    [[ -d $build/venv ]] || python3 -m venv "$build/venv"
+    "$build/venv/bin/pip" install --quiet . atheris
+}
+
+# prepare TARGET: sets the command that fuzzes it.
+prepare() {
+    case $1 in
         readers)
-            [[ -d $build/venv ]] || python3 -m venv "$build/venv"
-            "$build/venv/bin/pip" install --quiet . atheris
-            "$build/venv/bin/python" tests/fuzz/readers/fuzz_readers.py "${options[@]}" -max_len=1500 \
-                -dict=tests/fuzz/readers/words.dict "$build/$target" tests/fuzz/corpus/readers
+            install_package
+            command=("$build/venv/bin/python" tests/fuzz/readers/fuzz_readers.py -max_len=1500
+                -dict=tests/fuzz/readers/words.dict)
             ;;
         *)
             build_library_fuzzers
-            "$build/native/tests/fuzz/fuzz_$target" "${options[@]}" -max_len="$([[ $target == law ]] && echo 9000 || echo 600)" \
-                "$build/$target" "tests/fuzz/corpus/$target"
+            command=("$build/native/tests/fuzz/fuzz_$1" -max_len="$([[ $1 == law ]] && echo 9000 || echo 600)")
             ;;
     esac
 }
 
+# fuzz TARGET SECONDS: a fuzzer ends at what it finds; begin again until the time is over.
+fuzz() {
+    local target=$1 end=$((SECONDS + $2)) log executions=0 features=0 findings=0 count
+    log=$(mktemp "$build/$target-XXXXXX.log")
+    mkdir -p "$build/$target"
+    while ((SECONDS < end)); do
+        "${command[@]}" -max_total_time=$((end - SECONDS)) -timeout=30 -rss_limit_mb=3000 -print_final_stats=1 \
+            -artifact_prefix="$build/findings/$target-" "$build/$target" "tests/fuzz/corpus/$target" > "$log" 2>&1 \
+            || { ((++findings)) && grep -aE '^FINDING|ERROR|SUMMARY|Test unit written' "$log" || tail "$log"; }
+        count=$(grep -a number_of_executed_units "$log" | tail -1 | tr -dc 0-9) || { tail "$log" && return 1; }
+        executions=$((executions + count))
+        count=$(grep -aoE ' ft: [0-9]+' "$log" | tail -1 | tr -dc 0-9) || true
+        features=$((${count:-0} > features ? count : features))
+    done
+    printf '%-8s %12d executions %8d features %4d findings in %d s\n' "$target" "$executions" "$features" "$findings" "$2"
+    found=$((found + findings))
+}
+
+found=0
 for target in "${targets[@]}"; do
-    fuzz "$target"
+    exec 9> "$build/lock"
+    flock 9
+    prepare "$target"
+    exec 9>&-
+    fuzz "$target" $((60 * minutes / ${#targets[@]}))
 done
+((found == 0))
