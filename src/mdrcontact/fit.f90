@@ -4,14 +4,14 @@
 !> Nonlinear least squares of the same forward model that computes contacts, over GSL's trust region. A value known beforehand
 !> enters as one more datum, and with it its uncertainty into that of everything else.
 module mdrcontact_fit
-    use mdrcontact_error, only: error_cancelled, error_invalid, error_t, explain, raise
+    use mdrcontact_error, only: check_memory, error_cancelled, error_invalid, error_t, explain, raise
     use mdrcontact_fit_correlation, only: correlated_spread
     use mdrcontact_fit_least_squares, only: minimize, outcome_t
     use mdrcontact_fit_problem, only: check_data, check_problem, fit_data_t, fit_problem_t, loss_linear
     use mdrcontact_fit_residuals, only: bend_slope, bent, fit_residuals_t, new_fit_residuals
     use mdrcontact_fit_order, only: median
     use mdrcontact_fit_pattern, only: pattern_test
-    use mdrcontact_fit_spectrum, only: new_spectrum, spectrum_t
+    use mdrcontact_fit_spectrum, only: new_spectrum, products, spectrum_t
     use mdrcontact_fit_variables, only: new_variables, variables_t
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
@@ -75,7 +75,7 @@ contains
     !> Fits. An error means that there was nothing to fit; a search that did not converge returns its best point and says so.
     subroutine solve_fit(problem, data, fit, error)
         type(fit_problem_t), intent(in) :: problem
-        type(fit_data_t), intent(in) :: data
+        type(fit_data_t), intent(in), target :: data
         type(fit_result_t), intent(out) :: fit
         type(error_t), allocatable, intent(out) :: error
         type(fit_problem_t) :: centred
@@ -94,7 +94,8 @@ contains
         do round = 1, most_centres
             call new_variables(variables, centred, data, error)
             if (allocated(error)) return
-            call new_fit_residuals(residuals, centred, data, variables)
+            call new_fit_residuals(residuals, centred, data, variables, error)
+            if (allocated(error)) return
             residuals%evaluations = fit%evaluations
             u = spread(1.0_wp, 1, size(variables%free))
             if (problem%check_units .and. round == 1) call check_units_at_start(residuals, u, error)
@@ -116,8 +117,13 @@ contains
         type(fit_residuals_t), intent(inout) :: residuals
         real(wp), intent(in) :: u(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: y(size(residuals%data%x)), ratio
+        real(wp), allocatable :: y(:)
+        real(wp) :: ratio
+        integer :: stat
 
+        allocate (y(size(residuals%data%x)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         call residuals%fitted(u, y, error)
         if (allocated(error)) then
             if (error%code == error_cancelled) return
@@ -167,7 +173,8 @@ contains
             if (allocated(error)) return
             if (propagates .and. round < propagation_rounds) cycle
             if (known) return
-            noise = noise_of(residuals, u, outcome)
+            call find_noise(residuals, u, outcome, noise, error)
+            if (allocated(error)) return
             if (.not. noise > 0.0_wp) return
             if (abs(noise - residuals%noise) <= noise_tolerance*residuals%noise) return
             call rescale(residuals, outcome, residuals%noise/noise)
@@ -195,10 +202,14 @@ contains
         type(outcome_t), intent(out) :: outcome
         type(fit_result_t), intent(inout) :: fit
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: r(residuals%n), inside(residuals%n), moved(size(u)), step
-        integer :: round, i, side
+        real(wp), allocatable :: r(:), inside(:)
+        real(wp) :: moved(size(u)), step
+        integer :: round, i, side, stat
         logical :: released
 
+        allocate (r(residuals%n), inside(residuals%n), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         do round = 1, most_releases
             call minimize(residuals, u, residuals%problem%max_iterations, outcome, error)
             if (allocated(error)) return
@@ -226,22 +237,28 @@ contains
     end subroutine search
 
     !> The noise that the residuals show: their mean square over the degrees of freedom, or their median under a robust loss.
-    function noise_of(residuals, u, outcome) result(noise)
+    subroutine find_noise(residuals, u, outcome, noise, error)
         type(fit_residuals_t), intent(inout) :: residuals
         real(wp), intent(in) :: u(:)
         type(outcome_t), intent(in) :: outcome
-        real(wp) :: noise
-        type(error_t), allocatable :: error
-        real(wp) :: z(size(residuals%data%x))
+        real(wp), intent(out) :: noise
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: z(:)
+        integer :: stat
 
-        call residuals%fitted(u, z, error)
-        z = abs(residuals%data%y - z)/residuals%sd
+        noise = 0.0_wp
+        allocate (z(size(residuals%data%x)), stat=stat)
+        call check_memory(error, stat)
+        if (.not. allocated(error)) call residuals%fitted(u, z, error)
+        if (allocated(error)) return
+        z(:) = abs(residuals%data%y - z)/residuals%sd
         if (residuals%loss == loss_linear) then
             noise = sqrt(sum(z**2)/degrees_of_freedom(residuals, outcome))
         else
-            noise = median(z)/normal_median
+            call median(z, noise)
+            noise = noise/normal_median
         end if
-    end function noise_of
+    end subroutine find_noise
 
     !> Data less the parameters that they, and not the priors, determine: n - trace(H_data (H_data + H_prior)^-1).
     function degrees_of_freedom(residuals, outcome) result(dof)
@@ -253,8 +270,8 @@ contains
         integer :: i
 
         associate (n => size(residuals%data%x))
-            spectrum = new_spectrum(matmul(transpose(outcome%jacobian), outcome%jacobian))
-            of_data = matmul(transpose(outcome%jacobian(:n, :)), outcome%jacobian(:n, :))
+            spectrum = new_spectrum(products(outcome%jacobian))
+            of_data = products(outcome%jacobian(:n, :))
             shares = matmul(of_data, spectrum%inverse())
             dof = n - sum([(min(1.0_wp, max(0.0_wp, shares(i, i))), i=1, residuals%p)])
             dof = max(dof, 0.5_wp)
@@ -268,8 +285,8 @@ contains
         type(outcome_t), intent(in) :: outcome
         type(fit_result_t), intent(inout) :: fit
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: data_sd(:)
-        integer :: i, n
+        real(wp), allocatable :: data_sd(:), along(:)
+        integer :: i, n, stat
 
         n = size(residuals%data%x)
         fit%converged = outcome%converged
@@ -277,30 +294,36 @@ contains
         fit%values = residuals%values_at(u)
         fit%noise = residuals%noise
         fit%at_bound = residuals%variables%is_outside([(i, i=1, size(u))], u)
-        allocate (fit%fitted(n))
+        allocate (fit%fitted(n), fit%residuals(n), data_sd(n), along(n), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         call residuals%fitted(u, fit%fitted, error)
         if (allocated(error)) return
-        data_sd = residuals%sd*residuals%noise
-        fit%residuals = (residuals%data%y - fit%fitted)/data_sd
+        data_sd(:) = residuals%sd*residuals%noise
+        fit%residuals(:) = (residuals%data%y - fit%fitted)/data_sd
         fit%chi_square = sum(fit%residuals**2)
         fit%prior_chi_square = sum(outcome%r(n + 1:)**2)
         fit%degrees_of_freedom = degrees_of_freedom(residuals, outcome)
         fit%log_likelihood = -0.5_wp*(sum(bent(residuals%loss, residuals%problem%loss_scale, fit%residuals)**2) &
                                       + fit%prior_chi_square) - sum(log(data_sd)) - 0.5_wp*n*log(2.0_wp*pi)
-        fit%pattern_probability = pattern_test(fit%residuals(residuals%order))
-        call describe_spread(residuals, u, outcome, fit)
+        do i = 1, n
+            along(i) = fit%residuals(residuals%order(i))
+        end do
+        call pattern_test(along, fit%pattern_probability, error)
+        if (.not. allocated(error)) call describe_spread(residuals, u, outcome, fit, error)
     end subroutine describe
 
-    !> Covariance and the weakest direction. Under a robust loss the covariance is Huber's H^-1 V H^-1.
-    subroutine describe_spread(residuals, u, outcome, fit)
+    !> Covariance and the weakest direction.
+    subroutine describe_spread(residuals, u, outcome, fit, error)
         type(fit_residuals_t), intent(in) :: residuals
         real(wp), intent(in) :: u(:)
         type(outcome_t), intent(in) :: outcome
         type(fit_result_t), intent(inout) :: fit
+        type(error_t), allocatable, intent(inout) :: error
         type(spectrum_t) :: spectrum
-        real(wp), allocatable :: jacobian(:, :), inverse(:, :), scores(:, :), psi(:), psi_slope(:), slope(:), bend(:), widening(:)
+        real(wp), allocatable :: jacobian(:, :), inverse(:, :), slope(:), widening(:)
         integer, allocatable :: inner(:)
-        integer :: i, n
+        integer :: i, n, stat
 
         n = size(residuals%data%x)
         inner = pack([(i, i=1, size(u))], fit%at_bound == 0)
@@ -310,29 +333,21 @@ contains
         fit%weakest_direction = 0.0_wp
         fit%widening = 1.0_wp
         if (size(inner) == 0) return
-        allocate (widening(size(inner)))
-        jacobian = outcome%jacobian(:, inner)
-        scores = jacobian
-        if (residuals%loss /= loss_linear) then
-            allocate (psi(n), psi_slope(n))
-            call bend_slope(residuals%loss, residuals%problem%loss_scale, fit%residuals, psi, psi_slope)
-            ! the search's Jacobian is that of the bent residuals, whose slope is psi/bent
-            bend = bent(residuals%loss, residuals%problem%loss_scale, fit%residuals)
-            where (abs(bend) > tiny(1.0_wp))
-                bend = psi/bend
-            else where
-                bend = 1.0_wp
-            end where
-            do i = 1, size(inner)
-                scores(:n, i) = jacobian(:n, i)/bend*psi
-                jacobian(:n, i) = jacobian(:n, i)/bend*sqrt(max(sum(psi_slope)/n, 0.01_wp))
-            end do
+        allocate (jacobian(residuals%n, size(inner)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        do i = 1, size(inner)
+            jacobian(:, i) = outcome%jacobian(:, inner(i))
+        end do
+        if (residuals%loss == loss_linear) then
+            spectrum = new_spectrum(products(jacobian))
+            inverse = spectrum%inverse()
+        else
+            call robust_covariance(residuals%loss, residuals%problem%loss_scale, fit%residuals, jacobian, spectrum, inverse, error)
+            if (allocated(error)) return
         end if
-        spectrum = new_spectrum(matmul(transpose(jacobian), jacobian))
-        inverse = spectrum%inverse()
-        if (residuals%loss /= loss_linear) inverse = matmul(inverse, matmul(matmul(transpose(scores), scores), inverse))
-        call correlated_spread(outcome%r(residuals%order), outcome%jacobian(residuals%order, inner), outcome%r(n + 1:), &
-                               outcome%jacobian(n + 1:, inner), inverse, &
+        allocate (widening(size(inner)))
+        call correlated_spread(outcome%r, jacobian, residuals%order, outcome%r(n + 1:), jacobian(n + 1:, :), inverse, &
                                allocated(residuals%data%sd) .and. residuals%problem%sd_is_absolute, fit%lag_correlation, widening)
         fit%widening(inner) = widening
         slope = residuals%variables%slope_at([(i, i=1, size(u))], u)
@@ -344,5 +359,47 @@ contains
         fit%weakest_direction(inner) = spectrum%vectors(:, 1)/spectrum%scale
         fit%weakest_direction = fit%weakest_direction/max(maxval(abs(fit%weakest_direction)), tiny(1.0_wp))
     end subroutine describe_spread
+
+    !> Huber's H^-1 V H^-1, and the spectrum of H.
+    subroutine robust_covariance(loss, scale, z, jacobian, spectrum, inverse, error)
+        integer, intent(in) :: loss
+        real(wp), intent(in) :: scale
+        !> residuals of the data, not bent
+        real(wp), intent(in) :: z(:)
+        !> of the bent residuals, those of the data first
+        real(wp), intent(in) :: jacobian(:, :)
+        type(spectrum_t), intent(out) :: spectrum
+        real(wp), allocatable, intent(out) :: inverse(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: scores(:, :), straight(:), psi(:), psi_slope(:)
+        real(wp) :: curvature
+        integer :: i, n, stat
+
+        n = size(z)
+        allocate (scores(size(jacobian, 1), size(jacobian, 2)), straight(n), psi(n), psi_slope(n), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        call bend_slope(loss, scale, z, psi, psi_slope)
+        curvature = sqrt(max(sum(psi_slope)/n, 0.01_wp))
+        ! the slope of a bent residual is psi/bent
+        straight(:) = bent(loss, scale, z)
+        do i = 1, n
+            if (abs(straight(i)) > tiny(1.0_wp)) then
+                straight(i) = straight(i)/psi(i)
+            else
+                straight(i) = 1.0_wp
+            end if
+        end do
+        scores(:, :) = jacobian
+        do i = 1, size(jacobian, 2)
+            scores(:n, i) = jacobian(:n, i)*straight*curvature
+        end do
+        spectrum = new_spectrum(products(scores))
+        inverse = spectrum%inverse()
+        do i = 1, size(jacobian, 2)
+            scores(:n, i) = jacobian(:n, i)*straight*psi
+        end do
+        inverse = matmul(inverse, matmul(products(scores), inverse))
+    end subroutine robust_covariance
 
 end module mdrcontact_fit

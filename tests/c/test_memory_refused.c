@@ -33,7 +33,8 @@ void *realloc(void *old, size_t size)
     return is_refused(size) ? NULL : __libc_realloc(old, size);
 }
 
-static double x[POINTS], y[POINTS], out[POINTS];
+static double x[POINTS], y[POINTS], small[POINTS], out[POINTS];
+static int branches[POINTS];
 static int labels[ROWS * ROWS * 10];
 static mdr_profile *ball, *tip;
 static mdr_medium *half_space, *film;
@@ -66,32 +67,56 @@ static int write_law(void)
     mdr_law *again = NULL;
     return status == MDR_SUCCESS ? mdr_law_read(text, length, &again) : status;
 }
-static int fit(int free, int (*end)(const mdr_fit_problem *))
+
+/* What differs from a paraboloid's forces over depths, by least squares of its modulus. */
+typedef struct {
+    int data_kind, loss, free, use_branch;
+    double work_of_adhesion, frame_compliance;
+    int (*end)(const mdr_fit_problem *problem, const double *given);
+} trial;
+static int fit(trial t, const double *given)
 {
     mdr_fit_problem problem;
     mdr_fit_parameter p[NUMBERS - 1];
     mdr_fit_problem_init(&problem);
-    problem.data_kind = MDR_FIT_FORCE_DEPTH;
+    problem.data_kind = t.data_kind;
     problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
     problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;
     problem.parameters = p;
     problem.parameter_count = NUMBERS - 1;
     problem.check_units = 0;
-    for (int i = 0; i < NUMBERS - 1; i++) p[i] = (mdr_fit_parameter){0.0, -INFINITY, INFINITY, 0.0, 0.0, i == free};
+    problem.loss = t.loss;
+    problem.max_iterations = 2;
+    if (t.use_branch) problem.branch = branches;
+    for (int i = 0; i < NUMBERS - 1; i++) p[i] = (mdr_fit_parameter){0.0, -INFINITY, INFINITY, 0.0, 0.0, i == t.free};
     p[0].value = p[1].value = 1.0;
     p[2].value = 0.3;
+    p[3].value = t.work_of_adhesion;
+    p[6].value = t.frame_compliance;
     p[7].value = INFINITY;
     p[8].value = 0.75;
     for (int i = 9; i < NUMBERS - 1; i++) p[i].value = 1.0;
-    return end(&problem);
+    return t.end(&problem, given);
 }
-static int predicted(const mdr_fit_problem *p) { return mdr_fit_predict(p, POINTS, x, y, NULL, out, NULL); }
-static int solved(const mdr_fit_problem *p)
+static int predicted(const mdr_fit_problem *p, const double *given)
 {
-    return mdr_fit_solve(p, POINTS, x, y, NULL, NULL, NULL, NULL, NULL, NULL, NULL, out, NULL, NULL);
+    return mdr_fit_predict(p, POINTS - 1, x + 1, y + 1, given, out, NULL);
 }
-static int predict(void) { return fit(-1, predicted); }
-static int solve(void) { return fit(1, solved); }
+static int solved(const mdr_fit_problem *p, const double *given)
+{
+    return mdr_fit_solve(p, POINTS - 1, x + 1, y + 1, given, NULL, NULL, NULL, NULL, NULL, NULL, out, NULL, NULL);
+}
+static int bounded(const mdr_fit_problem *p, const double *given)
+{
+    double lower, upper;
+    return mdr_fit_interval(p, POINTS - 1, x + 1, y + 1, given, NULL, 1, 0.9, &lower, &upper);
+}
+static int predict(void) { return fit((trial){MDR_FIT_FORCE_DEPTH, MDR_FIT_LINEAR, -1, 0, 0.0, 0.0, predicted}, NULL); }
+static int predict_radii(void) { return fit((trial){MDR_FIT_STIFFNESS_RADIUS, MDR_FIT_LINEAR, -1, 0, 0.0, 0.0, predicted}, NULL); }
+static int solve(void) { return fit((trial){MDR_FIT_FORCE_DEPTH, MDR_FIT_LINEAR, 1, 0, 0.0, 0.0, solved}, NULL); }
+static int solve_adhesive(void) { return fit((trial){MDR_FIT_FORCE_DEPTH, MDR_FIT_HUBER, 1, 1, 1e-3, 1e-3, solved}, NULL); }
+static int solve_stiffness(void) { return fit((trial){MDR_FIT_STIFFNESS_DEPTH, MDR_FIT_LINEAR, 1, 0, 0.0, 0.0, solved}, small); }
+static int interval(void) { return fit((trial){MDR_FIT_MODULUS_RADIUS, MDR_FIT_LINEAR, 1, 0, 0.0, 0.0, bounded}, NULL); }
 
 /* In a process of its own. 0 if it came to its end with a status that may be. */
 static int dies(int (*call)(void), int number, int *count)
@@ -127,7 +152,7 @@ static void refuse_each(const char *name, int known, int (*call)(void))
 
     CHECK_TRUE(!dies(call, 0, &count));
     /* of many a part */
-    for (int k = 1; k <= count; k += count > 20 ? 7 : 1) deaths += dies(call, k, &unused);
+    for (int k = 1; k <= count; k += 1 + count / 20) deaths += dies(call, k, &unused);
     printf("%s: %d large requests, %d of those refused without a status\n", name, count, deaths);
     CHECK_TRUE(deaths <= known);
 }
@@ -139,6 +164,7 @@ int main(void)
     mdr_law_options options;
 
     for (int i = 0; i < POINTS; i++) x[i] = i * 1e-4, y[i] = x[i] * x[i] * (1.0 + 0.01 * sin(30.0 * x[i]));
+    for (int i = 0; i < POINTS; i++) small[i] = 1e-3 * y[i] * x[i], branches[i] = i % 2 ? MDR_ON_LOADING : MDR_ON_UNLOADING;
     for (int i = 0; i < ROWS * ROWS * 10; i++) labels[i] = i % 2;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
     CHECK_SUCCESS(mdr_profile_table(POINTS, x, y, &tip));
@@ -165,7 +191,11 @@ int main(void)
     refuse_each("law written and read", 0, write_law);
     refuse_each("voxels", 0, make_voxels);
     refuse_each("place among voxels", 0, place);
-    refuse_each("prediction", 1, predict);
-    refuse_each("fit", 25, solve);
+    refuse_each("prediction", 0, predict);
+    refuse_each("prediction at radii", 0, predict_radii);
+    refuse_each("fit", 0, solve);
+    refuse_each("fit of an adhesive curve under a robust loss", 0, solve_adhesive);
+    refuse_each("fit of stiffnesses", 0, solve_stiffness);
+    refuse_each("interval", 0, interval);
     return check_report("refused memory");
 }

@@ -10,7 +10,7 @@ module mdrcontact_contact_curve
     use mdrcontact_contact_control, only: control_t, depth_control
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_numerics_chebyshev, only: half, node, nodes => terms, series_of_slopes, series_of_values
@@ -103,7 +103,7 @@ contains
         real(wp), allocatable :: waiting(:), before(:), kept(:, :, :)
         real(wp) :: panel(rows, nodes), left, right, tail, attainable, noise, edges(most_panels + 1)
         logical :: root, has_slopes, by_slopes, tested, roots(most_panels)
-        integer :: count, i
+        integer :: count, i, stat
 
         self%end_radius = equilibrium%profile%end_radius()
         self%adhesive = equilibrium%work_of_adhesion > 0.0_wp
@@ -113,7 +113,9 @@ contains
         if (present(largest_noise)) noise = largest_noise
         allocate (waiting, source=first_edges(coordinates))
         allocate (before(size(waiting)), source=huge(1.0_wp))
-        allocate (kept(rows, nodes, most_panels))
+        allocate (kept(rows, nodes, most_panels), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         ! where states are solved for, slopes come with them
         has_slopes = .not. (self%adhesive .or. equilibrium%medium%has_modulus_formula())
         by_slopes = has_slopes
@@ -163,8 +165,10 @@ contains
         end do
         self%edges = edges(:count + 1)
         self%from_root = roots(:count)
-        self%coefficients = kept(:, :, :count)
-        allocate (self%depths(count + 1), self%forces(count + 1))
+        allocate (self%coefficients(rows, nodes, count), self%depths(count + 1), self%forces(count + 1), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        self%coefficients(:, :, :) = kept(:, :, :count)
         do i = 1, count + 1
             call edge_values(self, i, self%depths(i), self%forces(i))
         end do

@@ -34,8 +34,14 @@ contains
             gain = 0.0_wp
             largest = 0.0_wp
             best = first - 1
-            last = first - 1 + count(branch(order) == branch(order(first)))
-            pressed = apart + 0.5_wp*(maxval(y(order(first:last))) - apart)
+            last = first
+            pressed = y(order(first))
+            do while (last < size(order))
+                if (branch(order(last + 1)) /= branch(order(first))) exit
+                last = last + 1
+                pressed = max(pressed, y(order(last)))
+            end do
+            pressed = apart + 0.5_wp*(pressed - apart)
             do i = first, last
                 if (y(order(i)) > pressed) exit
                 associate (j => order(i))

@@ -22,14 +22,23 @@ module mdrcontact_fit_correlation
     !> More cannot come out at the largest rho; only rounding in a direction that nothing determines would say so.
     real(wp), parameter :: most_widening = 20.0_wp
 
+    !> Sums over neighbours x(i-1), x(i) along a curve, of products of each two columns: of x(1), of the rises x(i) - x(i-1), of
+    !> rises with x(i-1), both ways, and of x(i-1). From them come the products of whitened columns for any rho, without loss of
+    !> digits where columns are smooth.
+    type :: neighbours_t
+        real(wp), allocatable :: first(:, :), rises(:, :), mixed(:, :), before(:, :)
+    end type neighbours_t
+
 contains
 
     !> The mean rho, and by how much the standard error of each parameter is larger than for independent noise, at least 1.
-    subroutine correlated_spread(r, jacobian, prior_r, prior_jacobian, inverse, noise_is_known, rho, widening)
-        !> residuals of the data in their standard deviations, in their order along the curve
+    subroutine correlated_spread(r, jacobian, order, prior_r, prior_jacobian, inverse, noise_is_known, rho, widening)
+        !> residuals of the data in their standard deviations
         real(wp), intent(in) :: r(:)
         !> (residuals, parameters): their derivatives
         real(wp), intent(in) :: jacobian(:, :)
+        !> the data along the curve
+        integer, intent(in) :: order(:)
         !> the same of what is known beforehand, whose errors are independent
         real(wp), intent(in) :: prior_r(:), prior_jacobian(:, :)
         !> covariance of the parameters for independent noise, priors included
@@ -39,17 +48,19 @@ contains
         real(wp), intent(out) :: rho
         !> one for each parameter
         real(wp), intent(out) :: widening(:)
+        type(neighbours_t) :: sums
         real(wp) :: likelihood(values), variance(values), weight(values), middle(size(jacobian, 2), size(jacobian, 2))
-        real(wp) :: independent(size(jacobian, 2), size(jacobian, 2)), spread(size(jacobian, 2), size(jacobian, 2))
+        real(wp) :: spread(size(jacobian, 2), size(jacobian, 2))
         integer :: i, p, n
 
         rho = 0.0_wp
         widening = 1.0_wp
-        n = size(r)
+        n = size(order)
         p = size(jacobian, 2)
-        if (n + size(prior_r) < p + fewest_contrasts .or. .not. sum(r**2) > 0.0_wp) return
+        if (n + size(prior_r) < p + fewest_contrasts .or. .not. sum(r(:n)**2) > 0.0_wp) return
+        sums = neighbours_of(r, jacobian, order)
         do i = 1, values
-            call restricted_likelihood(r, jacobian, prior_r, prior_jacobian, (i - 1)*spacing, noise_is_known, likelihood(i), &
+            call restricted_likelihood(sums, n, prior_r, prior_jacobian, (i - 1)*spacing, noise_is_known, likelihood(i), &
                                        variance(i))
         end do
         weight = exp(likelihood - maxval(likelihood))
@@ -58,40 +69,70 @@ contains
         do i = 1, values
             if (weight(i) < 1.0e-6_wp) cycle
             rho = rho + weight(i)*(i - 1)*spacing
-            middle = middle + weight(i)*variance(i)*matmul(transpose(jacobian), correlated(jacobian, (i - 1)*spacing))
+            middle = middle + weight(i)*variance(i)*correlated(jacobian, order, (i - 1)*spacing)
         end do
         ! inverse = (independent + priors)^-1; the priors stay as they are
-        independent = matmul(transpose(jacobian), jacobian)
-        spread = inverse + matmul(inverse, matmul(middle - independent, inverse))
+        spread = inverse + matmul(inverse, matmul(middle - correlated(jacobian, order, 0.0_wp), inverse))
         do i = 1, p
             if (inverse(i, i) > 0.0_wp) widening(i) = min(sqrt(max(spread(i, i)/inverse(i, i), 1.0_wp)), most_widening)
         end do
     end subroutine correlated_spread
 
+    !> The sums for [jacobian, r] along the curve.
+    pure function neighbours_of(r, jacobian, order) result(self)
+        real(wp), intent(in) :: r(:), jacobian(:, :)
+        integer, intent(in) :: order(:)
+        type(neighbours_t) :: self
+        real(wp) :: before(size(jacobian, 2) + 1), rise(size(jacobian, 2) + 1)
+        integer :: i, j, q
+
+        q = size(before)
+        allocate (self%first(q, q), self%rises(q, q), self%mixed(q, q), self%before(q, q))
+        self%rises = 0.0_wp
+        self%mixed = 0.0_wp
+        self%before = 0.0_wp
+        before = [jacobian(order(1), :), r(order(1))]
+        do j = 1, q
+            self%first(:, j) = before*before(j)
+        end do
+        do i = 2, size(order)
+            rise = [jacobian(order(i), :), r(order(i))] - before
+            do j = 1, q
+                self%rises(:, j) = self%rises(:, j) + rise*rise(j)
+                self%mixed(:, j) = self%mixed(:, j) + rise*before(j) + before*rise(j)
+                self%before(:, j) = self%before(:, j) + before*before(j)
+            end do
+            before = before + rise
+        end do
+    end function neighbours_of
+
     !> ln of the restricted likelihood but for a constant, and the variance of the noise at that rho. A parameter that is known
     !> beforehand takes no contrast from the data: its prior is one datum more, outside of the autoregression.
-    subroutine restricted_likelihood(r, jacobian, prior_r, prior_jacobian, rho, noise_is_known, likelihood, variance)
-        real(wp), intent(in) :: r(:), jacobian(:, :), prior_r(:), prior_jacobian(:, :), rho
+    subroutine restricted_likelihood(sums, n, prior_r, prior_jacobian, rho, noise_is_known, likelihood, variance)
+        type(neighbours_t), intent(in) :: sums
+        !> data
+        integer, intent(in) :: n
+        real(wp), intent(in) :: prior_r(:), prior_jacobian(:, :), rho
         logical, intent(in) :: noise_is_known
         real(wp), intent(out) :: likelihood, variance
         type(spectrum_t) :: spectrum
-        real(wp) :: z(size(r)), columns(size(r), size(jacobian, 2)), g(size(jacobian, 2)), rest, logarithm
-        integer :: j, contrasts
-        logical :: determined(size(jacobian, 2))
+        real(wp) :: white(size(sums%first, 1), size(sums%first, 1)), g(size(sums%first, 1) - 1), rest, logarithm
+        integer :: p, contrasts
+        logical :: determined(size(sums%first, 1) - 1)
 
-        z = whitened(r, rho)
-        do j = 1, size(jacobian, 2)
-            columns(:, j) = whitened(jacobian(:, j), rho)
-        end do
-        spectrum = new_spectrum(matmul(transpose(columns), columns) + matmul(transpose(prior_jacobian), prior_jacobian))
+        p = size(g)
+        ! of independent noise z(1) = x(1), z(i) = (x(i) - rho x(i-1))/sqrt(1 - rho^2), x(i) = x(i-1) + rise
+        white = sums%first + (sums%rises + (1.0_wp - rho)*sums%mixed + (1.0_wp - rho)**2*sums%before)/(1.0_wp - rho**2)
+        spectrum = new_spectrum(white(:p, :p) + matmul(transpose(prior_jacobian), prior_jacobian))
         determined = spectrum%eigenvalues > smallest_eigenvalue
-        g = matmul(transpose(columns), z) + matmul(transpose(prior_jacobian), prior_r)
+        g = white(:p, p + 1) + matmul(transpose(prior_jacobian), prior_r)
         g = matmul(transpose(spectrum%vectors), g/spectrum%scale)
-        rest = sum(z**2) + sum(prior_r**2) - sum(g**2/max(spectrum%eigenvalues, smallest_eigenvalue), mask=determined)
+        rest = white(p + 1, p + 1) + sum(prior_r**2) &
+               - sum(g**2/max(spectrum%eigenvalues, smallest_eigenvalue), mask=determined)
         rest = max(rest, tiny(1.0_wp))
-        contrasts = size(r) + size(prior_r) - count(determined)
+        contrasts = n + size(prior_r) - count(determined)
         logarithm = sum(log(max(spectrum%eigenvalues, smallest_eigenvalue)), mask=determined) + 2.0_wp*sum(log(spectrum%scale)) &
-                    + (size(r) - 1)*log(1.0_wp - rho**2)
+                    + (n - 1)*log(1.0_wp - rho**2)
         variance = rest/contrasts
         if (noise_is_known) then
             variance = 1.0_wp
@@ -101,32 +142,27 @@ contains
         end if
     end subroutine restricted_likelihood
 
-    !> Independent noise from that of an autoregression.
-    pure function whitened(x, rho) result(z)
-        real(wp), intent(in) :: x(:), rho
-        real(wp) :: z(size(x))
+    !> J^T R J with R_ij = rho^|i - j|, the data along the curve.
+    pure function correlated(jacobian, order, rho) result(matrix)
+        real(wp), intent(in) :: jacobian(:, :), rho
+        integer, intent(in) :: order(:)
+        real(wp) :: matrix(size(jacobian, 2), size(jacobian, 2))
+        real(wp) :: here(size(jacobian, 2)), before(size(jacobian, 2)), lower(size(jacobian, 2), size(jacobian, 2))
+        integer :: i, j
 
-        z(1) = x(1)
-        z(2:) = (x(2:) - rho*x(:size(x) - 1))/sqrt(1.0_wp - rho**2)
-    end function whitened
-
-    !> R x with R_ij = rho^|i - j|, column by column.
-    pure function correlated(x, rho) result(y)
-        real(wp), intent(in) :: x(:, :), rho
-        real(wp) :: y(size(x, 1), size(x, 2))
-        real(wp) :: before(size(x, 2))
-        integer :: i
-
+        matrix = 0.0_wp
+        lower = 0.0_wp
         before = 0.0_wp
-        do i = 1, size(x, 1)
-            before = x(i, :) + rho*before
-            y(i, :) = before
+        do i = 1, size(order)
+            here = jacobian(order(i), :)
+            before = rho*before
+            do j = 1, size(here)
+                matrix(:, j) = matrix(:, j) + here*here(j)
+                lower(:, j) = lower(:, j) + here*before(j)
+            end do
+            before = before + here
         end do
-        before = 0.0_wp
-        do i = size(x, 1), 1, -1
-            y(i, :) = y(i, :) + rho*before
-            before = x(i, :) + rho*before
-        end do
+        matrix = matrix + lower + transpose(lower)
     end function correlated
 
 end module mdrcontact_fit_correlation

@@ -5,7 +5,7 @@ module mdrcontact_fit_interval
     use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_memory, error_t, raise, to_text
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_problem, only: ascending_points, fit_data_t, fit_problem_t, joint_priors
     use mdrcontact_fit_predict, only: predict
@@ -77,7 +77,7 @@ contains
         type(fit_problem_t) :: fixed
         type(fit_data_t) :: weighted
         real(wp) :: threshold, best, step, freedom
-        integer :: i
+        integer :: i, stat
 
         lower = 0.0_wp
         upper = 0.0_wp
@@ -92,33 +92,40 @@ contains
         ! correlated residuals weigh less than so many independent ones
         threshold = threshold*fit%widening(i)
         ! the noise stays that of the best fit
-        weighted = data
-        if (.not. allocated(weighted%sd)) weighted%sd = spread(1.0_wp, 1, size(data%x))
-        weighted%sd = weighted%sd*fit%noise
+        call data%copy_to(weighted, error)
+        if (allocated(error)) return
+        if (.not. allocated(weighted%sd)) then
+            allocate (weighted%sd(size(data%x)), stat=stat)
+            call check_memory(error, stat)
+            if (allocated(error)) return
+            weighted%sd(:) = 1.0_wp
+        end if
+        weighted%sd(:) = weighted%sd*fit%noise
         fixed = problem
         fixed%sd_is_absolute = .true.
         fixed%check_units = .false.
         fixed%parameters%value = fit%values
-        best = objective(fixed, weighted, position, fit%values(position))
+        call find_objective(fixed, weighted, position, fit%values(position), best, error)
         fixed%parameters(position)%is_free = .false.
         step = sqrt(fit%covariance(i, i))/fit%widening(i)
         if (.not. step > 0.0_wp) step = 0.01_wp*max(abs(fit%values(position)), tiny(1.0_wp))
-        lower = end_of(fixed, weighted, position, fit%values(position), -step, threshold, best, &
-                       problem%parameters(position)%lower)
-        upper = end_of(fixed, weighted, position, fit%values(position), step, threshold, best, &
-                       problem%parameters(position)%upper)
+        call find_end(fixed, weighted, position, fit%values(position), -step, threshold, best, &
+                      problem%parameters(position)%lower, lower, error)
+        call find_end(fixed, weighted, position, fit%values(position), step, threshold, best, &
+                      problem%parameters(position)%upper, upper, error)
         ! until here a model that was not computed to its end had no value
         call check_cancelled(error)
     end subroutine profile_interval
 
     !> One end: secant steps on the root of the rise, which is nearly a straight line, held in a bracket.
-    function end_of(problem, data, position, centre, direction, threshold, best, bound) result(p)
+    subroutine find_end(problem, data, position, centre, direction, threshold, best, bound, p, error)
         type(fit_problem_t), intent(inout) :: problem
         type(fit_data_t), intent(in) :: data
         integer, intent(in) :: position
         real(wp), intent(in) :: centre, direction, threshold, best, bound
-        real(wp) :: p
-        real(wp) :: inner, outer, t, rise, inner_rise, limit
+        real(wp), intent(out) :: p
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: inner, outer, t, total, rise, inner_rise, limit
         integer :: i
 
         limit = farthest*threshold
@@ -130,7 +137,9 @@ contains
         p = centre
         do i = 1, most_steps
             p = centre + t*direction
-            rise = sqrt(max(objective(problem, data, position, p) - best, 0.0_wp))
+            call find_objective(problem, data, position, p, total, error)
+            if (allocated(error)) return
+            rise = sqrt(max(total - best, 0.0_wp))
             if (abs(rise - threshold) <= tolerance*threshold) return
             if (rise > threshold) then
                 outer = t
@@ -155,37 +164,48 @@ contains
             p = ieee_value(1.0_wp, ieee_positive_inf)
             if (direction < 0.0_wp) p = ieee_value(1.0_wp, ieee_negative_inf)
         end if
-    end function end_of
+    end subroutine find_end
 
-    !> The lowest sum of squares, priors included, with one parameter held; huge where the model has no value.
-    function objective(problem, data, position, p) result(total)
+    !> The lowest sum of squares, priors included, with one parameter held; huge where the model has no value. After an error nothing.
+    subroutine find_objective(problem, data, position, p, total, error)
         type(fit_problem_t), intent(in) :: problem
         type(fit_data_t), intent(in) :: data
         integer, intent(in) :: position
         real(wp), intent(in) :: p
-        real(wp) :: total
+        real(wp), intent(out) :: total
+        !> not enough memory
+        type(error_t), allocatable, intent(inout) :: error
         type(fit_problem_t) :: held
         type(fit_result_t) :: fit
-        type(error_t), allocatable :: error
-        real(wp) :: y(size(data%x))
+        type(error_t), allocatable :: failure
+        real(wp), allocatable :: y(:)
+        integer, allocatable :: order(:)
+        integer :: stat
 
         total = 1.0e12_wp
+        if (allocated(error)) return
         held = problem
         held%parameters(position)%value = p
         held%parameters(position)%is_free = .false.
         if (any(held%parameters%is_free)) then
-            call solve_fit(held, data, fit, error)
-            if (allocated(error)) return
-            total = sum(bent(held%loss, held%loss_scale, fit%residuals)**2) + fit%prior_chi_square
+            call solve_fit(held, data, fit, failure)
+            if (.not. allocated(failure)) total = sum(bent(held%loss, held%loss_scale, fit%residuals)**2) &
+                                                  + fit%prior_chi_square
         else
-            call predict(held, held%parameters%value, data, y, error, order=ascending_points(data))
-            if (allocated(error)) return
-            total = sum(bent(held%loss, held%loss_scale, (data%y - y)/data%sd)**2) &
-                    + sum(joint_priors(held, held%parameters%value)**2)
+            allocate (y(size(data%x)), stat=stat)
+            call check_memory(failure, stat)
+            call ascending_points(data, order, failure)
+            if (.not. allocated(failure)) call predict(held, held%parameters%value, data, y, failure, order=order)
+            if (.not. allocated(failure)) total = sum(bent(held%loss, held%loss_scale, (data%y - y)/data%sd)**2) &
+                                                  + sum(joint_priors(held, held%parameters%value)**2)
+        end if
+        if (allocated(failure)) then
+            if (failure%code == error_memory) call move_alloc(failure, error)
+            return
         end if
         associate (parameter => held%parameters(position))
             if (parameter%prior_sd > 0.0_wp) total = total + ((p - parameter%prior)/parameter%prior_sd)**2
         end associate
-    end function objective
+    end subroutine find_objective
 
 end module mdrcontact_fit_interval

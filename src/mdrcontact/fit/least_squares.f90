@@ -7,7 +7,7 @@ module mdrcontact_fit_least_squares
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, c_loc, c_null_funptr, c_null_ptr, &
                                            c_ptr, c_size_t
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: error_memory, error_t, raise
+    use mdrcontact_error, only: check_memory, error_memory, error_t, raise
     use mdrcontact_fit_gsl_multifit, only: gsl_enoprog, gsl_matrix, gsl_multifit_nlinear_alloc, &
                                            gsl_multifit_nlinear_default_parameters, gsl_multifit_nlinear_fdf, &
                                            gsl_multifit_nlinear_free, gsl_multifit_nlinear_init, gsl_multifit_nlinear_iterate, &
@@ -42,8 +42,8 @@ module mdrcontact_fit_least_squares
         real(wp) :: start_norm = 0.0_wp
         !> why the last evaluation failed
         type(error_t), allocatable :: error
-        !> the unknowns of the last step and their residuals, from which differences are taken
-        real(wp), allocatable :: last_u(:), last_r(:)
+        !> whether one failed for want of memory, which is no property of the model
+        logical :: lacked_memory = .false.
     contains
         procedure :: evaluate_counted
         procedure(residual_vector), deferred :: evaluate
@@ -78,10 +78,14 @@ module mdrcontact_fit_least_squares
         real(wp), allocatable :: r(:), jacobian(:, :)
     end type outcome_t
 
-    !> Lets a polymorphic object travel through GSL's `void *params`.
-    type :: carrier_t
+    !> What travels through GSL's `void *params`.
+    type :: search_t
         class(residuals_t), pointer :: residuals => null()
-    end type carrier_t
+        !> the unknowns of the last step and their residuals, from which differences are taken
+        real(wp), allocatable :: last_u(:), last_r(:)
+        !> residuals at a neighbouring point
+        real(wp), allocatable :: moved_r(:)
+    end type search_t
 
 contains
 
@@ -92,23 +96,26 @@ contains
         integer, intent(in) :: max_iterations
         type(outcome_t), intent(out) :: outcome
         type(error_t), allocatable, intent(out) :: error
-        type(carrier_t), target :: carrier
+        type(search_t), target :: search
         type(gsl_multifit_nlinear_fdf), target :: fdf
         type(gsl_multifit_nlinear_parameters) :: parameters
         type(gsl_vector) :: start
         type(c_ptr) :: workspace
-        real(wp) :: r(residuals%n)
+        integer :: stat
 
         call disable_gsl_abort()
-        if (allocated(residuals%last_u)) deallocate (residuals%last_u)
-        call residuals%evaluate_counted(u, r)
+        allocate (search%last_r(residuals%n), search%moved_r(residuals%n), outcome%r(residuals%n), &
+                  outcome%jacobian(residuals%n, residuals%p), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        search%residuals => residuals
+        search%last_u = u
+        call residuals%evaluate_counted(u, search%last_r)
         if (allocated(residuals%error)) then
             error = residuals%error
             return
         end if
-        residuals%start_norm = norm2(r)
-        residuals%last_u = u
-        residuals%last_r = r
+        residuals%start_norm = norm2(search%last_r)
         parameters = gsl_multifit_nlinear_default_parameters()
         parameters%solver = gsl_multifit_nlinear_solver_qr
         workspace = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, parameters, int(residuals%n, c_size_t), &
@@ -117,22 +124,21 @@ contains
             call raise(error, error_memory, "not enough memory for a fit")
             return
         end if
-        carrier%residuals => residuals
         fdf = gsl_multifit_nlinear_fdf(c_funloc(residual_callback), c_funloc(jacobian_callback), c_null_funptr, &
-                                       int(residuals%n, c_size_t), int(residuals%p, c_size_t), c_loc(carrier), 0, 0, 0)
+                                       int(residuals%n, c_size_t), int(residuals%p, c_size_t), c_loc(search), 0, 0, 0)
         start = gsl_vector(int(residuals%p, c_size_t), 1_c_size_t, c_loc(u), c_null_ptr, 0_c_int)
         if (gsl_multifit_nlinear_init(start, c_loc(fdf), workspace) == gsl_success) then
             call iterate(workspace, max_iterations, (exact_fit*residuals%readings_norm)**2, outcome)
         else
-            allocate (outcome%r(residuals%n), outcome%jacobian(residuals%n, residuals%p))
-            outcome%r = r
-            outcome%jacobian = 0.0_wp
+            outcome%r(:) = search%last_r
+            outcome%jacobian(:, :) = 0.0_wp
         end if
         call read_vector(gsl_multifit_nlinear_position(workspace), u)
         call gsl_multifit_nlinear_free(workspace)
         if (allocated(residuals%error)) deallocate (residuals%error)
         ! a model that was not computed to its end was a step refused
         call check_cancelled(error)
+        if (residuals%lacked_memory) call raise(error, error_memory, "not enough memory for a fit")
     end subroutine minimize
 
     subroutine iterate(workspace, max_iterations, exact_sum, outcome)
@@ -178,11 +184,13 @@ contains
         type(outcome_t), intent(inout) :: outcome
         type(gsl_matrix), pointer :: matrix
         real(c_double), pointer :: rows(:, :)
+        integer :: i
 
         call c_f_pointer(gsl_multifit_nlinear_jac(workspace), matrix)
         call c_f_pointer(matrix%data, rows, [matrix%tda, matrix%size1])
-        outcome%jacobian = transpose(rows(:matrix%size2, :))
-        if (.not. allocated(outcome%r)) allocate (outcome%r(matrix%size1))
+        do i = 1, size(outcome%jacobian, 2)
+            outcome%jacobian(:, i) = rows(i, :)
+        end do
         call read_vector(gsl_multifit_nlinear_residual(workspace), outcome%r)
     end subroutine read_state
 
@@ -203,78 +211,73 @@ contains
         type(c_ptr), value :: params
         type(gsl_vector), intent(in) :: f
         integer(c_int) :: status
-        type(carrier_t), pointer :: carrier
+        type(search_t), pointer :: search
         real(c_double), pointer :: u(:), r(:)
-        real(wp), allocatable :: values(:)
+        integer :: i
 
-        call c_f_pointer(params, carrier)
+        call c_f_pointer(params, search)
         call c_f_pointer(x%data, u, [x%stride*x%size])
         call c_f_pointer(f%data, r, [f%stride*f%size])
-        allocate (values(carrier%residuals%n))
-        call residuals_or_penalty(carrier%residuals, u(::x%stride), values)
-        r(::f%stride) = values
+        call go_to(search, u(::x%stride))
+        ! by a section gfortran would copy, for pointers may overlap
+        do i = 1, search%residuals%n
+            r(1 + (i - 1)*f%stride) = search%last_r(i)
+        end do
         status = gsl_success
     end function residual_callback
 
-    !> The residuals, or where there are none, values that no step would accept.
-    subroutine residuals_or_penalty(residuals, u, r)
-        class(residuals_t), intent(inout) :: residuals
+    !> Makes u the last point: its residuals, or where there are none, values that no step would accept.
+    subroutine go_to(search, u)
+        type(search_t), intent(inout) :: search
         real(wp), intent(in) :: u(:)
-        real(wp), intent(out) :: r(:)
 
-        if (allocated(residuals%last_u)) then
-            if (all(residuals%last_u == u)) then
-                r = residuals%last_r
-                return
-            end if
-        end if
-        call residuals%evaluate_counted(u, r)
-        if (allocated(residuals%error)) r = 1.0e3_wp*(residuals%start_norm + 1.0_wp)
-        residuals%last_u = u
-        residuals%last_r = r
-    end subroutine residuals_or_penalty
+        if (all(search%last_u == u)) return
+        call search%residuals%evaluate_counted(u, search%last_r)
+        if (allocated(search%residuals%error)) search%last_r(:) = 1.0e3_wp*(search%residuals%start_norm + 1.0_wp)
+        search%last_u = u
+    end subroutine go_to
 
     function jacobian_callback(x, params, j) result(status) bind(C, name="")
         type(gsl_vector), intent(in) :: x
         type(c_ptr), value :: params
         type(gsl_matrix), intent(in) :: j
         integer(c_int) :: status
-        type(carrier_t), pointer :: carrier
+        type(search_t), pointer :: search
         real(c_double), pointer :: u(:), rows(:, :)
-        real(wp), allocatable :: jacobian(:, :)
 
-        call c_f_pointer(params, carrier)
+        call c_f_pointer(params, search)
         call c_f_pointer(x%data, u, [x%stride*x%size])
         call c_f_pointer(j%data, rows, [j%tda, j%size1])
-        allocate (jacobian(carrier%residuals%n, carrier%residuals%p))
-        call differences(carrier%residuals, u(::x%stride), jacobian)
-        rows(:j%size2, :) = transpose(jacobian)
+        call differences(search, u(::x%stride), rows)
         status = gsl_success
     end function jacobian_callback
 
     !> Forward differences from the residuals of the step just taken; backward at a bound or where the model has no value ahead.
-    subroutine differences(residuals, u, jacobian)
-        class(residuals_t), intent(inout) :: residuals
+    subroutine differences(search, u, rows)
+        type(search_t), intent(inout) :: search
         real(wp), intent(in) :: u(:)
-        real(wp), intent(out) :: jacobian(:, :)
-        real(wp) :: base(residuals%n), moved(residuals%n), v(size(u)), below, above
+        !> one for each unknown
+        real(wp), intent(inout) :: rows(:, :)
+        real(wp) :: v(size(u)), below, above
         integer :: i
 
-        call residuals_or_penalty(residuals, u, base)
-        do i = 1, size(u)
-            jacobian(:, i) = 0.0_wp
-            call residuals%neighbours(u, i, difference_step, below, above)
-            v = u
-            v(i) = above
-            if (above > u(i)) call residuals%evaluate_counted(v, moved)
-            if (.not. above > u(i) .or. allocated(residuals%error)) then
-                v(i) = below
-                if (.not. below < u(i)) cycle
-                call residuals%evaluate_counted(v, moved)
-                if (allocated(residuals%error)) cycle
-            end if
-            jacobian(:, i) = (moved - base)/(v(i) - u(i))
-        end do
+        call go_to(search, u)
+        associate (residuals => search%residuals)
+            do i = 1, size(u)
+                rows(i, :) = 0.0_wp
+                call residuals%neighbours(u, i, difference_step, below, above)
+                v = u
+                v(i) = above
+                if (above > u(i)) call residuals%evaluate_counted(v, search%moved_r)
+                if (.not. above > u(i) .or. allocated(residuals%error)) then
+                    v(i) = below
+                    if (.not. below < u(i)) cycle
+                    call residuals%evaluate_counted(v, search%moved_r)
+                    if (allocated(residuals%error)) cycle
+                end if
+                rows(i, :) = (search%moved_r - search%last_r)/(v(i) - u(i))
+            end do
+        end associate
     end subroutine differences
 
     !> One evaluation, with a clean slate.
@@ -287,6 +290,7 @@ contains
         r = 0.0_wp
         call check_cancelled(self%error)
         if (.not. allocated(self%error)) call self%evaluate(u, r)
+        if (allocated(self%error)) self%lacked_memory = self%lacked_memory .or. self%error%code == error_memory
         self%evaluations = self%evaluations + 1
     end subroutine evaluate_counted
 

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Positions that bring values into ascending order.
+!> Values in ascending order.
 module mdrcontact_fit_order
     use, intrinsic :: iso_c_binding, only: c_double, c_size_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -14,29 +15,41 @@ module mdrcontact_fit_order
             real(c_double), intent(in) :: values(*)
             integer(c_size_t), value :: stride, n
         end subroutine gsl_sort_index
+
+        pure subroutine gsl_sort(values, stride, n) bind(C)
+            import :: c_double, c_size_t
+            real(c_double), intent(inout) :: values(*)
+            integer(c_size_t), value :: stride, n
+        end subroutine gsl_sort
     end interface
 
 contains
 
     !> The positions of the smallest value, the next, ...
-    pure function ascending(values) result(order)
-        real(wp), intent(in) :: values(:)
-        integer :: order(size(values))
-        integer(c_size_t) :: positions(size(values))
+    pure subroutine ascending(values, order, error)
+        real(wp), contiguous, intent(in) :: values(:)
+        integer, allocatable, intent(out) :: order(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_size_t), allocatable :: positions(:)
+        integer :: i, stat
 
+        allocate (order(size(values)), positions(size(values)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         call gsl_sort_index(positions, values, 1_c_size_t, size(values, kind=c_size_t))
-        order = int(positions) + 1
-    end function ascending
+        do i = 1, size(order)
+            order(i) = int(positions(i)) + 1
+        end do
+    end subroutine ascending
 
     !> The value in the middle.
-    pure function median(values) result(middle)
-        !> at least one
-        real(wp), intent(in) :: values(:)
-        real(wp) :: middle
-        integer :: order(size(values))
+    pure subroutine median(values, middle)
+        !> at least one; sorted on return
+        real(wp), contiguous, intent(inout) :: values(:)
+        real(wp), intent(out) :: middle
 
-        order = ascending(values)
-        middle = 0.5_wp*(values(order((size(values) + 1)/2)) + values(order(size(values)/2 + 1)))
-    end function median
+        call gsl_sort(values, 1_c_size_t, size(values, kind=c_size_t))
+        middle = 0.5_wp*(values((size(values) + 1)/2) + values(size(values)/2 + 1))
+    end subroutine median
 
 end module mdrcontact_fit_order

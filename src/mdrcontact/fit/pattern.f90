@@ -3,6 +3,7 @@
 !> to variance. R. Bartels, J. Am. Stat. Assoc. 77 (1982) 40; its beta approximation, section 3.
 module mdrcontact_fit_pattern
     use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_fit_order, only: ascending
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -23,29 +24,37 @@ module mdrcontact_fit_pattern
 contains
 
     !> The probability that random residuals follow each other as smoothly as these; 1 for fewer than 8.
-    pure function pattern_test(residuals) result(probability)
+    pure subroutine pattern_test(residuals, probability, error)
         !> in their order along the curve
-        real(wp), intent(in) :: residuals(:)
-        real(wp) :: probability
-        real(wp) :: rank(size(residuals)), n, shape, ratio
+        real(wp), contiguous, intent(in) :: residuals(:)
+        real(wp), intent(out) :: probability
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: rank(:)
+        real(wp) :: n, shape, ratio
 
         probability = 1.0_wp
         if (size(residuals) < fewest_points .or. maxval(residuals) <= minval(residuals)) return
         n = real(size(residuals), wp)
-        rank = ranks(residuals)
+        call find_ranks(residuals, rank, error)
+        if (allocated(error)) return
         ratio = sum((rank(2:) - rank(:size(rank) - 1))**2)/sum((rank - 0.5_wp*(n + 1.0_wp))**2)
         ! ratio/4 is distributed like beta(shape, shape)
         shape = 2.5_wp*n*(n + 1.0_wp)*(n - 1.0_wp)**2/((n - 2.0_wp)*(5.0_wp*n**2 - 2.0_wp*n - 9.0_wp)) - 0.5_wp
         probability = gsl_cdf_beta_p(min(0.25_wp*ratio, 1.0_wp), shape, shape)
-    end function pattern_test
+    end subroutine pattern_test
 
     !> Ranks from 1; equal values share the mean of theirs.
-    pure function ranks(values) result(rank)
-        real(wp), intent(in) :: values(:)
-        real(wp) :: rank(size(values))
-        integer :: order(size(values)), first, last
+    pure subroutine find_ranks(values, rank, error)
+        real(wp), contiguous, intent(in) :: values(:)
+        real(wp), allocatable, intent(out) :: rank(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, allocatable :: order(:)
+        integer :: first, last, stat
 
-        order = ascending(values)
+        allocate (rank(size(values)), stat=stat)
+        call check_memory(error, stat)
+        if (.not. allocated(error)) call ascending(values, order, error)
+        if (allocated(error)) return
         first = 1
         do while (first <= size(values))
             last = first
@@ -56,6 +65,6 @@ contains
             rank(order(first:last)) = 0.5_wp*(first + last)
             first = last + 1
         end do
-    end function ranks
+    end subroutine find_ranks
 
 end module mdrcontact_fit_pattern

@@ -19,6 +19,7 @@ module mdrcontact_fit_predict
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, radius_law_t
     implicit none (type, external)
     private
@@ -100,9 +101,10 @@ contains
                 call contact_radii(profile, instrument, data, a, error)
                 if (allocated(error)) return
             else
-                a = data%x
+                call copy_array(data%x, a, error)
+                if (allocated(error)) return
             end if
-            a = a*sqrt(instrument(at_area_factor))
+            a(:) = a*sqrt(instrument(at_area_factor))
             call sampled_moduli(medium, a, modulus, error)
             if (allocated(error)) return
             ! an instrument that takes the area as too small finds S/(2a) too large
@@ -173,7 +175,7 @@ contains
         if (stat == 0) allocate (branch(n), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        a = 0.0_wp
+        a(:) = 0.0_wp
         d = data%x - instrument(at_depth_offset)
         if (instrument(at_frame_compliance) /= 0.0_wp) then
             d = d - instrument(at_frame_compliance)*(data%y - instrument(at_force_offset))
@@ -191,22 +193,22 @@ contains
             call curve%at(d(i), y(i), a(i), reached)
             everywhere = everywhere .and. reached
         end do
+        y = y + instrument(at_force_offset)
         if (instrument(at_work_of_adhesion) > 0.0_wp) then
-            branch = on_unloading
-            if (allocated(data%branch)) branch = data%branch
+            branch(:) = on_unloading
+            if (allocated(data%branch)) branch(:) = data%branch
             if (associated(order)) then
-                sd = 1.0_wp
-                if (allocated(data%sd)) sd = data%sd
-                call separate(order, branch, data%y - instrument(at_force_offset), sd, 0.0_wp, y)
+                sd(:) = 1.0_wp
+                if (allocated(data%sd)) sd(:) = data%sd
+                call separate(order, branch, data%y, sd, instrument(at_force_offset), y)
             else
                 do i = 1, n
                     if (.not. ((branch(i) == on_loading .and. d(i) < 0.0_wp) .or. d(i) < curve%pull_off_depth())) cycle
-                    y(i) = 0.0_wp
+                    y(i) = instrument(at_force_offset)
                     a(i) = 0.0_wp
                 end do
             end if
         end if
-        y = y + instrument(at_force_offset)
         if (.not. everywhere) call raise(error, error_unreachable, "depth = "//to_text(maxval(d))//" cannot be reached by "// &
                                            "this indenter on this medium")
     end subroutine predict_force
@@ -232,9 +234,11 @@ contains
         real(wp), allocatable, intent(out) :: a(:)
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: load, compliance, height
-        integer :: i
+        integer :: i, stat
 
-        allocate (a(size(data%x)))
+        allocate (a(size(data%x)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         do i = 1, size(a)
             load = data%given(i) - instrument(at_force_offset)
             compliance = 1.0_wp/data%y(i) - instrument(at_frame_compliance)
@@ -293,19 +297,22 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(modulus_of_radius_t) :: f
         type(radius_law_t) :: law
+        integer :: stat
 
         if (maxval(a) > medium%largest_radius() .or. minval(a) < medium%smallest_radius()) then
             call raise(error, error_domain, "the contact radii "//to_text(minval(a))//" to "//to_text(maxval(a))// &
                        " leave the range in which the medium is known"//trim(medium%why_it_ends()))
             return
         end if
-        allocate (modulus(size(a)))
+        allocate (modulus(size(a)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         if (size(a) < worth_sampling .or. medium%has_modulus_formula()) then
             call medium%modulus(a, modulus, error)
         else
             f%medium => medium
             call new_radius_law_from_function(law, f, "modulus", minval(a), maxval(a), sampling_tolerance, error)
-            if (.not. allocated(error)) modulus = law%at(a)
+            if (.not. allocated(error)) modulus(:) = law%at(a)
         end if
         if (allocated(error)) return
     end subroutine sampled_moduli

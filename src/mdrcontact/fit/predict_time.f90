@@ -3,7 +3,7 @@
 module mdrcontact_fit_predict_time
     use mdrcontact_contact, only: contact_t, new_contact
     use mdrcontact_contact_values, only: given_depth, given_force
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_fit_problem, only: at_area_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
                                       at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, &
                                       data_dynamic_stiffness, data_force_time, fit_data_t, part_loss
@@ -34,11 +34,14 @@ contains
         real(wp), allocatable, intent(out) :: a(:)
         type(error_t), allocatable, intent(out) :: error
         type(contact_t) :: contact
-        real(wp) :: depth(size(y)), force(size(y))
+        real(wp), allocatable :: depth(:), force(:)
+        integer :: stat
 
-        allocate (a(size(y)))
         y = 0.0_wp
-        a = 0.0_wp
+        allocate (a(size(y)), depth(size(y)), force(size(y)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        a(:) = 0.0_wp
         if (instrument(at_work_of_adhesion) > 0.0_wp) then
             call raise(error, error_invalid, "work_of_adhesion is not allowed: the body is viscoelastic")
         else if (instrument(at_indenter_modulus) <= huge(1.0_wp)) then
@@ -69,12 +72,16 @@ contains
         type(fit_data_t), intent(in) :: data
         real(wp), intent(inout) :: y(:), a(:)
         type(error_t), allocatable, intent(out) :: error
-        complex(wp) :: k(size(y))
+        complex(wp), allocatable :: k(:)
+        integer :: stat
 
+        allocate (k(size(y)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         a = data%given*sqrt(instrument(at_area_factor))
         call dynamic_stiffness(contact, data%x, a, k, error)
         if (allocated(error)) return
-        k = 1.0_wp/(1.0_wp/(instrument(at_stiffness_factor)*k) + instrument(at_frame_compliance))
+        k(:) = 1.0_wp/(1.0_wp/(instrument(at_stiffness_factor)*k) + instrument(at_frame_compliance))
         y = merge(aimag(k), real(k, wp), data%branch == part_loss)
     end subroutine predict_oscillation
 

@@ -9,6 +9,7 @@ module mdrcontact_fit_problem
     use mdrcontact_fit_order, only: ascending
     use mdrcontact_fit_body, only: body_count, fit_body_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_copy, only: copy_array
     implicit none (type, external)
     private
     public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, check_points, parameter_count, joint_priors, &
@@ -88,6 +89,8 @@ module mdrcontact_fit_problem
         !> on_loading or on_unloading, same size; not allocated: all on one branch, down to pull-off. Matters with adhesion; of
         !> data_dynamic_stiffness part_storage or part_loss
         integer, allocatable :: branch(:)
+    contains
+        procedure :: copy_to => copy_data
     end type fit_data_t
 
 contains
@@ -114,14 +117,40 @@ contains
     end function joint_priors
 
     !> Positions of the points by branch, and within a branch by ascending x.
-    pure function ascending_points(self) result(order)
+    pure subroutine ascending_points(self, order, error)
         type(fit_data_t), intent(in) :: self
-        integer :: order(size(self%x))
+        integer, allocatable, intent(out) :: order(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, allocatable :: by_x(:)
+        integer :: i, branch, count
 
-        order = ascending(self%x)
-        if (allocated(self%branch)) order = [pack(order, self%branch(order) == on_loading), &
-                                             pack(order, self%branch(order) == on_unloading)]
-    end function ascending_points
+        if (allocated(error)) return
+        call ascending(self%x, order, error)
+        if (allocated(error) .or. .not. allocated(self%branch)) return
+        call copy_array(order, by_x, error)
+        if (allocated(error)) return
+        count = 0
+        do branch = on_loading, on_unloading
+            do i = 1, size(by_x)
+                if (self%branch(by_x(i)) /= branch) cycle
+                count = count + 1
+                order(count) = by_x(i)
+            end do
+        end do
+    end subroutine ascending_points
+
+    !> A copy, with a status for its memory.
+    pure subroutine copy_data(self, copy, error)
+        class(fit_data_t), intent(in) :: self
+        type(fit_data_t), intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+
+        call copy_array(self%x, copy%x, error)
+        call copy_array(self%y, copy%y, error)
+        call copy_array(self%given, copy%given, error)
+        call copy_array(self%sd, copy%sd, error)
+        call copy_array(self%branch, copy%branch, error)
+    end subroutine copy_data
 
     !> Raises unless the problem is well-formed.
     subroutine check_problem(self, error)

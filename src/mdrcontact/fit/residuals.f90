@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The residuals of a fit: data in their standard deviations, bent by the loss, and below them what was known beforehand.
 module mdrcontact_fit_residuals
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_fit_least_squares, only: residuals_t
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_body, only: body_count
@@ -25,7 +25,7 @@ module mdrcontact_fit_residuals
     !> Residuals of the data, then of the priors.
     type, extends(residuals_t) :: fit_residuals_t
         type(fit_problem_t) :: problem
-        type(fit_data_t) :: data
+        type(fit_data_t), pointer :: data => null()
         type(variables_t) :: variables
         !> positions, among the free parameters, of those with priors
         integer, allocatable :: known(:)
@@ -53,26 +53,41 @@ module mdrcontact_fit_residuals
 contains
 
     !> Residuals of a problem that has been checked.
-    subroutine new_fit_residuals(self, problem, data, variables)
+    subroutine new_fit_residuals(self, problem, data, variables, error)
         type(fit_residuals_t), intent(out) :: self
         type(fit_problem_t), intent(in) :: problem
-        type(fit_data_t), intent(in) :: data
+        !> read as long as the residuals are used
+        type(fit_data_t), intent(in), target :: data
         type(variables_t), intent(in) :: variables
-        integer :: i
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i, n, stat
 
         self%problem = problem
-        self%data = data
+        self%data => data
         self%variables = variables
         self%loss = problem%loss
         self%known = pack([(i, i=1, size(variables%free))], problem%parameters(variables%free)%prior_sd > 0.0_wp)
         self%p = size(variables%free)
-        self%n = size(data%x) + size(self%known) + size(joint_priors(problem, problem%parameters%value))
-        self%order = ascending_points(data)
-        allocate (self%sd(size(data%x)))
-        self%sd = 1.0_wp
-        if (allocated(data%sd)) self%sd = data%sd
+        n = size(data%x)
+        self%n = n + size(self%known) + size(joint_priors(problem, problem%parameters%value))
+        call ascending_points(data, self%order, error)
+        if (allocated(error)) return
+        allocate (self%sd(n), stat=stat)
         allocate (self%recent(self%p + 2))
+        do i = 1, size(self%recent)
+            if (stat == 0) allocate (self%recent(i)%y(n), stat=stat)
+        end do
+        call check_memory(error, stat)
+        if (.not. allocated(error)) call set_spread(self)
     end subroutine new_fit_residuals
+
+    !> Standard deviations as the data have them.
+    pure subroutine set_spread(self)
+        type(fit_residuals_t), intent(inout) :: self
+
+        self%sd(:) = 1.0_wp
+        if (allocated(self%data%sd)) self%sd(:) = self%data%sd
+    end subroutine set_spread
 
     !> All parameters of the problem at the unknowns u.
     pure function values_at(self, u) result(values)
@@ -102,7 +117,7 @@ contains
         call predict(self%problem, self%values_at(u), self%data, y, error, self%shared, self%order)
         if (allocated(error)) return
         self%recent(self%oldest)%u = u
-        self%recent(self%oldest)%y = y
+        self%recent(self%oldest)%y(:) = y
         self%oldest = modulo(self%oldest, size(self%recent)) + 1
     end subroutine fitted
 
@@ -124,20 +139,25 @@ contains
         real(wp), intent(in) :: u(:)
         type(error_t), allocatable, intent(out) :: error
         type(fit_data_t) :: shifted
-        real(wp) :: below(size(self%data%x)), above(size(self%data%x)), step(size(self%data%x))
+        real(wp), allocatable :: below(:), above(:), step(:)
+        integer :: n, stat
 
-        shifted = self%data
+        call self%data%copy_to(shifted, error)
+        if (allocated(error)) return
+        n = size(self%data%x)
+        allocate (below(n), above(n), step(n), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         step = reading_step*maxval(abs(self%data%y))
         if (self%problem%data_kind == data_stiffness_depth) step = reading_step*self%data%y
-        shifted%y = self%data%y - step
+        shifted%y(:) = self%data%y - step
         call predict(self%problem, self%values_at(u), shifted, below, error, self%shared, self%order)
         if (allocated(error)) return
-        shifted%y = self%data%y + step
+        shifted%y(:) = self%data%y + step
         call predict(self%problem, self%values_at(u), shifted, above, error, self%shared, self%order)
         if (allocated(error)) return
-        self%sd = 1.0_wp
-        if (allocated(self%data%sd)) self%sd = self%data%sd
-        self%sd = self%sd*max(abs(1.0_wp - (above - below)/(2.0_wp*step)), smallest_share)
+        call set_spread(self)
+        self%sd(:) = self%sd*max(abs(1.0_wp - (above - below)/(2.0_wp*step)), smallest_share)
     end subroutine propagate_readings
 
     subroutine evaluate(self, u, r)

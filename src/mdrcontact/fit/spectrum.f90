@@ -5,7 +5,7 @@ module mdrcontact_fit_spectrum
     use mdrcontact_lapack, only: dsyev
     implicit none (type, external)
     private
-    public :: spectrum_t, new_spectrum, newton_decrement
+    public :: spectrum_t, new_spectrum, newton_decrement, products
 
     !> Eigenvalues of the scaled matrix below this are rounding: the direction is not determined at all.
     real(wp), parameter :: smallest_eigenvalue = 1.0e-15_wp
@@ -63,15 +63,32 @@ contains
         end do
     end function inverse
 
+    !> J^T J of a tall J. matmul takes memory for a copy of it, without a status.
+    pure function products(jacobian) result(matrix)
+        real(wp), intent(in) :: jacobian(:, :)
+        real(wp) :: matrix(size(jacobian, 2), size(jacobian, 2))
+        integer :: i, j
+
+        do j = 1, size(matrix, 2)
+            do i = 1, j
+                matrix(i, j) = dot_product(jacobian(:, i), jacobian(:, j))
+                matrix(j, i) = matrix(i, j)
+            end do
+        end do
+    end function products
+
     !> g (J^T J)^-1 g with g = J^T r: how much a Newton step lowers |r|^2.
     function newton_decrement(jacobian, r) result(gain)
         real(wp), intent(in) :: jacobian(:, :), r(:)
         real(wp) :: gain
         type(spectrum_t) :: spectrum
         real(wp) :: g(size(jacobian, 2))
+        integer :: i
 
-        spectrum = new_spectrum(matmul(transpose(jacobian), jacobian))
-        g = matmul(transpose(jacobian), r)/spectrum%scale
+        spectrum = new_spectrum(products(jacobian))
+        do i = 1, size(g)
+            g(i) = dot_product(jacobian(:, i), r)/spectrum%scale(i)
+        end do
         g = matmul(transpose(spectrum%vectors), g)
         gain = sum(g**2/max(spectrum%eigenvalues, smallest_eigenvalue), mask=spectrum%eigenvalues > undetermined)
     end function newton_decrement

@@ -68,8 +68,12 @@ contains
         real(wp), intent(in) :: a(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        integer :: i
 
-        values = self%effective_modulus(a)
+        ! in one statement gfortran would copy, for `values` might be `a`
+        do i = 1, size(a)
+            values(i) = self%effective_modulus(a(i))
+        end do
     end subroutine modulus
 
     subroutine modulus_slope(self, a, values, error)
@@ -77,8 +81,11 @@ contains
         real(wp), intent(in) :: a(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        integer :: i
 
-        values = self%effective_modulus_slope(a)
+        do i = 1, size(a)
+            values(i) = self%effective_modulus_slope(a(i))
+        end do
     end subroutine modulus_slope
 
     !> Where profile or modulus are not analytic.
