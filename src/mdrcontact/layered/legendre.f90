@@ -177,42 +177,54 @@ contains
         real(wp), intent(in) :: v(n), even(n), odd(n), base, less
         integer, intent(in) :: count
         real(wp), intent(inout) :: t(0:)
-        real(wp) :: difference(n), r(n)
+        real(wp) :: difference(n), r(n), parts(2)
         integer :: k
 
         difference = 0.0_wp
         r = 0.0_wp
         t(0) = base
-        do k = 1, count
-            if (modulo(k, 2) == 0) then
-                call add_order(n, k, v, even, difference, r, t(k))
-                t(k) = base + t(k)
-            else
-                call add_order(n, k, v, odd, difference, r, t(k))
-                t(k) = (base - less) + t(k)
-            end if
+        do k = 1, count, 2
+            call add_orders(n, k, v, odd, even, difference, r, parts)
+            t(k) = (base - less) + parts(1)
+            if (k < count) t(k + 1) = base + parts(2)
         end do
     end subroutine sum_moments
 
-    !> From r_(k-1) and its difference from the one before to r_k and the sum of x r_k, two nodes at a time.
-    pure subroutine add_order(n, k, v, x, difference, r, total)
+    !> From r_(k-1) and its difference from the one before to r_(k+1), and the sums of x r_k and of y r_(k+1): products first and sums
+    !> afterwards, two at a time, which compilers take as vectors.
+    pure subroutine add_orders(n, k, v, x, y, difference, r, totals)
         integer, intent(in) :: n, k
-        real(wp), intent(in) :: v(n), x(n)
+        real(wp), intent(in) :: v(n), x(n), y(n)
         real(wp), intent(inout) :: difference(n), r(n)
-        real(wp), intent(out) :: total
-        real(wp) :: part(2), keep, turn
+        real(wp), intent(out) :: totals(2)
+        real(wp) :: keep(2), turn(2), of_x(n), of_y(n), part(2), d, s
         integer :: i
 
-        keep = real(k - 1, wp)/real(k, wp)
-        turn = real(2*k - 1, wp)/real(k, wp)
+        keep = [real(k - 1, wp)/real(k, wp), real(k, wp)/real(k + 1, wp)]
+        turn = [real(2*k - 1, wp)/real(k, wp), real(2*k + 1, wp)/real(k + 1, wp)]
+        do i = 1, n
+            d = keep(1)*difference(i) - turn(1)*(v(i)*(1.0_wp + r(i)))
+            s = r(i) + d
+            of_x(i) = x(i)*s
+            d = keep(2)*d - turn(2)*(v(i)*(1.0_wp + s))
+            s = s + d
+            of_y(i) = y(i)*s
+            difference(i) = d
+            r(i) = s
+        end do
         part = 0.0_wp
         do i = 1, n, 2
-            difference(i:i + 1) = keep*difference(i:i + 1) - turn*(v(i:i + 1)*(1.0_wp + r(i:i + 1)))
-            r(i:i + 1) = r(i:i + 1) + difference(i:i + 1)
-            part = part + x(i:i + 1)*r(i:i + 1)
+            part(1) = part(1) + of_x(i)
+            part(2) = part(2) + of_x(i + 1)
         end do
-        total = sum(part)
-    end subroutine add_order
+        totals(1) = sum(part)
+        part = 0.0_wp
+        do i = 1, n, 2
+            part(1) = part(1) + of_y(i)
+            part(2) = part(2) + of_y(i + 1)
+        end do
+        totals(2) = sum(part)
+    end subroutine add_orders
 
     !> The matrix of new_interaction.
     pure subroutine fill_matrix(moments, h, is_odd)
