@@ -283,11 +283,12 @@ contains
         class(mismatch_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: radius, depth, depth_slope, force, modulus, stiffness_slope, s
+        real(wp) :: radius, depth, depth_slope, formula, force, modulus, stiffness_slope, s
 
         y = 0.0_wp
         radius = self%equilibrium%radius_of(x)
-        depth_slope = self%equilibrium%medium%nonadhesive_slope(self%equilibrium%profile, radius)
+        formula = self%equilibrium%medium%nonadhesive_slope(self%equilibrium%profile, radius)
+        depth_slope = formula
         modulus = 0.0_wp
         force = 0.0_wp
         ! Where the depth is a formula the force, an integral, is not asked for in vain.
@@ -308,9 +309,10 @@ contains
         end if
         s = max(self%control%of(depth, force), tiny(depth))
         y = log(s/self%target_value)
-        self%known_slope = max(0.0_wp, exp(x)*depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*modulus)/s)
-        ! At the rim of a flat end d' is infinite.
-        if (self%known_slope > huge(s)) self%known_slope = 0.0_wp
+        self%known_slope = exp(x)*depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*modulus)/s
+        ! Unknown to both formula and solution; or infinite, as d' at the rim of a flat end.
+        if (depth_slope < 0.0_wp .and. depth_slope == formula) self%known_slope = 0.0_wp
+        if (.not. abs(self%known_slope) <= huge(s)) self%known_slope = 0.0_wp
         ! The radius closest to x is not exactly there, least so next to a flat end.
         if (radius < self%equilibrium%last_radius) y = y + self%known_slope*(x - self%equilibrium%coordinate_of(radius))
         self%x = x

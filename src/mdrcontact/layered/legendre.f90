@@ -190,8 +190,8 @@ contains
         end do
     end subroutine sum_moments
 
-    !> From r_(k-1) and its difference from the one before to r_(k+1), and the sums of x r_k and of y r_(k+1): products first and sums
-    !> afterwards, two at a time, which compilers take as vectors.
+    !> From r_(k-1) and its difference from the one before to r_(k+1), and the sums of x r_k and of y r_(k+1): first the products,
+    !> then the sums, two at a time, which compilers take as vectors.
     pure subroutine add_orders(n, k, v, x, y, difference, r, totals)
         integer, intent(in) :: n, k
         real(wp), intent(in) :: v(n), x(n), y(n)

@@ -24,8 +24,10 @@ module mdrcontact_numerics_roots
     !> A function that takes what accuracy it is asked for takes steps of this length at most, begins with this accuracy, and is
     !> looked at with this part of the distance that is left to the root; Newton's steps leave this part of their square.
     real(wp), parameter :: careful_step = 2.0_wp, first_accuracy = 1.0e-2_wp, share = 0.1_wp, curvature = 0.3_wp
-    !> Square of a distance of values below which a cubic through them does not pay.
-    real(wp), parameter :: closest = 1.0e-8_wp
+    !> Square of a distance of values, and length of a step, below which a cubic does not pay.
+    real(wp), parameter :: closest = 1.0e-8_wp, close_by = 1.0e-3_wp
+    !> Points at which a cubic is looked at for its first root.
+    integer, parameter :: probes = 32
 
     !> Lets a polymorphic function travel through GSL's `void *params`.
     type :: carrier_t
@@ -75,7 +77,8 @@ contains
     end subroutine find_root
 
     !> The root of an increasing f in [smallest, largest] that is close to linear: Newton's steps where f knows its slope, and
-    !> from the second on a cubic through two points with theirs, else secant steps, from `guess` until they converge, bracketed
+    !> from the second on a cubic through two points with theirs, in y, or in x where f is nearly flat or falls for a while; else
+    !> secant steps, from `guess` until they converge, bracketed
     !> by the signs seen on the way; Brent's method if they do not. The last step, which leaves less than rounding or than f asks
     !> for, is taken without looking at f again, unless f is rough. Far from the root f is asked for less accuracy.
     !> `found` is false, and `root` the nearer end, if f keeps its sign over the whole interval.
@@ -153,7 +156,7 @@ contains
         !> a secant from afar does not mean that the root is here: it becomes a short one, which shows the slope near x.
         subroutine take_step()
             real(wp) :: next, rate, widest, cubic
-            logical :: newton
+            logical :: newton, in_y
 
             ! Where the last step did not help, as close to a vertical wall, the slope at x says little about the way back.
             newton = f%known_slope > 0.0_wp .and. (y_before == 0.0_wp .or. abs(y) < 0.5_wp*abs(y_before) + accuracy_before)
@@ -170,10 +173,22 @@ contains
             next = x - min(max(y/rate, -widest), widest)
             left = error_after(next - x, newton)
             remaining = min(abs(next - x), curvature*(next - x)**2 + f%accuracy/rate)
+            in_y = .false.
             if (newton .and. slope_before > 0.0_wp .and. f%near_enough > 0.0_wp) then
                 cubic = inverse_cubic([x_before, x], [y_before, y], [slope_before, f%known_slope], next, accuracy_before)
-                if (cubic /= next) remaining = min(remaining, cubic_error(cubic, [x_before, x]) + f%accuracy/rate)
+                in_y = cubic /= next
+                if (in_y) remaining = min(remaining, cubic_error(cubic, [x_before, x]) + f%accuracy/rate)
                 next = cubic
+            end if
+            if (f%near_enough > 0.0_wp .and. .not. in_y .and. slope_before*f%known_slope /= 0.0_wp &
+                .and. min(abs(x - x_before), abs(next - x)) > close_by .and. accuracy_before < share*abs(y)) then
+                cubic = first_root([x_before, x], [y_before, y], [slope_before, f%known_slope], &
+                                   merge(max(low, x - widest), min(high, x + widest), y > 0.0_wp))
+                if (cubic /= x) then
+                    slope_is_local = .true.
+                    next = cubic
+                    remaining = abs(next - x)
+                end if
             end if
             if (f%near_enough > 0.0_wp) left = abs(next - x)
             if (.not. slope_is_local) then
@@ -237,7 +252,33 @@ contains
                + t**3*(2.0_wp*dx - dy*(1.0_wp/slopes(1) + 1.0_wp/slopes(2)))
     end function inverse_cubic
 
-    !> How far from the root that cubic may be.
+    !> The first root, from the second point as far as `last`, of the cubic of y over x that has the values and slopes at two
+    !> points; the second point where there is none.
+    pure function first_root(x, y, slopes, last) result(root)
+        real(wp), intent(in) :: x(2), y(2), slopes(2), last
+        real(wp) :: root
+        real(wp) :: dx, straight, c(2), step, before, value, value_before
+        integer :: i
+
+        dx = x(1) - x(2)
+        straight = (y(1) - y(2))/dx
+        c = [3.0_wp*straight - 2.0_wp*slopes(2) - slopes(1), (sum(slopes) - 2.0_wp*straight)/dx]/dx
+        root = x(2)
+        before = 0.0_wp
+        value_before = y(2)
+        do i = 1, probes
+            step = (last - x(2))*real(i, wp)/probes
+            value = y(2) + step*(slopes(2) + step*(c(1) + step*c(2)))
+            if (value*y(2) <= 0.0_wp) then
+                root = x(2) + before + (step - before)*value_before/(value_before - value)
+                return
+            end if
+            before = step
+            value_before = value
+        end do
+    end function first_root
+
+    !> How far from the root the cubic in y may be.
     pure function cubic_error(root, x) result(distance)
         real(wp), intent(in) :: root, x(2)
         real(wp) :: distance
