@@ -17,6 +17,7 @@ module mdrcontact_fit_medium_of
     implicit none (type, external)
     private
     public :: medium_choice_t, make_medium, medium_count
+    public :: modulus_parameter
     public :: medium_none, medium_given, medium_homogeneous, medium_stack, medium_graded, medium_power_graded, medium_viscoelastic
 
     !> Kinds of medium and their parameters: none; E, nu; E, nu, h of each layer from the surface down, then E, nu of the
@@ -112,6 +113,21 @@ contains
             count = size(pattern%thickness) + sum([(rheology_count(pattern%materials(i)), i=1, size(pattern%materials))])
         end select
     end function viscoelastic_count
+
+    !> The one parameter to which all forces are proportional: the modulus of a power law that stands alone or on a rigid base; 0:
+    !> there is none.
+    pure function modulus_parameter(choice) result(position)
+        type(medium_choice_t), intent(in) :: choice
+        integer :: position
+
+        position = 0
+        if (choice%kind /= medium_viscoelastic .or. .not. allocated(choice%object)) return
+        select type (pattern => choice%object)
+        type is (viscoelastic_t)
+            if (size(pattern%materials) > 1) return
+            if (pattern%materials(1)%is_power_law()) position = 1
+        end select
+    end function modulus_parameter
 
     subroutine make_viscoelastic(choice, values, shared, medium, error)
         type(medium_choice_t), intent(in) :: choice

@@ -4,9 +4,11 @@ module mdrcontact_fit_residuals
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_fit_least_squares, only: residuals_t
     use mdrcontact_fit_predict, only: predict
-    use mdrcontact_fit_body, only: body_count
-    use mdrcontact_fit_problem, only: ascending_points, at_frame_compliance, data_stiffness_depth, fit_data_t, fit_problem_t, &
-                                      joint_priors, loss_cauchy, loss_huber, loss_linear
+    use mdrcontact_fit_body, only: body_count, indenter_count
+    use mdrcontact_fit_medium_of, only: modulus_parameter
+    use mdrcontact_fit_problem, only: ascending_points, at_force_offset, at_frame_compliance, data_force_time, &
+                                      data_stiffness_depth, fit_data_t, fit_problem_t, joint_priors, loss_cauchy, loss_huber, &
+                                      loss_linear
     use mdrcontact_fit_variables, only: variables_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
@@ -17,9 +19,9 @@ module mdrcontact_fit_residuals
     !> Relative step of a reading for the difference quotient, and the least share of its error that is left in a residual.
     real(wp), parameter :: reading_step = 1.0e-4_wp, smallest_share = 0.1_wp
 
-    !> What the model said at some unknowns.
+    !> What the model said at some parameters.
     type :: prediction_t
-        real(wp), allocatable :: u(:), y(:)
+        real(wp), allocatable :: values(:), y(:)
     end type prediction_t
 
     !> Residuals of the data, then of the priors.
@@ -38,6 +40,8 @@ module mdrcontact_fit_residuals
         integer :: loss = loss_linear
         !> what exact media have in common from one trial to the next
         type(layered_shared_t) :: shared
+        !> where forces in time are linear in a modulus: its position among the parameters, else 0, and that of the force offset
+        integer :: at_modulus = 0, at_offset = 0
         !> the last predictions, as many as a point and its neighbours are, and the one to be overwritten next
         type(prediction_t), allocatable :: recent(:)
         integer :: oldest = 1
@@ -79,6 +83,9 @@ contains
         end do
         call check_memory(error, stat)
         if (.not. allocated(error)) call set_spread(self)
+        self%at_offset = body_count(problem%body) + at_force_offset
+        if (problem%data_kind == data_force_time) self%at_modulus = modulus_parameter(problem%body%medium)
+        if (self%at_modulus > 0) self%at_modulus = self%at_modulus + indenter_count(problem%body)
     end subroutine new_fit_residuals
 
     !> Standard deviations as the data have them.
@@ -106,20 +113,42 @@ contains
         real(wp), intent(in) :: u(:)
         real(wp), intent(out) :: y(:)
         type(error_t), allocatable, intent(out) :: error
+        real(wp) :: values(size(self%problem%parameters))
         integer :: i
 
+        values = self%values_at(u)
         do i = 1, size(self%recent)
-            if (.not. allocated(self%recent(i)%u)) exit
-            if (any(self%recent(i)%u /= u)) cycle
+            if (.not. allocated(self%recent(i)%values)) exit
+            if (any(self%recent(i)%values /= values)) cycle
             y = self%recent(i)%y
             return
         end do
-        call predict(self%problem, self%values_at(u), self%data, y, error, self%shared, self%order)
+        do i = 1, size(self%recent)
+            if (.not. allocated(self%recent(i)%values)) exit
+            if (.not. is_linear_change(self, self%recent(i)%values, values)) cycle
+            y = (self%recent(i)%y - self%recent(i)%values(self%at_offset)) &
+                *(values(self%at_modulus)/self%recent(i)%values(self%at_modulus)) + values(self%at_offset)
+            return
+        end do
+        call predict(self%problem, values, self%data, y, error, self%shared, self%order)
         if (allocated(error)) return
-        self%recent(self%oldest)%u = u
+        self%recent(self%oldest)%values = values
         self%recent(self%oldest)%y(:) = y
         self%oldest = modulo(self%oldest, size(self%recent)) + 1
     end subroutine fitted
+
+    !> Whether what the model says at the one parameters follows from what it says at the others.
+    pure function is_linear_change(self, known, values) result(answer)
+        type(fit_residuals_t), intent(in) :: self
+        real(wp), intent(in) :: known(:), values(:)
+        logical :: answer
+        integer :: i
+
+        answer = .false.
+        if (self%at_modulus == 0) return
+        if (.not. values(self%at_modulus) > 0.0_wp) return
+        answer = .not. any(known /= values .and. [(i /= self%at_modulus .and. i /= self%at_offset, i=1, size(values))])
+    end function is_linear_change
 
     !> Whether the model is computed from the readings y too: contact depths from stiffnesses, the give of the frame from forces.
     pure function readings_enter_model(self) result(answer)

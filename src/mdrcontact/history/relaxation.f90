@@ -16,6 +16,8 @@ module mdrcontact_history_relaxation
     public :: contact_history
 
     real(wp), parameter :: default_tolerance = 1.0e-5_wp, smallest_tolerance = 1.0e-9_wp, largest_tolerance = 1.0e-2_wp
+    !> How much better power laws are followed than that, which costs little: to rounding at tolerances that are not coarse.
+    real(wp), parameter :: of_power_laws = 1.0e-7_wp
 
 contains
 
@@ -91,7 +93,8 @@ contains
         covered = .false.
         call new_contact(elastic, contact%equilibrium%profile, medium%reference, error)
         if (allocated(error)) return
-        phi = medium%relaxation_shape(shortest_step(time), max(time(size(time)) - time(1), shortest_step(time)))
+        phi = medium%relaxation_shape(shortest_step(time), max(time(size(time)) - time(1), shortest_step(time)), &
+                                      merge(of_power_laws*tolerance, 0.0_wp, tolerance > default_tolerance))
         if (phi%viscosity > 0.0_wp .and. values(1) > 0.0_wp .and. given /= given_force .and. &
             .not. medium%materials(1)%is_power_law()) then
             call raise(error, error_invalid, " = "//to_text(values(1))//" is not allowed: a body with a dashpot in "// &

@@ -15,6 +15,8 @@ module mdrcontact_history_relaxation_path
     !> Coefficients of a panel; up to which rate times length their moments are sums of powers, and of how many.
     integer, parameter :: most = 16, fewest = 4, powers = 22
     real(wp), parameter :: slow = 16.0_wp
+    !> How many are enough where half of that product is at most 1, and 0.01; rates for which they are summed side by side.
+    integer, parameter :: few_powers = 8, fewest_powers = 3, block_size = 8
     !> Digits that k has on each panel.
     real(wp), parameter :: digits_wanted = 13.0_wp
     !> Panels double in depth from first contact on, so many times at most.
@@ -242,28 +244,37 @@ contains
 
     !> The same for z at most `slow`, x = z/2: exp(-x) x^l/(2 l + 1)!! s_l with
     !> s_l = sum_k (x^2/2)^k/(k! (2 l + 3) ... (2 l + 2 k + 1)), which is summed for the two highest l, and
-    !> s_(l-1) = s_l + x^2/((2 l + 1)(2 l + 3)) s_(l+1).
+    !> s_(l-1) = s_l + x^2/((2 l + 1)(2 l + 3)) s_(l+1). Rates ascend: the first of a block need few powers.
     pure subroutine moments_of_slow(z, root, n, moments)
         real(wp), intent(in) :: z(:), root(:)
         integer, intent(in) :: n
         real(wp), intent(inout) :: moments(:, :)
-        real(wp), dimension(size(z)) :: x, factor
-        integer :: k, l
+        real(wp), dimension(block_size) :: square, factor
+        integer :: first, last, width, k, l, needed
 
-        x = min(0.5_wp*z, 0.5_wp*slow)
-        do l = max(n - 2, 0), n - 1
-            moments(:, l + 1) = 1.0_wp
-            do k = powers, 1, -1
-                moments(:, l + 1) = 1.0_wp + moments(:, l + 1)*x**2*(1.0_wp/real(2*k*(2*l + 2*k + 1), wp))
+        do first = 1, size(z), block_size
+            last = min(first + block_size - 1, size(z))
+            width = last - first + 1
+            square(:width) = min(0.5_wp*z(first:last), 0.5_wp*slow)**2
+            needed = powers
+            if (maxval(square(:width)) < 1.0_wp) needed = few_powers
+            if (maxval(square(:width)) < 1.0e-4_wp) needed = fewest_powers
+            do l = max(n - 2, 0), n - 1
+                moments(first:last, l + 1) = 1.0_wp
+                do k = needed, 1, -1
+                    moments(first:last, l + 1) = 1.0_wp + moments(first:last, l + 1)*square(:width) &
+                                                 *(1.0_wp/real(2*k*(2*l + 2*k + 1), wp))
+                end do
             end do
-        end do
-        do l = n - 2, 1, -1
-            moments(:, l) = moments(:, l + 1) + moments(:, l + 2)*x**2*(1.0_wp/real((2*l + 1)*(2*l + 3), wp))
-        end do
-        factor = root
-        do l = 1, n
-            moments(:, l) = factor*moments(:, l)
-            factor = factor*x*(1.0_wp/real(2*l + 1, wp))
+            do l = n - 2, 1, -1
+                moments(first:last, l) = moments(first:last, l + 1) + moments(first:last, l + 2)*square(:width) &
+                                         *(1.0_wp/real((2*l + 1)*(2*l + 3), wp))
+            end do
+            factor(:width) = root(first:last)
+            do l = 1, n
+                moments(first:last, l) = factor(:width)*moments(first:last, l)
+                factor(:width) = factor(:width)*min(0.5_wp*z(first:last), 0.5_wp*slow)*(1.0_wp/real(2*l + 1, wp))
+            end do
         end do
     end subroutine moments_of_slow
 

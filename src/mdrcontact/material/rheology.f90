@@ -243,17 +243,21 @@ contains
 
     !> The contact modulus E*(t) of a half-space as a sum of exponentials. With a constant bulk modulus
     !> E* = Q + 9K/4 - (27 K^2/4)/(3K + 4Q), whose last part is a compliance.
-    function contact_series(self, shortest, longest) result(series)
+    function contact_series(self, shortest, longest, tolerance) result(series)
         class(rheology_t), intent(in) :: self
         !> times between which a power law is to hold, > 0 [time]
         real(wp), intent(in) :: shortest, longest
+        !> relative, of a power law; default that of rounding
+        real(wp), intent(in), optional :: tolerance
         type(prony_t) :: series
         type(prony_t) :: mixed
         type(creep_t) :: part
-        real(wp) :: factor
+        real(wp) :: factor, accuracy
 
         if (self%is_power_law()) then
-            series = power_law_series(self%time, self%exponent, shortest, longest, series_tolerance)
+            accuracy = series_tolerance
+            if (present(tolerance)) accuracy = max(accuracy, tolerance)
+            series = power_law_series(self%time, self%exponent, shortest, longest, accuracy)
             series%weight = series%weight*self%modulus
             series%viscosity = series%viscosity*self%modulus
         else

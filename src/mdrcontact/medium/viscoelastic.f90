@@ -126,14 +126,14 @@ contains
     end subroutine reference_material
 
     !> What multiplies the reference body's contact modulus, where all materials relax in proportion [1].
-    function relaxation_shape(self, shortest, longest) result(series)
+    function relaxation_shape(self, shortest, longest, tolerance) result(series)
         class(viscoelastic_t), intent(in) :: self
-        !> times between which it is needed, > 0 [time]
-        real(wp), intent(in) :: shortest, longest
+        !> times between which it is needed, > 0 [time], and how well, relative, if a power law
+        real(wp), intent(in) :: shortest, longest, tolerance
         type(prony_t) :: series
         real(wp) :: scale
 
-        series = self%materials(1)%contact_series(shortest, longest)
+        series = self%materials(1)%contact_series(shortest, longest, tolerance)
         if (self%materials(1)%is_power_law()) then
             scale = 2.0_wp*self%materials(1)%modulus/(1.0_wp - self%materials(1)%poisson)
         else

@@ -62,7 +62,8 @@ void fuzz_lists(world *w)
     if (order > MOST_ORDER) return;
     status = mdr_lateral_rule(order, take_ratio(&w->in), points, weights);
     judge_status("mdr_lateral_rule", status);
-    for (int i = 0; i < 6 * order * order * order && status == MDR_SUCCESS; i++) {
+    if (status != MDR_SUCCESS) return;
+    for (int i = 0; i < 6 * order * order * order; i++) {
         if (!isfinite(points[3 * i] + points[3 * i + 1] + points[3 * i + 2])) finding("mdr_lateral_rule", "no point", i);
         if (!isfinite(weights[2 * i] + weights[2 * i + 1])) finding("mdr_lateral_rule", "no weight", i);
     }
