@@ -136,6 +136,14 @@ typedef int (*mdr_cancel)(void *context);
  */
 int mdr_set_cancel(mdr_cancel cancel, void *context);
 
+/**
+ * From now on mdr_contact_history() writes to *part, in the calling thread, how far its march through time is. Another thread may read
+ * it meanwhile, or the function given to mdr_set_cancel(). Each thread has its own.
+ * @param part  [1] receives the number of rounds that are done, each with steps half as long as those of the one before, plus the part of
+ *              the path that the present one has behind it; NULL: nobody is told, as at first
+ */
+int mdr_set_progress(double part[]);
+
 /** An indenter. Made by mdr_profile_..., freed by mdr_profile_free(). */
 typedef struct mdr_profile mdr_profile;
 /** What is pressed: an elastic or viscoelastic half-space, or two bodies. Made by mdr_medium_..., freed by mdr_medium_free(). */

@@ -132,6 +132,7 @@ class Contact(Value):
         force: ArrayLike | None = None,
         radius: ArrayLike | None = None,
         tolerance: float = 1e-5,
+        progress: bool = False,
     ) -> History:
         """The path of a contact with a viscoelastic body in time, of which one of depth, force and radius is prescribed.
 
@@ -140,13 +141,14 @@ class Contact(Value):
             Depths may be negative where the bodies are apart
 
         tolerance : where steps in time are taken, relative to the largest depth, radius and force, 1e-9 to 1e-2
+        progress : show a bar on a terminal where the march takes more than two seconds
 
         Bodies whose materials relax in proportion, each at a constant Poisson's ratio (a layer on a rigid base), and homogeneous
         ones follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest
         depth. Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all
         layers, for materials with a glassy and a relaxed limit, indenters without a flat end and the model "exact".
         """
-        return history.history(self._handle.address, time, depth, force, radius, tolerance)
+        return history.history(self._handle.address, time, depth, force, radius, tolerance, progress)
 
     def dynamic_stiffness(
         self,

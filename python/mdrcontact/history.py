@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, numbers
+from ._progress import marching
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .material import RIGID, Elastic, PowerLawRheology, Viscoelastic
 from .medium import Coated, Homogeneous, Layered
@@ -41,7 +42,13 @@ _GIVEN = {"depth": _layout.GIVEN_DEPTH, "force": _layout.GIVEN_FORCE, "radius": 
 
 
 def history(
-    contact: int, time: ArrayLike, depth: ArrayLike | None, force: ArrayLike | None, radius: ArrayLike | None, tolerance: float
+    contact: int,
+    time: ArrayLike,
+    depth: ArrayLike | None,
+    force: ArrayLike | None,
+    radius: ArrayLike | None,
+    tolerance: float,
+    progress: bool,
 ) -> History:
     """The history of a contact's handle."""
     prescribed = {"depth": depth, "force": force, "radius": radius}
@@ -55,7 +62,9 @@ def history(
         )
     if not t.size:
         return History(t, t.copy(), t.copy(), t.copy())
-    status, *columns = _native.contact_history(contact, _GIVEN[given[0]], number("tolerance", tolerance), t, values)
+    accuracy = number("tolerance", tolerance)
+    with marching(t.size, progress):
+        status, *columns = _native.contact_history(contact, _GIVEN[given[0]], accuracy, t, values)
     check(status)
     return History(t, *columns)
 

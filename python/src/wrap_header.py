@@ -22,6 +22,7 @@ SCALARS = {
 # Arrays whose size is not n; an empty text: as an address. In C order, as in the header.
 POINTS_OF_RULE = "6*order*order*order"
 SIZES = {
+    "mdr_set_progress": {"part": ""},
     "mdr_contact_layer_energies": {"out": "capacity"},
     "mdr_contact_pull_off": {"d": "capacity", "a": "capacity", "F": "capacity"},
     "mdr_material_viscoelastic": {"moduli": "", "times": ""},

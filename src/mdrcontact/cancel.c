@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Whether the calling thread is to stop what it is doing. The question belongs to the thread and lives here because Fortran has no
- * thread-local variables.
+ * Whether the calling thread is to stop what it is doing, and how far it is. Both belong to the thread and live here because Fortran
+ * has no thread-local variables.
  */
 #include "mdrcontact.h"
 
@@ -18,10 +18,13 @@ static _Thread_local struct {
     int answer;
     /* in a thread that helps another one: whether that one was told to stop */
     const volatile int *helped;
+    /* who wants to know how far it is */
+    volatile double *progress;
 } cancel_state;
 
-/* Both are called from Fortran only. */
+/* All are called from Fortran only. */
 int mdrcontact_is_cancelled(void);
+void mdrcontact_report(double part);
 void mdrcontact_help(const volatile int *is_told);
 
 int mdr_set_cancel(mdr_cancel cancel, void *context)
@@ -31,6 +34,17 @@ int mdr_set_cancel(mdr_cancel cancel, void *context)
     cancel_state.last_time = 0.0;
     cancel_state.answer = 0;
     return MDR_SUCCESS;
+}
+
+int mdr_set_progress(double *part)
+{
+    cancel_state.progress = part;
+    return MDR_SUCCESS;
+}
+
+void mdrcontact_report(double part)
+{
+    if (cancel_state.progress != NULL) *cancel_state.progress = part;
 }
 
 int mdrcontact_is_cancelled(void)

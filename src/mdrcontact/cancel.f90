@@ -1,11 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Calls that take long ask now and then whether to stop: see mdr_set_cancel() in mdrcontact.h.
+!> Calls that take long ask now and then whether to stop, and say how far they are: see mdr_set_cancel() and mdr_set_progress() in
+!> mdrcontact.h.
 module mdrcontact_cancel
-    use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_null_funptr, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_funptr, c_int, c_null_funptr, c_null_ptr, c_ptr
     use mdrcontact_error, only: error_cancelled, error_t, raise
     implicit none (type, external)
     private
-    public :: cancel_function, check_cancelled, help, set_cancel
+    public :: cancel_function, check_cancelled, help, report_progress, set_cancel
 
     abstract interface
         !> Nonzero: stop. Once it has said so it must go on saying so until the call has returned.
@@ -28,6 +29,11 @@ module mdrcontact_cancel
             import :: c_int
             integer(c_int) :: answer
         end function mdrcontact_is_cancelled
+
+        subroutine mdrcontact_report(part) bind(C)
+            import :: c_double
+            real(c_double), value :: part
+        end subroutine mdrcontact_report
 
         subroutine mdrcontact_help(is_told) bind(C)
             import :: c_ptr
@@ -69,5 +75,13 @@ contains
 
         if (mdrcontact_is_cancelled() /= 0) call raise(error, error_cancelled, "cancelled by the caller")
     end subroutine check_cancelled
+
+    !> Says to whoever asked how far the call is.
+    subroutine report_progress(part)
+        !> rounds that are done, and the part of the present one
+        real(c_double), intent(in) :: part
+
+        call mdrcontact_report(part)
+    end subroutine report_progress
 
 end module mdrcontact_cancel

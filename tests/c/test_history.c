@@ -98,7 +98,16 @@ static void test_histories(void)
 
     CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, backward, held, untouched, NULL, NULL),
                  MDR_EINVALID, "ascending");
+    /* marched, in two rounds or more, the last of them up to its last sample */
+    double part = -1.0;
+    CHECK_SUCCESS(mdr_set_progress(&part));
     CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, t, again, NULL, a, F));
+    CHECK_TRUE(part > 1.0 && part < 20.0);
+    CHECK_CLOSE(part - floor(part), (N - 2) / (double)N, 1e-14);
+    CHECK_SUCCESS(mdr_set_progress(NULL));
+    part = -1.0;
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, t, again, NULL, a, F));
+    CHECK_TRUE(part == -1.0);
     CHECK_TRUE(a[2] < a[1] && a[2] < a[3] && F[2] < F[1]);
     CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 0.0, N, t, again, untouched, NULL, NULL), MDR_EINVALID, "tolerance");
     CHECK_STATUS(mdr_contact_history(contact, 9, 1e-5, N, t, held, untouched, NULL, NULL), MDR_EINVALID, "given = 9");

@@ -2,6 +2,9 @@
 """`mdrcontact history`: paths, materials of problem files, pictures, refusals."""
 
 import csv
+import io
+import sys
+import threading
 
 import numpy as np
 import pytest
@@ -103,3 +106,26 @@ def test_commands_say_which_one_takes_time(tmp_path, capsys):
     (tmp_path / "none.toml").write_text((ROOT / "examples/problems/sio2_on_si.toml").read_text(encoding="utf-8"), encoding="utf-8")
     assert main(["history", str(tmp_path / "none.toml")]) == 2
     assert "[history] is missing" in capsys.readouterr().err
+
+
+def test_a_long_march_shows_how_far_it_is(monkeypatch):
+    from mdrcontact import _progress
+
+    class Terminal(io.StringIO):
+        def isatty(self):
+            return True
+
+    film = mdr.Coated(mdr.Viscoelastic(1.0, [(2.0, 0.5)], nu=0.5), 1.0, mdr.Viscoelastic(0.6, [(0.4, 2.0)], nu=0.3))
+    contact, time = mdr.Contact(mdr.Paraboloid(1.0), film), np.linspace(0.0, 2.0, 201)
+    quiet = contact.history(time, depth=0.4 * time, tolerance=1e-4)
+    monkeypatch.setattr(_progress, "LOOK", 0.01)
+    for patience, shown in ((0.0, True), (60.0, False)):
+        monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+        monkeypatch.setattr(_progress, "PATIENCE", patience)
+        told = contact.history(time, depth=0.4 * time, tolerance=1e-4, progress=True)
+        assert np.array_equal(told.force, quiet.force)
+        assert ("round 1" in terminal.getvalue()) == shown
+    threads = threading.active_count()
+    with pytest.raises(mdr.InvalidArgumentError, match="depth"):
+        contact.history([0.0, 1.0], depth=[0.0, np.nan], progress=True)
+    assert threading.active_count() == threads

@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
+from .._progress import PATIENCE
 from ..fitting import FitResult, OliverPharr, StiffnessDepth, compare_models, fit, oliver_pharr, report
 from ..fitting.quantities import digits, dimension_of_data
 from ..problem.data import Curve
 from ..problem.fit_file import FitFile, load_fit_file
 from ..problem.units import AREA, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, practical
 from . import files, fit_many
-from .solve import PATIENCE
 from .table import Column, aligned, as_csv, column, number
 
 _DESCRIPTION = """\

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
+from .._progress import PATIENCE
 from ..errors import MDRError
 from ..fitting import FailedFit, FitResult, fit_many, report
 from ..fitting.quantities import dimension_of, words_of
@@ -21,7 +22,6 @@ from ..problem.data import Curve
 from ..problem.fit_file import FitFile
 from ..problem.units import practical
 from . import files, many_figure
-from .solve import PATIENCE
 from .table import aligned, number
 
 _MOST_WARNINGS, _MOST_ROWS = 10, 300

@@ -10,12 +10,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from tqdm import tqdm
 
+from .._progress import PATIENCE
 from ..contact import State
 from ..errors import InvalidArgumentError, MDRError, UnreachableError
 from ..friction import Friction, FrictionHistory, TangentialState
 from ..problem import Problem
 from ..problem.friction import Sliding, SlidingPath
-from .solve import PATIENCE
 
 _RINGS, _STEPS, _MOST = 100, 40, 5
 """Rings of the surface where springs interact. The energy of rings needs short steps: longer ones are divided, so that this many

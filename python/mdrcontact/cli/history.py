@@ -72,7 +72,7 @@ def run(arguments: argparse.Namespace) -> None:
         raise ProblemError(f'{arguments.problem}: the table [history] is missing: write it with path = "ramp", depth and rise_time')
     path = problem.history
     prescribed: dict[str, Any] = {path.name: path.values}
-    history = problem.contact(in_time=True).history(path.time, **prescribed)
+    history = problem.contact(in_time=True).history(path.time, **prescribed, progress=True)
     table = columns(history)
     print(f"{problem.title}\n")
     print(as_text(table, 12))

@@ -12,13 +12,13 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
+from .._progress import PATIENCE
 from ..fitting import DepthProfile, StiffnessDepth, modulus_at_depths, report
 from ..fitting.quantities import dimension_of, measured, words_of
 from ..problem import ProblemError
 from ..problem.fit_file import load_fit_file
 from ..problem.units import LENGTH, MODULUS, RATIO, practical
 from . import files
-from .solve import PATIENCE
 from .table import Column, as_csv, as_text, column
 
 _DESCRIPTION = """\

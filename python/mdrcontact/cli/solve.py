@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from tqdm import tqdm
 
+from .._progress import PATIENCE
 from ..contact import Contact
 from ..medium import Coated, Layered, Medium, Pair
 from ..problem.compute import Control
@@ -21,8 +22,6 @@ from .table import Column, column
 Array = NDArray[np.float64]
 
 _CHUNKS = 50
-PATIENCE = 2.0
-"""Seconds without a word to the user."""
 
 
 class Curve(NamedTuple):

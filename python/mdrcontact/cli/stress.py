@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
+from .._progress import PATIENCE
 from ..contact import Contact, State
 from ..critical import Failure, Maximum, layers_of
 from ..interior import Interior
@@ -18,7 +19,6 @@ from ..problem.strength import Strengths
 from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, told
 from . import files
 from .inside import Inside, interface_name, layer_map, layer_name
-from .solve import PATIENCE
 from .stress_figure import stress_figure
 from .table import aligned, as_csv, column, number
 

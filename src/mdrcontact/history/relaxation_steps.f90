@@ -2,6 +2,7 @@
 !> A history marched with steps that are halved until it does not change any more: second order, extrapolated.
 module mdrcontact_history_relaxation_steps
     use mdrcontact_body_stack, only: new_stack, stack_t
+    use mdrcontact_cancel, only: report_progress
     use mdrcontact_contact, only: contact_t, new_contact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth, given_force
@@ -150,6 +151,7 @@ contains
         if (values(1) > 0.0_wp) call step_march(march, 0.0_wp, given, values(1), error)
         states(1, :) = [merge(values(1), march%depth, given == given_depth), march%radius, march%force]
         do i = 2, size(time)
+            call report_progress(real(level, wp) + real(i - 2, wp)/real(size(time), wp))
             length = time(i) - time(i - 1)
             slope = (values(i) - values(i - 1))/length
             done = 0.0_wp

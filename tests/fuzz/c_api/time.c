@@ -84,7 +84,7 @@ static void body(world *w)
 static void history(world *w)
 {
     const int given = take_code(&w->in, 3), n = take_count(&w->in);
-    double time[MOST_POINTS], in[MOST_POINTS], d[MOST_POINTS], a[MOST_POINTS], F[MOST_POINTS], tolerance = 1e-2;
+    double time[MOST_POINTS], in[MOST_POINTS], d[MOST_POINTS], a[MOST_POINTS], F[MOST_POINTS], tolerance = 1e-2, part = 0.0;
     const double *asked = given == MDR_GIVEN_DEPTH ? d : given == MDR_GIVEN_FORCE ? F : a;
     int slot, status;
     const mdr_contact *contact = some_contact(w, &slot);
@@ -96,7 +96,10 @@ static void history(world *w)
     if (tolerance > 1e-9 && tolerance < 1e-3) tolerance = 1e-3;
     if (!afford(w, w->contact_is_exact[slot] ? PRICE_OF_EXACT_HISTORY : PRICE_OF_HISTORY)) return;
     fill(d), fill(a), fill(F);
+    mdr_set_progress(&part);
     status = mdr_contact_history(contact, given, tolerance, n, time, in, d, a, F);
+    mdr_set_progress(NULL);
+    if (!(part >= 0.0 && part < 30.0)) finding("mdr_set_progress", "absurd progress", part);
     judge("mdr_contact_history", status, n, d, FINITE);
     judge("mdr_contact_history", status, n, a, NOT_NEGATIVE);
     judge("mdr_contact_history", status, n, F, FINITE);
