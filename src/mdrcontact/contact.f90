@@ -129,8 +129,8 @@ contains
         !> radii where indenter or medium are not analytic, ascending [length]
         real(wp), allocatable, intent(out) :: breaks(:)
 
-        end_radius = self%equilibrium%profile%end_radius()
-        smallest = max(end_radius, self%equilibrium%medium%smallest_radius())
+        end_radius = self%equilibrium%profile%end_radius
+        smallest = max(end_radius, self%equilibrium%medium%smallest_radius)
         largest = max(smallest, self%equilibrium%last_radius)
         breaks = self%equilibrium%breaks()
         breaks = pack(breaks, breaks > smallest .and. breaks < largest)
@@ -147,13 +147,13 @@ contains
 
         call check_not_negative(error, "radius", radius)
         if (allocated(error)) return
-        end_radius = self%equilibrium%profile%end_radius()
-        wall_radius = self%equilibrium%profile%largest_radius()
-        smallest = self%equilibrium%medium%smallest_radius()
+        end_radius = self%equilibrium%profile%end_radius
+        wall_radius = self%equilibrium%profile%largest_radius
+        smallest = self%equilibrium%medium%smallest_radius
         if (radius < end_radius) then
             call raise(error, error_unreachable, " = "//to_text(radius)//" cannot be reached: the indenter's flat end "// &
                        "makes contact at radius "//to_text(end_radius)//" at once", "radius")
-        else if (self%equilibrium%profile%has_wall() .and. radius >= wall_radius) then
+        else if (self%equilibrium%profile%has_wall .and. radius >= wall_radius) then
             call raise(error, error_unreachable, " = "//to_text(radius)//" does not determine a state: at the indenter's "// &
                        "vertical wall, radius "//to_text(wall_radius)//", the depth is free; give depth or force", "radius")
         else if (radius > self%equilibrium%last_radius) then
@@ -267,8 +267,8 @@ contains
             if (allocated(error)) return
         end do
         global = minloc(list%lowest, dim=1)
-        smallest = self%equilibrium%medium%smallest_radius()
-        if (smallest > self%equilibrium%profile%end_radius() .and. ends(global)%radius <= smallest*(1.0_wp + 1.0e-12_wp)) then
+        smallest = self%equilibrium%medium%smallest_radius
+        if (smallest > self%equilibrium%profile%end_radius .and. ends(global)%radius <= smallest*(1.0_wp + 1.0e-12_wp)) then
             call raise(error, error_domain, "the contact does not break at radii for which the medium is defined, from "// &
                        to_text(smallest)//" on: it is still stable there")
             return
@@ -310,7 +310,7 @@ contains
         type(contact_state_t), intent(in) :: from, to
         real(wp) :: work
 
-        if (self%equilibrium%profile%has_wall() .and. from%radius >= self%equilibrium%last_radius &
+        if (self%equilibrium%profile%has_wall .and. from%radius >= self%equilibrium%last_radius &
             .and. to%radius >= self%equilibrium%last_radius) then
             work = 0.5_wp*(from%force + to%force)*(to%depth - from%depth)
         else

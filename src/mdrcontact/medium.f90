@@ -24,7 +24,7 @@ module mdrcontact_medium
     integer, parameter :: reason_length = 120
 
     !> An elastic half-space. Concrete media are made by their `new_...` procedures and never change afterwards.
-    !> All radii are positive and finite, and at most the profile's largest_radius(): callers check this.
+    !> All radii are positive and finite, and at most the profile's largest_radius: callers check this.
     type, abstract :: medium_t
         !> the body that is pressed and, of two deformable ones, the upper one, where they are known; not allocated else
         class(body_t), allocatable :: pressed, counterbody
@@ -32,6 +32,10 @@ module mdrcontact_medium
         logical :: is_pair = .false.
         !> what the upper body takes of a change of depth, where that is the same at all radii: 0 if the indenter is rigid [1]
         real(wp) :: share_of_upper = 0.0_wp
+        !> the smallest and the largest contact radius at which it is defined [length]; huge() where there is no end
+        real(wp) :: smallest_radius = 0.0_wp, largest_radius = huge(1.0_wp)
+        !> relative accuracy of E_eff and its slope where they are interpolated between samples; 0 where they are computed
+        real(wp) :: roughness = 0.0_wp
     contains
         !> E_eff(a), equation (10) [modulus]
         procedure(radius_function), deferred :: modulus
@@ -62,14 +66,8 @@ module mdrcontact_medium
         procedure :: check_profile => any_profile
         !> radii where E_eff is not analytic, ascending [length]
         procedure :: breaks => no_breaks
-        !> the largest contact radius at which the medium is defined [length]; huge() where there is no end
-        procedure :: largest_radius => unlimited
         !> what follows a message that a contact would be larger: why, and what to do; blank where the end was given by the caller
         procedure :: why_it_ends => nothing_to_say
-        !> the smallest one; 0 where there is no end
-        procedure :: smallest_radius => zero
-        !> relative accuracy of E_eff and its slope where they are interpolated between samples; 0 where they are computed
-        procedure :: roughness => zero
         !> whether its states depend on time: it has no elastic ones
         procedure :: is_viscoelastic => no
         !> whether it does not deform: one body of a pair, no medium by itself
@@ -301,24 +299,6 @@ contains
         end associate
         radii = [real(wp) ::]
     end function no_breaks
-
-    pure function unlimited(self) result(radius)
-        class(medium_t), intent(in) :: self
-        real(wp) :: radius
-
-        associate (unused => self)
-        end associate
-        radius = huge(1.0_wp)
-    end function unlimited
-
-    pure function zero(self) result(value)
-        class(medium_t), intent(in) :: self
-        real(wp) :: value
-
-        associate (unused => self)
-        end associate
-        value = 0.0_wp
-    end function zero
 
     recursive subroutine copy_to(self, copy, error)
         class(medium_t), intent(in) :: self

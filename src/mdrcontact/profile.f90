@@ -11,11 +11,20 @@ module mdrcontact_profile
     private
     public :: profile_t, root_after, root_beyond
 
-    !> An axisymmetric indenter. Concrete shapes are made by their `new_...` procedures and never change afterwards.
+    !> An axisymmetric indenter. Concrete shapes are made by their `new_...` procedures and never change afterwards: numbers
+    !> are to be read only.
     !>
-    !> The functions are elemental and do not check their argument: it must lie in [0, largest_radius()],
+    !> The functions are elemental and do not check their argument: it must lie in [0, largest_radius],
     !> below the end where the profile ends in a vertical tangent (sphere). Beyond it they return NaN or are undefined.
     type, abstract :: profile_t
+        !> the largest radius at which the profile is defined [length]; huge() where there is no end
+        real(wp) :: largest_radius = huge(1.0_wp)
+        !> where g is singular at its end [length]: quadrature is refined towards it; huge() where it is not
+        real(wp) :: singular_radius = huge(1.0_wp)
+        !> radius of the flat end [length], 0 if there is none: the contact radius as the depth tends to 0
+        real(wp) :: end_radius = 0.0_wp
+        !> whether the profile rises vertically at largest_radius, so that the contact radius stays there (flat punch)
+        logical :: has_wall = .false.
     contains
         !> f(r), the height of the surface above its lowest point [length]
         procedure(radial_function), deferred :: height
@@ -29,15 +38,7 @@ module mdrcontact_profile
         procedure :: mdr_slope_beyond
         !> int_0^x s g'(s) ds [length^2]; a homogeneous body's force is 2 E* times it
         procedure(radial_function), deferred :: mdr_moment
-        !> the largest radius at which the profile is defined [length]; huge() where there is no end
-        procedure :: largest_radius => unlimited
-        !> where g is singular at its end [length]: quadrature is refined towards it; huge() where it is not
-        procedure :: singular_radius => unlimited
-        !> whether the profile rises vertically at largest_radius(), so that the contact radius stays there (flat punch)
-        procedure :: has_wall => no
-        !> radius of the flat end [length], 0 if there is none: the contact radius as the depth tends to 0
-        procedure :: end_radius => zero
-        !> radii at which f is not analytic, ascending, in (0, largest_radius()); quadrature is split there
+        !> radii at which f is not analytic, ascending, in (0, largest_radius); quadrature is split there
         procedure :: break_radii => none
         !> where a search for the contact radius at a depth begins: the inverse of g if it has a closed form [length]; else negative
         procedure :: radius_from_mdr => no_inverse
@@ -55,7 +56,7 @@ module mdrcontact_profile
         elemental function radial_function(self, x) result(y)
             import :: profile_t, wp
             class(profile_t), intent(in) :: self
-            !> distance from the axis, 0 <= x <= largest_radius() [length]
+            !> distance from the axis, 0 <= x <= largest_radius [length]
             real(wp), intent(in) :: x
             real(wp) :: y
         end function radial_function
@@ -71,33 +72,6 @@ contains
 
         y = self%mdr_slope(start + distance)
     end function mdr_slope_beyond
-
-    pure function unlimited(self) result(radius)
-        class(profile_t), intent(in) :: self
-        real(wp) :: radius
-
-        associate (unused => self)
-        end associate
-        radius = huge(1.0_wp)
-    end function unlimited
-
-    pure function no(self) result(answer)
-        class(profile_t), intent(in) :: self
-        logical :: answer
-
-        associate (unused => self)
-        end associate
-        answer = .false.
-    end function no
-
-    pure function zero(self) result(radius)
-        class(profile_t), intent(in) :: self
-        real(wp) :: radius
-
-        associate (unused => self)
-        end associate
-        radius = 0.0_wp
-    end function zero
 
     pure function none(self) result(radii)
         class(profile_t), intent(in) :: self

@@ -138,7 +138,7 @@ contains
         end if
         if (.not. allocated(error) .and. n > 0) then
             call check_each_positive(error, "a", a(:n))
-            call check_each_within(error, "a", a(:n), medium%smallest_radius(), medium%largest_radius(), "the medium", &
+            call check_each_within(error, "a", a(:n), medium%smallest_radius, medium%largest_radius, "the medium", &
                                    trim(medium%why_it_ends()))
         end if
         call make_room(error, n, values)

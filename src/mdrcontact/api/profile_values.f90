@@ -71,7 +71,7 @@ contains
         call check_in_out(error, n, name, present(radii), present(out))
         if (.not. allocated(error) .and. n > 0) then
             call check_each_not_negative(error, name, radii(:n))
-            call check_each_within(error, name, radii(:n), 0.0_c_double, profile%largest_radius(), "the profile")
+            call check_each_within(error, name, radii(:n), 0.0_c_double, profile%largest_radius, "the profile")
         end if
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then

@@ -63,7 +63,7 @@ contains
         type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
         real(wp) :: first, last
 
-        if (equilibrium%profile%end_radius() < equilibrium%last_radius*(1.0_wp - 1.0e-12_wp)) then
+        if (equilibrium%profile%end_radius < equilibrium%last_radius*(1.0_wp - 1.0e-12_wp)) then
             call adhesive_range(equilibrium, first, last, error)
             if (allocated(error)) return
             allocate (self%curve)
@@ -118,8 +118,8 @@ contains
                 end if
             end if
         end if
-        if (.not. equilibrium%profile%has_wall()) return
-        if (equilibrium%last_radius < equilibrium%profile%largest_radius()*(1.0_wp - 1.0e-12_wp)) return
+        if (.not. equilibrium%profile%has_wall) return
+        if (equilibrium%last_radius < equilibrium%profile%largest_radius*(1.0_wp - 1.0e-12_wp)) return
         wall%at_wall = .true.
         wall%first = equilibrium%coordinate_of(equilibrium%last_radius)
         wall%last = wall%first
@@ -148,7 +148,7 @@ contains
         turns(1) = curve%edges(1)
         turns(size(turns)) = curve%edges(size(curve%edges))
         ! Behind a flat end s rises with the root of a - b: the branch begins at the rim itself.
-        if (equilibrium%profile%end_radius() > 0.0_wp) turns(1) = smallest_log
+        if (equilibrium%profile%end_radius > 0.0_wp) turns(1) = smallest_log
         do i = 1, size(brackets, 2)
             turns(i + 1) = refined_extremum(equilibrium, control, brackets(1, i), brackets(2, i), error)
             if (allocated(error)) return
@@ -234,7 +234,7 @@ contains
         quantity%equilibrium => equilibrium
         quantity%control = control
         quantity%offset = s
-        quantity%is_rough = equilibrium%profile%end_radius() > 0.0_wp
+        quantity%is_rough = equilibrium%profile%end_radius > 0.0_wp
         low = max(segment%first, curve%edges(1))
         high = min(segment%last, curve%edges(size(curve%edges)))
         point = curve%at(high)

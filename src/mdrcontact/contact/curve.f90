@@ -105,7 +105,7 @@ contains
         logical :: root, has_slopes, by_slopes, tested, roots(most_panels)
         integer :: count, i, stat
 
-        self%end_radius = equilibrium%profile%end_radius()
+        self%end_radius = equilibrium%profile%end_radius
         self%adhesive = equilibrium%work_of_adhesion > 0.0_wp
         call gauss_legendre(self%work_rule(:, 1), self%work_rule(:, 2), error)
         if (allocated(error)) return

@@ -69,16 +69,16 @@ contains
         end if
         call medium%check_profile(profile, error)
         if (allocated(error)) return
-        if (profile%end_radius() > medium%largest_radius()) then
-            call raise(error, error_domain, "the indenter's flat end, radius "//to_text(profile%end_radius())// &
-                       ", is larger than the largest contact radius of the medium, "//to_text(medium%largest_radius()))
+        if (profile%end_radius > medium%largest_radius) then
+            call raise(error, error_domain, "the indenter's flat end, radius "//to_text(profile%end_radius)// &
+                       ", is larger than the largest contact radius of the medium, "//to_text(medium%largest_radius))
             return
         end if
         call medium%copy_to(self%medium, error)
         if (allocated(error)) return
         self%last_radius = largest_contact_radius(profile, medium)
         self%is_formula = medium%is_cheap()
-        self%roughness = medium%roughness()
+        self%roughness = medium%roughness
         if (present(zeta)) then
             if (allocated(zeta)) then
                 call check_zeta(profile, medium, zeta, error)
@@ -87,7 +87,7 @@ contains
                 call new_scaled_profile(scaled, profile, zeta, error)
                 if (allocated(error)) return
                 call move_alloc(scaled, self%profile)
-                self%last_radius = min(self%last_radius, zeta%largest_radius())
+                self%last_radius = min(self%last_radius, zeta%largest_radius)
                 self%is_formula = .false.
                 self%roughness = max(self%roughness, interpolation_roughness)
                 return
@@ -108,7 +108,7 @@ contains
             call raise(error, error_invalid, "zeta is not allowed: this medium determines its depth exactly")
             return
         end if
-        radii = pack(zeta%break_radii(), zeta%break_radii() <= profile%largest_radius())
+        radii = pack(zeta%break_radii(), zeta%break_radii() <= profile%largest_radius)
         depths = zeta%at(radii)*profile%mdr(radii)
         do i = 2, size(radii)
             if (depths(i) < depths(i - 1)) then
@@ -166,7 +166,7 @@ contains
         if (present(slopes)) then
             ! property B (theory 4, 6): dF = k dd
             slopes = [depth_slope/state%depth, state%stiffness*depth_slope/state%force, stiffness_slope/state%stiffness] &
-                     *(radius - self%profile%end_radius())
+                     *(radius - self%profile%end_radius)
             if (.not. (depth_slope > 0.0_wp .and. all(ieee_is_finite(slopes)))) slopes = 0.0_wp
         end if
         if (.not. self%work_of_adhesion > 0.0_wp) return
@@ -187,7 +187,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: radius
 
-        radius = min(self%profile%end_radius() + exp(x), self%last_radius)
+        radius = min(self%profile%end_radius + exp(x), self%last_radius)
     end function radius_of
 
     pure function coordinate_of(self, radius) result(x)
@@ -195,7 +195,7 @@ contains
         real(wp), intent(in) :: radius
         real(wp) :: x
 
-        x = log(max(radius - self%profile%end_radius(), tiny(1.0_wp)))
+        x = log(max(radius - self%profile%end_radius, tiny(1.0_wp)))
     end function coordinate_of
 
     !> What follows a message that the last radius would be passed.
@@ -204,7 +204,7 @@ contains
         character(len=reason_length) :: words
 
         words = ""
-        if (self%last_radius >= self%medium%largest_radius()) words = self%medium%why_it_ends()
+        if (self%last_radius >= self%medium%largest_radius) words = self%medium%why_it_ends()
     end function why_it_ends
 
     !> How far the contact radius goes: to a vertical wall, or one rounding below the profile's end, which may be a vertical
@@ -214,9 +214,9 @@ contains
         class(medium_t), intent(in) :: medium
         real(wp) :: radius
 
-        radius = profile%largest_radius()
-        if (.not. profile%has_wall()) radius = radius*(1.0_wp - 4.0_wp*epsilon(radius))
-        radius = min(radius, medium%largest_radius(), largest_number)
+        radius = profile%largest_radius
+        if (.not. profile%has_wall) radius = radius*(1.0_wp - 4.0_wp*epsilon(radius))
+        radius = min(radius, medium%largest_radius, largest_number)
     end function largest_contact_radius
 
 end module mdrcontact_contact_equilibrium

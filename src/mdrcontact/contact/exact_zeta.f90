@@ -36,7 +36,7 @@ contains
         call solve_exactly(medium, exact, thickness, error)
         if (.not. allocated(error)) call new_equilibrium(truth, profile, exact, error)
         if (allocated(error)) return
-        radii = sampled_radii(profile%end_radius(), truth%last_radius, thickness)
+        radii = sampled_radii(profile%end_radius, truth%last_radius, thickness)
         if (size(radii) < 3) then
             call raise(error, error_invalid, "the exact zeta is not allowed here: this indenter has but one contact radius, or "// &
                        "ends within a thousandth of the coating thickness")

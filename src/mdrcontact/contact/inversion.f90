@@ -72,10 +72,10 @@ contains
         logical :: found
 
         if (s <= 0.0_wp) then
-            call equilibrium%at(equilibrium%profile%end_radius(), state, error)
+            call equilibrium%at(equilibrium%profile%end_radius, state, error)
             return
         end if
-        if (equilibrium%profile%has_wall() .and. equilibrium%last_radius >= equilibrium%profile%largest_radius()) then
+        if (equilibrium%profile%has_wall .and. equilibrium%last_radius >= equilibrium%profile%largest_radius) then
             call equilibrium%at(equilibrium%last_radius, state, error)
             if (allocated(error)) return
             if (s >= control%of(state%depth, state%force)) then
@@ -90,7 +90,7 @@ contains
             mismatch%near_enough = linear_where_solved
         else
             ! Behind a flat end the radius has lost digits of its distance from it, and with them the integrals.
-            mismatch%is_rough = equilibrium%profile%end_radius() > 0.0_wp
+            mismatch%is_rough = equilibrium%profile%end_radius > 0.0_wp
         end if
         call find_radius(mismatch, closest, found, error, neighbours)
         if (allocated(error)) return
@@ -162,8 +162,8 @@ contains
 
         associate (equilibrium => mismatch%equilibrium, control => mismatch%control)
             first = smallest_log
-            if (equilibrium%medium%smallest_radius() > equilibrium%profile%end_radius()) then
-                first = equilibrium%coordinate_of(equilibrium%medium%smallest_radius())
+            if (equilibrium%medium%smallest_radius > equilibrium%profile%end_radius) then
+                first = equilibrium%coordinate_of(equilibrium%medium%smallest_radius)
             end if
             last = equilibrium%coordinate_of(equilibrium%last_radius)
             guessed = .false.
@@ -177,7 +177,7 @@ contains
             if (control%depth_weight > 0.0_wp) then
                 radius = equilibrium%profile%radius_from_mdr(mismatch%target_value/control%depth_weight)
             end if
-            if (radius > equilibrium%profile%end_radius()) then
+            if (radius > equilibrium%profile%end_radius) then
                 guess = equilibrium%coordinate_of(radius)
             else
                 call guess_of_homogeneous(mismatch, first, last, guess, error)
@@ -276,7 +276,7 @@ contains
         class(mismatch_t), intent(in) :: self
         real(wp) :: radius
 
-        radius = self%equilibrium%profile%end_radius()
+        radius = self%equilibrium%profile%end_radius
     end function flat_end
 
     function mismatch_value(self, x) result(y)

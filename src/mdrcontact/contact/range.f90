@@ -49,7 +49,7 @@ contains
         integer :: i
 
         coordinates = equilibrium%breaks()
-        coordinates = pack(coordinates, coordinates > equilibrium%profile%end_radius())
+        coordinates = pack(coordinates, coordinates > equilibrium%profile%end_radius)
         coordinates = [(equilibrium%coordinate_of(coordinates(i)), i=1, size(coordinates))]
         coordinates = [first, pack(coordinates, coordinates > first + room .and. coordinates < last - room), last]
     end function coordinates_between
@@ -83,8 +83,8 @@ contains
         call solve_increasing(handover, equal, slope, smallest, largest, last, found, error)
         if (allocated(error)) return
         first = max(smallest, min(equal, last - 1.0_wp) - decades_below)
-        if (equilibrium%profile%end_radius() > 0.0_wp) then
-            first = min(max(first, log(closest*equilibrium%profile%end_radius())), equal - 1.0_wp)
+        if (equilibrium%profile%end_radius > 0.0_wp) then
+            first = min(max(first, log(closest*equilibrium%profile%end_radius)), equal - 1.0_wp)
         end if
         last = max(last, min(first + 1.0_wp, largest))
     end subroutine adhesive_range
@@ -106,8 +106,8 @@ contains
         real(wp) :: x
 
         x = otherwise
-        if (equilibrium%medium%smallest_radius() > equilibrium%profile%end_radius()) then
-            x = equilibrium%coordinate_of(equilibrium%medium%smallest_radius()) + 8.0_wp*epsilon(1.0_wp)
+        if (equilibrium%medium%smallest_radius > equilibrium%profile%end_radius) then
+            x = equilibrium%coordinate_of(equilibrium%medium%smallest_radius) + 8.0_wp*epsilon(1.0_wp)
         end if
     end function first_coordinate
 
@@ -188,7 +188,7 @@ contains
         integer :: i
 
         radius = equilibrium%profile%radius_from_mdr(depth)
-        if (radius > equilibrium%profile%end_radius()) then
+        if (radius > equilibrium%profile%end_radius) then
             x = equilibrium%coordinate_of(radius)
             return
         end if

@@ -29,10 +29,6 @@ module mdrcontact_contact_scaled_profile
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment
-        procedure :: largest_radius
-        procedure :: singular_radius
-        procedure :: has_wall
-        procedure :: end_radius
         procedure :: break_radii
         procedure :: radius_from_mdr
     end type scaled_profile_t
@@ -51,11 +47,15 @@ contains
         call profile%copy_to(self%profile, error)
         if (.not. allocated(error)) call zeta%copy_to(self%zeta, error)
         if (allocated(error)) return
+        self%largest_radius = profile%largest_radius
+        self%singular_radius = profile%singular_radius
+        self%end_radius = profile%end_radius
+        self%has_wall = profile%has_wall
         call gauss_legendre(self%t, self%w, error)
         if (allocated(error)) return
         allocate (breaks, source=self%break_radii())
-        self%radii = [zeta%smallest_radius(), pack(breaks, breaks > zeta%smallest_radius())]
-        self%radii = pack(self%radii, self%radii <= profile%largest_radius())
+        self%radii = [zeta%smallest_radius, pack(breaks, breaks > zeta%smallest_radius)]
+        self%radii = pack(self%radii, self%radii <= profile%largest_radius)
         allocate (self%moments(size(self%radii)))
         do i = 1, size(self%radii)
             if (i == 1) then
@@ -143,7 +143,7 @@ contains
 
         moment = 0.0_wp
         if (.not. upper > lower) return
-        call graded_edges(lower, upper, [lower], self%profile%singular_radius(), edges, error)
+        call graded_edges(lower, upper, [lower], self%profile%singular_radius, edges, error)
         if (allocated(error)) then
             ! a moment has no status: the state that it belongs to is refused as not finite
             moment = ieee_value(moment, ieee_quiet_nan)
@@ -161,34 +161,6 @@ contains
             moment = moment + sum(s*self%mdr_slope(s)*ds)
         end do
     end function moment_between
-
-    pure function largest_radius(self) result(radius)
-        class(scaled_profile_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%profile%largest_radius()
-    end function largest_radius
-
-    pure function singular_radius(self) result(radius)
-        class(scaled_profile_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%profile%singular_radius()
-    end function singular_radius
-
-    pure function has_wall(self) result(answer)
-        class(scaled_profile_t), intent(in) :: self
-        logical :: answer
-
-        answer = self%profile%has_wall()
-    end function has_wall
-
-    pure function end_radius(self) result(radius)
-        class(scaled_profile_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%profile%end_radius()
-    end function end_radius
 
     pure function break_radii(self) result(radii)
         class(scaled_profile_t), intent(in) :: self

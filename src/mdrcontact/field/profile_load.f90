@@ -42,11 +42,11 @@ contains
         allocate (self%v, source=v)
         breaks = profile%break_radii()
         breaks = pack(breaks, breaks < radius)
-        if (profile%end_radius() > 0.0_wp .and. profile%end_radius() < radius .and. .not. any(breaks == profile%end_radius())) then
-            breaks = [profile%end_radius(), breaks]
+        if (profile%end_radius > 0.0_wp .and. profile%end_radius < radius .and. .not. any(breaks == profile%end_radius)) then
+            breaks = [profile%end_radius, breaks]
         end if
         self%kinks = breaks
-        self%singular_end = profile%singular_radius()
+        self%singular_end = profile%singular_radius
         ! so many coefficients resolve no more than this
         if (size(v) > 1) self%analytic = max(first_depth, 27.0_wp*radius/real(size(v), wp)**2)
         call self%mark_axis()

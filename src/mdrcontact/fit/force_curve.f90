@@ -57,7 +57,7 @@ contains
         integer :: i, solutions
 
         self%adhesive = equilibrium%work_of_adhesion > 0.0_wp
-        if (equilibrium%profile%end_radius() >= equilibrium%last_radius) then
+        if (equilibrium%profile%end_radius >= equilibrium%last_radius) then
             allocate (self%wall)
             call equilibrium%at(equilibrium%last_radius, self%wall, error)
             return
@@ -72,7 +72,7 @@ contains
                                found, solutions, error)
         if (allocated(error)) return
         if (found < largest) then
-            if (.not. equilibrium%profile%has_wall()) then
+            if (.not. equilibrium%profile%has_wall) then
                 call raise(error, error_unreachable, " = "//to_text(largest)//" cannot be reached: the indenter or the medium "// &
                            "ends at depth "//to_text(found)//trim(equilibrium%why_it_ends()), "depth")
                 return

@@ -251,7 +251,7 @@ contains
                 return
             end if
             a(i) = radius_at_height(profile, height)
-            if (.not. a(i) > 0.0_wp .or. a(i) >= profile%largest_radius()) then
+            if (.not. a(i) > 0.0_wp .or. a(i) >= profile%largest_radius) then
                 call raise(error, error_domain, "the contact depth "//to_text(height)//" is beyond the end of the indenter")
                 return
             end if
@@ -266,12 +266,12 @@ contains
         real(wp) :: low, high, middle, excess, step
         integer :: i
 
-        low = profile%end_radius()
-        high = min(profile%largest_radius(), max(10.0_wp*low, height))
+        low = profile%end_radius
+        high = min(profile%largest_radius, max(10.0_wp*low, height))
         do i = 1, most_steps
-            if (high >= profile%largest_radius() .or. profile%height(high) >= height) exit
+            if (high >= profile%largest_radius .or. profile%height(high) >= height) exit
             low = high
-            high = min(2.0_wp*high, profile%largest_radius())
+            high = min(2.0_wp*high, profile%largest_radius)
         end do
         radius = high
         do i = 1, most_steps
@@ -299,7 +299,7 @@ contains
         type(radius_law_t) :: law
         integer :: stat
 
-        if (maxval(a) > medium%largest_radius() .or. minval(a) < medium%smallest_radius()) then
+        if (maxval(a) > medium%largest_radius .or. minval(a) < medium%smallest_radius) then
             call raise(error, error_domain, "the contact radii "//to_text(minval(a))//" to "//to_text(maxval(a))// &
                        " leave the range in which the medium is known"//trim(medium%why_it_ends()))
             return

@@ -257,7 +257,7 @@ contains
                 if (is_polynomial) then
                     total = total + spent(self%lost(i), profile%mdr(lower + (upper - lower)*t), (upper - lower)*weights)
                 else
-                    call graded_rule(max(lower, smallest_panel_ratio*upper), upper, breaks, profile%singular_radius(), x, dx, error)
+                    call graded_rule(max(lower, smallest_panel_ratio*upper), upper, breaks, profile%singular_radius, x, dx, error)
                     if (allocated(error)) return
                     total = total + spent(self%lost(i), profile%mdr(x), dx)
                 end if

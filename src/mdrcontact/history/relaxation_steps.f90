@@ -45,7 +45,7 @@ contains
 
         if (given /= given_depth .and. given /= given_force) then
             call raise(error, error_invalid, "radius is not allowed: for this body or this path prescribe depth or force")
-        else if (contact%equilibrium%profile%end_radius() > 0.0_wp) then
+        else if (contact%equilibrium%profile%end_radius > 0.0_wp) then
             call raise(error, error_invalid, "this history is not offered for indenters with a flat end: see what answers a "// &
                        "step under a flat punch")
         else if (medium%model /= models%exact) then

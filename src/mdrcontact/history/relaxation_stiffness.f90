@@ -119,9 +119,9 @@ contains
 
         call check_positive(error, "radius", radius, entry)
         if (allocated(error)) return
-        if (radius > contact%equilibrium%medium%largest_radius()) then
+        if (radius > contact%equilibrium%medium%largest_radius) then
             call raise(error, error_domain, " = "//to_text(radius)//" is not allowed: the medium is defined up to "// &
-                       to_text(contact%equilibrium%medium%largest_radius()), "radius", entry)
+                       to_text(contact%equilibrium%medium%largest_radius), "radius", entry)
         end if
     end subroutine check_radius
 

@@ -53,8 +53,6 @@ module mdrcontact_layered_exact
         !> a half-space of the surface materials, and their contact modulus E0* [modulus]
         type(homogeneous_t) :: surface
         real(wp) :: surface_modulus = 0.0_wp
-        !> depth below which the body is homogeneous [length]
-        real(wp) :: depth = 0.0_wp
         real(wp) :: tolerance = default_tolerance
     contains
         procedure :: modulus
@@ -65,7 +63,6 @@ module mdrcontact_layered_exact
         procedure :: displacement_outside
         procedure :: response
         procedure :: is_exact
-        procedure :: largest_radius
         procedure :: zeta
         procedure :: accuracy
         procedure :: take_share
@@ -105,7 +102,6 @@ contains
         end if
         allocate (self%pressed, source=body)
         self%surface_modulus = body%surface_modulus
-        self%depth = body%last_depth
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (allocated(error)) return
         if (present(shared)) then
@@ -113,6 +109,7 @@ contains
         else
             call shared_kernel(own, self%pressed, self%kernel, error)
         end if
+        self%largest_radius = merge(largest_homogeneous, largest_ratio*body%last_depth, self%kernel%vanishes)
     end subroutine new_exact_from_body
 
     !> A stack of bonded layers on an elastic half-space or a rigid base: the arguments of new_stack and those above.
@@ -139,6 +136,7 @@ contains
         if (allocated(homogeneous%pressed)) allocate (self%pressed, source=homogeneous%pressed)
         self%surface = homogeneous
         self%surface_modulus = homogeneous%half_space_modulus()
+        self%largest_radius = largest_homogeneous
         self%tolerance = largest_tolerance
     end subroutine new_exact_from_homogeneous
 
@@ -154,9 +152,7 @@ contains
         self%parts(lower_body)%kernel = lower%kernel
         self%parts(upper_body)%kernel = upper%kernel
         self%parts%share = self%surface_modulus/[lower%surface_modulus, upper%surface_modulus]
-        ! as far as each body alone: a homogeneous one has no end
-        self%depth = min(lower%depth, upper%depth)
-        if (lower%kernel%vanishes .or. upper%kernel%vanishes) self%depth = max(lower%depth, upper%depth)
+        self%largest_radius = min(lower%largest_radius, upper%largest_radius)
         self%tolerance = min(lower%tolerance, upper%tolerance)
         call self%set_pair(lower, upper)
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
@@ -256,14 +252,6 @@ contains
         end associate
         answer = .true.
     end function is_exact
-
-    pure function largest_radius(self) result(radius)
-        class(layered_exact_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = largest_ratio*self%depth
-        if (self%kernel%vanishes) radius = largest_homogeneous
-    end function largest_radius
 
     !> zeta(a) = d/g(a), equation (9): what the depth is to that of a homogeneous body at the same contact radius.
     subroutine zeta(self, profile, a, values, error)

@@ -210,7 +210,7 @@ contains
         real(wp) :: work
         real(wp), allocatable :: x(:), dx(:), q(:)
 
-        call graded_rule(smallest_panel_ratio*self%a, self%a, profile%break_radii(), profile%singular_radius(), x, dx, &
+        call graded_rule(smallest_panel_ratio*self%a, self%a, profile%break_radii(), profile%singular_radius, x, dx, &
                          error)
         work = 0.0_wp
         if (allocated(error)) return

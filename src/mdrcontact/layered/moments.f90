@@ -105,7 +105,7 @@ contains
         low = 0.0_wp
         do i = 1, size(breaks)
             high = breaks(i)
-            if (high <= profile%end_radius()) then
+            if (high <= profile%end_radius) then
                 low = high
                 cycle
             end if
@@ -123,8 +123,8 @@ contains
                 do k = 1, most_intervals
                     ! no interval longer than three times its distance from a singular end
                     ends = high
-                    if (high - low > 3.0_wp*(profile%singular_radius() - high)) then
-                        ends = low + 0.75_wp*(profile%singular_radius() - low)
+                    if (high - low > 3.0_wp*(profile%singular_radius - high)) then
+                        ends = low + 0.75_wp*(profile%singular_radius - low)
                     end if
                     ends = min(ends, high)
                     call add_interval(profile, a, low, ends, k == 1 .and. i > 1, g, error)

@@ -20,7 +20,6 @@ module mdrcontact_layered_sampled
     !> The effective modulus of an exact body, to its tolerance.
     type, extends(tabulated_medium_t) :: sampled_exact_t
     contains
-        procedure :: smallest_radius
         procedure :: why_it_ends
     end type sampled_exact_t
 
@@ -51,18 +50,11 @@ contains
         end do
         modulus%medium => exact
         call new_medium_from_function(self%tabulated_medium_t, modulus, smallest, largest, error, exact%accuracy())
-        if (.not. allocated(error)) allocate (self%pressed, source=exact%pressed)
+        if (allocated(error)) return
+        ! contacts begin at 0: below the first sample the modulus is that of the surface
+        self%smallest_radius = 0.0_wp
+        allocate (self%pressed, source=exact%pressed)
     end subroutine new_sampled_exact
-
-    !> Contacts begin at 0: below the first sample the modulus is that of the surface.
-    pure function smallest_radius(self) result(radius)
-        class(sampled_exact_t), intent(in) :: self
-        real(wp) :: radius
-
-        associate (unused => self)
-        end associate
-        radius = 0.0_wp
-    end function smallest_radius
 
     pure function why_it_ends(self) result(words)
         class(sampled_exact_t), intent(in) :: self

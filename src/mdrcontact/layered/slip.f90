@@ -65,6 +65,8 @@ contains
         self%excess = excess
         self%unit = unit
         self%profile%radius = springs%a
+        self%profile%largest_radius = springs%a
+        self%profile%singular_radius = profile%singular_radius
         self%profile%ratio = ratio
         self%profile%c = springs%v - sheared
         self%profile%c = self%profile%c(:last_that_counts(self%profile%c))
@@ -139,7 +141,7 @@ contains
         allocate (breaks, source=self%profile%break_radii())
         call self%profile%base%powers(exponents, coefficients)
         if (size(exponents) == 0 .or. any(modulo(exponents, 1.0_wp) > 0.0_wp)) then
-            call graded_edges(max(c, smallest_panel_ratio*self%radius), self%radius, breaks, self%profile%singular_radius(), &
+            call graded_edges(max(c, smallest_panel_ratio*self%radius), self%radius, breaks, self%profile%singular_radius, &
                               edges, error)
         else
             edges = [c]
@@ -193,7 +195,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: inner(count(r < c)), near(size(r))
 
-        near = beside(r, c, self%profile%base%end_radius())
+        near = beside(r, c, self%profile%base%end_radius)
         call self%normal%pressure(self%profile%base, self%radius, self%excess, near, values, error)
         if (allocated(error) .or. size(inner) == 0) return
         call self%tangential%pressure(self%profile, c, 0.0_wp, pack(near, r < c), inner, error)

@@ -32,8 +32,6 @@ module mdrcontact_layered_slip_profile
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment
-        procedure :: largest_radius
-        procedure :: singular_radius
         procedure :: break_radii
         procedure :: moments
     end type slip_profile_t
@@ -117,20 +115,6 @@ contains
             integral = integral + c(j)*(odd - odd_before)/real(4*j + 1, wp)
         end do
     end subroutine sums
-
-    pure function largest_radius(self) result(radius)
-        class(slip_profile_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%radius
-    end function largest_radius
-
-    pure function singular_radius(self) result(radius)
-        class(slip_profile_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%base%singular_radius()
-    end function singular_radius
 
     pure function break_radii(self) result(radii)
         class(slip_profile_t), intent(in) :: self

@@ -36,7 +36,6 @@ module mdrcontact_medium_bottom_effect
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: check_profile
-        procedure :: largest_radius
         procedure :: why_it_ends
     end type bottom_effect_t
 
@@ -62,6 +61,7 @@ contains
         if (allocated(error)) return
         self%contact_modulus = layer%contact()
         self%thickness = thickness
+        self%largest_radius = bottom_effect_ratio*thickness
         self%coefficients = series*[(1.0_wp + k/3.0_wp, k=0, 4)]
     end subroutine new_bottom_effect
 
@@ -76,13 +76,6 @@ contains
         call raise(error, error_invalid, "this indenter is not allowed: the models dimitriadis and garcia are series for a "// &
                    "paraboloid or a sphere; take the model exact for any other")
     end subroutine check_profile
-
-    pure function largest_radius(self) result(radius)
-        class(bottom_effect_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = bottom_effect_ratio*self%thickness
-    end function largest_radius
 
     pure function why_it_ends(self) result(words)
         class(bottom_effect_t), intent(in) :: self

@@ -141,9 +141,9 @@ contains
 
         depth = profile%mdr(a)
         force = 0.0_wp
-        lowest = max(profile%end_radius(), negligible_part(self, profile, a)*a)
+        lowest = max(profile%end_radius, negligible_part(self, profile, a)*a)
         if (a <= lowest) return
-        call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds, error)
+        call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error)
         if (allocated(error)) return
         force = 2.0_wp*(self%effective_modulus(lowest)*profile%mdr_moment(lowest) &
                         + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
@@ -185,9 +185,9 @@ contains
 
         do i = 1, size(r)
             values(i) = self%effective_modulus(a)*excess
-            lowest = max(r(i), profile%end_radius(), smallest_panel_ratio*a)
+            lowest = max(r(i), profile%end_radius, smallest_panel_ratio*a)
             if (a <= lowest) cycle
-            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds, error)
+            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error)
             if (allocated(error)) return
             values(i) = values(i) + self%effective_modulus(lowest) &
                         *(profile%mdr(lowest) - profile%mdr(min(r(i), lowest))) &
@@ -211,7 +211,7 @@ contains
 
         do i = 1, size(r)
             values(i) = self%effective_modulus(a)*edge_pressure(a, excess, r(i))
-            lowest = max(r(i), profile%end_radius())
+            lowest = max(r(i), profile%end_radius)
             from_axis = lowest <= 0.0_wp
             if (from_axis) lowest = smallest_panel_ratio*a
             if (r(i) < a .and. profile%mdr_slope_beyond(r(i), 0.0_wp) > huge(a)) then
@@ -219,7 +219,7 @@ contains
             else if (a > lowest) then
                 ! r too: a flat end's edge just beyond it has short panels
                 call graded_rule(lowest, a, merged_breaks(merged_breaks([r(i)], [lowest]), all_breaks(self, profile)), &
-                                 profile%singular_radius(), s, ds, error, beyond)
+                                 profile%singular_radius, s, ds, error, beyond)
                 if (allocated(error)) return
                 values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds &
                                             /(sqrt(beyond + (lowest - r(i)))*sqrt(s + r(i))))
@@ -242,11 +242,11 @@ contains
         real(wp) :: lowest
         integer :: i
 
-        lowest = max(profile%end_radius(), smallest_panel_ratio*a)
+        lowest = max(profile%end_radius, smallest_panel_ratio*a)
         do i = 1, size(r)
             values(i) = excess*asin(a/r(i))
             if (a > lowest) then
-                call graded_rule(lowest, a, all_breaks(self, profile), min(profile%singular_radius(), r(i)), s, ds, error)
+                call graded_rule(lowest, a, all_breaks(self, profile), min(profile%singular_radius, r(i)), s, ds, error)
                 if (allocated(error)) return
                 values(i) = values(i) + profile%mdr_moment(lowest)/r(i) &
                             + sum(profile%mdr_slope(s)*asin(s/r(i))*ds)
@@ -271,10 +271,10 @@ contains
         if (allocated(error)) return
         total = (force + a*self%effective_modulus(a)*excess)*excess
         upper = self%upper_share(a)*total
-        lowest = max(profile%end_radius(), smallest_panel_ratio*a)
+        lowest = max(profile%end_radius, smallest_panel_ratio*a)
         if (a > lowest) then
             rise = self%upper_depth(profile, a, error)
-            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius(), s, ds, error)
+            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error)
             if (allocated(error)) return
             ds = 2.0_wp*s*self%effective_modulus(s)*profile%mdr_slope(s)*ds
             total = total + sum((depth - profile%mdr(s))*ds)
@@ -341,7 +341,7 @@ contains
         own%edge = self%effective_modulus(a)*excess
         breaks = all_breaks(self, profile)
         own%kinks = pack(breaks, breaks < a)
-        own%singular_end = profile%singular_radius()
+        own%singular_end = profile%singular_radius
         call own%mark_axis()
         call move_alloc(own, load)
     end subroutine surface_load

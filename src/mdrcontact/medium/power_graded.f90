@@ -182,7 +182,7 @@ contains
         real(wp) :: start, power
         integer :: i, k
 
-        if (profile%end_radius() < a) call sample_transform(self, profile, a, g, error)
+        if (profile%end_radius < a) call sample_transform(self, profile, a, g, error)
         if (allocated(error)) return
         power = 0.5_wp*(self%exponent - 1.0_wp)
         breaks = pack(profile%break_radii(), profile%break_radii() < a)
@@ -192,8 +192,8 @@ contains
                 values(i) = excess*ieee_value(values(i), ieee_positive_inf)
                 if (r(i) < a) values(i) = excess*((a - r(i))*(a + r(i)))**power
             end if
-            start = max(r(i), profile%end_radius())
-            if (self%exponent <= 0.0_wp .and. r(i) > 0.0_wp .and. r(i) == profile%end_radius() .and. a > start) then
+            start = max(r(i), profile%end_radius)
+            if (self%exponent <= 0.0_wp .and. r(i) > 0.0_wp .and. r(i) == profile%end_radius .and. a > start) then
                 values(i) = ieee_value(values(i), ieee_positive_inf)
             else if (a > start) then
                 corners = [start, pack(breaks, breaks > start), a]
@@ -220,16 +220,16 @@ contains
         integer :: i
 
         if (size(r) == 0) return
-        if (profile%end_radius() < a) call sample_transform(self, profile, a, g, error)
+        if (profile%end_radius < a) call sample_transform(self, profile, a, g, error)
         if (allocated(error)) return
         depth = mdr(profile, self%exponent, a, error) + excess
         if (allocated(error)) return
         lowest = smallest_panel_ratio*a
         do i = 1, size(r)
-            call graded_rule(lowest, a, profile%break_radii(), min(r(i), profile%singular_radius()), x, dx, error)
+            call graded_rule(lowest, a, profile%break_radii(), min(r(i), profile%singular_radius), x, dx, error)
             if (allocated(error)) return
             w = spread(depth, 1, size(x))
-            if (profile%end_radius() < a) w = depth - merge(g%value(x), 0.0_wp, x > profile%end_radius())
+            if (profile%end_radius < a) w = depth - merge(g%value(x), 0.0_wp, x > profile%end_radius)
             values(i) = sum(x**self%exponent*w*((r(i) - x)*(r(i) + x))**(-0.5_wp*(1.0_wp + self%exponent))*dx) &
                         + depth*(lowest/r(i))**(1.0_wp + self%exponent)/(1.0_wp + self%exponent)
             values(i) = values(i)*cos(half_pi*self%exponent)/half_pi
@@ -254,7 +254,7 @@ contains
         real(wp) :: moments(2)
 
         g = 0.0_wp
-        if (x <= profile%end_radius()) return
+        if (x <= profile%end_radius) return
         moments = slope_moments(profile, m, x, error)
         g = x**(1.0_wp - m)*moments(1)
     end function mdr
@@ -274,17 +274,17 @@ contains
         edge = closest*a
         moments = profile%slope(a - edge)*(2.0_wp*a)**power*edge**(power + 1.0_wp)/(power + 1.0_wp)*[1.0_wp, a**2]
         lowest = smallest_panel_ratio*a
-        if (profile%end_radius() < 0.5_wp*a) then
-            lowest = max(lowest, profile%end_radius())
-            call graded_rule(lowest, 0.5_wp*a, profile%break_radii(), profile%singular_radius(), r, dr, error)
+        if (profile%end_radius < 0.5_wp*a) then
+            lowest = max(lowest, profile%end_radius)
+            call graded_rule(lowest, 0.5_wp*a, profile%break_radii(), profile%singular_radius, r, dr, error)
             if (allocated(error)) return
             f = profile%slope(r)*((a - r)*(a + r))**power*dr
             moments = moments + [sum(f) + profile%height(lowest)*a**(m - 1.0_wp), sum(f*r**2)]
         end if
         ! A break of the profile is a kink of f', which panel edges resolve; it sits at s = a - break.
-        if (a - profile%end_radius() <= edge) return
+        if (a - profile%end_radius <= edge) return
         associate (breaks => profile%break_radii())
-            call graded_rule(edge, min(0.5_wp*a, a - profile%end_radius()), &
+            call graded_rule(edge, min(0.5_wp*a, a - profile%end_radius), &
                              [(a - breaks(i), i=size(breaks), 1, -1)], huge(1.0_wp), s, ds, error)
         end associate
         if (allocated(error)) return
@@ -306,7 +306,7 @@ contains
         transform%profile => profile
         transform%exponent = self%exponent
         allocate (breaks, source=profile%break_radii())
-        allocate (corners, source=[profile%end_radius(), pack(breaks, breaks > profile%end_radius() .and. breaks < a), a])
+        allocate (corners, source=[profile%end_radius, pack(breaks, breaks > profile%end_radius .and. breaks < a), a])
         allocate (edges(0))
         do k = 1, size(corners) - 1
             edges = [edges, [(corners(k) + (corners(k + 1) - corners(k))*0.5_wp**i, i=octaves, 1, -1)], corners(k + 1)]
@@ -340,7 +340,7 @@ contains
         power = 0.5_wp*(m - 1.0_wp)
         near = closest*from
         if (from <= 0.0_wp) near = 4.0_wp*g%lower()
-        if (r == from .and. from == profile%end_radius() .and. from > 0.0_wp) near = at_edge*from
+        if (r == from .and. from == profile%end_radius .and. from > 0.0_wp) near = at_edge*from
         if (r < from) near = max(behind_corner(1)*from, min(behind_corner(2)*from, behind_corner(3)*(from - r)))
         integral = 0.0_wp
         if (near >= to - from) return
@@ -373,7 +373,7 @@ contains
         else
             integral = slope_of(profile, g, start + near)*(2.0_wp*start)**power*near**(power + 1.0_wp)
             ! at the edge of a flat end, m > 0, g' itself is such a power of x - start
-            integral = integral/merge(m, power + 1.0_wp, start == profile%end_radius() .and. start > 0.0_wp)
+            integral = integral/merge(m, power + 1.0_wp, start == profile%end_radius .and. start > 0.0_wp)
         end if
     end function near_start
 
@@ -386,7 +386,7 @@ contains
         real(wp) :: lowest
 
         lowest = 2.0_wp*g%lower()
-        if (x >= lowest .or. profile%end_radius() > 0.0_wp) then
+        if (x >= lowest .or. profile%end_radius > 0.0_wp) then
             slope = g%slope(x)
         else
             slope = g%slope(lowest)*(x/lowest)**exponent_at(g, lowest)

@@ -26,9 +26,6 @@ module mdrcontact_medium_series
         procedure :: breaks
         procedure :: check_profile
         procedure :: why_it_ends
-        procedure :: largest_radius
-        procedure :: smallest_radius
-        procedure :: roughness
         procedure :: upper_share
         procedure :: upper_depth
         procedure :: take_share
@@ -44,6 +41,9 @@ contains
 
         allocate (self%lower, source=lower)
         allocate (self%upper, source=upper)
+        self%largest_radius = min(lower%largest_radius, upper%largest_radius)
+        self%smallest_radius = max(lower%smallest_radius, upper%smallest_radius)
+        self%roughness = max(lower%roughness, upper%roughness)
         call self%set_pair(lower, upper)
     end subroutine new_series
 
@@ -89,29 +89,8 @@ contains
         character(len=reason_length) :: words
 
         words = self%upper%why_it_ends()
-        if (self%lower%largest_radius() <= self%upper%largest_radius()) words = self%lower%why_it_ends()
+        if (self%lower%largest_radius <= self%upper%largest_radius) words = self%lower%why_it_ends()
     end function why_it_ends
-
-    pure function largest_radius(self) result(radius)
-        class(series_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = min(self%lower%largest_radius(), self%upper%largest_radius())
-    end function largest_radius
-
-    pure function smallest_radius(self) result(radius)
-        class(series_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = max(self%lower%smallest_radius(), self%upper%smallest_radius())
-    end function smallest_radius
-
-    pure function roughness(self) result(accuracy)
-        class(series_t), intent(in) :: self
-        real(wp) :: accuracy
-
-        accuracy = max(self%lower%roughness(), self%upper%roughness())
-    end function roughness
 
     !> E_eff/E_eff,2.
     elemental function upper_share(self, a) result(share)
@@ -132,10 +111,10 @@ contains
         real(wp), allocatable :: s(:), ds(:)
         real(wp) :: lowest
 
-        lowest = max(profile%end_radius(), smallest_panel_ratio*a)
+        lowest = max(profile%end_radius, smallest_panel_ratio*a)
         depth = 0.0_wp
         if (a <= lowest) return
-        call graded_rule(lowest, a, merged_breaks(profile%break_radii(), self%breaks()), profile%singular_radius(), s, ds, &
+        call graded_rule(lowest, a, merged_breaks(profile%break_radii(), self%breaks()), profile%singular_radius, s, ds, &
                          error)
         if (allocated(error)) return
         depth = self%upper_share(lowest)*profile%mdr(lowest) + sum(self%upper_share(s)*profile%mdr_slope(s)*ds)
@@ -163,10 +142,10 @@ contains
                 upper = self%upper_share(a)*excess*asin(a/r(i))/half_pi
             end if
             highest = min(r(i), a)
-            lowest = max(profile%end_radius(), smallest_panel_ratio*highest)
+            lowest = max(profile%end_radius, smallest_panel_ratio*highest)
             if (highest > lowest) then
                 call graded_rule(lowest, highest, merged_breaks(profile%break_radii(), self%breaks()), &
-                                 min(profile%singular_radius(), r(i)), s, ds, error)
+                                 min(profile%singular_radius, r(i)), s, ds, error)
                 if (allocated(error)) return
                 upper = upper + (self%upper_share(lowest)*profile%mdr_moment(lowest)/r(i) &
                                  + sum(self%upper_share(s)*profile%mdr_slope(s)*asin(min(s/r(i), 1.0_wp))*ds))/half_pi

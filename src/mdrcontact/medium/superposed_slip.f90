@@ -51,7 +51,7 @@ contains
         self%breaks = merged_breaks(profile%break_radii(), normal%breaks())
         self%radius = a
         self%excess = excess
-        self%smallest_stick = profile%end_radius()
+        self%smallest_stick = profile%end_radius
         call normal%depth_and_force(profile, a, depth, self%force, error)
         if (.not. allocated(error)) call normal%modulus([a], modulus, error)
         if (.not. allocated(error)) call tangential%modulus([a], shear, error)
@@ -95,7 +95,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer :: i
 
-        call graded_edges(max(c, smallest_panel_ratio*self%radius), self%radius, self%breaks, self%profile%singular_radius(), &
+        call graded_edges(max(c, smallest_panel_ratio*self%radius), self%radius, self%breaks, self%profile%singular_radius, &
                           edges, error)
         has_root = [(any(self%breaks == edges(i)), i=1, size(edges) - 1)]
     end subroutine panels

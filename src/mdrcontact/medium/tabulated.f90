@@ -20,10 +20,7 @@ module mdrcontact_medium_tabulated
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: smallest_radius
-        procedure :: largest_radius
         procedure :: breaks
-        procedure :: roughness
         procedure :: copy_to
     end type tabulated_medium_t
 
@@ -41,6 +38,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         call new_radius_law_from_table(self%law, radius, "moduli", moduli, error)
+        if (.not. allocated(error)) call take_range(self)
     end subroutine new_tabulated_medium
 
     !> E_eff(a) by a function, which is called here and never again.
@@ -58,7 +56,16 @@ contains
         tolerance = sampling_tolerance
         if (present(accuracy)) tolerance = accuracy
         call new_radius_law_from_function(self%law, modulus, "the modulus", smallest_radius, largest_radius, tolerance, error)
+        if (.not. allocated(error)) call take_range(self)
     end subroutine new_medium_from_function
+
+    pure subroutine take_range(self)
+        type(tabulated_medium_t), intent(inout) :: self
+
+        self%smallest_radius = self%law%smallest_radius
+        self%largest_radius = self%law%largest_radius
+        self%roughness = interpolation_roughness
+    end subroutine take_range
 
     recursive subroutine copy_to(self, copy, error)
         class(tabulated_medium_t), intent(in) :: self
@@ -69,6 +76,9 @@ contains
         allocate (copy, mold=self, stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
+        copy%smallest_radius = self%smallest_radius
+        copy%largest_radius = self%largest_radius
+        copy%roughness = self%roughness
         select type (copy)
         class is (tabulated_medium_t)
             call self%law%copy_to(copy%law, error)
@@ -93,34 +103,11 @@ contains
         value = self%law%slope_at(a)
     end function effective_modulus_slope
 
-    pure function smallest_radius(self) result(radius)
-        class(tabulated_medium_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%law%smallest_radius()
-    end function smallest_radius
-
-    pure function largest_radius(self) result(radius)
-        class(tabulated_medium_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%law%largest_radius()
-    end function largest_radius
-
     pure function breaks(self) result(radii)
         class(tabulated_medium_t), intent(in) :: self
         real(wp), allocatable :: radii(:)
 
         radii = self%law%break_radii()
     end function breaks
-
-    pure function roughness(self) result(value)
-        class(tabulated_medium_t), intent(in) :: self
-        real(wp) :: value
-
-        associate (unused => self)
-        end associate
-        value = interpolation_roughness
-    end function roughness
 
 end module mdrcontact_medium_tabulated

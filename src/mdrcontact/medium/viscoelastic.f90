@@ -48,7 +48,6 @@ module mdrcontact_medium_viscoelastic
         procedure :: pressure => no_field
         procedure :: displacement_outside => no_field
         procedure :: check_profile
-        procedure :: largest_radius
         procedure :: breaks
         procedure :: is_exact
         procedure :: is_viscoelastic
@@ -103,6 +102,7 @@ contains
             call new_stack(body, elastic(:size(thickness)), thickness, elastic(size(thickness) + 1), error, rigid_base)
             if (.not. allocated(error)) call new_medium(self%reference, body, model, error, options, shared)
         end if
+        if (.not. allocated(error)) self%largest_radius = self%reference%largest_radius
     end subroutine new_viscoelastic_medium
 
     !> The elastic material that stands for a relaxing one; of a power law its modulus at the time for which that of the first
@@ -203,13 +203,6 @@ contains
 
         call self%reference%check_profile(profile, error)
     end subroutine check_profile
-
-    pure function largest_radius(self) result(radius)
-        class(viscoelastic_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%reference%largest_radius()
-    end function largest_radius
 
     pure function breaks(self) result(radii)
         class(viscoelastic_t), intent(in) :: self

@@ -22,18 +22,16 @@ module mdrcontact_numerics_radius_law
 
     !> The interpolated quantity. Beyond its largest radius it is not asked.
     type :: radius_law_t
-        private
-        real(wp) :: smallest = 0.0_wp, largest = 0.0_wp
+        !> of the table or the range; to be read only [length]
+        real(wp) :: smallest_radius = 0.0_wp, largest_radius = 0.0_wp
         !> one of the two
-        type(monotone_table_t), allocatable :: table
-        type(sampled_function_t), allocatable :: sampled
-        real(wp), allocatable :: breaks(:)
+        type(monotone_table_t), allocatable, private :: table
+        type(sampled_function_t), allocatable, private :: sampled
+        real(wp), allocatable, private :: breaks(:)
     contains
         procedure :: at
         procedure :: copy_to
         procedure :: slope_at
-        procedure :: smallest_radius
-        procedure :: largest_radius
         procedure :: break_radii
     end type radius_law_t
 
@@ -67,8 +65,8 @@ contains
             call check_positive(error, name, values(i), i)
         end do
         if (allocated(error)) return
-        self%smallest = radius(1)
-        self%largest = radius(size(radius))
+        self%smallest_radius = radius(1)
+        self%largest_radius = radius(size(radius))
         allocate (self%table, stat=stat)
         if (stat == 0) allocate (self%breaks(size(radius)), stat=stat)
         if (stat == 0) allocate (logarithms(size(radius)), stat=stat)
@@ -108,8 +106,8 @@ contains
         end if
         logarithmic%f => f
         logarithmic%name = name
-        self%smallest = smallest
-        self%largest = largest
+        self%smallest_radius = smallest
+        self%largest_radius = largest
         allocate (self%sampled)
         call new_sampled_function(self%sampled, logarithmic, octaves(log(smallest), log(largest)), &
                                   spread(.false., 1, size(octaves(log(smallest), log(largest))) - 1), tolerance, error, most=most)
@@ -123,8 +121,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer :: stat
 
-        copy%smallest = self%smallest
-        copy%largest = self%largest
+        copy%smallest_radius = self%smallest_radius
+        copy%largest_radius = self%largest_radius
         call copy_array(self%breaks, copy%breaks, error)
         if (allocated(error)) return
         if (allocated(self%table)) then
@@ -138,7 +136,7 @@ contains
         end if
     end subroutine copy_to
 
-    !> The value at radius a <= largest_radius().
+    !> The value at radius a <= largest_radius.
     elemental function at(self, a) result(y)
         class(radius_law_t), intent(in) :: self
         !> contact radius [length]
@@ -146,7 +144,7 @@ contains
         real(wp) :: y
         real(wp) :: x
 
-        x = log(min(max(a, self%smallest), self%largest))
+        x = log(min(max(a, self%smallest_radius), self%largest_radius))
         if (allocated(self%table)) then
             y = self%table%at(x)
         else
@@ -161,7 +159,7 @@ contains
         real(wp), intent(in) :: a
         real(wp) :: y
 
-        if (a < self%smallest .or. a > self%largest) then
+        if (a < self%smallest_radius .or. a > self%largest_radius) then
             y = 0.0_wp
         else if (allocated(self%table)) then
             y = self%table%slope_at(log(a))/a
@@ -169,22 +167,6 @@ contains
             y = self%sampled%slope(log(a))/a
         end if
     end function slope_at
-
-    !> The smallest radius of the table or the range [length].
-    pure function smallest_radius(self) result(radius)
-        class(radius_law_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%smallest
-    end function smallest_radius
-
-    !> The largest radius of the table or the range [length].
-    pure function largest_radius(self) result(radius)
-        class(radius_law_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%largest
-    end function largest_radius
 
     !> Radii where the law is not analytic: the points of a table.
     pure function break_radii(self) result(radii)

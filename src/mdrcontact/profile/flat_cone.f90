@@ -12,8 +12,7 @@ module mdrcontact_profile_flat_cone
     !> g(x) = x tan(phi) arccos(b/x), x > b. Popov 2014, table after equation (4).
     type, extends(profile_t) :: flat_cone_t
         private
-        !> b [length]
-        real(wp) :: flat_radius = 0.0_wp
+        !> tan(phi); b is end_radius
         real(wp) :: tangent = 0.0_wp
     contains
         procedure :: height
@@ -22,7 +21,6 @@ module mdrcontact_profile_flat_cone
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment
-        procedure :: end_radius
         procedure :: break_radii
         procedure :: linear_pieces
     end type flat_cone_t
@@ -41,7 +39,7 @@ contains
         call check_positive(error, "end_radius", end_radius)
         call check_inclination(error, inclination)
         if (allocated(error)) return
-        self%flat_radius = end_radius
+        self%end_radius = end_radius
         self%tangent = tan(inclination)
     end subroutine new_flat_cone
 
@@ -50,7 +48,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = self%tangent*max(x - self%flat_radius, 0.0_wp)
+        y = self%tangent*max(x - self%end_radius, 0.0_wp)
     end function height
 
     elemental function slope(self, x) result(y)
@@ -58,7 +56,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = merge(self%tangent, 0.0_wp, x > self%flat_radius)
+        y = merge(self%tangent, 0.0_wp, x > self%end_radius)
     end function slope
 
     elemental function mdr(self, x) result(y)
@@ -66,7 +64,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = self%tangent*x*atan2(root_beyond(x, self%flat_radius), self%flat_radius)
+        y = self%tangent*x*atan2(root_beyond(x, self%end_radius), self%end_radius)
     end function mdr
 
     elemental function mdr_slope(self, x) result(y)
@@ -75,7 +73,7 @@ contains
         real(wp) :: y
 
         y = 0.0_wp
-        if (x > self%flat_radius) y = self%mdr_slope_beyond(self%flat_radius, x - self%flat_radius)
+        if (x > self%end_radius) y = self%mdr_slope_beyond(self%end_radius, x - self%end_radius)
     end function mdr_slope
 
     elemental function mdr_slope_beyond(self, start, distance) result(y)
@@ -84,10 +82,10 @@ contains
         real(wp) :: y
         real(wp) :: gap, root
 
-        gap = (start - self%flat_radius) + distance
-        root = root_after(gap, self%flat_radius)
+        gap = (start - self%end_radius) + distance
+        root = root_after(gap, self%end_radius)
         if (root > 0.0_wp) then
-            y = self%tangent*(atan2(root, self%flat_radius) + self%flat_radius/root)
+            y = self%tangent*(atan2(root, self%end_radius) + self%end_radius/root)
         else
             y = merge(0.0_wp, ieee_value(gap, ieee_positive_inf), gap < 0.0_wp)
         end if
@@ -99,29 +97,22 @@ contains
         real(wp) :: y
         real(wp) :: root
 
-        root = root_beyond(x, self%flat_radius)
-        y = 0.5_wp*self%tangent*(x**2*atan2(root, self%flat_radius) + self%flat_radius*root)
+        root = root_beyond(x, self%end_radius)
+        y = 0.5_wp*self%tangent*(x**2*atan2(root, self%end_radius) + self%end_radius*root)
     end function mdr_moment
-
-    pure function end_radius(self) result(radius)
-        class(flat_cone_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%flat_radius
-    end function end_radius
 
     pure function break_radii(self) result(radii)
         class(flat_cone_t), intent(in) :: self
         real(wp), allocatable :: radii(:)
 
-        radii = [self%flat_radius]
+        radii = [self%end_radius]
     end function break_radii
 
     pure subroutine linear_pieces(self, radii, slopes, curvatures)
         class(flat_cone_t), intent(in) :: self
         real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
 
-        radii = [0.0_wp, self%flat_radius]
+        radii = [0.0_wp, self%end_radius]
         slopes = [0.0_wp, self%tangent]
         curvatures = [0.0_wp, 0.0_wp]
     end subroutine linear_pieces

@@ -12,8 +12,7 @@ module mdrcontact_profile_flat_paraboloid
     !> g(x) = (x/R) sqrt(x^2 - b^2), x > b. Popov 2014, table after equation (4).
     type, extends(profile_t) :: flat_paraboloid_t
         private
-        !> b and R [length]
-        real(wp) :: flat_radius = 0.0_wp
+        !> R [length]; b is end_radius
         real(wp) :: curvature_radius = 0.0_wp
     contains
         procedure :: height
@@ -22,7 +21,6 @@ module mdrcontact_profile_flat_paraboloid
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment
-        procedure :: end_radius
         procedure :: break_radii
         procedure :: linear_pieces
     end type flat_paraboloid_t
@@ -41,7 +39,7 @@ contains
         call check_positive(error, "end_radius", end_radius)
         call check_positive(error, "radius", radius)
         if (allocated(error)) return
-        self%flat_radius = end_radius
+        self%end_radius = end_radius
         self%curvature_radius = radius
     end subroutine new_flat_paraboloid
 
@@ -50,7 +48,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = 0.5_wp*max(x - self%flat_radius, 0.0_wp)*(x + self%flat_radius)/self%curvature_radius
+        y = 0.5_wp*max(x - self%end_radius, 0.0_wp)*(x + self%end_radius)/self%curvature_radius
     end function height
 
     elemental function slope(self, x) result(y)
@@ -58,7 +56,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = merge(x/self%curvature_radius, 0.0_wp, x > self%flat_radius)
+        y = merge(x/self%curvature_radius, 0.0_wp, x > self%end_radius)
     end function slope
 
     elemental function mdr(self, x) result(y)
@@ -66,7 +64,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = x*root_beyond(x, self%flat_radius)/self%curvature_radius
+        y = x*root_beyond(x, self%end_radius)/self%curvature_radius
     end function mdr
 
     elemental function mdr_slope(self, x) result(y)
@@ -75,7 +73,7 @@ contains
         real(wp) :: y
 
         y = 0.0_wp
-        if (x > self%flat_radius) y = self%mdr_slope_beyond(self%flat_radius, x - self%flat_radius)
+        if (x > self%end_radius) y = self%mdr_slope_beyond(self%end_radius, x - self%end_radius)
     end function mdr_slope
 
     elemental function mdr_slope_beyond(self, start, distance) result(y)
@@ -84,10 +82,10 @@ contains
         real(wp) :: y
         real(wp) :: gap, root
 
-        gap = (start - self%flat_radius) + distance
-        root = root_after(gap, self%flat_radius)
+        gap = (start - self%end_radius) + distance
+        root = root_after(gap, self%end_radius)
         if (root > 0.0_wp) then
-            y = (root + (self%flat_radius + gap)*((self%flat_radius + gap)/root))/self%curvature_radius
+            y = (root + (self%end_radius + gap)*((self%end_radius + gap)/root))/self%curvature_radius
         else
             y = merge(0.0_wp, ieee_value(gap, ieee_positive_inf), gap < 0.0_wp)
         end if
@@ -98,28 +96,21 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = root_beyond(x, self%flat_radius)*(2.0_wp*x**2 + self%flat_radius**2)/(3.0_wp*self%curvature_radius)
+        y = root_beyond(x, self%end_radius)*(2.0_wp*x**2 + self%end_radius**2)/(3.0_wp*self%curvature_radius)
     end function mdr_moment
-
-    pure function end_radius(self) result(radius)
-        class(flat_paraboloid_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%flat_radius
-    end function end_radius
 
     pure function break_radii(self) result(radii)
         class(flat_paraboloid_t), intent(in) :: self
         real(wp), allocatable :: radii(:)
 
-        radii = [self%flat_radius]
+        radii = [self%end_radius]
     end function break_radii
 
     pure subroutine linear_pieces(self, radii, slopes, curvatures)
         class(flat_paraboloid_t), intent(in) :: self
         real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
 
-        radii = [0.0_wp, self%flat_radius]
+        radii = [0.0_wp, self%end_radius]
         slopes = [0.0_wp, 0.0_wp]
         curvatures = [0.0_wp, 1.0_wp/self%curvature_radius]
     end subroutine linear_pieces

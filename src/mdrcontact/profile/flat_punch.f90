@@ -10,18 +10,12 @@ module mdrcontact_profile_flat_punch
 
     !> f = g = 0 up to the vertical wall at b.
     type, extends(profile_t) :: flat_punch_t
-        private
-        !> b [length]
-        real(wp) :: radius = 0.0_wp
     contains
         procedure :: height
         procedure :: slope
         procedure :: mdr
         procedure :: mdr_slope
         procedure :: mdr_moment
-        procedure :: largest_radius
-        procedure :: end_radius
-        procedure :: has_wall
     end type flat_punch_t
 
 contains
@@ -35,7 +29,9 @@ contains
 
         call check_positive(error, "radius", radius)
         if (allocated(error)) return
-        self%radius = radius
+        self%end_radius = radius
+        self%largest_radius = radius
+        self%has_wall = .true.
     end subroutine new_flat_punch
 
     elemental function height(self, x) result(y)
@@ -87,28 +83,5 @@ contains
         end associate
         y = 0.0_wp
     end function mdr_moment
-
-    pure function largest_radius(self) result(radius)
-        class(flat_punch_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%radius
-    end function largest_radius
-
-    pure function end_radius(self) result(radius)
-        class(flat_punch_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%radius
-    end function end_radius
-
-    pure function has_wall(self) result(answer)
-        class(flat_punch_t), intent(in) :: self
-        logical :: answer
-
-        associate (unused => self)
-        end associate
-        answer = .true.
-    end function has_wall
 
 end module mdrcontact_profile_flat_punch

@@ -18,8 +18,6 @@ module mdrcontact_profile_sampled
         private
         type(sampled_function_t) :: f, g
         real(wp) :: f_exponent = 0.0_wp, g_exponent = 0.0_wp
-        !> radius of the flat end, 0 if there is none [length]
-        real(wp) :: flat_radius = 0.0_wp
         !> radii where f is not analytic, ascending [length]
         real(wp), allocatable :: breaks(:)
     contains
@@ -28,8 +26,6 @@ module mdrcontact_profile_sampled
         procedure :: mdr
         procedure :: mdr_slope
         procedure :: mdr_moment
-        procedure :: largest_radius
-        procedure :: end_radius
         procedure :: break_radii
         procedure :: copy_to
     end type sampled_profile_t
@@ -113,7 +109,8 @@ contains
         call copy_array(self%breaks, own%breaks, error)
         own%f_exponent = self%f_exponent
         own%g_exponent = self%g_exponent
-        own%flat_radius = self%flat_radius
+        own%end_radius = self%end_radius
+        own%largest_radius = self%largest_radius
         call move_alloc(own, copy)
     end subroutine copy_to
 
@@ -155,7 +152,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer :: flat_ends, stat
 
-        self%flat_radius = flat_radius
+        self%end_radius = flat_radius
+        self%largest_radius = self%g%upper()
         flat_ends = merge(1, 0, flat_radius > 0.0_wp)
         allocate (self%breaks(flat_ends + size(breaks)), stat=stat)
         call check_memory(error, stat)
@@ -171,7 +169,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        if (x <= self%flat_radius) then
+        if (x <= self%end_radius) then
             y = 0.0_wp
         else if (x < self%f%lower()) then
             y = self%f%value(self%f%lower())*(x/self%f%lower())**self%f_exponent
@@ -185,7 +183,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        if (x <= self%flat_radius) then
+        if (x <= self%end_radius) then
             y = 0.0_wp
         else if (x < self%f%lower()) then
             y = self%f_exponent*self%f%value(self%f%lower())/self%f%lower()*(x/self%f%lower())**(self%f_exponent - 1.0_wp)
@@ -199,7 +197,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        if (x <= self%flat_radius) then
+        if (x <= self%end_radius) then
             y = 0.0_wp
         else if (x < self%g%lower()) then
             y = self%g%value(self%g%lower())*(x/self%g%lower())**self%g_exponent
@@ -213,7 +211,7 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        if (x <= self%flat_radius) then
+        if (x <= self%end_radius) then
             y = 0.0_wp
         else if (x < self%g%lower()) then
             y = self%g_exponent*self%g%value(self%g%lower())/self%g%lower()*(x/self%g%lower())**(self%g_exponent - 1.0_wp)
@@ -228,29 +226,15 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        if (x <= self%flat_radius) then
+        if (x <= self%end_radius) then
             y = 0.0_wp
         else if (x < self%g%lower()) then
             y = x*self%mdr(x)*self%g_exponent/(self%g_exponent + 1.0_wp)
         else
             y = x*self%g%value(x) - self%g%integral(x)
-            if (self%flat_radius <= 0.0_wp) y = y - self%g%lower()*self%g%value(self%g%lower())/(self%g_exponent + 1.0_wp)
+            if (self%end_radius <= 0.0_wp) y = y - self%g%lower()*self%g%value(self%g%lower())/(self%g_exponent + 1.0_wp)
         end if
     end function mdr_moment
-
-    pure function largest_radius(self) result(radius)
-        class(sampled_profile_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%g%upper()
-    end function largest_radius
-
-    pure function end_radius(self) result(radius)
-        class(sampled_profile_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%flat_radius
-    end function end_radius
 
     pure function break_radii(self) result(radii)
         class(sampled_profile_t), intent(in) :: self

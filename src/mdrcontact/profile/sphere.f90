@@ -19,8 +19,6 @@ module mdrcontact_profile_sphere
         procedure :: mdr
         procedure :: mdr_slope
         procedure :: mdr_moment
-        procedure :: largest_radius
-        procedure :: singular_radius => largest_radius
         procedure :: is_spherical
     end type sphere_t
 
@@ -36,6 +34,8 @@ contains
         call check_positive(error, "radius", radius)
         if (allocated(error)) return
         self%radius = radius
+        self%largest_radius = radius
+        self%singular_radius = radius
     end subroutine new_sphere
 
     elemental function height(self, x) result(y)
@@ -92,13 +92,6 @@ contains
         end if
         y = y*self%radius**2
     end function mdr_moment
-
-    pure function largest_radius(self) result(radius)
-        class(sphere_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = self%radius
-    end function largest_radius
 
     pure function is_spherical(self) result(answer)
         class(sphere_t), intent(in) :: self

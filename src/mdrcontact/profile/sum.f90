@@ -26,10 +26,6 @@ module mdrcontact_profile_sum
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment
-        procedure :: largest_radius
-        procedure :: singular_radius
-        procedure :: end_radius
-        procedure :: has_wall
         procedure :: break_radii
         procedure :: powers
         procedure :: copy_to
@@ -49,7 +45,7 @@ contains
             if (.not. allocated(terms(i)%profile)) call raise(error, error_invalid, "a term of the sum holds no profile")
         end do
         if (allocated(error)) return
-        call copy_terms(terms, self%terms, error)
+        call take_copies(self, terms, error)
     end subroutine new_profile_sum
 
     recursive subroutine copy_to(self, copy, error)
@@ -61,23 +57,33 @@ contains
 
         allocate (own, stat=stat)
         call check_memory(error, stat)
-        if (stat == 0) call copy_terms(self%terms, own%terms, error)
+        if (stat == 0) call take_copies(own, self%terms, error)
         call move_alloc(own, copy)
     end subroutine copy_to
 
-    recursive subroutine copy_terms(terms, copies, error)
+    recursive subroutine take_copies(self, terms, error)
+        type(profile_sum_t), intent(inout) :: self
         type(profile_term_t), intent(in) :: terms(:)
-        type(profile_term_t), allocatable, intent(out) :: copies(:)
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, stat
 
-        allocate (copies(size(terms)), stat=stat)
+        allocate (self%terms(size(terms)), stat=stat)
         call check_memory(error, stat)
+        self%end_radius = huge(1.0_wp)
         do i = 1, size(terms)
             if (allocated(error)) return
-            call terms(i)%profile%copy_to(copies(i)%profile, error)
+            associate (term => terms(i)%profile)
+                call term%copy_to(self%terms(i)%profile, error)
+                ! the term that ends first has a vertical wall there
+                if (term%largest_radius <= self%largest_radius) then
+                    self%has_wall = term%has_wall .or. (self%has_wall .and. term%largest_radius >= self%largest_radius)
+                end if
+                self%largest_radius = min(self%largest_radius, term%largest_radius)
+                self%singular_radius = min(self%singular_radius, term%singular_radius)
+                self%end_radius = min(self%end_radius, term%end_radius)
+            end associate
         end do
-    end subroutine copy_terms
+    end subroutine take_copies
 
     elemental function height(self, x) result(y)
         class(profile_sum_t), intent(in) :: self
@@ -151,53 +157,6 @@ contains
         end do
     end function mdr_moment
 
-    pure function largest_radius(self) result(radius)
-        class(profile_sum_t), intent(in) :: self
-        real(wp) :: radius
-        integer :: i
-
-        radius = huge(radius)
-        do i = 1, size(self%terms)
-            radius = min(radius, self%terms(i)%profile%largest_radius())
-        end do
-    end function largest_radius
-
-    pure function singular_radius(self) result(radius)
-        class(profile_sum_t), intent(in) :: self
-        real(wp) :: radius
-        integer :: i
-
-        radius = huge(radius)
-        do i = 1, size(self%terms)
-            radius = min(radius, self%terms(i)%profile%singular_radius())
-        end do
-    end function singular_radius
-
-    pure function end_radius(self) result(radius)
-        class(profile_sum_t), intent(in) :: self
-        real(wp) :: radius
-        integer :: i
-
-        radius = huge(radius)
-        do i = 1, size(self%terms)
-            radius = min(radius, self%terms(i)%profile%end_radius())
-        end do
-    end function end_radius
-
-    !> The term that ends first has a vertical wall there.
-    pure function has_wall(self) result(answer)
-        class(profile_sum_t), intent(in) :: self
-        logical :: answer
-        integer :: i
-
-        answer = .false.
-        do i = 1, size(self%terms)
-            if (self%terms(i)%profile%largest_radius() <= self%largest_radius()) then
-                answer = answer .or. self%terms(i)%profile%has_wall()
-            end if
-        end do
-    end function has_wall
-
     pure function break_radii(self) result(radii)
         class(profile_sum_t), intent(in) :: self
         real(wp), allocatable :: radii(:)
@@ -207,7 +166,7 @@ contains
         do i = 1, size(self%terms)
             radii = merged_breaks(radii, self%terms(i)%profile%break_radii())
         end do
-        radii = pack(radii, radii < self%largest_radius())
+        radii = pack(radii, radii < self%largest_radius)
     end function break_radii
 
     !> Those of all terms, if each is a sum of powers.

@@ -26,7 +26,7 @@ contains
         class(profile_t), intent(in), target :: profile
         !> of_height, of_slope, of_mdr or of_mdr_slope
         integer, intent(in) :: quantity
-        !> in [0, largest_radius()], not checked [length]
+        !> in [0, largest_radius], not checked [length]
         real(wp), intent(in), contiguous :: r(:)
         !> same size as r
         real(wp), intent(inout), contiguous :: y(:)
