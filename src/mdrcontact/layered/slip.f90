@@ -9,7 +9,7 @@ module mdrcontact_layered_slip
     use mdrcontact_layered_fields, only: line_load_t
     use mdrcontact_layered_slip_profile, only: slip_profile_t
     use mdrcontact_medium, only: medium_t
-    use mdrcontact_numerics_quadrature, only: graded_edges, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -136,7 +136,6 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: breaks(:), exponents(:), coefficients(:)
         real(wp) :: here, next, length
-        integer :: i
 
         allocate (breaks, source=self%profile%break_radii())
         call self%profile%base%powers(exponents, coefficients)
@@ -154,7 +153,7 @@ contains
                 here = next
             end do
         end if
-        has_root = [(any(breaks == edges(i)), i=1, size(edges) - 1)]
+        call mark_breaks(edges, breaks, has_root, error)
     end subroutine panels
 
     subroutine at(self, c, width, shift, force, stiffness, shift_rate, error)

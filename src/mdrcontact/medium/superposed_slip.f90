@@ -10,7 +10,7 @@ module mdrcontact_medium_superposed_slip
     use mdrcontact_field_slip, only: beside, slip_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
-    use mdrcontact_numerics_quadrature, only: graded_edges, merged_breaks, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, merged_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -93,11 +93,10 @@ contains
         real(wp), allocatable, intent(out) :: edges(:)
         logical, allocatable, intent(out) :: has_root(:)
         type(error_t), allocatable, intent(inout) :: error
-        integer :: i
 
         call graded_edges(max(c, smallest_panel_ratio*self%radius), self%radius, self%breaks, self%profile%singular_radius, &
                           edges, error)
-        has_root = [(any(self%breaks == edges(i)), i=1, size(edges) - 1)]
+        call mark_breaks(edges, self%breaks, has_root, error)
     end subroutine panels
 
     subroutine at(self, c, width, shift, force, stiffness, shift_rate, error)

@@ -15,7 +15,7 @@ module mdrcontact_numerics_quadrature
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: gauss_legendre, graded_rule, graded_edges, merged_breaks, new_antiderivative, smallest_panel_ratio
+    public :: gauss_legendre, graded_rule, graded_edges, mark_breaks, merged_breaks, new_antiderivative, smallest_panel_ratio
 
     !> Nodes in a panel: a panel's nearest singularity lies at least a third of its length away, where 20 nodes give 1e-16.
     integer, parameter :: nodes_per_panel = 20
@@ -93,12 +93,14 @@ contains
         !> nodes - lower without cancellation, for integrands that are singular there
         real(wp), allocatable, intent(out), optional :: distances(:)
         real(wp), allocatable :: edges(:), offsets(:)
+        logical, allocatable :: at_break(:)
         real(wp) :: t(nodes_per_panel), w(nodes_per_panel), length
         integer :: panel, first, last, count, stat
 
         call check_cancelled(error)
         call gauss_legendre(t, w, error)
         call graded_edges(lower, upper, breaks, singular_end, edges, error)
+        call mark_breaks(edges, breaks, at_break, error)
         if (allocated(error)) return
         count = (size(edges) - 1)*nodes_per_panel
         allocate (nodes(count), stat=stat)
@@ -110,7 +112,7 @@ contains
             first = (panel - 1)*nodes_per_panel + 1
             last = panel*nodes_per_panel
             length = edges(panel + 1) - edges(panel)
-            if (any(breaks == edges(panel))) then
+            if (at_break(panel)) then
                 offsets(first:last) = (edges(panel) - lower) + length*t**2
                 weights(first:last) = 2.0_wp*length*t*w
             else
@@ -156,6 +158,28 @@ contains
         number = size(list)
     end function count_upto
 
+    !> Whether each panel begins at a break.
+    pure subroutine mark_breaks(edges, breaks, at_break, error)
+        !> ascending, one more than there are panels
+        real(wp), intent(in) :: edges(:)
+        !> ascending
+        real(wp), intent(in) :: breaks(:)
+        logical, allocatable, intent(out) :: at_break(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: panel, passed, stat
+
+        if (allocated(error)) return
+        allocate (at_break(size(edges) - 1), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        passed = 0
+        do panel = 1, size(at_break)
+            passed = passed + count_upto(breaks(passed + 1:), edges(panel))
+            at_break(panel) = .false.
+            if (passed > 0) at_break(panel) = breaks(passed) == edges(panel)
+        end do
+    end subroutine mark_breaks
+
     !> The edges of the panels of graded_rule.
     pure subroutine graded_edges(lower, upper, breaks, singular_end, edges, error)
         real(wp), intent(in) :: lower, upper, breaks(:), singular_end
@@ -174,11 +198,8 @@ contains
         edges(1) = lower
         here = lower
         do while (here < upper)
-            do while (passed < size(breaks))
-                if (breaks(passed + 1) > here) exit
-                passed = passed + 1
-            end do
-            next = here + step(here)
+            passed = passed + count_upto(breaks(passed + 1:), here)
+            next = here + step(here, breaks(:passed))
             if (passed < size(breaks)) next = min(next, breaks(passed + 1))
             if (upper - next < shortest_panel*upper .or. next <= here) next = upper
             count = count + 1
@@ -201,18 +222,23 @@ contains
     contains
 
         !> Panel length at `here`: proportional to the distance from the nearest singular radius behind and ahead.
-        pure function step(here) result(length)
+        pure function step(here, behind) result(length)
             real(wp), intent(in) :: here
+            !> the breaks up to there
+            real(wp), intent(in) :: behind(:)
             real(wp) :: length
             logical :: at_break
+            integer :: i
 
             at_break = .false.
             length = here
-            if (size(breaks) > 0) then
-                at_break = any(breaks == here)
-                length = minval(here - breaks, mask=breaks < here)
-                length = min(length, here)
-            end if
+            do i = size(behind), 1, -1
+                if (behind(i) < here) then
+                    length = here - behind(i)
+                    exit
+                end if
+                at_break = .true.
+            end do
             if (.not. at_break) length = (panel_growth - 1.0_wp)*length
             length = min(length, 0.75_wp*(singular_end - here))
         end function step
