@@ -6,19 +6,17 @@
 !> depth, so that any wavelength sees the same number of them: those shallower than it through one power series, some forty more
 !> one by one.
 module mdrcontact_body_graded
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_gradient, only: anti_plane_rate, gradient_series, in_plane_rate, multiply_series, order, series_value
     use mdrcontact_body_modes, only: half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, transferred
-    use mdrcontact_error, only: check_poisson, check_positive, check_table, error_callback, error_invalid, error_t, &
-                                raise, to_text
+    use mdrcontact_error, only: check_poisson, check_positive, check_table, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_numerics_quadrature, only: merged_breaks, new_antiderivative
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
-    use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t, watched_function_t
     use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
     private
@@ -59,14 +57,6 @@ module mdrcontact_body_graded
         procedure :: sublayers
     end type graded_body_t
 
-    !> A user's function of depth, watched for values that are not numbers.
-    type, extends(scalar_function_t) :: watched_function_t
-        class(scalar_function_t), pointer :: f => null()
-        character(len=2) :: name = ""
-    contains
-        procedure :: value => watched_value
-    end type watched_function_t
-
 contains
 
     !> E and nu at given depths, linear between them, constant below the last.
@@ -105,7 +95,7 @@ contains
         !> depth below which the body is homogeneous, > 0 [length]
         real(wp), intent(in) :: depth
         type(error_t), allocatable, intent(out) :: error
-        type(watched_function_t) :: watched_young, watched_poisson
+        type(watched_function_t) :: watched(2)
         real(wp) :: edges(function_octaves + 1), shear, nu
         real(wp), allocatable :: depths(:)
         integer :: i
@@ -114,14 +104,14 @@ contains
         if (allocated(error)) return
         call disable_gsl_abort()
         edges = [(scale(depth, i - function_octaves), i=0, function_octaves)]
-        watched_young%f => young
-        watched_young%name = "E"
-        watched_poisson%f => poisson
-        watched_poisson%name = "nu"
+        watched%name = [character(len=16) :: "function for E", "function for nu"]
+        watched%argument = "z"
+        watched(1)%f => young
+        watched(2)%f => poisson
         allocate (self%young_of, self%poisson_of)
-        call new_sampled_function(self%young_of, watched_young, edges, spread(.false., 1, function_octaves), function_tolerance, &
+        call new_sampled_function(self%young_of, watched(1), edges, spread(.false., 1, function_octaves), function_tolerance, &
                                   error, most=most_panels)
-        if (.not. allocated(error)) call new_sampled_function(self%poisson_of, watched_poisson, edges, &
+        if (.not. allocated(error)) call new_sampled_function(self%poisson_of, watched(2), edges, &
                                                               spread(.false., 1, function_octaves), function_tolerance, error, &
                                                               noise=1.0e-15_wp, most=most_panels)
         if (allocated(error)) return
@@ -133,20 +123,6 @@ contains
         end do
         if (.not. allocated(error)) call build(self, edges(1), error)
     end subroutine new_graded_body_from_functions
-
-    function watched_value(self, x) result(y)
-        class(watched_function_t), intent(inout) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-
-        y = self%f%value(x)
-        if (allocated(self%f%error)) then
-            self%error = self%f%error
-        else if (.not. ieee_is_finite(y)) then
-            call raise(self%error, error_callback, "the function for "//trim(self%name)//" returned "//to_text(y)//" at z = "// &
-                       to_text(x)//": it must return a finite number")
-        end if
-    end function watched_value
 
     !> Ascending depths between which the constants are analytic; beyond the last they are constant [length].
     pure function knots(self) result(depths)

@@ -1,23 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Indenters from data: a table of heights f(r), a table of g(x), a user's function f(r).
 module mdrcontact_profile_tabulated
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use mdrcontact_error, only: check_positive, check_table, error_callback, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_positive, check_table, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
     use mdrcontact_profile_sampled, only: sample_from_height, sample_from_mdr, sampled_profile_t
-    use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t, watched_function_t
     implicit none (type, external)
     private
     public :: new_tabulated_profile, new_profile_from_mdr, new_profile_from_function
-
-    !> A user's function whose failures are remembered with the radius where they happened.
-    type, extends(scalar_function_t) :: watched_function_t
-        class(scalar_function_t), pointer :: f => null()
-    contains
-        procedure :: value => watched_value
-    end type watched_function_t
 
 contains
 
@@ -73,6 +65,8 @@ contains
         call check_positive(error, "largest_radius", largest_radius)
         if (allocated(error)) return
         watched%f => height
+        watched%name = "profile function"
+        watched%argument = "r"
         call sample_from_height(self, watched, largest_radius, 0.0_wp, no_breaks, .true., error)
     end subroutine new_profile_from_function
 
@@ -104,19 +98,5 @@ contains
 
         i = count(y <= 0.0_wp)
     end function last_zero
-
-    function watched_value(self, x) result(y)
-        class(watched_function_t), intent(inout) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-
-        y = self%f%value(x)
-        if (allocated(self%f%error)) then
-            self%error = self%f%error
-        else if (.not. ieee_is_finite(y)) then
-            call raise(self%error, error_callback, "the profile function returned "//to_text(y)//" at r = "//to_text(x)// &
-                       ": it must return a finite height")
-        end if
-    end function watched_value
 
 end module mdrcontact_profile_tabulated
