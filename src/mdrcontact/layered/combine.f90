@@ -4,9 +4,10 @@
 !> Each body's kernel belongs to its layers alone: where the moduli of one body change, that body alone is tabulated anew.
 module mdrcontact_layered_combine
     use mdrcontact_error, only: error_domain, error_t, raise, to_text
-    use mdrcontact_kinds, only: half_pi, wp
+    use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: degree, kernel_t, near_degree
     use mdrcontact_layered_tabulate, only: powers_from_values, stiff
+    use mdrcontact_numerics_chebyshev, only: node
     implicit none (type, external)
     private
     public :: add_kernels
@@ -61,7 +62,7 @@ contains
         integer :: octaves, octave, half, i
         logical :: on_plateau
 
-        points = [(cos(real(2*i + 1, wp)*half_pi/real(degree + 1, wp)), i=0, degree)]
+        points = node([(i, i=1, size(points))], size(points))
         kernel%unit = min(first%unit, second%unit)
         kernel%vanishes = .false.
         kernel%resolved = min(first%resolved*(first%unit/kernel%unit), second%resolved*(second%unit/kernel%unit))

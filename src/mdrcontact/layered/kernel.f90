@@ -7,13 +7,14 @@
 module mdrcontact_layered_kernel
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_chebyshev, only: terms
     implicit none (type, external)
     private
     public :: kernel_t, degree, near_degree
 
     !> Degree of the polynomials: a panel's nearest singularity (y = 0, or 2 h i with h the first layer's thickness)
     !> lies five half lengths from its centre or farther.
-    integer, parameter :: degree = 15
+    integer, parameter :: degree = terms - 1
     !> Below the unit, in y^2, the same singularity lies nine half lengths from the centre.
     integer, parameter :: near_degree = 13
     integer(int64), parameter :: mantissa = int(z'000FFFFFFFFFFFFF', int64), exponent_of_one = int(z'3FF0000000000000', int64)

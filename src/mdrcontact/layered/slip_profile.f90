@@ -31,14 +31,14 @@ module mdrcontact_layered_slip_profile
         procedure :: mdr
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
-        procedure :: mdr_moment
+        procedure :: mdr_moment => no_height
         procedure :: break_radii
         procedure :: moments
     end type slip_profile_t
 
 contains
 
-    !> Not asked for: only the springs press against this profile.
+    !> Not asked for: only the springs press against this profile, and their forces come from its moments.
     elemental function no_height(self, x) result(y)
         class(slip_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
@@ -53,9 +53,9 @@ contains
         class(slip_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: total, slope, integral
+        real(wp) :: total, slope
 
-        call sums(self%c, x/self%radius, total, slope, integral)
+        call sums(self%c, x/self%radius, total, slope)
         y = self%ratio*(self%base%mdr(x) + (total - self%at_axis))
     end function mdr
 
@@ -63,9 +63,9 @@ contains
         class(slip_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: total, slope, integral
+        real(wp) :: total, slope
 
-        call sums(self%c, x/self%radius, total, slope, integral)
+        call sums(self%c, x/self%radius, total, slope)
         y = self%ratio*(self%base%mdr_slope(x) + slope/self%radius)
     end function mdr_slope
 
@@ -73,28 +73,17 @@ contains
         class(slip_profile_t), intent(in) :: self
         real(wp), intent(in) :: start, distance
         real(wp) :: y
-        real(wp) :: total, slope, integral
+        real(wp) :: total, slope
 
-        call sums(self%c, (start + distance)/self%radius, total, slope, integral)
+        call sums(self%c, (start + distance)/self%radius, total, slope)
         y = self%ratio*(self%base%mdr_slope_beyond(start, distance) + slope/self%radius)
     end function mdr_slope_beyond
 
-    !> int_0^x s g' ds = x g(x) - int_0^x g ds.
-    elemental function mdr_moment(self, x) result(y)
-        class(slip_profile_t), intent(in) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-        real(wp) :: total, slope, integral
-
-        call sums(self%c, x/self%radius, total, slope, integral)
-        y = self%ratio*(self%base%mdr_moment(x) + x*total - self%radius*integral)
-    end function mdr_moment
-
-    !> sum of c_j P_2j(u), its derivative, and its integral from 0.
-    pure subroutine sums(c, u, total, slope, integral)
+    !> sum of c_j P_2j(u), and its derivative.
+    pure subroutine sums(c, u, total, slope)
         real(wp), intent(in) :: c(0:), u
-        real(wp), intent(out) :: total, slope, integral
-        real(wp) :: even, odd, even_slope, odd_slope, odd_before
+        real(wp), intent(out) :: total, slope
+        real(wp) :: even, odd, even_slope, odd_slope
         integer :: j
 
         even = 1.0_wp
@@ -103,16 +92,13 @@ contains
         odd_slope = 1.0_wp
         total = c(0)
         slope = 0.0_wp
-        integral = c(0)*u
         do j = 1, ubound(c, 1)
-            odd_before = odd
+            even_slope = even_slope + real(4*j - 1, wp)*odd
             even = (real(4*j - 1, wp)*u*odd - real(2*j - 1, wp)*even)/real(2*j, wp)
             odd = (real(4*j + 1, wp)*u*even - real(2*j, wp)*odd)/real(2*j + 1, wp)
-            even_slope = even_slope + real(4*j - 1, wp)*odd_before
             odd_slope = odd_slope + real(4*j + 1, wp)*even
             total = total + c(j)*even
             slope = slope + c(j)*even_slope
-            integral = integral + c(j)*(odd - odd_before)/real(4*j + 1, wp)
         end do
     end subroutine sums
 

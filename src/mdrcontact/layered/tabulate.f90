@@ -9,11 +9,12 @@ module mdrcontact_layered_tabulate
     use mdrcontact_body, only: body_t
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: error_no_convergence, error_t, raise
-    use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemv
     use mdrcontact_layered_kernel, only: degree, kernel_t, near_degree
     use mdrcontact_layered_ray, only: extend_ray, path_holds, ray_t, rest_below, start_ray, take_chi_moments
     use mdrcontact_layered_waves, only: first_wave, new_wave_table, order, wave_table_t
+    use mdrcontact_numerics_chebyshev, only: series_of_values
     implicit none (type, external)
     private
     public :: tabulate_kernel, attempts, powers_from_values, stiff
@@ -235,34 +236,26 @@ contains
         end do
     end function power_series
 
-    !> Coefficients of powers of u from values at the Chebyshev points. By way of Chebyshev coefficients: those of high
-    !> degree are small,
-    !> and so are the rounding errors of the powers that they make.
+    !> Coefficients of powers of u from values at the Chebyshev points. By way of Chebyshev coefficients: those of high degree are
+    !> small, and so are the rounding errors of the powers that they make.
     pure function powers_from_values(values, highest) result(powers)
         real(wp), intent(in) :: values(0:)
         !> degree of the polynomial
         integer, intent(in) :: highest
         real(wp) :: powers(0:degree)
-        real(wp) :: coefficients(0:degree), before(0:degree), here(0:degree), next(0:degree)
-        integer :: i, j
-        !> (i, j): T_j at the Chebyshev point i
-        real(wp), parameter :: cosines(0:degree, 0:degree) = &
-                               reshape([((cos(real(j*(2*i + 1), wp)*half_pi/real(degree + 1, wp)), i=0, degree), j=0, degree)], &
-                                       [degree + 1, degree + 1])
+        real(wp) :: series(1, 0:degree), before(0:degree), here(0:degree), next(0:degree)
+        integer :: j
 
-        do j = 0, degree
-            coefficients(j) = sum(values*cosines(:, j))
-        end do
-        coefficients = coefficients*(2.0_wp/real(degree + 1, wp))
+        series = series_of_values(reshape(values, [1, degree + 1]))
         before = 0.0_wp
         before(0) = 1.0_wp
         here = 0.0_wp
         here(1) = 1.0_wp
-        powers = 0.5_wp*coefficients(0)*before + coefficients(1)*here
+        powers = series(1, 0)*before + series(1, 1)*here
         do j = 2, highest
             next(0) = -before(0)
             next(1:) = 2.0_wp*here(:degree - 1) - before(1:)
-            powers = powers + coefficients(j)*next
+            powers = powers + series(1, j)*next
             before = here
             here = next
         end do

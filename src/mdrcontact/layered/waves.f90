@@ -3,8 +3,9 @@
 !> same for every body. Bodies that are made one after the other share it.
 module mdrcontact_layered_waves
     use mdrcontact_error, only: error_t
-    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: degree
+    use mdrcontact_numerics_chebyshev, only: node
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
@@ -72,9 +73,7 @@ contains
         do i = 1, order
             self%powers(:, i) = self%powers(:, i - 1)*self%nodes*self%direction*(0.0_wp, 1.0_wp)/real(i, wp)
         end do
-        do i = 1, size(chebyshev)
-            chebyshev(i) = cos((real(i, wp) - 0.5_wp)*pi/real(size(chebyshev), wp))
-        end do
+        chebyshev = node([(i, i=1, size(chebyshev))], size(chebyshev))
         self%near_y = sqrt(0.5_wp*(1.0_wp + chebyshev))
         self%far_y = [1.25_wp + 0.25_wp*chebyshev, 1.75_wp + 0.25_wp*chebyshev]
         highest = ceiling(log(faded/sin(angle))/log(2.0_wp)) - 1
