@@ -101,7 +101,9 @@ def _radius(contact: Any, given: dict[str, ArrayLike]) -> Any:
     if isinstance(contact.indenter, FlatPunch):
         return contact.indenter.radius
     if not given:
-        raise ArgumentTypeError("radius is missing: only a flat punch has one of its own")
+        raise ArgumentTypeError(
+            "radius is missing: only a flat punch has one of its own; for other indenters give the contact radius"
+        )
     resting = contact.replace(medium=_at_rest(contact.medium, needs_modulus="force" in given))
     return (resting.at_force(given["force"]) if "force" in given else resting.at_depth(given["depth"])).radius
 

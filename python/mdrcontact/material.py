@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -153,19 +154,30 @@ class Viscoelastic(_Rheology):
         return cls(relaxed, terms, nu=ratio)
 
     @classmethod
-    def from_prony_text(cls, text: str, instant_modulus: float, nu: float, *, modulus: str = "young") -> Viscoelastic:
-        """The same from the text of a table: lines "g, k, tau" or "g, tau", separated by commas or blanks. Comment lines (*, #, !)
-        and words are passed over."""
-        rows = []
+    def from_prony_text(
+        cls, text: str, instant_modulus: float, nu: float, *, modulus: str = "young", elastic_bulk: bool = True
+    ) -> Viscoelastic:
+        """The same from the text of a table: lines "g, k, tau" or "g, tau", separated by commas or blanks, or those that TB,PRONY
+        writes of the shear modulus, "TBDATA,1,g,tau,g,tau". Comments (*, #, !) and lines of words are passed over."""
+        rows: list[list[float]] = []
+        listed = []
         for line in text.splitlines():
-            words = line.replace(",", " ").split()
+            words = re.split("[#!]", line.upper())[0].replace(",", " ").split()
+            if words[:2] == ["TB", "PRONY"] and "BULK" in words:
+                raise InvalidArgumentError("the table of a bulk modulus is not allowed: give that of the shear modulus alone")
+            data = words[:1] == ["TBDATA"]
             try:
-                row = [float(word.replace("d", "e").replace("D", "e")) for word in words]
+                row = [float(word.replace("D", "E")) for word in (words[2:] if data else words)]
             except ValueError:
                 continue
-            if row:
+            if data:
+                listed += row
+            elif row:
                 rows.append(row)
-        return cls.from_fractions(instant_modulus, rows, nu, modulus=modulus)
+        rows += [listed[i : i + 2] for i in range(0, len(listed), 2)]
+        if not rows:
+            raise InvalidArgumentError("the text is not allowed: no line of it holds numbers g, tau or g, k, tau alone")
+        return cls.from_fractions(instant_modulus, rows, nu, modulus=modulus, elastic_bulk=elastic_bulk)
 
 
 @dataclass(frozen=True)
@@ -200,8 +212,8 @@ def material(name: str, value: object) -> Any:
 
 
 def _pairs(name: str, values: Iterable[tuple[float, float]]) -> NDArray[np.float64]:
-    array = numbers(name, list(values))
-    if not array.size:
+    array = numbers(name, list(values)) if isinstance(values, Iterable) else np.empty(1)
+    if isinstance(values, Iterable) and not array.size:
         return np.empty((0, 2))
     if array.ndim != 2 or array.shape[1] != 2:
         raise ArgumentTypeError(f"{name} is not allowed: it must be a list of pairs (modulus, time)")

@@ -129,3 +129,20 @@ def test_a_long_march_shows_how_far_it_is(monkeypatch):
     with pytest.raises(mdr.InvalidArgumentError, match="depth"):
         contact.history([0.0, 1.0], depth=[0.0, np.nan], progress=True)
     assert threading.active_count() == threads
+
+
+def test_few_samples_of_a_path_are_cut(tmp_path, capsys):
+    (tmp_path / "path.csv").write_text("time [s],depth [nm]\n0,0\n1,300\n2,600\n3,0\n", encoding="utf-8")
+    material = "\n".join(f"{key} = {value!r}" for key, value in POLYMER.items())
+    head = '[indenter]\nshape = "paraboloid"\nradius = "1 mm"\n[medium]\ntype = "homogeneous"\n[medium.material]\n' + material
+    (tmp_path / "problem.toml").write_text(f'{head}\n[history]\npath = "file"\nfile = "path.csv"\n', encoding="utf-8")
+    assert main(["history", str(tmp_path / "problem.toml"), "--csv", str(tmp_path / "out.csv")]) == 0
+    lost = float(capsys.readouterr().out.split("energy lost: ")[1].split()[0])
+    polymer = mdr.Viscoelastic(1e6, [(2e6, 0.3), (0.5e6, 3.0)], nu=0.4)
+    time = np.linspace(0.0, 3.0, 3001)
+    fine = mdr.Contact(mdr.Paraboloid(1e-3), mdr.Homogeneous(polymer)).history(time, depth=np.interp(time, [0, 2, 3], [0, 6e-7, 0]))
+    assert lost * 1e-12 == pytest.approx(fine.work, rel=2e-3)
+    assert len((tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()) == 5
+    (tmp_path / "path.csv").write_text("time [s],depth [nm]\n0,0\n1,300\n1,600\n3,0\n", encoding="utf-8")
+    assert main(["history", str(tmp_path / "problem.toml")]) != 0
+    assert "entry 3 of time" in capsys.readouterr().err

@@ -317,6 +317,15 @@ def test_prony_tables():
     assert material.relaxed_shear_modulus == pytest.approx(0.5 * 10.0 / 2.8, rel=1e-14)
     same = mdr.Viscoelastic.from_fractions(10.0 / 2.8, [(0.3, 0.3, 0.1), (0.2, 0.2, 2.0)], 0.4, modulus="shear")
     assert same.nu == 0.4 and same.terms[1] == pytest.approx((2.0 / 2.8, 2.0))
+    listed = "TB,PRONY,1,1,2,SHEAR  ! steel cord\nTBDATA,1,0.3,0.1,0.2,2.0D0"
+    assert mdr.Viscoelastic.from_prony_text(listed, 10.0, 0.4) == material
+    assert mdr.Viscoelastic.from_prony_text("0.3 0.1\n0.2 2.0", 10.0, 0.4, elastic_bulk=False).nu == 0.4
+    with pytest.raises(mdr.InvalidArgumentError, match="bulk modulus"):
+        mdr.Viscoelastic.from_prony_text("tb,prony,1,1,2,bulk\ntbdata,1,0.3,0.1", 10.0, 0.4)
+    with pytest.raises(mdr.InvalidArgumentError, match="no line"):
+        mdr.Viscoelastic.from_prony_text("a table", 10.0, 0.4)
+    with pytest.raises(mdr.ArgumentTypeError, match="pairs"):
+        mdr.Viscoelastic(1.0, None, nu=0.3)
     with pytest.raises(mdr.InvalidArgumentError, match="greater than 1"):
         mdr.Viscoelastic.from_fractions(1.0, [(0.8, 1.0), (0.3, 2.0)], 0.3)
     with pytest.raises(mdr.InvalidArgumentError, match="fractions k"):

@@ -8,11 +8,16 @@ from typing import Any
 
 import numpy as np
 
+from ..contact import Contact
 from ..history import History
 from ..problem import Problem, ProblemError, load
+from ..problem.history import HistoryPath
 from ..problem.units import ENERGY, FORCE, LENGTH, TIME, told
 from . import files, history_figure
 from .table import Column, as_csv, as_text, column
+
+_FEWEST = 200
+"""Steps that a path is cut into at least."""
 
 _DESCRIPTION = """\
 Computes a contact with a viscoelastic body along a path in time: depth, contact radius and force.
@@ -71,9 +76,8 @@ def run(arguments: argparse.Namespace) -> None:
     if problem.history is None:
         raise ProblemError(f'{arguments.problem}: the table [history] is missing: write it with path = "ramp", depth and rise_time')
     path = problem.history
-    prescribed: dict[str, Any] = {path.name: path.values}
-    history = problem.contact(in_time=True).history(path.time, **prescribed, progress=True)
-    table = columns(history)
+    history, cuts = follow(problem.contact(in_time=True), path)
+    table = columns(History(*(values[::cuts] for values in history)))
     print(f"{problem.title}\n")
     print(as_text(table, 12))
     print(f"\n{summary(problem, history)}")
@@ -83,6 +87,18 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.plot:
         results[arguments.plot] = history_figure.draw(problem, history, files.figure_format(arguments.plot))
     files.write(results, arguments.overwrite)
+
+
+def follow(contact: Contact, path: HistoryPath) -> tuple[History, int]:
+    """The history, and how many steps of it are one of the path's. Between few samples the force bends: their work would be wrong."""
+    cuts = max(1, -(-_FEWEST // max(1, len(path.time) - 1)))
+    if np.any(np.diff(path.time) <= 0.0) or (path.name != "depth" and np.any(path.values < 0.0)):
+        cuts = 1  # refused, by the entry that the user knows
+    samples = np.arange(len(path.time))
+    places = np.arange((len(path.time) - 1) * cuts + 1) / cuts
+    time, values = (np.interp(places, samples, column) for column in (path.time, path.values))
+    prescribed: dict[str, Any] = {path.name: values}
+    return contact.history(time, **prescribed, progress=True), cuts
 
 
 def columns(history: History) -> list[Column]:
