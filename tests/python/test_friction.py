@@ -317,3 +317,26 @@ def test_energy_by_rings_does_not_grow_with_the_number_of_steps():
     rings = friction.history(0.02, 20).advance(**steps).dissipated_energy
     assert np.all(np.diff(rings) >= 0.0)
     assert np.abs(rings - exact).max() < 0.02 * exact[-1], (rings[119::120], exact[119::120])
+
+
+@pytest.mark.parametrize("model", ["exact", "gao", "homogeneous"])
+@pytest.mark.parametrize("indenter", [mdr.Paraboloid(1.0), mdr.Cone(0.5)])
+def test_shifts_as_small_as_rounding_errors(model, indenter):
+    medium = mdr.Homogeneous(STEEL) if model == "homogeneous" else mdr.Coated(HARD, 1.0, STEEL, model)
+    pair = mdr.Friction(mdr.Contact(indenter, medium), MU)
+    state = pair.contact.at_depth(0.3)
+    shifts = pair.sliding_shift(state) * np.array([1e-12, 1e-15, 1e-17, 1e-20, 1e-60, 1e-100])
+    found = pair.at_shift(shifts, state)
+    np.testing.assert_allclose(found.tangential_force, medium.tangential_stiffness(state.radius) * shifts, rtol=1e-8)
+    # a third power of the shift
+    np.testing.assert_allclose(found.dissipated_energy / shifts**3, found.dissipated_energy[0] / shifts[0] ** 3, rtol=1e-8)
+    back = pair.at_tangential_force(found.tangential_force, state)
+    np.testing.assert_allclose(back.shift, shifts, rtol=1e-8)
+
+
+def test_stick_radius_just_before_sliding():
+    pair = mdr.Friction(mdr.Contact(mdr.Cone(0.5), mdr.Homogeneous(STEEL)), MU)
+    state = pair.contact.at_depth(0.3)
+    parts = np.array([1e-4, 1e-6, 1e-9])
+    found = pair.at_shift(pair.sliding_shift(state) * (1.0 - parts), state)
+    np.testing.assert_allclose(found.stick_radius / state.radius, parts, rtol=1e-6)

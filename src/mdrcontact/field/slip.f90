@@ -115,6 +115,11 @@ contains
         call new_antiderivative(t, antiderivative, error)
         if (.not. allocated(error)) call self%panels(c, edges, has_root, error)
         if (allocated(error)) return
+        ! no double lies between c and a
+        if (size(edges) < 2) then
+            edges = [c, c]
+            has_root = [.false.]
+        end if
         first = 0.0_wp
         second = 0.0_wp
         do i = size(edges) - 1, 1, -1

@@ -17,14 +17,12 @@ module mdrcontact_history_friction
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: friction_t, new_friction, tangential_state_t, first_shear_t
+    public :: friction_t, new_friction, tangential_state_t, first_shear_t, new_first_shear
 
     !> A negative pressure of this part of the mean pressure is more than the solver's error.
     real(wp), parameter :: noticeable = 1.0e-4_wp
-    !> ln(1 - c^2/a^2) at least: what slips less does not change a double.
-    real(wp), parameter :: least = -700.0_wp
-    !> And at most: c = 1e-6 a. Below c = 0.01 a the shift of a cone rises too steeply with it for its slope to tell the way.
-    real(wp), parameter :: most = -1.0e-12_wp, steep = 0.01_wp
+    !> ln(a^2/c^2 - 1) at least, below which no double changes, and at most: c = 1e-10 a.
+    real(wp), parameter :: least = -700.0_wp, most = 46.0_wp
 
     !> A state of partial slip, C's struct mdr_tangential_state.
     type, bind(C) :: tangential_state_t
@@ -52,6 +50,7 @@ module mdrcontact_history_friction
         class(medium_t), allocatable :: tangential
     contains
         procedure :: first_shear
+        procedure :: check_state
     end type friction_t
 
     !> One normal state of it, sheared for the first time.
@@ -69,7 +68,7 @@ module mdrcontact_history_friction
         procedure :: traction
     end type first_shear_t
 
-    !> ln of s or T over what is asked for, of x = ln(1 - c^2/a^2).
+    !> ln of s or T over what is asked for, of x = ln(a^2/c^2 - 1).
     type, extends(scalar_function_t) :: shear_equation_t
         class(slip_t), pointer :: slip => null()
         real(wp) :: target = 0.0_wp
@@ -107,6 +106,22 @@ contains
         type(contact_state_t), intent(in) :: state
         type(first_shear_t), intent(out) :: shear
         type(error_t), allocatable, intent(out) :: error
+        class(slip_t), allocatable :: slip
+
+        call self%check_state(state, error)
+        if (allocated(error)) return
+        associate (equilibrium => self%contact%equilibrium)
+            call equilibrium%medium%new_slip(self%tangential, equilibrium%profile, state%radius, state%excess, slip, error)
+        end associate
+        if (.not. allocated(error)) call new_first_shear(shear, slip, self%coefficient)
+    end subroutine first_shear
+
+    !> Whether a normal state is one of this contact, with a pressure that is nowhere negative.
+    subroutine check_state(self, state, error)
+        class(friction_t), intent(in) :: self
+        !> see above
+        type(contact_state_t), intent(in) :: state
+        type(error_t), allocatable, intent(out) :: error
         real(wp) :: pressure, radius
 
         associate (equilibrium => self%contact%equilibrium)
@@ -117,24 +132,31 @@ contains
                            "this contact: indenter and medium are defined up to "//to_text(equilibrium%last_radius))
             end if
             if (allocated(error)) return
-            if (equilibrium%medium%is_exact() .and. .not. equilibrium%profile%is_spherical()) then
-                call self%contact%lowest_pressure(state, pressure, radius, error)
-                if (allocated(error)) return
-                if (pressure < -noticeable*state%force/(pi*state%radius**2)) then
-                    call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
-                               to_text(pressure)//" at r = "//to_text(radius)//" (contact radius "//to_text(state%radius)// &
-                               "); friction needs a pressure that is nowhere negative")
-                    return
-                end if
+            if (.not. equilibrium%medium%is_exact() .or. equilibrium%profile%is_spherical()) return
+            call self%contact%lowest_pressure(state, pressure, radius, error)
+            if (allocated(error)) return
+            if (pressure < -noticeable*state%force/(pi*state%radius**2)) then
+                call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
+                           to_text(pressure)//" at r = "//to_text(radius)//" (contact radius "//to_text(state%radius)// &
+                           "); friction needs a pressure that is nowhere negative")
             end if
-            call equilibrium%medium%new_slip(self%tangential, equilibrium%profile, state%radius, state%excess, shear%slip, error)
         end associate
-        if (allocated(error)) return
-        shear%radius = state%radius
-        shear%coefficient = self%coefficient
-        shear%sliding_force = self%coefficient*shear%slip%force
-        shear%sliding_shift = self%coefficient*shear%slip%sliding_shift
-    end subroutine first_shear
+    end subroutine check_state
+
+    !> First shear from what a medium knows of it.
+    subroutine new_first_shear(self, slip, coefficient)
+        type(first_shear_t), intent(out) :: self
+        !> moved
+        class(slip_t), allocatable, intent(inout) :: slip
+        !> of friction [1]
+        real(wp), intent(in) :: coefficient
+
+        call move_alloc(slip, self%slip)
+        self%coefficient = coefficient
+        self%radius = self%slip%radius
+        self%sliding_force = coefficient*self%slip%force
+        self%sliding_shift = coefficient*self%slip%sliding_shift
+    end subroutine new_first_shear
 
     !> The state at a shift.
     subroutine at_shift(self, shift, state, error)
@@ -247,11 +269,11 @@ contains
             ! that of a paraboloid on a homogeneous body
             if (of_force) then
                 part = given/slip%force
-                x = log(-expm1_of(2.0_wp/3.0_wp*log(1.0_wp - part), part))
+                part = -expm1_of(2.0_wp/3.0_wp*log(1.0_wp - part), part)
             else
-                x = log(first_part(given/slip%sliding_shift))
+                part = first_part(given/slip%sliding_shift)
             end if
-            call solve_increasing(equation, min(x, -1.0e-6_wp), 1.0_wp, least, most, x, found, error)
+            call solve_increasing(equation, log(part/max(1.0_wp - part, 1.0e-6_wp)), 1.0_wp, least, most, x, found, error)
             if (allocated(error)) return
             call annulus(slip%radius, x, c, width)
             call slip%at(c, width, shift, force, state%stiffness, rate, error)
@@ -291,17 +313,16 @@ contains
         end if
     end function expm1_of
 
-    !> Stick radius and width of the annulus of slip at x = ln(1 - c^2/a^2).
+    !> Stick radius and width of the annulus of slip at x = ln(a^2/c^2 - 1).
     pure subroutine annulus(a, x, c, width)
         real(wp), intent(in) :: a, x
         real(wp), intent(out) :: c, width
-        real(wp) :: slipping, sticking
+        real(wp) :: slipping, root
 
         slipping = exp(x)
-        sticking = 1.0_wp - slipping
-        if (x > -0.5_wp) sticking = -2.0_wp*exp(0.5_wp*x)*sinh(0.5_wp*x)
-        c = a*sqrt(sticking)
-        width = a*slipping/(1.0_wp + sqrt(sticking))
+        root = sqrt(1.0_wp + slipping)
+        c = a/root
+        width = a*(slipping/(root*(1.0_wp + root)))
     end subroutine annulus
 
     function shear_value(self, x) result(y)
@@ -319,8 +340,8 @@ contains
             y = least - x
             return
         end if
-        ! dc/dx = -(a^2 - c^2)/(2 c)
-        rate = rate*width*(self%slip%radius + c)/(2.0_wp*c)
+        ! dc/dx = -c (a^2 - c^2)/(2 a^2)
+        rate = 0.5_wp*rate*c*(width/self%slip%radius)*(1.0_wp + c/self%slip%radius)
         if (self%of_force) then
             y = log(force/self%target)
             self%known_slope = rate*stiffness/force
@@ -328,7 +349,6 @@ contains
             y = log(shift/self%target)
             self%known_slope = rate/shift
         end if
-        if (c < steep*self%slip%radius) self%known_slope = 0.0_wp
     end function shear_value
 
     !> q_t(x), the line load of the springs under shear [modulus length].
