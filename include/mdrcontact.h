@@ -940,6 +940,70 @@ int mdr_friction_field(const mdr_friction *f, const mdr_state *state, const mdr_
 int mdr_friction_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double shift[],
                       double force[], double *dissipated);
 
+/** A state of a contact that is twisted about its axis under a constant normal force. */
+typedef struct mdr_torsional_state {
+    double twist;             /**< phi, angle of the indenter about the axis [radian]. */
+    double torque;            /**< M, of the sign of phi [modulus length^3]. */
+    double stick_radius;      /**< c, radius of the disc of stick; 0 where the contact slides [length]. */
+    double stiffness;         /**< dM/dphi, that of a contact of radius c that sticks all over [modulus length^3]. */
+    double dissipated_energy; /**< Energy dissipated since phi = 0 [modulus length^3]. */
+    double sliding;           /**< 1 if the disc of stick is smaller than 1e-6 a, which no torque tells from 0; else 0. */
+} mdr_torsional_state;
+
+/** Which number determines a torsional state. */
+enum mdr_torsional_given {
+    MDR_GIVEN_TWIST = 1, /**< The twist phi, of either sign [radian]. */
+    MDR_GIVEN_TORQUE = 2 /**< The torque M, smaller than that of sliding [modulus length^3]. */
+};
+
+/** Torsional states of a normal one, from twists or torques, each reached from phi = 0 in one go: Lubkin's problem. The axis sticks
+ *  at any twist; the disc of stick around it shrinks exponentially.
+ *
+ *  Pressed first, twisted then. Exact: torsion changes neither the pressure nor anything around the axis.
+ *  @param f      contact with friction, on a homogeneous medium with E and nu or a pair of them
+ *  @param state  a state of its contact, with a radius > 0
+ *  @param given  one of enum mdr_torsional_given: what `in` holds
+ *  @param n      number of torsional states
+ *  @param in     [n] twists or torques
+ *  @param out    [n] torsional states
+ *  @return also MDR_EUNREACHABLE from the torque of sliding on, MDR_EINVALID for other media, MDR_ENOCONVERGENCE */
+int mdr_torsion_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
+                       mdr_torsional_state out[]);
+
+/** The torque that a growing twist approaches, coefficient times int r p dA: (3 pi/16) coefficient F a under a paraboloid.
+ *  @param f       contact with friction
+ *  @param state   a state of its contact, with a radius > 0
+ *  @param torque  receives it [modulus length^3]
+ *  @return as mdr_torsion_states() */
+int mdr_torsion_sliding(const mdr_friction *f, const mdr_state *state, double *torque);
+
+/** A field of a torsional state.
+ *  @param f        contact with friction
+ *  @param state    the normal state, with a radius > 0
+ *  @param twisted  a torsional state of it
+ *  @param field    MDR_FIELD_TRACTION: tau(r), the shear traction around the axis [modulus], or MDR_FIELD_TANGENTIAL_LINE_LOAD:
+ *                  q(x) = 2 x int_x^a tau dr/sqrt(r^2 - x^2) [modulus length]
+ *  @param n        number of positions
+ *  @param r        [n] r or x, 0 <= r <= a [length]
+ *  @param out      [n] values
+ *  @return also MDR_EDOMAIN for a position outside the contact, and as mdr_torsion_states() */
+int mdr_torsion_field(const mdr_friction *f, const mdr_state *state, const mdr_torsional_state *twisted, int field, int n,
+                      const double r[], double out[]);
+
+/** The loop of a cycle between +amplitude and -amplitude, by Masing's rule as mdr_friction_loop().
+ *  @param f           contact with friction
+ *  @param state       the normal state, with a radius > 0
+ *  @param given       one of enum mdr_torsional_given: what the amplitude is
+ *  @param amplitude   > 0, a torque below that of sliding [radian, or modulus length^3]
+ *  @param n           number of points, at least 3: from +amplitude to -amplitude and back, in equal steps of the twist
+ *  @param twist       [n] twists [radian]
+ *  @param torque      [n] torques [modulus length^3]
+ *  @param dissipated  energy dissipated in the cycle, the area of the loop, without loss of digits at small amplitudes
+ *                     [modulus length^3]
+ *  @return as mdr_torsion_states() */
+int mdr_torsion_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double twist[],
+                     double torque[], double *dissipated);
+
 /** A contact with friction and its past, along any path of normal and tangential loading; not for two threads at a time. Made by
  *  mdr_friction_history_new() or mdr_friction_history_copy(), freed by mdr_friction_history_free(). */
 typedef struct mdr_friction_history mdr_friction_history;

@@ -32,6 +32,7 @@ from . import (
     medium,
     profile,
     threads,
+    torsion,
     weights,
 )
 from ._native import version as _version
@@ -51,6 +52,7 @@ from .material import *  # noqa: F403
 from .medium import *  # noqa: F403
 from .profile import *  # noqa: F403
 from .threads import *  # noqa: F403
+from .torsion import *  # noqa: F403
 from .weights import *  # noqa: F403
 
 __all__ = [
@@ -70,6 +72,7 @@ __all__ = [
     *medium.__all__,
     *profile.__all__,
     *threads.__all__,
+    *torsion.__all__,
     *weights.__all__,
 ]
 

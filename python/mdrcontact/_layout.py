@@ -84,6 +84,17 @@ tangential_state = np.dtype(
     ],
     align=True,
 )
+torsional_state = np.dtype(
+    [
+        ("twist", np.float64),
+        ("torque", np.float64),
+        ("stick_radius", np.float64),
+        ("stiffness", np.float64),
+        ("dissipated_energy", np.float64),
+        ("sliding", np.float64),
+    ],
+    align=True,
+)
 structure_options = np.dtype(
     [
         ("size", np.uintp),
@@ -291,6 +302,9 @@ GIVEN_TANGENTIAL_FORCE = 2
 
 FIELD_TRACTION = 1
 FIELD_TANGENTIAL_LINE_LOAD = 2
+
+GIVEN_TWIST = 1
+GIVEN_TORQUE = 2
 
 SHAPE_LAYER = 0
 SHAPE_HALF_SPACE = 1

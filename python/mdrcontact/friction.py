@@ -9,12 +9,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
-from ._boundary import FloatOrArray, Handle, call, evaluate, evaluate_all, number, numbers
+from . import _layout, _native, _slip
+from ._boundary import FloatOrArray, Handle, call, number, numbers
 from ._value import Value
 from .adhesion import code
 from .contact import Contact, State
 from .errors import ArgumentTypeError, InvalidArgumentError
+from .torsion import Torsion
 
 __all__ = ["Friction", "FrictionHistory", "FrictionLoop", "TangentialState"]
 
@@ -57,14 +58,7 @@ class FrictionLoop(NamedTuple):
 
     def plot(self, axes: Any = None, **look: Any) -> Any:
         """Draws T against s with matplotlib on `axes` (None makes a new figure); `look` is passed on. Returns the axes."""
-        if axes is None:
-            import matplotlib.pyplot as plt
-
-            axes = plt.figure(layout="constrained").add_subplot()
-            axes.set_xlabel("shift s")
-            axes.set_ylabel("tangential force T")
-        axes.plot(self.shift, self.tangential_force, **look)
-        return axes
+        return _slip.draw_loop(self.shift, self.tangential_force, ("shift s", "tangential force T"), axes, look)
 
 
 @dataclass(frozen=True)
@@ -129,10 +123,7 @@ class Friction(Value):
     ) -> FloatOrArray:
         """The shift at which the last point begins to slip and the contact slides [length]; T is then coefficient times F."""
         rows = self._normal(state, force, depth, radius)
-        shifts = np.empty(rows.shape[:-1])
-        for place in np.ndindex(shifts.shape):
-            shifts[place] = call(_native.friction_sliding, self._handle.address, rows[place])[0]
-        return shifts if shifts.shape else float(shifts)
+        return _slip.for_each(lambda row: float(call(_native.friction_sliding, self._handle.address, row)[0]), rows)
 
     def loop(
         self,
@@ -151,11 +142,9 @@ class Friction(Value):
         points : at least 3; from +amplitude to -amplitude and back
         """
         given = code("control", control, _CONTROLS)
-        size = number("amplitude", amplitude)
-        if isinstance(points, bool) or not isinstance(points, (int, np.integer)) or not 3 <= points <= 1_000_000:
-            raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number from 3 to 1000000")
-        row = self._one(self._normal(state, force, depth, radius))
-        shifts, forces, energy = call(_native.friction_loop, self._handle.address, row, given, size, int(points))
+        size, count = number("amplitude", amplitude), _slip.point_count(points)
+        row = _slip.one_row(self._normal(state, force, depth, radius))
+        shifts, forces, energy = call(_native.friction_loop, self._handle.address, row, given, size, count)
         turn = self._states("shift" if control == "shift" else "tangential_force", size, row)
         return FrictionLoop(shifts, forces, float(energy), turn)
 
@@ -214,55 +203,25 @@ class Friction(Value):
         """
         return FrictionHistory(self, largest_depth, rings)
 
+    @property
+    def torsion(self) -> Torsion:
+        """The contact twisted about its axis: `.at_twist`, `.at_torque`, `.sliding_torque`, `.loop`, `.traction`, `.line_load`.
+        On homogeneous media."""
+        return Torsion(self)
+
     def _normal(
         self, state: State | None, force: ArrayLike | None, depth: ArrayLike | None, radius: ArrayLike | None
     ) -> NDArray[np.float64]:
-        """The normal states that are meant, one row each."""
-        if sum(value is not None for value in (state, force, depth, radius)) != 1:
-            raise ArgumentTypeError("a contact with friction needs one of state, force, depth and radius, and not more")
-        if force is not None:
-            state = self.contact.at_force(force)
-        elif depth is not None:
-            state = self.contact.at_depth(depth)
-        elif radius is not None:
-            state = self.contact.at_radius(radius)
-        if not isinstance(state, State):
-            raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State; a force is given as force=...")
-        named = zip(state._fields, state, strict=True)
-        return np.stack(np.broadcast_arrays(*(numbers(f"{member} of the state", value) for member, value in named)), axis=-1)
+        return _slip.normal_rows(self.contact, state, force, depth, radius)
 
     def _states(self, name: str, values: ArrayLike, rows: NDArray[np.float64]) -> TangentialState:
         given = _layout.GIVEN_SHIFT if name == "shift" else _layout.GIVEN_TANGENTIAL_FORCE
-        if rows.ndim == 1:
-            found = evaluate_all(name, values, lambda v: _native.friction_states(self._handle.address, rows, given, v))
-        else:
-            points = numbers(name, values)
-            try:
-                shape = np.broadcast_shapes(points.shape, rows.shape[:-1])
-            except ValueError as problem:
-                raise ArgumentTypeError(f"{name} and the normal state have shapes that do not broadcast: {problem}") from problem
-            points, normal = np.broadcast_to(points, shape), np.broadcast_to(rows, (*shape, rows.shape[-1]))
-            table = np.empty((*shape, len(TangentialState._fields)))
-            for place in np.ndindex(shape):
-                table[place] = call(_native.friction_states, self._handle.address, normal[place], given, points[place])
-            found = list(np.moveaxis(table, -1, 0))
-        *quantities, sliding = found
-        flags = np.asarray(sliding) > 0.5
-        return TangentialState._make([*quantities, flags if flags.shape else bool(flags)])
+        return TangentialState._make(_slip.states(_native.friction_states, self._handle.address, given, name, values, rows))
 
     def _field(self, field: int, name: str, r: ArrayLike, shear: TangentialState, rows: NDArray[np.float64]) -> FloatOrArray:
-        row = self._one(rows)
         if not isinstance(shear, TangentialState):
             raise ArgumentTypeError(f"shear = {shear!r} is not allowed: it must be a TangentialState")
-        named = zip(shear._fields[:5], shear[:5], strict=True)
-        sheared = [*(number(f"{member} of the tangential state", value) for member, value in named), float(shear.sliding)]
-        return evaluate(name, r, lambda x: _native.friction_field(self._handle.address, row, sheared, field, x))
-
-    @staticmethod
-    def _one(rows: NDArray[np.float64]) -> NDArray[np.float64]:
-        if rows.ndim != 1:
-            raise ArgumentTypeError("fields and loops are those of one normal state, not of several")
-        return rows
+        return _slip.field(_native.friction_field, self._handle.address, field, name, r, "tangential", shear, rows)
 
 
 _UNLOADED = TangentialState(0.0, 0.0, 0.0, 0.0, 0.0, False)

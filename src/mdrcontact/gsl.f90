@@ -14,7 +14,8 @@ module mdrcontact_gsl
     public :: gsl_root_fsolver_brent, gsl_root_fsolver_alloc, gsl_root_fsolver_free, gsl_root_fsolver_set, &
               gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, &
               gsl_root_test_interval
-    public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1, gsl_sf_bessel_il_scaled_array, gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
+    public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1, gsl_sf_bessel_il_scaled_array, gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp, &
+              gsl_sf_ellint_rd, gsl_sf_ellint_rf
     public :: gsl_interp_bsearch, gsl_sort_index
     public :: gsl_interp_steffen, gsl_spline_alloc, gsl_spline_init, gsl_spline_free, gsl_spline_eval_deriv
 
@@ -181,6 +182,22 @@ module mdrcontact_gsl
             integer(c_int), intent(in), value :: mode
             real(c_double) :: y
         end function gsl_sf_ellint_kcomp
+
+        !> Carlson's symmetric integral R_F(x, y, z); `mode` 0 is double precision.
+        pure function gsl_sf_ellint_rf(x, y, z, mode) result(value) bind(C, name="gsl_sf_ellint_RF")
+            import :: c_double, c_int
+            real(c_double), value :: x, y, z
+            integer(c_int), value :: mode
+            real(c_double) :: value
+        end function gsl_sf_ellint_rf
+
+        !> Carlson's R_D(x, y, z).
+        pure function gsl_sf_ellint_rd(x, y, z, mode) result(value) bind(C, name="gsl_sf_ellint_RD")
+            import :: c_double, c_int
+            real(c_double), value :: x, y, z
+            integer(c_int), value :: mode
+            real(c_double) :: value
+        end function gsl_sf_ellint_rd
 
         !> Bessel function J0(x).
         pure function gsl_sf_bessel_j0(x) result(y) bind(C, name="gsl_sf_bessel_J0")

@@ -90,6 +90,8 @@ module mdrcontact_medium
         procedure :: has_independent_springs => no
         !> first shear of a state, with that medium
         procedure :: new_slip => no_slip
+        !> first twist of a state about the axis
+        procedure :: new_twisted_slip => no_twisted_slip
         !> displacements integrated over discs, of unit pressures on discs
         procedure :: disc_products => no_discs
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
@@ -386,5 +388,20 @@ contains
         if (allocated(slip)) return
         call raise(error, error_invalid, "friction is not known for this medium")
     end subroutine no_slip
+
+    subroutine no_twisted_slip(self, profile, a, excess, slip, error)
+        class(medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        !> contact radius [length] and depth beyond the non-adhesive one [length], >= 0
+        real(wp), intent(in) :: a, excess
+        class(slip_t), allocatable, intent(out) :: slip
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self, unused_too => profile, and_this => a, this_too => excess)
+        end associate
+        if (allocated(slip)) return
+        call raise(error, error_invalid, "torsion with friction is not known for this medium: use a homogeneous one with E and "// &
+                   "nu, or a pair of them")
+    end subroutine no_twisted_slip
 
 end module mdrcontact_medium

@@ -392,9 +392,70 @@ static void law_files(void)
     CHECK_SUCCESS(mdr_contact_free(&c));
 }
 
+/* Torsion: Lubkin's torque of sliding, full stick, a loop, and what is refused. */
+static void torsion(void)
+{
+    enum { POINTS = 5 };
+    mdr_contact *c = on_half_space();
+    mdr_friction *f = NULL;
+    mdr_state state;
+    mdr_torsional_state out[2], again[2];
+    double twists[2] = {1e-9, 0.02}, torques[2], limit = 0.0, phi[POINTS], M[POINTS], lost, r[2] = {0.0, 0.0}, tau[2];
+    const double G = E/(2.0*(1.0 + nu));
+
+    CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &(double){0.05}, &state));
+    CHECK_SUCCESS(mdr_torsion_sliding(f, &state, &limit));
+    CHECK_CLOSE(limit, 3.0 * 3.14159265358979324 / 16.0 * mu * state.force * state.radius, 1e-14);
+    CHECK_SUCCESS(mdr_torsion_states(f, &state, MDR_GIVEN_TWIST, 2, twists, out));
+    CHECK_CLOSE(out[0].torque, 16.0 / 3.0 * G * pow(state.radius, 3) * twists[0], 1e-6);
+    CHECK_CLOSE(out[1].stiffness, 16.0 / 3.0 * G * pow(out[1].stick_radius, 3), 1e-13);
+    CHECK_TRUE(out[1].torque < limit && out[1].sliding == 0.0 && out[1].dissipated_energy > 0.0);
+    torques[0] = -out[0].torque, torques[1] = out[1].torque;
+    CHECK_SUCCESS(mdr_torsion_states(f, &state, MDR_GIVEN_TORQUE, 2, torques, again));
+    CHECK_CLOSE(again[0].twist, -twists[0], 1e-9);
+    CHECK_CLOSE(again[1].twist, twists[1], 1e-9);
+    CHECK_SUCCESS(mdr_torsion_loop(f, &state, MDR_GIVEN_TWIST, twists[1], POINTS, phi, M, &lost));
+    CHECK_CLOSE(lost, 4.0 * out[1].dissipated_energy, 1e-14);
+    CHECK_CLOSE(M[0], out[1].torque, 1e-14);
+    CHECK_CLOSE(M[2], -out[1].torque, 1e-14);
+    CHECK_CLOSE(M[1], -M[3], 1e-14);
+    r[1] = 0.5 * (out[1].stick_radius + state.radius);
+    CHECK_SUCCESS(mdr_torsion_field(f, &state, &out[1], MDR_FIELD_TRACTION, 2, r, tau));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, 1, &r[1], &lost));
+    CHECK_TRUE(tau[0] == 0.0);
+    CHECK_CLOSE(tau[1], mu * lost, 1e-12);
+    CHECK_SUCCESS(mdr_torsion_field(f, &state, &out[1], MDR_FIELD_TANGENTIAL_LINE_LOAD, 1, &out[1].stick_radius, tau));
+    CHECK_CLOSE(tau[0], 4.0 * G * twists[1] * out[1].stick_radius, 1e-9);
+    CHECK_STATUS(mdr_torsion_states(f, &state, MDR_GIVEN_TORQUE, 1, &limit, again), MDR_EUNREACHABLE, "growing twist");
+    CHECK_STATUS(mdr_torsion_states(f, &state, 3, 1, twists, again), MDR_EINVALID, "given = 3");
+    twists[1] = NAN;
+    CHECK_STATUS(mdr_torsion_states(f, &state, MDR_GIVEN_TWIST, 2, twists, again), MDR_EINVALID, "entry 2");
+    CHECK_STATUS(mdr_torsion_states(f, &state, MDR_GIVEN_TWIST, -1, twists, again), MDR_EINVALID, "n = -1");
+    CHECK_SUCCESS(mdr_torsion_states(f, &state, MDR_GIVEN_TWIST, 0, NULL, NULL));
+    CHECK_STATUS(mdr_torsion_states(NULL, &state, MDR_GIVEN_TWIST, 1, twists, again), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(mdr_torsion_states(f, NULL, MDR_GIVEN_TWIST, 1, twists, again), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_torsion_states(f, &state, MDR_GIVEN_TWIST, 1, NULL, again), MDR_ENULL, "in is NULL");
+    CHECK_STATUS(mdr_torsion_states(f, &state, MDR_GIVEN_TWIST, 1, twists, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_torsion_sliding(f, &state, NULL), MDR_ENULL, "torque is NULL");
+    CHECK_STATUS(mdr_torsion_field(f, &state, NULL, MDR_FIELD_TRACTION, 1, r, tau), MDR_ENULL, "twisted is NULL");
+    CHECK_STATUS(mdr_torsion_field(f, &state, out, 3, 1, r, tau), MDR_EINVALID, "field = 3");
+    r[0] = 2.0 * state.radius;
+    CHECK_STATUS(mdr_torsion_field(f, &state, out, MDR_FIELD_TRACTION, 1, r, tau), MDR_EDOMAIN, "r");
+    out[0].twist = NAN;
+    CHECK_STATUS(mdr_torsion_field(f, &state, out, MDR_FIELD_TRACTION, 1, &r[1], tau), MDR_EINVALID, "twist of the torsional state");
+    CHECK_STATUS(mdr_torsion_loop(f, &state, MDR_GIVEN_TWIST, 0.0, POINTS, phi, M, &lost), MDR_EINVALID, "amplitude");
+    CHECK_STATUS(mdr_torsion_loop(f, &state, MDR_GIVEN_TWIST, 0.1, 2, phi, M, &lost), MDR_EINVALID, "n = 2");
+    CHECK_STATUS(mdr_torsion_loop(f, &state, MDR_GIVEN_TWIST, 0.1, POINTS, NULL, M, &lost), MDR_ENULL, "twist is NULL");
+    CHECK_STATUS(mdr_torsion_loop(f, &state, MDR_GIVEN_TWIST, 0.1, POINTS, phi, M, NULL), MDR_ENULL, "dissipated is NULL");
+    CHECK_SUCCESS(mdr_friction_free(&f));
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
 int main(void)
 {
     weights();
+    torsion();
     laws();
     law_files();
     histories();

@@ -6,10 +6,12 @@ module mdrcontact_medium_homogeneous
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
     use mdrcontact_gsl, only: gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
+    use mdrcontact_field_slip, only: slip_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
+    use mdrcontact_medium_twisted_slip, only: make_twisted_slip => new_twisted_slip, twisted_slip_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -31,6 +33,7 @@ module mdrcontact_medium_homogeneous
         procedure :: new_tangential
         procedure :: disc_products
         procedure :: torsional_stiffness
+        procedure :: new_twisted_slip
     end type homogeneous_t
 
 contains
@@ -133,7 +136,7 @@ contains
         answer = .true.
     end function yes
 
-    !> (16/3) G a^3; of two bodies 1/G = 1/G1 + 1/G2.
+    !> (16/3) G a^3.
     subroutine torsional_stiffness(self, a, values, error)
         class(homogeneous_t), intent(in) :: self
         real(wp), intent(in) :: a(:)
@@ -144,6 +147,23 @@ contains
         call moduli_under_shear(self, moduli, error)
         values = 16.0_wp/3.0_wp*moduli(1)*a**3
     end subroutine torsional_stiffness
+
+    subroutine new_twisted_slip(self, profile, a, excess, slip, error)
+        class(homogeneous_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        class(slip_t), allocatable, intent(out) :: slip
+        type(error_t), allocatable, intent(out) :: error
+        type(twisted_slip_t), allocatable :: own
+        real(wp) :: moduli(2)
+
+        allocate (own)
+        call moduli_under_shear(self, moduli, error)
+        if (.not. allocated(error)) then
+            call make_twisted_slip(own, self, self%contact_modulus, moduli(1), profile, a, excess, error)
+        end if
+        if (.not. allocated(error)) call move_alloc(own, slip)
+    end subroutine new_twisted_slip
 
     !> The half-space of modulus G*; of two, 1/G* = 1/G1* + 1/G2*.
     subroutine new_tangential(self, tangential, error)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stiffness along the surface, and compiled laws with friction. */
+/* Stiffness along the surface, compiled laws with friction, and torsion. */
 #include "world.h"
 
 #include <math.h>
@@ -74,6 +74,47 @@ static void compile(world *w)
     write_and_read(made);
 }
 
+/* Partial slip under a twist. */
+static void twist(world *w)
+{
+    enum { MEMBERS = sizeof(mdr_torsional_state) / sizeof(double), PRICE = 20 };
+    const double coefficient = take_chance(&w->in) ? take_positive(&w->in) : 0.3;
+    const int given = take_code(&w->in, 2), n = take_count(&w->in);
+    double in[MOST_POINTS], r[MOST_POINTS], out[MOST_POINTS], other[MOST_POINTS], lost[MOST_POINTS], numbers[MEMBERS];
+    mdr_torsional_state found[MOST_POINTS];
+    mdr_friction *f = NULL;
+    int slot, status;
+    const mdr_contact *contact = some_contact(w, &slot);
+
+    take_numbers(&w->in, in);
+    take_positives(&w->in, r);
+    if (!afford(w, PRICE)) return;
+    status = mdr_friction_new(contact, coefficient, &f);
+    judge_object("mdr_friction_new", status, f);
+    if (!f) return;
+    const mdr_state state = some_state(w, contact);
+    status = mdr_torsion_states(f, &state, given, n, in, found);
+    judge_status("mdr_torsion_states", status);
+    for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
+        memcpy(numbers, &found[i], sizeof numbers);
+        for (int k = 0; k < MEMBERS; k++) if (!isfinite(numbers[k])) finding("mdr_torsion_states", "no number", k);
+    }
+    if (status == MDR_SUCCESS && n > 0) {
+        fill(out);
+        status = mdr_torsion_field(f, &state, found, take_code(&w->in, 2), n, r, out);
+        judge("mdr_torsion_field", status, n, out, NOT_NAN);
+    }
+    fill(out);
+    status = mdr_torsion_sliding(f, &state, out);
+    judge("mdr_torsion_sliding", status, 1, out, NOT_NEGATIVE);
+    fill(out), fill(other), fill(lost);
+    status = mdr_torsion_loop(f, &state, given, r[0], n, out, other, lost);
+    judge("mdr_torsion_loop", status, n, out, FINITE);
+    judge("mdr_torsion_loop", status, n, other, FINITE);
+    judge("mdr_torsion_loop", status, 1, lost, NOT_NEGATIVE);
+    judge_status("mdr_friction_free", mdr_friction_free(&f));
+}
+
 /* The steps of a few contacts, whose planes turn in between. */
 static void advance(world *w)
 {
@@ -104,9 +145,10 @@ static void advance(world *w)
 
 void fuzz_shear(world *w)
 {
-    switch (take_byte(&w->in) % 3) {
+    switch (take_byte(&w->in) % 4) {
     case 0: moduli(w); break;
     case 1: compile(w); break;
+    case 3: twist(w); break;
     default: advance(w); break;
     }
 }
