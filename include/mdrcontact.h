@@ -1780,7 +1780,8 @@ int mdr_fit_interval(const mdr_fit_problem *problem, int n, const double x[], co
  *  degrees_of_freedom = INFINITY (known standard deviations of the data).
  *  @param level               of confidence, 0 < level < 1
  *  @param degrees_of_freedom  > 0, see mdr_fit_summary
- *  @param factor              receives it [1] */
+ *  @param factor              receives it [1]
+ *  @return also MDR_ENOCONVERGENCE where it is not found or beyond all numbers, near the ends of both ranges */
 int mdr_fit_quantile(double level, double degrees_of_freedom, double *factor);
 
 #ifdef __cplusplus

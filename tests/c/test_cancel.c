@@ -33,9 +33,14 @@ static int stop(void *context)
 
 static double in[MANY], out[MANY], radii[MANY];
 static int labels[ROWS * ROWS];
-static mdr_contact *exact, *plain, *rough, *sharp;
+static mdr_contact *exact, *plain, *rough, *sharp, *relaxing, *on_film;
+static mdr_friction *rubbed, *rubbed_film;
+static mdr_friction_history *history, *rings;
 static mdr_structure *balls, *voxels;
-static mdr_medium *medium;
+static mdr_medium *medium, *film;
+static mdr_state pressed, normal[MANY / 10];
+static mdr_tangential_state sheared[MANY / 10];
+static double sway[MANY], other[MANY];
 static mdr_law *law;
 
 static int states(void) { return mdr_contact_from_force(exact, MANY, in, NULL, NULL, out, NULL); }
@@ -45,6 +50,16 @@ static int compiled(void) { return mdr_law_new(sharp, 1.0, NULL, &law); }
 static int place(void) { return mdr_structure_modulus(balls, MANY, in, in, in + 1, out); }
 static int cells(void) { return mdr_structure_modulus(voxels, MANY, in, in, in + 1, out); }
 static int table(void) { return mdr_structure_medium(balls, 0.0, 0.0, 0.01, 10.0, 100000, &medium); }
+static int torsion(void) { return mdr_medium_torsional_stiffness(film, MANY, in, out); }
+static int path(void) { return mdr_contact_history(relaxing, MDR_GIVEN_DEPTH, 1e-9, MANY / 500, in + POINTS, sway, out, NULL, NULL); }
+static int oscillation(void) { return mdr_contact_dynamic_stiffness(relaxing, MANY, in, in, out, other); }
+static int rub(void) { return mdr_friction_states(rubbed_film, &pressed, MDR_GIVEN_SHIFT, MANY / 10, sway, sheared); }
+static int rub_in_turn(void) { return mdr_friction_loop(rubbed_film, &pressed, MDR_GIVEN_SHIFT, 1e-3, MANY, out, other, other); }
+static int many_rings(void) { return mdr_friction_history_new(rubbed_film, 0.5, 1000, &rings); }
+static int rub_along(void)
+{
+    return mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, MANY / 10, in, sway, normal, sheared);
+}
 static int inside(void)
 {
     const mdr_state state = {0.5, 1.0, 1.0, 2.0, 0.0};
@@ -106,7 +121,9 @@ int main(void)
     int kinds[BALLS];
     double once;
     mdr_profile *p = NULL, *cone = NULL;
-    mdr_medium *graded = NULL, *half_space = NULL, *film = NULL;
+    mdr_medium *graded = NULL, *half_space = NULL, *weighted = NULL, *soft = NULL;
+    mdr_material *fast = NULL, *slow = NULL;
+    const mdr_material *layers[1];
 
     for (int i = 0; i < MANY; i++) in[i] = 0.001 + 2.0 * i / MANY;
     for (int i = 0; i < POINTS; i++) in[i] = 0.01 * (i + 1);
@@ -121,13 +138,26 @@ int main(void)
     CHECK_SUCCESS(mdr_profile_cone(0.3, &cone));
     CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
     CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &half_space));
-    CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_GAO, NULL, &weighted));
     CHECK_SUCCESS(mdr_contact_new(p, graded, NULL, &exact));
     CHECK_SUCCESS(mdr_contact_new(p, half_space, NULL, &plain));
-    CHECK_SUCCESS(mdr_contact_new(cone, film, NULL, &rough));
+    CHECK_SUCCESS(mdr_contact_new(cone, weighted, NULL, &rough));
     CHECK_SUCCESS(mdr_contact_new(cone, graded, NULL, &sharp));
     CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, BALLS, kinds, shapes, shape_E, shape_nu, NULL, &balls));
     CHECK_SUCCESS(mdr_structure_voxels(size, labels, 3, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
+
+    for (int i = 0; i < MANY; i++) sway[i] = 1e-3 * sin(7.0 * i) * sin(7.0 * i);
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, (double[]){2.0}, (double[]){0.5}, 0.0, 0.5, 0.0, &fast));
+    CHECK_SUCCESS(mdr_material_viscoelastic(0.6, 1, (double[]){0.4}, (double[]){2.0}, 0.0, 0.3, 0.0, &slow));
+    layers[0] = fast;
+    CHECK_SUCCESS(mdr_medium_viscoelastic(1, layers, (double[]){1.0}, slow, MDR_MODEL_EXACT, NULL, &soft));
+    CHECK_SUCCESS(mdr_contact_new(p, soft, NULL, &relaxing));
+    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 0.5, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &film));
+    CHECK_SUCCESS(mdr_contact_new(p, film, NULL, &on_film));
+    CHECK_SUCCESS(mdr_friction_new(plain, 0.3, &rubbed));
+    CHECK_SUCCESS(mdr_friction_new(on_film, 0.3, &rubbed_film));
+    CHECK_SUCCESS(mdr_friction_history_new(rubbed, 0.0, 0, &history));
+    CHECK_SUCCESS(mdr_contact_states(on_film, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, (double[]){0.3}, &pressed));
 
     CHECK_INT(mdr_set_cancel(stop, &answers_no), MDR_SUCCESS);
     check_cancelled("states", states);
@@ -139,7 +169,14 @@ int main(void)
     check_cancelled("table", table);
     check_cancelled("stresses", inside);
     check_cancelled("fit", fit);
-    CHECK_TRUE(law == NULL && medium == NULL);
+    check_cancelled("torsion", torsion);
+    check_cancelled("path in time", path);
+    check_cancelled("oscillations", oscillation);
+    check_cancelled("tangential states", rub);
+    check_cancelled("tangential loop", rub_in_turn);
+    check_cancelled("rings", many_rings);
+    check_cancelled("path with friction", rub_along);
+    CHECK_TRUE(law == NULL && medium == NULL && rings == NULL);
 
     /* on two threads too; the handles are sound */
     CHECK_SUCCESS(mdr_set_threads(2));
@@ -153,13 +190,32 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_from_depth(exact, 1, in, NULL, NULL, out, NULL));
     CHECK_CLOSE(out[0], once, 0.0);
 
+    /* the contact with friction has not been loaded yet */
+    CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, (double[]){0.1}, (double[]){1e-3}, normal,
+                                               sheared));
+    once = sheared[0].tangential_force;
+    CHECK_SUCCESS(mdr_friction_history_free(&history));
+    CHECK_SUCCESS(mdr_friction_history_new(rubbed, 0.0, 0, &history));
+    CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, (double[]){0.1}, (double[]){1e-3}, normal,
+                                               sheared));
+    CHECK_CLOSE(sheared[0].tangential_force, once, 0.0);
+
+    CHECK_SUCCESS(mdr_friction_history_free(&history));
+    CHECK_SUCCESS(mdr_friction_free(&rubbed_film));
+    CHECK_SUCCESS(mdr_friction_free(&rubbed));
+    CHECK_SUCCESS(mdr_contact_free(&on_film));
+    CHECK_SUCCESS(mdr_contact_free(&relaxing));
+    CHECK_SUCCESS(mdr_medium_free(&film));
+    CHECK_SUCCESS(mdr_medium_free(&soft));
+    CHECK_SUCCESS(mdr_material_free(&slow));
+    CHECK_SUCCESS(mdr_material_free(&fast));
     CHECK_SUCCESS(mdr_structure_free(&voxels));
     CHECK_SUCCESS(mdr_structure_free(&balls));
     CHECK_SUCCESS(mdr_contact_free(&sharp));
     CHECK_SUCCESS(mdr_contact_free(&rough));
     CHECK_SUCCESS(mdr_contact_free(&plain));
     CHECK_SUCCESS(mdr_contact_free(&exact));
-    CHECK_SUCCESS(mdr_medium_free(&film));
+    CHECK_SUCCESS(mdr_medium_free(&weighted));
     CHECK_SUCCESS(mdr_medium_free(&half_space));
     CHECK_SUCCESS(mdr_medium_free(&graded));
     CHECK_SUCCESS(mdr_profile_free(&cone));

@@ -163,6 +163,11 @@ static void bad_input_is_refused(void)
     CHECK_CLOSE(upper, sqrt(2.0 * 0.81 / 0.19), 1e-12);
     CHECK_SUCCESS(mdr_fit_quantile(0.95, INFINITY, &upper));
     CHECK_CLOSE(upper, 1.9599639845400545, 1e-12);
+    /* where GSL finds none, or infinity, and would end the process unless told otherwise */
+    upper = 7.0;
+    CHECK_INT(mdr_fit_quantile(1e-3, 1e-300, &upper), MDR_ENOCONVERGENCE);
+    CHECK_INT(mdr_fit_quantile(1.0 - 0x1p-53, INFINITY, &upper), MDR_ENOCONVERGENCE);
+    CHECK_CLOSE(upper, 7.0, 0.0);
     CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 0, 0.95, &lower, &upper), MDR_EINVALID); /* fixed */
     CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 99, 0.95, &lower, &upper), MDR_EINVALID);
     CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 1, 1.5, &lower, &upper), MDR_EINVALID);

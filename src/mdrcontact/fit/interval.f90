@@ -2,14 +2,15 @@
 !> Profile-likelihood intervals: how far one parameter can be moved, all others refitted, before the sum
 !> of squares rises by its quantile.
 module mdrcontact_fit_interval
-    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_value
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_negative_inf, ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_memory, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_problem, only: ascending_points, fit_data_t, fit_problem_t, joint_priors
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_residuals, only: bent
+    use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -56,7 +57,12 @@ contains
         else if (degrees_of_freedom > huge(1.0_wp)) then
             factor = gsl_cdf_ugaussian_pinv(0.5_wp*(1.0_wp + level))
         else
+            call disable_gsl_abort()
             factor = gsl_cdf_tdist_pinv(0.5_wp*(1.0_wp + level), degrees_of_freedom)
+        end if
+        if (.not. ieee_is_finite(factor)) then
+            call raise(error, error_no_convergence, "the quantile at level = "//to_text(level)//" for degrees_of_freedom = "// &
+                       to_text(degrees_of_freedom)//" is not found or not finite")
         end if
     end subroutine interval_quantile
 

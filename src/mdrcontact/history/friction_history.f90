@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A contact with friction along any path of normal and tangential loading, with the memory of where it has slipped (theory 10).
 module mdrcontact_history_friction_history
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth, given_force
     use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
@@ -114,6 +115,8 @@ contains
         type(friction_history_t) :: next
         real(wp) :: shift, force, dissipated, stick, modulus(1)
 
+        call check_cancelled(error)
+        if (allocated(error)) return
         associate (contact => self%friction%contact)
             select case (normal_given)
             case (given_depth)

@@ -6,6 +6,7 @@
 !> C_jk the mean displacement of ring j by a force of 1 on ring k, P_j the normal force on ring j, sigma_j the mean of u - s where
 !> the ring came to stick. C is positive definite: there is one answer, whatever mu. Slip need not be an annulus.
 module mdrcontact_history_friction_rings
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_memory, error_domain, error_t, raise, to_text
@@ -63,6 +64,8 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         do i = 1, count
+            call check_cancelled(error)
+            if (allocated(error)) return
             call tangential%disc_products(self%radii(i), self%radii(:i), self%products(:i, i), error)
             if (allocated(error)) return
             self%products(i, :i) = self%products(:i, i)

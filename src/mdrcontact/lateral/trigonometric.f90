@@ -2,6 +2,7 @@
 !> Zeros of a trigonometric polynomial of degree 2: where a circle meets an ellipse.
 module mdrcontact_lateral_trigonometric
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_ptr, c_size_t
+    use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
     private
@@ -67,6 +68,7 @@ contains
         a = [constant + turned(1) + turned(3), 2.0_wp*turned(2) + 4.0_wp*turned(4), 2.0_wp*constant - 6.0_wp*turned(3), &
              2.0_wp*turned(2) - 4.0_wp*turned(4), constant - turned(1) + turned(3)]
         if (a(4) == 0.0_wp) return
+        call disable_gsl_abort()
         workspace = gsl_poly_complex_workspace_alloc(5_c_size_t)
         if (.not. c_associated(workspace)) return
         status = gsl_poly_complex_solve(a, 5_c_size_t, workspace, roots)

@@ -6,6 +6,7 @@
 !> definite where energy is stored, so that it has a factorization L D L^T without pivoting. As for elastic states, n unknowns are
 !> solved for and as many more coefficients taken from one iteration.
 module mdrcontact_layered_stiffness
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: kernel_t
@@ -67,6 +68,8 @@ contains
         integer :: part, i, j, stat
 
         first = 0.0_wp
+        call check_cancelled(error)
+        if (allocated(error)) return
         allocate (matrix(2*n, n), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return

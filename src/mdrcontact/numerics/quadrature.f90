@@ -10,7 +10,7 @@ module mdrcontact_numerics_quadrature
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr, c_size_t
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
-    use mdrcontact_gsl, only: gsl_integration_glfixed_point, gsl_integration_glfixed_table_alloc, &
+    use mdrcontact_gsl, only: disable_gsl_abort, gsl_integration_glfixed_point, gsl_integration_glfixed_table_alloc, &
                               gsl_integration_glfixed_table_free
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -38,6 +38,7 @@ contains
         integer(c_int) :: status
         integer :: i
 
+        call disable_gsl_abort()
         table = gsl_integration_glfixed_table_alloc(int(size(nodes), c_size_t))
         if (.not. c_associated(table)) then
             nodes = 0.5_wp

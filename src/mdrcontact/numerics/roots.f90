@@ -3,8 +3,8 @@
 module mdrcontact_numerics_roots
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, c_loc, c_ptr
     use mdrcontact_error, only: error_memory, error_no_convergence, error_t, raise, to_text
-    use mdrcontact_gsl, only: gsl_function, gsl_root_fsolver_alloc, gsl_root_fsolver_brent, gsl_root_fsolver_free, &
-                              gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_set, &
+    use mdrcontact_gsl, only: disable_gsl_abort, gsl_function, gsl_root_fsolver_alloc, gsl_root_fsolver_brent, &
+                              gsl_root_fsolver_free, gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_set, &
                               gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, gsl_root_test_interval, gsl_success
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -49,6 +49,7 @@ contains
         integer :: iteration
 
         root = lower
+        call disable_gsl_abort()
         solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent)
         if (.not. c_associated(solver)) then
             call raise(error, error_memory, "no memory for a root finder")
