@@ -124,8 +124,9 @@ contains
         allocate (added(0:min(ubound(g, 1), size(self%c) - 1)), source=0.0_wp)
         call new_rule(rule, size(self%c) + size(added) - 1, error)
         if (allocated(error)) return
-        u = 0.5_wp*rule%distance
-        call add_projections(size(u), u, rule%weights*(even_sum(self%c, (a/self%radius)*u) - self%at_axis), added)
+        ! both halves of the rule are the same
+        u = 1.0_wp - rule%distance(:size(rule%distance)/2)
+        call add_projections(size(u), u, 2.0_wp*rule%weights(:size(u))*(even_sum(self%c, (a/self%radius)*u) - self%at_axis), added)
         g(:size(added) - 1) = g(:size(added) - 1) + normalisation(size(added))*added
         g = self%ratio*g
     end subroutine moments
