@@ -15,8 +15,10 @@ module mdrcontact_field_slip
     private
     public :: beside, slip_t, thin
 
-    !> Nodes in a panel of stick radii.
-    integer, parameter :: nodes = 8
+    !> Nodes in a panel of stick radii, at most and at least.
+    integer, parameter :: most_nodes = 8, fewest_nodes = 4
+    !> Relative error of a panel's integrals with fewer nodes.
+    real(wp), parameter :: negligible = 1.0e-11_wp
     !> Annuli of slip thinner than this part of the radius: s and T, differences where they are known, are integrated.
     real(wp), parameter :: thin = 0.01_wp
     !> How close to a singular point of the pressure the traction is taken, relative.
@@ -32,6 +34,8 @@ module mdrcontact_field_slip
         real(wp) :: first_shift = 0.0_wp, stiffness = 0.0_wp
         !> -ds/dc at c = a where it is known, else 0: what a search begins with
         real(wp) :: edge_rate = 0.0_wp
+        !> length in which everything varies but for powers of c [length]; 0 where that is not known
+        real(wp) :: scale = 0.0_wp
     contains
         !> s where the medium knows it directly, sigma, k_t and k_t' at stick radii
         procedure(rates_at), deferred :: rates
@@ -102,18 +106,16 @@ contains
         real(wp), intent(in), optional :: known_shift
         real(wp), allocatable :: edges(:)
         logical, allocatable :: has_root(:)
-        real(wp) :: t(nodes), antiderivative(nodes + 1, nodes), b(nodes), db(nodes), rate(nodes), stiffness(nodes), slope(nodes)
-        real(wp) :: within(nodes + 1), here(nodes), known(nodes), length
+        real(wp) :: length
         !> int s k_t' db and int s^2 k_t' db over the panels passed
         real(wp) :: first, second
-        integer :: i
+        integer :: i, nodes
 
         shift = self%first_shift
         force = self%stiffness*self%first_shift
         dissipated = 0.0_wp
         if (.not. width > 0.0_wp) return
-        call new_antiderivative(t, antiderivative, error)
-        if (.not. allocated(error)) call self%panels(c, edges, has_root, error)
+        call self%panels(c, edges, has_root, error)
         if (allocated(error)) return
         ! no double lies between c and a
         if (size(edges) < 2) then
@@ -125,11 +127,31 @@ contains
         do i = size(edges) - 1, 1, -1
             length = edges(i + 1) - edges(i)
             if (size(edges) == 2) length = width
-            if (has_root(i)) then
-                b = edges(i) + length*t**2
+            nodes = most_nodes
+            if (.not. has_root(i)) nodes = nodes_for(edges(i), length, self%scale)
+            call add_panel(nodes, edges(i), length, has_root(i))
+            if (allocated(error)) return
+        end do
+        if (present(known_shift)) shift = known_shift
+        dissipated = shift*first - second
+
+    contains
+
+        !> Adds the integrals from `edge` on.
+        subroutine add_panel(nodes, edge, length, has_root)
+            integer, intent(in) :: nodes
+            real(wp), intent(in) :: edge, length
+            logical, intent(in) :: has_root
+            real(wp), dimension(nodes) :: t, b, db, rate, stiffness, slope, here, known
+            real(wp) :: antiderivative(nodes + 1, nodes), within(nodes + 1)
+
+            call new_antiderivative(t, antiderivative, error)
+            if (allocated(error)) return
+            if (has_root) then
+                b = edge + length*t**2
                 db = 2.0_wp*length*t
             else
-                b = edges(i) + length*t
+                b = edge + length*t
                 db = length
             end if
             call self%rates(b, known, rate, stiffness, slope, error)
@@ -142,10 +164,24 @@ contains
             force = force + dot_product(antiderivative(nodes + 1, :), rate*stiffness*db)
             first = first + dot_product(antiderivative(nodes + 1, :), here*slope*db)
             second = second + dot_product(antiderivative(nodes + 1, :), here**2*slope*db)
-        end do
-        if (present(known_shift)) shift = known_shift
-        dissipated = shift*first - second
+        end subroutine add_panel
+
     end subroutine integrate
+
+    !> How many nodes a panel takes: their error falls as rho^(-2 nodes), rho that of the largest ellipse around it without the axis,
+    !> where a power of c may begin, and without what lies `scale` beside it.
+    pure function nodes_for(edge, length, scale) result(nodes)
+        real(wp), intent(in) :: edge, length, scale
+        integer :: nodes
+        real(wp) :: from_axis, aside, rho
+
+        nodes = most_nodes
+        if (.not. scale > 0.0_wp) return
+        from_axis = 1.0_wp + 2.0_wp*edge/length
+        aside = 2.0_wp*scale/length
+        rho = min(from_axis + sqrt(from_axis**2 - 1.0_wp), aside + sqrt(aside**2 + 1.0_wp))
+        if (rho > 1.0_wp) nodes = ceiling(min(max(-0.5_wp*log(negligible)/log(rho), real(fewest_nodes, wp)), real(most_nodes, wp)))
+    end function nodes_for
 
     !> Where a traction that is the difference of two pressures is taken in the disc of stick: beside the apex and the edge of a
     !> flat end, where both may be infinite.

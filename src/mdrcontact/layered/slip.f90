@@ -52,6 +52,7 @@ contains
         !> depth beyond the non-adhesive one, thickness of the first layer [length], E0*/G0* [1]
         real(wp), intent(in) :: excess, unit, ratio
         type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: exponents(:), coefficients(:)
         real(wp) :: even, modulus, rise, depth, force
         integer :: j
 
@@ -64,6 +65,8 @@ contains
         self%force = force + 2.0_wp*springs%a*modulus*excess
         self%excess = excess
         self%unit = unit
+        call profile%powers(exponents, coefficients)
+        if (size(exponents) > 0) self%scale = unit
         self%profile%radius = springs%a
         self%profile%largest_radius = springs%a
         self%profile%singular_radius = profile%singular_radius
