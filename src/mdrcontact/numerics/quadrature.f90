@@ -235,7 +235,8 @@ contains
             length = here
             do i = size(behind), 1, -1
                 if (behind(i) < here) then
-                    length = here - behind(i)
+                    ! a break may lie below 0
+                    length = min(here, here - behind(i))
                     exit
                 end if
                 at_break = .true.
