@@ -1,0 +1,69 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Contacts that several tests look at.
+module example_contacts
+    use mdrcontact, only: contact_options_t, contact_t, error_t, gao_t, homogeneous_t, layered_exact_t, material_t, medium_t, &
+                          new_cone, new_contact, new_gao, new_homogeneous_from_modulus, new_layered_exact, new_paraboloid, &
+                          power_law_t, wp
+    implicit none (type, external)
+    private
+    public :: coated, cone_on_stiff_film, jkr
+
+contains
+
+    !> A paraboloid, R = 1 by default, on an incompressible coating, G0 = 3, G1 = 1, h = 1, by Gao's weights.
+    subroutine coated(contact, work_of_adhesion, radius)
+        type(contact_t), intent(out) :: contact
+        real(wp), intent(in) :: work_of_adhesion
+        real(wp), intent(in), optional :: radius
+        type(gao_t) :: medium
+        type(power_law_t) :: profile
+        type(error_t), allocatable :: error
+
+        call new_gao(medium, material_t(9.0_wp, 0.5_wp), 1.0_wp, material_t(3.0_wp, 0.5_wp), error)
+        call new_paraboloid(profile, 1.0_wp, error)
+        if (present(radius)) call new_paraboloid(profile, radius, error)
+        call press(profile, medium, work_of_adhesion, contact)
+    end subroutine coated
+
+    !> A paraboloid, R = 1 by default, on a homogeneous body.
+    subroutine jkr(contact, modulus, work_of_adhesion, radius)
+        type(contact_t), intent(out) :: contact
+        real(wp), intent(in) :: modulus, work_of_adhesion
+        real(wp), intent(in), optional :: radius
+        type(homogeneous_t) :: body
+        type(power_law_t) :: profile
+        type(error_t), allocatable :: error
+
+        call new_homogeneous_from_modulus(body, modulus, error)
+        call new_paraboloid(profile, 1.0_wp, error)
+        if (present(radius)) call new_paraboloid(profile, radius, error)
+        call press(profile, body, work_of_adhesion, contact)
+    end subroutine jkr
+
+    !> It has a small contact, carried by the film, and a large one, carried by the substrate.
+    subroutine cone_on_stiff_film(contact, work_of_adhesion)
+        type(contact_t), intent(out) :: contact
+        real(wp), intent(in) :: work_of_adhesion
+        type(layered_exact_t) :: film
+        type(power_law_t) :: cone
+        type(error_t), allocatable :: error
+
+        call new_layered_exact(film, [material_t(100.0_wp, 0.3_wp)], [0.1_wp], material_t(1.0_wp, 0.3_wp), error)
+        call new_cone(cone, 0.3_wp, error)
+        call press(cone, film, work_of_adhesion, contact)
+    end subroutine cone_on_stiff_film
+
+    subroutine press(profile, medium, work_of_adhesion, contact)
+        type(power_law_t), intent(in) :: profile
+        class(medium_t), intent(in) :: medium
+        real(wp), intent(in) :: work_of_adhesion
+        type(contact_t), intent(out) :: contact
+        type(contact_options_t) :: options
+        type(error_t), allocatable :: error
+
+        options%work_of_adhesion = work_of_adhesion
+        call new_contact(contact, profile, medium, error, options)
+        if (allocated(error)) error stop "the contact could not be made"
+    end subroutine press
+
+end module example_contacts
