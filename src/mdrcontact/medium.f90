@@ -36,6 +36,8 @@ module mdrcontact_medium
         real(wp) :: smallest_radius = 0.0_wp, largest_radius = huge(1.0_wp)
         !> relative accuracy of E_eff and its slope where they are interpolated between samples; 0 where they are computed
         real(wp) :: roughness = 0.0_wp
+        !> what follows a message that a contact would be larger: why, and what to do; blank where the end was given by the caller
+        character(len=reason_length) :: why_it_ends = ""
     contains
         !> E_eff(a), equation (10) [modulus]
         procedure(radius_function), deferred :: modulus
@@ -66,8 +68,6 @@ module mdrcontact_medium
         procedure :: check_profile => any_profile
         !> radii where E_eff is not analytic, ascending [length]
         procedure :: breaks => no_breaks
-        !> what follows a message that a contact would be larger: why, and what to do; blank where the end was given by the caller
-        procedure :: why_it_ends => nothing_to_say
         !> whether its states depend on time: it has no elastic ones
         procedure :: is_viscoelastic => no
         !> whether it does not deform: one body of a pair, no medium by itself
@@ -274,15 +274,6 @@ contains
         associate (unused => self, also_unused => profile, unused_too => error)
         end associate
     end subroutine any_profile
-
-    pure function nothing_to_say(self) result(words)
-        class(medium_t), intent(in) :: self
-        character(len=reason_length) :: words
-
-        associate (unused => self)
-        end associate
-        words = ""
-    end function nothing_to_say
 
     pure function no(self) result(answer)
         class(medium_t), intent(in) :: self

@@ -139,7 +139,7 @@ contains
         if (.not. allocated(error) .and. n > 0) then
             call check_each_positive(error, "a", a(:n))
             call check_each_within(error, "a", a(:n), medium%smallest_radius, medium%largest_radius, "the medium", &
-                                   trim(medium%why_it_ends()))
+                                   trim(medium%why_it_ends))
         end if
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then

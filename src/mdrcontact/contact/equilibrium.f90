@@ -204,7 +204,7 @@ contains
         character(len=reason_length) :: words
 
         words = ""
-        if (self%last_radius >= self%medium%largest_radius) words = self%medium%why_it_ends()
+        if (self%last_radius >= self%medium%largest_radius) words = self%medium%why_it_ends
     end function why_it_ends
 
     !> How far the contact radius goes: to a vertical wall, or one rounding below the profile's end, which may be a vertical

@@ -301,7 +301,7 @@ contains
 
         if (maxval(a) > medium%largest_radius .or. minval(a) < medium%smallest_radius) then
             call raise(error, error_domain, "the contact radii "//to_text(minval(a))//" to "//to_text(maxval(a))// &
-                       " leave the range in which the medium is known"//trim(medium%why_it_ends()))
+                       " leave the range in which the medium is known"//trim(medium%why_it_ends))
             return
         end if
         allocate (modulus(size(a)), stat=stat)

@@ -53,7 +53,8 @@ module mdrcontact_layered_exact
         !> a half-space of the surface materials, and their contact modulus E0* [modulus]
         type(homogeneous_t) :: surface
         real(wp) :: surface_modulus = 0.0_wp
-        real(wp) :: tolerance = default_tolerance
+        !> relative, of its results
+        real(wp), public :: tolerance = default_tolerance
     contains
         procedure :: modulus
         procedure :: modulus_slope
@@ -64,7 +65,6 @@ module mdrcontact_layered_exact
         procedure :: response
         procedure :: is_exact
         procedure :: zeta
-        procedure :: accuracy
         procedure :: take_share
         procedure :: energies
         procedure :: surface_load
@@ -158,14 +158,6 @@ contains
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (.not. allocated(error)) call add_kernels(lower%kernel, upper%kernel, self%parts%share, self%kernel, error)
     end subroutine new_exact_pair
-
-    !> The relative tolerance of its results.
-    pure function accuracy(self) result(value)
-        class(layered_exact_t), intent(in) :: self
-        real(wp) :: value
-
-        value = self%tolerance
-    end function accuracy
 
     !> E_eff(a), the stiffness of a flat punch over 2 a.
     subroutine modulus(self, a, values, error)

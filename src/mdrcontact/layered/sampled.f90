@@ -4,11 +4,11 @@ module mdrcontact_layered_sampled
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_exact, only: layered_exact_t
-    use mdrcontact_medium, only: modulus_of_radius_t, reason_length
+    use mdrcontact_medium, only: modulus_of_radius_t
     use mdrcontact_medium_tabulated, only: new_medium_from_function, tabulated_medium_t
     implicit none (type, external)
     private
-    public :: sampled_exact_t, new_sampled_exact
+    public :: new_sampled_exact
 
     !> Sampled up to this many depths of all layers, a tenth of where the exact solution ends: the rest would take most of the time.
     real(wp), parameter :: largest_ratio = 1.0e3_wp
@@ -17,17 +17,11 @@ module mdrcontact_layered_sampled
     !> Below the smallest radius E_eff is constant within this, relative.
     real(wp), parameter :: negligible = 1.0e-12_wp
 
-    !> The effective modulus of an exact body, to its tolerance.
-    type, extends(tabulated_medium_t) :: sampled_exact_t
-    contains
-        procedure :: why_it_ends
-    end type sampled_exact_t
-
 contains
 
     !> E_eff from radii at which the surface alone is felt to a thousand depths of the layers, or to where the exact solution ends.
     subroutine new_sampled_exact(self, exact, error)
-        type(sampled_exact_t), intent(out) :: self
+        type(tabulated_medium_t), intent(out) :: self
         !> one body, not a homogeneous one
         type(layered_exact_t), intent(in), target :: exact
         type(error_t), allocatable, intent(out) :: error
@@ -49,20 +43,12 @@ contains
             largest = 0.5_wp*largest
         end do
         modulus%medium => exact
-        call new_medium_from_function(self%tabulated_medium_t, modulus, smallest, largest, error, exact%accuracy())
+        call new_medium_from_function(self, modulus, smallest, largest, error, exact%tolerance)
         if (allocated(error)) return
         ! contacts begin at 0: below the first sample the modulus is that of the surface
         self%smallest_radius = 0.0_wp
+        self%why_it_ends = ", where the sampled modulus of the exact body ends; take the model exact for both bodies"
         allocate (self%pressed, source=exact%pressed)
     end subroutine new_sampled_exact
-
-    pure function why_it_ends(self) result(words)
-        class(sampled_exact_t), intent(in) :: self
-        character(len=reason_length) :: words
-
-        associate (unused => self)
-        end associate
-        words = ", where the sampled modulus of the exact body ends; take the model exact for both bodies"
-    end function why_it_ends
 
 end module mdrcontact_layered_sampled

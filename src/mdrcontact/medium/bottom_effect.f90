@@ -10,7 +10,6 @@ module mdrcontact_medium_bottom_effect
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium, only: reason_length
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -36,7 +35,6 @@ module mdrcontact_medium_bottom_effect
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: check_profile
-        procedure :: why_it_ends
     end type bottom_effect_t
 
 contains
@@ -62,6 +60,7 @@ contains
         self%contact_modulus = layer%contact()
         self%thickness = thickness
         self%largest_radius = bottom_effect_ratio*thickness
+        self%why_it_ends = "; the models dimitriadis and garcia hold for a < h: take the model exact for larger contacts"
         self%coefficients = series*[(1.0_wp + k/3.0_wp, k=0, 4)]
     end subroutine new_bottom_effect
 
@@ -76,15 +75,6 @@ contains
         call raise(error, error_invalid, "this indenter is not allowed: the models dimitriadis and garcia are series for a "// &
                    "paraboloid or a sphere; take the model exact for any other")
     end subroutine check_profile
-
-    pure function why_it_ends(self) result(words)
-        class(bottom_effect_t), intent(in) :: self
-        character(len=reason_length) :: words
-
-        associate (unused => self)
-        end associate
-        words = "; the models dimitriadis and garcia hold for a < h: take the model exact for larger contacts"
-    end function why_it_ends
 
     elemental function effective_modulus(self, a) result(value)
         class(bottom_effect_t), intent(in) :: self

@@ -7,12 +7,13 @@ module mdrcontact_medium_pair
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_exact, only: layered_exact_t, new_exact_pair, new_layered_exact
-    use mdrcontact_layered_sampled, only: new_sampled_exact, sampled_exact_t
+    use mdrcontact_layered_sampled, only: new_sampled_exact
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus, new_homogeneous_pair
     use mdrcontact_medium_power_graded, only: new_power_graded_pair, power_graded_t
     use mdrcontact_medium_series, only: new_series, series_t
+    use mdrcontact_medium_tabulated, only: tabulated_medium_t
     implicit none (type, external)
     private
     public :: new_pair
@@ -128,7 +129,7 @@ contains
         class(medium_t), intent(in) :: medium
         class(effective_medium_t), allocatable, intent(out) :: effective
         type(error_t), allocatable, intent(out) :: error
-        type(sampled_exact_t) :: sampled
+        type(tabulated_medium_t) :: sampled
         type(homogeneous_t) :: homogeneous
 
         select type (medium)

@@ -8,7 +8,7 @@ module mdrcontact_medium_series
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_material, only: in_series
-    use mdrcontact_medium, only: lower_body, medium_t, reason_length
+    use mdrcontact_medium, only: lower_body, medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
@@ -25,7 +25,6 @@ module mdrcontact_medium_series
         procedure :: effective_modulus_slope
         procedure :: breaks
         procedure :: check_profile
-        procedure :: why_it_ends
         procedure :: upper_share
         procedure :: upper_depth
         procedure :: take_share
@@ -42,6 +41,8 @@ contains
         allocate (self%lower, source=lower)
         allocate (self%upper, source=upper)
         self%largest_radius = min(lower%largest_radius, upper%largest_radius)
+        self%why_it_ends = upper%why_it_ends
+        if (lower%largest_radius <= upper%largest_radius) self%why_it_ends = lower%why_it_ends
         self%smallest_radius = max(lower%smallest_radius, upper%smallest_radius)
         self%roughness = max(lower%roughness, upper%roughness)
         call self%set_pair(lower, upper)
@@ -83,14 +84,6 @@ contains
         call self%lower%check_profile(profile, error)
         call self%upper%check_profile(profile, error)
     end subroutine check_profile
-
-    pure function why_it_ends(self) result(words)
-        class(series_t), intent(in) :: self
-        character(len=reason_length) :: words
-
-        words = self%upper%why_it_ends()
-        if (self%lower%largest_radius <= self%upper%largest_radius) words = self%lower%why_it_ends()
-    end function why_it_ends
 
     !> E_eff/E_eff,2.
     elemental function upper_share(self, a) result(share)

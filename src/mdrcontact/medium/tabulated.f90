@@ -79,6 +79,7 @@ contains
         copy%smallest_radius = self%smallest_radius
         copy%largest_radius = self%largest_radius
         copy%roughness = self%roughness
+        copy%why_it_ends = self%why_it_ends
         select type (copy)
         class is (tabulated_medium_t)
             call self%law%copy_to(copy%law, error)
