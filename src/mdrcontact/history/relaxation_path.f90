@@ -165,6 +165,7 @@ contains
         first = 0
         do i = 1, self%count
             n = self%terms(i)
+            if (n == 0) cycle
             depths(first + 1:first + n) = self%depth(i - 1) + (self%depth(i) - self%depth(i - 1))*self%rules%nodes(:n, n)
             first = first + n
         end do
