@@ -90,7 +90,8 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def follow(contact: Contact, path: HistoryPath) -> tuple[History, int]:
-    """The history, and how many steps of it are one of the path's. Between few samples the force bends: their work would be wrong."""
+    """The history, and how many of its steps are one of the path's: between few samples the force bends, and its work would be
+    wrong."""
     cuts = max(1, -(-_FEWEST // max(1, len(path.time) - 1)))
     if np.any(np.diff(path.time) <= 0.0) or (path.name != "depth" and np.any(path.values < 0.0)):
         cuts = 1  # refused, by the entry that the user knows
