@@ -2,11 +2,12 @@
 !> Calls that take long ask now and then whether to stop, and say how far they are: see mdr_set_cancel() and mdr_set_progress() in
 !> mdrcontact.h.
 module mdrcontact_cancel
-    use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_funptr, c_int, c_null_funptr, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_funptr, c_int, c_loc, c_null_funptr, &
+                                           c_null_ptr, c_ptr
     use mdrcontact_error, only: error_cancelled, error_t, raise
     implicit none (type, external)
     private
-    public :: cancel_function, check_cancelled, help, report_progress, set_cancel
+    public :: cancel_function, check_cancelled, help, report_progress, set_cancel, set_progress
 
     abstract interface
         !> Nonzero: stop. Once it has said so it must go on saying so until the call has returned.
@@ -29,6 +30,12 @@ module mdrcontact_cancel
             import :: c_int
             integer(c_int) :: answer
         end function mdrcontact_is_cancelled
+
+        function mdr_set_progress(part) result(status) bind(C)
+            import :: c_int, c_ptr
+            type(c_ptr), value :: part
+            integer(c_int) :: status
+        end function mdr_set_progress
 
         subroutine mdrcontact_report(part) bind(C)
             import :: c_double
@@ -60,6 +67,19 @@ contains
         if (present(context)) handed_on = context
         status = mdr_set_cancel(entry, handed_on)
     end subroutine set_cancel
+
+    !> From now on histories that the calling thread marches through time write how far they are; null() ends it.
+    subroutine set_progress(part)
+        !> receives the number of rounds that are done, each with steps half as long, plus the part of the path that the present one has
+        !> behind it
+        real(c_double), pointer, intent(in) :: part
+        type(c_ptr) :: place
+        integer(c_int) :: status
+
+        place = c_null_ptr
+        if (associated(part)) place = c_loc(part)
+        status = mdr_set_progress(place)
+    end subroutine set_progress
 
     !> In a thread that helps another one: check_cancelled follows what that one was told.
     subroutine help(is_told)
