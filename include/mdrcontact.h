@@ -1011,9 +1011,10 @@ typedef struct mdr_friction_history mdr_friction_history;
 /** A contact that has not been loaded yet.
  *
  *  Where springs do not interact, on homogeneous bodies, each step is exact, whatever its size. On exact layered bodies, and with
- *  largest_depth > 0 on homogeneous ones, the contact is cut into rings that each obey Coulomb's law: with 100 rings and 40 steps
- *  from turn to turn T is good to 2e-4 coefficient F, the stick radius to a third of a ring. A second history with twice the rings
- *  shows the error, which becomes half of it or less.
+ *  largest_depth > 0 on homogeneous ones, the contact is cut into rings that each obey Coulomb's law: with 100 rings T is good to
+ *  2e-4 coefficient F, the stick radius to a third of a ring, the energy to 2e-3. A second history with twice the rings shows the
+ *  error, which becomes half of it or less. A step is divided where the edge of the contact comes to a ring's: a long step gives
+ *  what many short ones give, and costs as much.
  *  @param f              contact with friction
  *  @param largest_depth  0, or the depth up to which there are rings; needed on layered bodies [length]
  *  @param rings          10 to 1000, or 0: 100

@@ -231,10 +231,11 @@ class FrictionHistory:
     """A contact with friction and its past, along any path of normal and tangential loading: `friction.history()`.
 
     Springs of homogeneous bodies do not interact, so that every step in which depth and shift change in proportion is exact,
-    whatever its size. Elsewhere rings of the surface each obey Coulomb's law: with 100 of them and 40 steps from turn to
-    turn T is good to 2e-4 coefficient F, the stick radius to a third of a ring. A second history with twice the rings shows the
-    error, which becomes half of it or less. It changes as it advances: not for several threads at a time. Each `copy()` goes its
-    own way.
+    whatever its size. Elsewhere rings of the surface each obey Coulomb's law: with 100 of them T is good to 2e-4 coefficient F,
+    the stick radius to a third of a ring, the energy to 2e-3. A second history with twice the rings shows the error, which
+    becomes half of it or less. A step is divided where the edge of the contact comes to a ring's: a long step gives what many
+    short ones give, and costs as much. It changes as it advances: not for several threads at a time. Each `copy()` goes its own
+    way.
     """
 
     def __init__(

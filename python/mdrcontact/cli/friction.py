@@ -42,7 +42,7 @@ or a path on which the normal load changes too, from a table with columns such a
     tangential = "shift"        # or tangential_force
     rings = 100                 # where springs interact (coated, layered, graded bodies)
 
-It is exact on homogeneous bodies. On others the error is stated: the difference from half the rings and half the steps.
+It is exact on homogeneous bodies. On others the error is stated: the difference from half the rings.
 """
 
 _ROWS = 24
@@ -116,7 +116,7 @@ def _path_words(led: Led) -> str:
     steps, sliding = len(forces), int(np.count_nonzero(led.shear.sliding))
     largest = int(np.argmax(np.abs(forces)))
     means = (
-        f"{led.rings} rings; from half the rings and steps T differs by {led.force_error:.1g} of the largest mu F, the "
+        f"{led.rings} rings; from half the rings T differs by {led.force_error:.1g} of the largest mu F, the "
         f"dissipated energy by {led.energy_error:.1g} of its end value"
         if led.rings
         else "exact springs"

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from typing import Any, NamedTuple
 
@@ -17,9 +16,8 @@ from ..friction import Friction, FrictionHistory, TangentialState
 from ..problem import Problem
 from ..problem.friction import Sliding, SlidingPath
 
-_RINGS, _STEPS, _MOST = 100, 40, 5
-"""Rings of the surface where springs interact. The energy of rings needs short steps: longer ones are divided, so that this many
-make the largest depth, or a shift of mu F/k_t; a shift of more than this many times mu F/k_t needs no more."""
+_RINGS = 100
+"""Rings of the surface where springs interact."""
 
 
 class Led(NamedTuple):
@@ -31,7 +29,7 @@ class Led(NamedTuple):
     rings: int
     """0: exact springs"""
     force_error: float
-    """how far T is from that of half the rings and steps, in units of the largest mu F"""
+    """how far T is from that of half the rings, in units of the largest mu F"""
     energy_error: float
     """the same of the dissipated energy, in units of its end value"""
 
@@ -44,9 +42,9 @@ def lead(problem: Problem, sliding: Sliding, path: SlidingPath) -> Led:
     history = _exact(friction) if path.rings is None else None
     with tqdm(total=len(path.values) * (1 if history else 2), unit="steps", delay=PATIENCE, disable=None, leave=False) as bar:
         if history:
-            return Led(friction, state, _along(path, state, history, 0, bar), 0, 0.0, 0.0)
+            return Led(friction, state, _along(path, state, history, bar), 0, 0.0, 0.0)
         rings, deepest = path.rings or _RINGS, float(np.max(state.depth))
-        fine, coarse = (_along(path, state, friction.history(deepest, rings // part), _STEPS // part, bar) for part in (1, 2))
+        fine, coarse = (_along(path, state, friction.history(deepest, rings // part), bar) for part in (1, 2))
     unit = sliding.coefficient * float(np.max(state.force))
     force = float(np.max(np.abs(np.subtract(fine.tangential_force, coarse.tangential_force)))) / unit
     lost = np.asarray(fine.dissipated_energy)
@@ -62,27 +60,15 @@ def _exact(friction: Friction) -> FrictionHistory | None:
         return None
 
 
-def _along(path: SlidingPath, state: State, history: FrictionHistory, steps: int, bar: Any) -> TangentialState:
-    """The tangential states after each row, steps divided for rings; `steps` is 0 where each is exact."""
-    depths, largest = np.asarray(state.depth), int(np.argmax(state.depth))
-    friction = history.friction
-    elastic = friction.coefficient * float(np.asarray(state.force)[largest])
-    elastic /= float(friction.contact.medium.tangential_stiffness(np.asarray(state.radius)[largest]))
+def _along(path: SlidingPath, state: State, history: FrictionHistory, bar: Any) -> TangentialState:
+    """The tangential states after each row."""
     shears = []
-    for row, (depth, along) in enumerate(zip(depths, path.along_values, strict=True), start=1):
+    for row, (depth, along) in enumerate(zip(np.asarray(state.depth), path.along_values, strict=True), start=1):
         try:
-            shift = along
-            if path.along == "tangential_force":
-                shift = history.copy().advance(depth=depth, tangential_force=along).shift
-            before, shift_before = float(history.state.depth), float(history.shear.shift)
-            way = max(abs(depth - before) / depths[largest], min(abs(shift - shift_before) / elastic, _MOST))
-            parts = np.linspace(0.0, 1.0, max(1, math.ceil(steps * way)) + 1)[1:]
-            divided = before + parts * (depth - before), shift_before + parts * (shift - shift_before)
-            divided[0][-1], divided[1][-1] = depth, shift
-            history.advance(depth=divided[0], shift=divided[1])
+            history.advance(**{"depth": depth, path.along: along})
         except MDRError as problem:
-            # entries are those of the divided step
-            words = re.sub(r"^entry \d+(?: of|:) ", "", str(problem))
+            # a row is the only entry of its step
+            words = re.sub(r"^(entry \d+ of|entry \d+:) ", "", str(problem))
             if path.along == "tangential_force" and isinstance(problem, UnreachableError):
                 words += "; lead a path with sliding by shifts"
             raise type(problem)(f"{path.file}, row {row} of the numbers: {words}") from problem

@@ -3,14 +3,15 @@
 module mdrcontact_api_friction
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, check_results_or_infinity, make_room
-    use mdrcontact_api_handles, only: deliver, hand_over, open_handle
+    use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_choice, check_count_from, check_memory, check_positive, count_text, error_invalid, &
                                 error_t, raise, raise_at
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
-    use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
+    use mdrcontact_history_friction_history, only: friction_history_t, friction_past_t, given_shift, &
+                                                   given_tangential_force, new_friction_history
     implicit none (type, external)
     private
     public :: mdr_friction_new, mdr_friction_states, mdr_friction_sliding, mdr_friction_field, mdr_friction_loop
@@ -201,14 +202,15 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(friction_history_t), pointer :: history
+        type(friction_history_t), allocatable :: copy
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (copy)
         call open_handle(h, "h", history, error)
-        if (allocated(error)) then
-            status = status_of(error)
-        else
-            status = deliver(history, out, error)
-        end if
+        if (.not. allocated(error)) call history%copy(copy, error)
+        call move_alloc(copy, object)
+        status = hand_over(object, out, error)
     end function mdr_friction_history_copy
 
     function mdr_friction_history_advance(h, normal_given, tangential_given, n, normal, tangential, states, out) &
@@ -220,7 +222,7 @@ contains
         type(tangential_state_t), intent(inout), optional :: out(*)
         integer(c_int) :: status
         type(friction_history_t), pointer :: history
-        type(friction_history_t) :: next
+        type(friction_past_t) :: past
         type(contact_state_t), allocatable :: normals(:)
         type(tangential_state_t), allocatable :: tangentials(:)
         type(error_t), allocatable :: error
@@ -239,20 +241,20 @@ contains
         call check_memory(error, stat)
         status = status_of(error)
         if (allocated(error)) return
-        next = history
+        past = history%past
         do i = 1, n
-            call next%advance(int(normal_given), normal(i), int(tangential_given), tangential(i), error)
-            if (.not. allocated(error)) call check_results(error, [next%tangential%tangential_force])
+            call history%advance(int(normal_given), normal(i), int(tangential_given), tangential(i), error)
+            if (.not. allocated(error)) call check_results(error, [history%past%tangential%tangential_force])
             if (allocated(error)) then
                 call raise_at(error, i)
+                history%past = past
                 exit
             end if
-            normals(i) = next%normal
-            tangentials(i) = next%tangential
+            normals(i) = history%past%normal
+            tangentials(i) = history%past%tangential
         end do
         status = status_of(error)
         if (allocated(error) .or. n == 0) return
-        history = next
         do i = 1, n
             states(i) = normals(i)
             out(i) = tangentials(i)

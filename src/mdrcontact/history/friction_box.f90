@@ -4,7 +4,7 @@
 !> Newton's method on what is free, projected into the box, with a line search (D. P. Bertsekas, SIAM J. Control Optim. 20 (1982)
 !> 221): each step lowers the objective, and once it is known which bounds hold, it is exact.
 module mdrcontact_history_friction_box
-    use mdrcontact_error, only: error_no_convergence, error_t, raise
+    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dpotrf, dpotrs
     implicit none (type, external)
@@ -59,13 +59,19 @@ contains
         logical, intent(in) :: is_free(:)
         real(wp), intent(out) :: direction(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: factor(count(is_free), count(is_free)), step(count(is_free), 1)
+        real(wp), allocatable :: factor(:, :)
+        real(wp) :: step(count(is_free), 1)
         integer :: index(count(is_free))
-        integer :: i, n, info
+        integer :: i, j, n, info
 
         index = pack([(i, i=1, size(is_free))], is_free)
         n = size(index)
-        factor = c(index, index)
+        allocate (factor(n, n), stat=info)
+        call check_memory(error, info)
+        if (allocated(error)) return
+        do j = 1, n
+            factor(j:, j) = c(index(j:), index(j))
+        end do
         step(:, 1) = -gradient(index)
         call dpotrf("L", n, factor, n, info)
         if (info == 0) call dpotrs("L", n, 1, factor, n, step, n, info)

@@ -7,14 +7,15 @@ module mdrcontact_history_friction_history
     use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_history_friction, only: friction_t, tangential_state_t
-    use mdrcontact_history_friction_rings, only: new_rings, rings_t
+    use mdrcontact_history_friction_rings, only: new_ring_grid, ring_grid_t, rings_t
     use mdrcontact_history_friction_springs, only: radius_at, springs_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_roots, only: find_root
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: friction_history_t, new_friction_history, given_shift, given_tangential_force
+    public :: friction_history_t, friction_past_t, new_friction_history, given_shift, given_tangential_force
 
     !> What is prescribed along the surface, enum mdr_tangential_given.
     integer, parameter :: given_shift = 1, given_tangential_force = 2
@@ -22,28 +23,33 @@ module mdrcontact_history_friction_history
     !> How many rings may be asked for.
     integer, parameter :: usual_rings = 100, fewest_rings = 10, most_rings = 1000
 
+    !> What is remembered: the states reached, all 0 at first, with the energy dissipated since then; and by springs, or by rings
+    !> where there are.
+    type :: friction_past_t
+        type(contact_state_t) :: normal
+        type(tangential_state_t) :: tangential
+        type(springs_t), private :: springs
+        type(rings_t), allocatable, private :: rings
+    end type friction_past_t
+
     !> A contact with its past. It belongs to its user: copies are independent, and no two threads may advance one at a time.
     type :: friction_history_t
         private
         type(friction_t) :: friction
         !> G* [modulus]
         real(wp) :: modulus = 0.0_wp
-        type(springs_t) :: springs
         !> where springs interact, and where they are asked for
-        type(rings_t), allocatable :: rings
-        !> depth up to which there are rings [length]
-        real(wp) :: largest_depth = huge(1.0_wp)
-        !> the states reached, all 0 at first; energy dissipated since then
-        type(contact_state_t), public :: normal
-        !> see normal
-        type(tangential_state_t), public :: tangential
+        type(ring_grid_t), allocatable :: grid
+        !> who keeps a copy can go back to it
+        type(friction_past_t), allocatable, public :: past
     contains
         procedure :: advance
+        procedure :: copy
     end type friction_history_t
 
     !> T after a step to a shift, less what it should be.
     type, extends(scalar_function_t) :: force_after_t
-        type(friction_history_t), pointer :: history => null()
+        class(friction_history_t), pointer :: history => null()
         type(contact_state_t) :: state
         real(wp) :: target = 0.0_wp
     contains
@@ -79,19 +85,19 @@ contains
         end if
         if (allocated(error)) return
         self%friction = friction
+        allocate (self%past)
         associate (contact => self%friction%contact, medium => self%friction%contact%equilibrium%medium)
             if (deepest > 0.0_wp) then
                 call contact%at_depth(deepest, state, error)
                 if (allocated(error)) return
-                self%largest_depth = deepest
-                allocate (self%rings)
-                call new_rings(self%rings, friction%tangential, state%radius, count, error)
+                allocate (self%grid, self%past%rings)
+                call new_ring_grid(self%grid, friction%tangential, state, count, error)
             else if (medium%has_independent_springs()) then
                 call medium%modulus([1.0_wp], normal, error)
                 if (.not. allocated(error)) call friction%tangential%modulus([1.0_wp], shear, error)
                 if (allocated(error)) return
                 self%modulus = shear(1)
-                self%springs%limit = friction%coefficient*normal(1)/shear(1)
+                self%past%springs%limit = friction%coefficient*normal(1)/shear(1)
             else
                 call raise(error, error_invalid, "largest_depth is missing: where springs interact, a history of friction "// &
                            "needs the depth up to which it is led")
@@ -112,8 +118,9 @@ contains
         real(wp), intent(in) :: tangential
         type(error_t), allocatable, intent(out) :: error
         type(contact_state_t) :: state
-        type(friction_history_t) :: next
-        real(wp) :: shift, force, dissipated, stick, modulus(1)
+        type(friction_past_t) :: next
+        type(tangential_state_t) :: sheared
+        real(wp) :: shift, dissipated, modulus(1)
 
         call check_cancelled(error)
         if (allocated(error)) return
@@ -128,10 +135,12 @@ contains
                            "(depth) or 2 (force)")
             end select
             if (allocated(error)) return
-            if (state%depth > self%largest_depth) then
-                call raise(error, error_domain, "depth = "//to_text(state%depth)//" is beyond the rings of this history: they "// &
-                           "reach up to largest_depth = "//to_text(self%largest_depth))
-                return
+            if (allocated(self%grid)) then
+                if (state%depth > self%grid%largest_depth) then
+                    call raise(error, error_domain, "depth = "//to_text(state%depth)//" is beyond the rings of this history: "// &
+                               "they reach up to largest_depth = "//to_text(self%grid%largest_depth))
+                    return
+                end if
             end if
             select case (tangential_given)
             case (given_shift)
@@ -144,28 +153,43 @@ contains
                            "must be 1 (shift) or 2 (tangential force)")
             end select
             if (allocated(error)) return
-            next = self
-            call move(next, state, shift, force, dissipated, stick, error)
         end associate
+        next = self%past
+        call move(self, next, state, shift, sheared%tangential_force, dissipated, sheared%stick_radius, error)
         if (allocated(error)) return
-        next%normal = state
-        next%tangential%shift = shift
-        next%tangential%tangential_force = force
-        next%tangential%stick_radius = stick
-        next%tangential%dissipated_energy = self%tangential%dissipated_energy + dissipated
-        next%tangential%sliding = merge(1.0_wp, 0.0_wp, state%radius > 0.0_wp .and. .not. stick > 0.0_wp)
-        next%tangential%stiffness = 0.0_wp
-        if (stick > 0.0_wp) then
-            call self%friction%tangential%modulus([stick], modulus, error)
+        if (sheared%stick_radius > 0.0_wp) then
+            call self%friction%tangential%modulus([sheared%stick_radius], modulus, error)
             if (allocated(error)) return
-            next%tangential%stiffness = 2.0_wp*stick*modulus(1)
+            sheared%stiffness = 2.0_wp*sheared%stick_radius*modulus(1)
         end if
-        call take(self, next)
+        sheared%shift = shift
+        sheared%dissipated_energy = self%past%tangential%dissipated_energy + dissipated
+        sheared%sliding = merge(1.0_wp, 0.0_wp, state%radius > 0.0_wp .and. .not. sheared%stick_radius > 0.0_wp)
+        self%past = next
+        self%past%normal = state
+        self%past%tangential = sheared
     end subroutine advance
 
+    !> An independent copy.
+    subroutine copy(self, other, error)
+        class(friction_history_t), intent(in) :: self
+        type(friction_history_t), intent(out) :: other
+        type(error_t), allocatable, intent(out) :: error
+
+        other%friction = self%friction
+        other%modulus = self%modulus
+        other%past = self%past
+        if (.not. allocated(self%grid)) return
+        allocate (other%grid)
+        other%grid%radii = self%grid%radii
+        other%grid%largest_depth = self%grid%largest_depth
+        call copy_array(self%grid%products, other%grid%products, error)
+    end subroutine copy
+
     !> T, what is dissipated and the radius of stick of a step.
-    subroutine move(self, state, shift, force, dissipated, stick, error)
-        type(friction_history_t), intent(inout) :: self
+    subroutine move(self, past, state, shift, force, dissipated, stick, error)
+        class(friction_history_t), intent(in) :: self
+        type(friction_past_t), intent(inout) :: past
         type(contact_state_t), intent(in) :: state
         real(wp), intent(in) :: shift
         real(wp), intent(out) :: force, dissipated, stick
@@ -175,35 +199,21 @@ contains
             force = 0.0_wp
             dissipated = 0.0_wp
             stick = 0.0_wp
-            if (allocated(self%rings)) then
-                call self%rings%advance(friction%contact, friction%tangential, friction%coefficient, state, shift, error)
-                force = self%rings%force
-                dissipated = self%rings%dissipated
-                stick = self%rings%stick_radius
+            if (allocated(self%grid)) then
+                call past%rings%advance(self%grid, friction%contact, friction%tangential, friction%coefficient, state, shift, error)
+                force = past%rings%force
+                dissipated = past%rings%dissipated
+                stick = past%rings%stick_radius
             else
-                call self%springs%advance(state%depth, shift)
-                call self%springs%force(friction%contact, force, error)
-                if (.not. allocated(error)) call self%springs%dissipated(friction%contact, dissipated, error)
-                if (.not. allocated(error)) call radius_at(friction%contact, self%springs%stick_depth(), stick, error)
+                call past%springs%advance(state%depth, shift)
+                call past%springs%force(friction%contact, force, error)
+                if (.not. allocated(error)) call past%springs%dissipated(friction%contact, dissipated, error)
+                if (.not. allocated(error)) call radius_at(friction%contact, past%springs%stick_depth(), stick, error)
                 force = self%modulus*force
                 dissipated = self%modulus*dissipated
             end if
         end associate
     end subroutine move
-
-    !> The memory of another history of the same contact.
-    subroutine take(self, next)
-        class(friction_history_t), intent(inout) :: self
-        type(friction_history_t), intent(inout) :: next
-
-        if (allocated(next%rings)) then
-            call move_alloc(next%rings, self%rings)
-        else
-            self%springs = next%springs
-        end if
-        self%normal = next%normal
-        self%tangential = next%tangential
-    end subroutine take
 
     !> The shift at which the tangential force is as asked for: it rises with the shift.
     subroutine find_shift(self, state, force, shift, error)
@@ -216,7 +226,7 @@ contains
         real(wp) :: reach, modulus(1)
         integer :: i
 
-        shift = self%tangential%shift
+        shift = self%past%tangential%shift
         call check_finite(error, "tangential_force", force)
         if (allocated(error)) return
         if (abs(force) >= self%friction%coefficient*state%force .and. abs(force) > 0.0_wp) then
@@ -228,8 +238,8 @@ contains
         if (.not. state%radius > 0.0_wp) return
         call self%friction%tangential%modulus([state%radius], modulus, error)
         if (allocated(error)) return
-        reach = self%friction%coefficient*max(state%force, self%normal%force)/(state%radius*modulus(1))
-        allocate (equation%history, source=self)
+        reach = self%friction%coefficient*max(state%force, self%past%normal%force)/(state%radius*modulus(1))
+        equation%history => self
         equation%state = state
         equation%target = force
         ! up to where all slides
@@ -238,18 +248,17 @@ contains
             reach = 2.0_wp*reach
         end do
         call find_root(equation, shift - reach, shift + reach, shift, error)
-        deallocate (equation%history)
     end subroutine find_shift
 
     function force_after(self, x) result(y)
         class(force_after_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        type(friction_history_t) :: next
+        type(friction_past_t) :: next
         real(wp) :: dissipated, stick
 
-        next = self%history
-        call move(next, self%state, x, y, dissipated, stick, self%error)
+        next = self%history%past
+        call move(self%history, next, self%state, x, y, dissipated, stick, self%error)
         y = y - self%target
     end function force_after
 

@@ -16,7 +16,7 @@ module mdrcontact_history_friction_rings
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: rings_t, new_rings
+    public :: ring_grid_t, rings_t, new_ring_grid
 
     !> An edge of the contact closer to a ring's than this part of its width is taken there.
     real(wp), parameter :: close = 1.0e-3_wp
@@ -28,18 +28,28 @@ module mdrcontact_history_friction_rings
     !> Nodes in a ring for its normal force.
     integer, parameter :: nodes = 3
 
-    !> Rings of equal width, and what they remember.
-    type :: rings_t
+    !> A straight step is divided so that the depth changes by no more than this many parts of the largest one, in units of 1 over
+    !> the number of rings: for flat ends, whose edge does not move.
+    real(wp), parameter :: coarse = 4.0_wp
+
+    !> Rings of equal width. They never change.
+    type :: ring_grid_t
         !> outer radii [length], and the displacement by a unit pressure on disc k integrated over disc j [length^3/modulus]
         real(wp), allocatable :: radii(:), products(:, :)
+        !> that of the largest radius [length]
+        real(wp) :: largest_depth = 0.0_wp
+    end type ring_grid_t
+
+    !> What the rings of a contact remember.
+    type :: rings_t
         !> of the contact: its radius, depth and shift [length]
         real(wp) :: radius = 0.0_wp, depth = 0.0_wp, shift = 0.0_wp
         !> on the rings of the contact: outer radii, t, P [modulus length^2] and sigma [length]. Beyond the base, where the contact
         !> last stopped shrinking or filled a ring, there is one ring more, in which the contact grows
         real(wp), allocatable :: edges(:), load(:), normal(:), offset(:)
         !> at the base: the same as above
-        real(wp) :: base_depth = 0.0_wp, base_shift = 0.0_wp
         real(wp), allocatable :: base_load(:)
+        real(wp) :: base_depth = 0.0_wp, base_shift = 0.0_wp
         !> what the ring in which the contact grows has dissipated since the base, in steps already counted [modulus length^3]
         real(wp) :: grown = 0.0_wp
         !> after a step: T [modulus length^2], what the step dissipated [modulus length^3], stick radius [length]
@@ -50,16 +60,17 @@ module mdrcontact_history_friction_rings
 
 contains
 
-    !> Rings up to the largest contact radius.
-    subroutine new_rings(self, tangential, largest_radius, count, error)
-        type(rings_t), intent(out) :: self
+    !> Rings up to a state of the largest depth.
+    subroutine new_ring_grid(self, tangential, state, count, error)
+        type(ring_grid_t), intent(out) :: self
         class(medium_t), intent(in) :: tangential
-        real(wp), intent(in) :: largest_radius
+        type(contact_state_t), intent(in) :: state
         integer, intent(in) :: count
         type(error_t), allocatable, intent(out) :: error
         integer :: i, stat
 
-        self%radii = [(largest_radius*real(i, wp)/real(count, wp), i=1, count)]
+        self%largest_depth = state%depth
+        self%radii = [(state%radius*real(i, wp)/real(count, wp), i=1, count)]
         allocate (self%products(count, count), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
@@ -70,47 +81,81 @@ contains
             if (allocated(error)) return
             self%products(i, :i) = self%products(:i, i)
         end do
-        call lose(self, 0.0_wp)
-    end subroutine new_rings
+    end subroutine new_ring_grid
 
-    !> A straight step to a state and a shift; a contact that grows stops at each ring that it fills.
-    subroutine advance(self, contact, tangential, coefficient, state, shift, error)
+    !> A straight step to a state and a shift. It is divided where the edge of the contact comes to a ring's.
+    subroutine advance(self, grid, contact, tangential, coefficient, state, shift, error)
         class(rings_t), intent(inout) :: self
+        type(ring_grid_t), intent(in) :: grid
         type(contact_t), intent(in) :: contact
         class(medium_t), intent(in) :: tangential
         real(wp), intent(in) :: coefficient
         type(contact_state_t), intent(in) :: state
         real(wp), intent(in) :: shift
         type(error_t), allocatable, intent(out) :: error
-        type(contact_state_t) :: filled
+        type(contact_state_t) :: stop
         real(wp) :: radius, from(2), dissipated
-        integer :: ring
+        logical :: is_last
 
-        radius = snapped(self, min(state%radius, self%radii(size(self%radii))))
-        if (.not. radius > 0.0_wp) then
-            call lose(self, shift)
-            return
-        end if
+        if (.not. allocated(self%edges)) call lose(self, 0.0_wp)
         from = [self%depth, self%shift]
         dissipated = 0.0_wp
-        do ring = 1, size(self%radii)
-            if (self%radii(ring) <= self%radius) cycle
-            if (self%radii(ring) >= radius) exit
-            call contact%at_radius(self%radii(ring), filled, error)
-            if (.not. allocated(error)) then
-                call step(self, contact, tangential, coefficient, filled, self%radii(ring), &
-                          from(2) + (shift - from(2))*(filled%depth - from(1))/(state%depth - from(1)), error)
+        do
+            call find_stop(self, grid, contact, state, stop, radius, is_last, error)
+            if (allocated(error)) return
+            if (is_last .and. .not. radius > 0.0_wp) then
+                call lose(self, shift)
+            else if (is_last) then
+                call step(self, grid, contact, tangential, coefficient, state, radius, shift, error)
+            else
+                call step(self, grid, contact, tangential, coefficient, stop, radius, &
+                          from(2) + (shift - from(2))*(stop%depth - from(1))/(state%depth - from(1)), error)
             end if
             if (allocated(error)) return
             dissipated = dissipated + self%dissipated
+            if (is_last) exit
         end do
-        call step(self, contact, tangential, coefficient, state, radius, shift, error)
-        self%dissipated = self%dissipated + dissipated
+        self%dissipated = dissipated
     end subroutine advance
 
+    !> The next state at which a straight step is divided, or its last one.
+    subroutine find_stop(self, grid, contact, state, stop, radius, is_last, error)
+        class(rings_t), intent(in) :: self
+        type(ring_grid_t), intent(in) :: grid
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        type(contact_state_t), intent(out) :: stop
+        !> of the stop [length]
+        real(wp), intent(out) :: radius
+        logical, intent(out) :: is_last
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: most
+        integer :: ring
+
+        radius = snapped(self, grid, min(state%radius, grid%radii(size(grid%radii))))
+        if (radius > self%radius) then
+            ring = findloc(grid%radii > self%radius .and. grid%radii < radius, .true., dim=1)
+        else
+            ring = findloc(grid%radii < self%radius .and. grid%radii > radius, .true., dim=1, back=.true.)
+        end if
+        most = coarse*grid%largest_depth/real(size(grid%radii), wp)
+        stop = state
+        if (ring > 0) then
+            call contact%at_radius(grid%radii(ring), stop, error)
+            if (allocated(error)) return
+            radius = grid%radii(ring)
+        end if
+        is_last = ring == 0
+        if (abs(stop%depth - self%depth) <= most .or. .not. self%radius > 0.0_wp) return
+        is_last = .false.
+        call contact%at_depth(self%depth + sign(most, state%depth - self%depth), stop, error)
+        if (.not. allocated(error)) radius = snapped(self, grid, min(stop%radius, grid%radii(size(grid%radii))))
+    end subroutine find_stop
+
     !> A step within a ring, or of a contact that does not grow.
-    subroutine step(self, contact, tangential, coefficient, state, radius, shift, error)
+    subroutine step(self, grid, contact, tangential, coefficient, state, radius, shift, error)
         type(rings_t), intent(inout) :: self
+        type(ring_grid_t), intent(in) :: grid
         type(contact_t), intent(in) :: contact
         class(medium_t), intent(in) :: tangential
         real(wp), intent(in) :: coefficient
@@ -121,7 +166,7 @@ contains
         real(wp), allocatable, dimension(:) :: edges, areas, normal, limit, load, offset, before, moved, lost
         real(wp), allocatable :: compliance(:, :)
         real(wp) :: grown
-        integer :: base, known, n
+        integer :: base, known, n, stat
 
         base = size(self%base_load)
         if (radius > self%radius) then
@@ -132,9 +177,11 @@ contains
         n = size(edges)
         known = min(n, size(self%load))
         areas = pi*(edges**2 - [0.0_wp, edges(:n - 1)]**2)
-        allocate (normal(n), compliance(n, n))
-        call ring_forces(contact, state, edges, normal, error)
-        if (.not. allocated(error)) call ring_compliance(self, tangential, edges, areas, compliance, error)
+        allocate (normal(n))
+        allocate (compliance(n, n), stat=stat)
+        call check_memory(error, stat)
+        if (.not. allocated(error)) call ring_forces(contact, state, edges, normal, error)
+        if (.not. allocated(error)) call ring_compliance(grid, tangential, edges, areas, compliance, error)
         if (allocated(error)) return
         limit = coefficient*normal
         allocate (offset(n), load(n), before(n), source=0.0_wp)
@@ -154,14 +201,16 @@ contains
             self%grown = grown
         end if
         self%dissipated = sum(lost)
+        ! rings that have left slipped like the last one while their limit fell to 0
+        self%dissipated = self%dissipated + 0.5_wp*coefficient*sum(self%normal(n + 1:))*abs(moved(n) - offset(n))
         self%force = sum(load)
         self%stick_radius = stick_radius(edges, 1.0_wp - abs(load)/max(limit, tiny(limit)))
         self%offset = merge(moved, offset, abs(load) >= limit)
         self%edges = edges
         self%load = load
         self%normal = normal
-        if (radius > self%radius .and. any(self%radii == radius)) call fill(self, areas)
-        if (radius <= self%radius .or. any(self%radii == radius)) then
+        if (radius > self%radius .and. any(grid%radii == radius)) call fill(self, grid, areas)
+        if (radius <= self%radius .or. any(grid%radii == radius)) then
             self%grown = 0.0_wp
             self%base_load = self%load
             self%base_depth = state%depth
@@ -200,14 +249,15 @@ contains
     end subroutine find_touch
 
     !> A ring is filled whose inner part was in contact before it grew: one ring.
-    subroutine fill(self, areas)
+    subroutine fill(self, grid, areas)
         type(rings_t), intent(inout) :: self
+        type(ring_grid_t), intent(in) :: grid
         real(wp), intent(in) :: areas(:)
         integer :: n
 
         n = size(self%edges)
         if (n == 1) return
-        if (any(self%radii == self%edges(n - 1))) return
+        if (any(grid%radii == self%edges(n - 1))) return
         self%offset = [self%offset(:n - 2), sum(areas(n - 1:)*self%offset(n - 1:))/sum(areas(n - 1:))]
         self%load = [self%load(:n - 2), sum(self%load(n - 1:))]
         self%normal = [self%normal(:n - 2), sum(self%normal(n - 1:))]
@@ -238,8 +288,9 @@ contains
     end subroutine lose
 
     !> A radius, or that of a ring or of the contact as it is if it is close.
-    pure function snapped(self, radius) result(taken)
+    pure function snapped(self, grid, radius) result(taken)
         class(rings_t), intent(in) :: self
+        type(ring_grid_t), intent(in) :: grid
         real(wp), intent(in) :: radius
         real(wp) :: taken
         integer :: nearest
@@ -247,11 +298,11 @@ contains
         taken = radius
         if (size(self%edges) > 0) then
             nearest = minloc(abs(self%edges - radius), dim=1)
-            if (abs(self%edges(nearest) - radius) < close*self%radii(1)) taken = self%edges(nearest)
+            if (abs(self%edges(nearest) - radius) < close*grid%radii(1)) taken = self%edges(nearest)
         end if
-        nearest = nint(radius/self%radii(1))
-        if (nearest < 1 .or. nearest > size(self%radii)) return
-        if (abs(radius - self%radii(nearest)) < close*self%radii(1)) taken = self%radii(nearest)
+        nearest = nint(radius/grid%radii(1))
+        if (nearest < 1 .or. nearest > size(grid%radii)) return
+        if (abs(radius - grid%radii(nearest)) < close*grid%radii(1)) taken = grid%radii(nearest)
     end function snapped
 
     !> Normal forces on the rings between some radii, the last one the contact radius: p is smooth in sqrt(a^2 - r^2).
@@ -293,26 +344,29 @@ contains
     end subroutine ring_forces
 
     !> Mean displacements of rings by forces on rings.
-    subroutine ring_compliance(self, tangential, edges, areas, compliance, error)
-        class(rings_t), intent(in) :: self
+    subroutine ring_compliance(rings, tangential, edges, areas, compliance, error)
+        type(ring_grid_t), intent(in) :: rings
         class(medium_t), intent(in) :: tangential
         real(wp), intent(in) :: edges(:), areas(:)
         real(wp), intent(out) :: compliance(:, :)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: products(0:size(edges), 0:size(edges))
+        real(wp), allocatable :: products(:, :)
         integer :: grid(size(edges))
-        integer :: i, n
+        integer :: i, n, stat
 
         n = size(edges)
         compliance = 0.0_wp
-        grid = nint(edges/self%radii(1))
+        allocate (products(0:n, 0:n), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        grid = nint(edges/rings%radii(1))
         products = 0.0_wp
         do i = 1, n
             if (.not. is_of_grid(i)) grid(i) = 0
         end do
         do i = 1, n
             if (grid(i) > 0) then
-                where (grid > 0) products(1:, i) = self%products(max(grid, 1), grid(i))
+                where (grid > 0) products(1:, i) = rings%products(max(grid, 1), grid(i))
             else
                 call tangential%disc_products(edges(i), edges, products(1:, i), error)
                 if (allocated(error)) return
@@ -333,8 +387,8 @@ contains
             integer, intent(in) :: i
             logical :: answer
 
-            answer = grid(i) >= 1 .and. grid(i) <= size(self%radii)
-            if (answer) answer = edges(i) == self%radii(grid(i))
+            answer = grid(i) >= 1 .and. grid(i) <= size(rings%radii)
+            if (answer) answer = edges(i) == rings%radii(grid(i))
         end function is_of_grid
 
     end subroutine ring_compliance

@@ -497,11 +497,11 @@ contains
                     shift = amplitudes(i)*size_of_shift*sin(2.0_wp*pi*cycles(j)*time)
                     call history%advance(given_depth, depth, given_shift, shift, error)
                     if (.not. allocated(error)) then
-                        call self%advance(history%normal%force, [shift - before, 0.0_wp, 0.0_wp], memory, error)
+                        call self%advance(history%past%normal%force, [shift - before, 0.0_wp, 0.0_wp], memory, error)
                     end if
                     if (allocated(error)) return
                     before = shift
-                    self%path_error = max(self%path_error, abs(memory%force(1) - history%tangential%tangential_force) &
+                    self%path_error = max(self%path_error, abs(memory%force(1) - history%past%tangential%tangential_force) &
                                           /(self%coefficient*self%law%by_force%highest))
                 end do
             end do
