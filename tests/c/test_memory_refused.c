@@ -33,7 +33,7 @@ void *realloc(void *old, size_t size)
     return is_refused(size) ? NULL : __libc_realloc(old, size);
 }
 
-static double x[POINTS], y[POINTS], small[POINTS], out[POINTS];
+static double x[POINTS], y[POINTS], small[POINTS], out[POINTS], other[POINTS];
 static int branches[POINTS];
 static int labels[ROWS * ROWS * 10];
 static mdr_profile *ball, *tip;
@@ -41,6 +41,9 @@ static mdr_medium *half_space, *film;
 static mdr_contact *contact, *on_film, *by_tip;
 static mdr_law *law;
 static mdr_structure *voxels;
+static mdr_contact *relaxing;
+static mdr_friction *rubbed;
+static mdr_state pressed;
 
 static int profile(void) { mdr_profile *p = NULL; return mdr_profile_table(POINTS, x, y, &p); }
 static int mdr_table(void) { mdr_profile *p = NULL; return mdr_profile_from_mdr_table(POINTS, x, y, &p); }
@@ -67,6 +70,19 @@ static int write_law(void)
     mdr_law *again = NULL;
     return status == MDR_SUCCESS ? mdr_law_read(text, length, &again) : status;
 }
+
+static int path(void) { return mdr_contact_history(relaxing, MDR_GIVEN_DEPTH, 1e-2, POINTS - 1, x + 1, y + 1, out, NULL, NULL); }
+static int path_of_forces(void)
+{
+    return mdr_contact_history(relaxing, MDR_GIVEN_FORCE, 1e-2, POINTS - 1, x + 1, small + 1, out, NULL, NULL);
+}
+static int oscillations(void) { return mdr_contact_dynamic_stiffness(relaxing, POINTS - 1, x + 1, x + 1, out, other); }
+static int tangential_states(void)
+{
+    static mdr_tangential_state found[POINTS];
+    return mdr_friction_states(rubbed, &pressed, MDR_GIVEN_SHIFT, POINTS, small, found);
+}
+static int tangential_loop(void) { return mdr_friction_loop(rubbed, &pressed, MDR_GIVEN_SHIFT, 1e-3, POINTS, out, other, other); }
 
 /* What differs from a paraboloid's forces over depths, by least squares of its modulus. */
 typedef struct {
@@ -162,6 +178,8 @@ int main(void)
     const int size[3] = {ROWS, ROWS, 10};
     const double E[2] = {1.0, 2.0}, nu[2] = {0.3, 0.3}, spacing[3] = {0.1, 0.1, 0.1};
     mdr_law_options options;
+    mdr_material *material = NULL;
+    mdr_medium *soft = NULL;
 
     for (int i = 0; i < POINTS; i++) x[i] = i * 1e-4, y[i] = x[i] * x[i] * (1.0 + 0.01 * sin(30.0 * x[i]));
     for (int i = 0; i < POINTS; i++) small[i] = 1e-3 * y[i] * x[i], branches[i] = i % 2 ? MDR_ON_LOADING : MDR_ON_UNLOADING;
@@ -178,6 +196,12 @@ int main(void)
     options.tolerance = 1e-12;
     CHECK_SUCCESS(mdr_law_new(contact, 0.5, &options, &law));
 
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, (double[]){2.0}, (double[]){0.5}, 0.0, 0.5, 0.0, &material));
+    CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, material, MDR_MODEL_EXACT, NULL, &soft));
+    CHECK_SUCCESS(mdr_contact_new(ball, soft, NULL, &relaxing));
+    CHECK_SUCCESS(mdr_friction_new(contact, 0.3, &rubbed));
+    CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, (double[]){0.3}, &pressed));
+
     refuse_each("table of f", 0, profile);
     refuse_each("table of g", 0, mdr_table);
     refuse_each("table of E_eff", 0, medium);
@@ -191,6 +215,11 @@ int main(void)
     refuse_each("law written and read", 0, write_law);
     refuse_each("voxels", 0, make_voxels);
     refuse_each("place among voxels", 0, place);
+    refuse_each("path in time", 0, path);
+    refuse_each("path in time of forces", 0, path_of_forces);
+    refuse_each("oscillations", 0, oscillations);
+    refuse_each("tangential states", 0, tangential_states);
+    refuse_each("tangential loop", 0, tangential_loop);
     refuse_each("prediction", 0, predict);
     refuse_each("prediction at radii", 0, predict_radii);
     refuse_each("fit", 0, solve);

@@ -91,17 +91,17 @@ contains
         if (.not. allocated(error)) then
             do i = 1, n
                 call solve(shear, given, in(i), states(i), error)
+                if (.not. allocated(error)) call check_results(error, [states(i)%tangential_force, states(i)%shift])
                 if (.not. allocated(error)) cycle
                 call raise_at(error, i)
                 exit
             end do
         end if
-        if (.not. allocated(error) .and. n > 0) then
-            call check_results(error, states%tangential_force)
-            call check_results(error, states%shift)
-            if (.not. allocated(error)) out(:n) = states
-        end if
         status = status_of(error)
+        if (allocated(error) .or. n == 0) return
+        do i = 1, n
+            out(i) = states(i)
+        end do
     end function mdr_friction_states
 
     function mdr_friction_sliding(f, state, shift, force) result(status) bind(C)
@@ -171,7 +171,8 @@ contains
         call make_room(error, n, shifts)
         call make_room(error, n, forces)
         if (.not. allocated(error)) call shear%loop(turn, shifts, forces, error)
-        if (.not. allocated(error)) call check_results(error, [shifts, forces])
+        if (.not. allocated(error)) call check_results(error, shifts)
+        if (.not. allocated(error)) call check_results(error, forces)
         status = status_of(error)
         if (allocated(error)) return
         shift(:n) = shifts

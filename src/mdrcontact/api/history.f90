@@ -6,7 +6,7 @@ module mdrcontact_api_history
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_contact, only: contact_t
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_error, only: check_memory, error_t, raise_at
     use mdrcontact_history_relaxation, only: contact_history
     use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_response
     use mdrcontact_kinds, only: wp
@@ -58,7 +58,7 @@ contains
         type(contact_t), pointer :: contact
         complex(wp), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: stat
+        integer :: i, stat
 
         call open_handle(c, "c", contact, error)
         call check_count(error, n)
@@ -71,8 +71,11 @@ contains
         allocate (values(n), stat=stat)
         call check_memory(error, stat)
         if (.not. allocated(error)) call dynamic_stiffness(contact, omega(:n), radius(:n), values, error)
-        if (.not. allocated(error)) call check_results(error, real(values, wp))
-        if (.not. allocated(error)) call check_results(error, aimag(values))
+        do i = 1, n
+            if (allocated(error)) exit
+            call check_results(error, [real(values(i), wp), aimag(values(i))])
+            if (allocated(error)) call raise_at(error, i)
+        end do
         status = status_of(error)
         if (allocated(error)) return
         storage(:n) = real(values, wp)

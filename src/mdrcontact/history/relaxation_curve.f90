@@ -5,7 +5,7 @@ module mdrcontact_history_relaxation_curve
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_states, given_depth
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t, law_point_t
     use mdrcontact_law_from_contact, only: law_options_t, new_contact_law
@@ -37,7 +37,7 @@ contains
         type(contact_state_t), allocatable :: states(:)
         type(law_point_t) :: point
         type(law_options_t) :: options
-        integer :: i
+        integer :: i, stat
 
         if (size(depths) == 0) return
         if (.not. self%contact%is_formula() .and. .not. allocated(self%law) .and. size(depths) > many) then
@@ -59,7 +59,9 @@ contains
                 if (present(stiffness)) stiffness(i) = point%stiffness
             end do
         else
-            allocate (states(size(depths)))
+            allocate (states(size(depths)), stat=stat)
+            call check_memory(error, stat)
+            if (allocated(error)) return
             call find_states(self%contact, depths, states, error)
             if (allocated(error)) return
             if (present(force)) force = states%force

@@ -10,7 +10,7 @@ module mdrcontact_history_relaxation_follow
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_states, given_force
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_history_relaxation_curve, only: break_depths, elastic_curve_t
     use mdrcontact_history_relaxation_path, only: mean_decay, new_path, partial_integrals, path_t
     use mdrcontact_kinds, only: wp
@@ -58,19 +58,23 @@ contains
         type(elastic_curve_t) :: curve
         type(path_t), allocatable :: path ! 40 kB
         real(wp), allocatable :: breaks(:), t(:), d(:)
-        integer :: first, last
+        integer :: first, last, stat
 
         covered = .true.
         radius = 0.0_wp
         force = 0.0_wp
-        first = findloc(depth > 0.0_wp, .true., dim=1)
-        if (first == 0) return
+        do first = 1, size(depth)
+            if (depth(first) > 0.0_wp) exit
+        end do
+        if (first > size(depth)) return
         last = first
         do while (last < size(depth))
             if (depth(last + 1) < depth(last)) exit
             last = last + 1
         end do
-        allocate (t(0:last - first + 1), d(0:last - first + 1))
+        allocate (t(0:last - first + 1), d(0:last - first + 1), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         t(1:) = time(first:last)
         d(1:) = depth(first:last)
         d(0) = 0.0_wp
@@ -93,13 +97,18 @@ contains
         type(elastic_curve_t), intent(inout) :: curve
         real(wp), intent(inout) :: radius(:), force(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: stiffness(:)
+        real(wp), allocatable :: depth(:), stiffness(:)
         real(wp) :: length
-        integer :: i, n, panel
+        integer :: i, n, panel, stat
 
         n = size(phi%rate)
-        allocate (stiffness(size(radius)))
-        call curve%at_depths(path%depth(path%place(1:)), error, radius=radius, stiffness=stiffness)
+        allocate (depth(size(radius)), stiffness(size(radius)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        do i = 1, size(radius)
+            depth(i) = path%depth(path%place(i))
+        end do
+        call curve%at_depths(depth, error, radius=radius, stiffness=stiffness)
         if (allocated(error)) return
         do i = 1, size(force)
             panel = path%place(i)
@@ -127,12 +136,14 @@ contains
         real(wp) :: rate, edge, step
         real(wp), allocatable :: depths(:), radii(:)
         type(retreat_t) :: now, before, between
-        integer :: i, n, count
+        integer :: i, n, count, stat
         logical :: steady
 
         n = size(phi%rate)
         covered = .true.
-        allocate (depths(size(time)), radii(size(time)))
+        allocate (depths(size(time)), radii(size(time)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         count = 0
         rise = path%rise(:n, path%count)
         step = -1.0_wp
@@ -316,13 +327,15 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(creep_t) :: creep
         type(contact_state_t), allocatable :: states(:)
-        real(wp), allocatable :: rise(:), z(:)
-        real(wp) :: elastic(size(force)), impulse, rate, length, pull
-        integer :: i
+        real(wp), allocatable :: rise(:), z(:), elastic(:)
+        real(wp) :: impulse, rate, length, pull
+        integer :: i, stat
 
         covered = .true.
         creep = creep_of(phi)
-        allocate (rise(size(creep%rate)), z(size(creep%rate)), states(size(force)))
+        allocate (rise(size(creep%rate)), z(size(creep%rate)), elastic(size(force)), states(size(force)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         rise = force(1)
         impulse = 0.0_wp
         elastic(1) = creep%instant*force(1)

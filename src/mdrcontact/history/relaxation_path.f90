@@ -3,7 +3,7 @@
 !>     S(t) = int exp(-rate (t - u)) dF(d(u)),    D(t) = int exp(-rate (t - u)) d'(u) du
 !> at the end of each, one for every rate: exact where the depth is linear in time, whatever the rate.
 module mdrcontact_history_relaxation_path
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_gsl, only: gsl_sf_bessel_il_scaled_array, gsl_success
     use mdrcontact_history_relaxation_curve, only: elastic_curve_t
     use mdrcontact_kinds, only: wp
@@ -60,23 +60,26 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         self%rates = rates
-        call place_panels(self, breaks, time, depth)
-        call make_rules(self%rules, maxval(self%terms), error)
+        call place_panels(self, breaks, time, depth, error)
+        if (.not. allocated(error)) call make_rules(self%rules, maxval(self%terms), error)
         if (.not. allocated(error)) call sample(self, curve, error)
-        if (.not. allocated(error)) call integrate(self)
+        if (.not. allocated(error)) call integrate(self, error)
     end subroutine new_path
 
-    subroutine place_panels(self, breaks, time, depth)
+    subroutine place_panels(self, breaks, time, depth, error)
         type(path_t), intent(inout) :: self
         real(wp), intent(in) :: breaks(:), time(0:), depth(0:)
+        type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: t(:), d(:)
         integer, allocatable :: terms(:)
         real(wp) :: next, low, ratio
-        integer :: i, n, room
+        integer :: i, n, room, stat
 
         n = ubound(depth, 1)
         room = n + size(breaks) + 2*doublings + 64
-        allocate (t(0:room), d(0:room), terms(room), self%place(0:n))
+        allocate (t(0:room), d(0:room), terms(room), self%place(0:n), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         ! below the lowest depth F is proportional to d, as near as it matters
         low = scale(maxval(depth), -doublings)
         t(0) = time(0)
@@ -115,10 +118,12 @@ contains
             end do
             self%place(i) = self%count
         end do
-        allocate (self%time(0:self%count), self%depth(0:self%count))
-        self%time = t(:self%count)
-        self%depth = d(:self%count)
-        self%terms = terms(:self%count)
+        allocate (self%time(0:self%count), self%depth(0:self%count), self%terms(self%count), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        self%time(:) = t(:self%count)
+        self%depth(:) = d(:self%count)
+        self%terms(:) = terms(:self%count)
     end subroutine place_panels
 
     subroutine make_rules(rules, largest, error)
@@ -159,9 +164,11 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: depths(:), values(:)
         real(wp) :: lowest(1)
-        integer :: i, n, first
+        integer :: i, n, first, stat
 
-        allocate (depths(sum(self%terms)), values(sum(self%terms)))
+        allocate (depths(sum(self%terms)), values(sum(self%terms)), self%stiffness(most, self%count), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         first = 0
         do i = 1, self%count
             n = self%terms(i)
@@ -171,8 +178,7 @@ contains
         end do
         call curve%at_depths(depths, error, stiffness=values)
         if (allocated(error)) return
-        allocate (self%stiffness(most, self%count))
-        self%stiffness = 0.0_wp
+        self%stiffness(:, :) = 0.0_wp
         first = 0
         do i = 1, self%count
             n = self%terms(i)
@@ -187,12 +193,15 @@ contains
         end do
     end subroutine sample
 
-    subroutine integrate(self)
+    subroutine integrate(self, error)
         type(path_t), intent(inout) :: self
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: moments(size(self%rates), most), decay(size(self%rates)), length, before, rise
-        integer :: i, l, n, made
+        integer :: i, l, n, made, stat
 
-        allocate (self%load(size(self%rates), 0:self%count), self%rise(size(self%rates), 0:self%count))
+        allocate (self%load(size(self%rates), 0:self%count), self%rise(size(self%rates), 0:self%count), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         self%load(:, 0) = 0.0_wp
         self%rise(:, 0) = 0.0_wp
         before = -1.0_wp
