@@ -7,7 +7,7 @@ module mdrcontact_api_interior
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_count_from, check_memory, error_t
+    use mdrcontact_error, only: check_choice, check_count_from, check_memory, error_t, raise_at
     use mdrcontact_field_interior, only: components
     implicit none (type, external)
     private
@@ -30,7 +30,7 @@ contains
         type(contact_t), pointer :: contact
         real(c_double), allocatable :: field(:, :), azimuth(:)
         type(error_t), allocatable :: error
-        integer :: stat
+        integer :: i, stat
 
         call open_handle(c, "c", contact, error)
         call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
@@ -50,8 +50,14 @@ contains
             if (present(angle)) azimuth = angle(:n)
             call contact%interior(state, body == upper_body, r(:n), z(:n), side == side_below, friction, azimuth, field, error, &
                                   wanted_threads())
-            if (.not. allocated(error)) call check_results_or_infinity(error, reshape(transpose(field), [size(field)]))
-            if (.not. allocated(error)) out(:, :n) = transpose(field)
+            do i = 1, n
+                if (allocated(error)) exit
+                call check_results_or_infinity(error, field(i, :))
+                if (allocated(error)) call raise_at(error, i)
+            end do
+            do i = 1, merge(n, 0, .not. allocated(error))
+                out(:, i) = field(i, :)
+            end do
         end if
         status = status_of(error)
     end function mdr_contact_interior

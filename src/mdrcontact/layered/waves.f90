@@ -2,7 +2,7 @@
 !> exp(iky) on a ray of wavenumbers k = t exp(i theta), octave by octave of k y: the part of a kernel's tabulation that is the
 !> same for every body. Bodies that are made one after the other share it.
 module mdrcontact_layered_waves
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: degree
     use mdrcontact_numerics_chebyshev, only: node
@@ -56,15 +56,19 @@ contains
         integer, intent(in) :: panels
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: x(panel_nodes), w(panel_nodes), chebyshev(degree + 1)
-        real(wp) :: near(degree + 1, 2, panels*panel_nodes)
-        integer :: i, n, highest, octave
+        real(wp), allocatable :: near(:, :, :)
+        integer :: i, n, highest, octave, stat
 
         self%direction = cmplx(cos(angle), sin(angle), wp)
         call gauss_legendre(x, w, error)
         if (allocated(error)) return
         call last_coefficients(x, w, self%last)
         n = panels*panel_nodes
-        allocate (self%nodes(n), self%weights(n), self%powers(n, 0:order))
+        highest = ceiling(log(faded/sin(angle))/log(2.0_wp)) - 1
+        allocate (self%nodes(n), self%weights(n), self%powers(n, 0:order), near(degree + 1, 2, n), &
+                  self%near(degree + 1, n, first_wave:last_near), self%far(2*degree + 2, 2, n, first_wave:highest), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         do i = 1, panels
             self%nodes((i - 1)*panel_nodes + 1:i*panel_nodes) = 1.0_wp + (real(i - 1, wp) + x)/real(panels, wp)
             self%weights((i - 1)*panel_nodes + 1:i*panel_nodes) = w/real(panels, wp)
@@ -76,8 +80,6 @@ contains
         chebyshev = node([(i, i=1, size(chebyshev))], size(chebyshev))
         self%near_y = sqrt(0.5_wp*(1.0_wp + chebyshev))
         self%far_y = [1.25_wp + 0.25_wp*chebyshev, 1.75_wp + 0.25_wp*chebyshev]
-        highest = ceiling(log(faded/sin(angle))/log(2.0_wp)) - 1
-        allocate (self%near(size(self%near_y), n, first_wave:last_near), self%far(size(self%far_y), 2, n, first_wave:highest))
         do i = 1, n
             near(:, :, i) = less_one(scale(self%nodes(i), first_wave)*self%near_y*(0.0_wp, 1.0_wp))
             self%far(:, :, i, first_wave) = less_one(scale(self%nodes(i), first_wave)*self%far_y*(0.0_wp, 1.0_wp)*self%direction)
