@@ -137,10 +137,10 @@ typedef int (*mdr_cancel)(void *context);
 int mdr_set_cancel(mdr_cancel cancel, void *context);
 
 /**
- * From now on mdr_contact_history() writes to *part, in the calling thread, how far its march through time is. Another thread may read
- * it meanwhile, or the function given to mdr_set_cancel(). Each thread has its own.
- * @param part  [1] receives the number of rounds that are done, each with steps half as long as those of the one before, plus the part of
- *              the path that the present one has behind it; NULL: nobody is told, as at first
+ * From now on mdr_contact_history() writes to *part, in the calling thread, how far its march through time is. Another thread may
+ * read it meanwhile, or the function given to mdr_set_cancel(). Each thread has its own.
+ * @param part  [1] receives the number of rounds that are done, each with steps half as long as those of the one before, plus the
+ *              part of the path that the present one has behind it; NULL: nobody is told, as at first
  */
 int mdr_set_progress(double part[]);
 
@@ -1527,8 +1527,8 @@ typedef struct mdr_friction_law_facts {
     double highest_force;         /**< The largest normal force of the compiled range [modulus length^2]. */
     double highest_sliding_shift; /**< The shift of first shear at which the contact slides under that force [length]. */
     double tolerance;             /**< What was asked for, relative. */
-    double first_shear_error;     /**< The largest error of T found in first shear at constant F, relative to coefficient F: near the
-                                       tolerance on homogeneous bodies and with Gao's weights, some per cent on exact layered ones. */
+    double first_shear_error;     /**< The largest error of T found in first shear at constant F, relative to coefficient F: near
+                                       the tolerance on homogeneous bodies and with Gao's weights, per cents on exact layered. */
     double path_error;            /**< The largest error of T found along cycles of depth and shift against the exact history,
                                        relative to the largest coefficient F; -1 on bodies other than homogeneous ones. */
     int description_length;       /**< Of the description, without its closing zero. */
