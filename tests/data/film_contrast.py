@@ -45,23 +45,7 @@ def spherical_bessel(x, count):
     return [values[2 * j] * scale for j in range(count)]
 
 
-def gauss(n):
-    """Nodes and weights on [0, 1]."""
-    nodes, weights = [], []
-    for i in range(n):
-        x = mp.cos(mp.pi * (i + mp.mpf(3) / 4) / (n + mp.mpf(1) / 2))
-        for _ in range(8):
-            p, before = x, mp.mpf(1)
-            for j in range(2, n + 1):
-                p, before = ((2 * j - 1) * x * p - (j - 1) * before) / j, p
-            slope = n * (before - x * p) / (1 - x * x)
-            x -= p / slope
-        nodes.append((1 + x) / 2)
-        weights.append(1 / ((1 - x * x) * slope**2))
-    return nodes, weights
-
-
-NODES, WEIGHTS = gauss(56)
+NODES, WEIGHTS = map(list, mp.gauss_quadrature(56, "legendre01"))
 
 
 def coefficients(contrast, nu0, nu1, a):

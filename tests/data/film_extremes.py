@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes film_extremes.csv: a paraboloid on one or two films at the ends of what is allowed, to 40 digits (needs gmpy2).
+"""Makes film_extremes.csv: a paraboloid on one or two films at the ends of what is allowed, to 40 digits (needs gmpy2, mpmath).
 
 Drawn log-uniformly: ratios of the shear moduli of neighbours 1e-12 to 1e12, contact radius 1e-8 to 10 thicknesses of the first
 film, thickness of a second film 1e-6 to 1e6 of them; Poisson's ratios uniformly from -0.99 to 0.5. The springs' equation in even
@@ -12,6 +12,7 @@ import random
 import sys
 
 import gmpy2
+import mpmath
 from gmpy2 import cos, exp, log, mpfr, sin, sqrt
 
 gmpy2.get_context().precision = 365
@@ -21,23 +22,8 @@ COUNT = 200
 OCTAVES = range(-110, 8)
 
 
-def gauss(n):
-    """Nodes and weights on [0, 1]."""
-    nodes, weights = [], []
-    for i in range(n):
-        x = cos(PI * (i + mpfr("0.75")) / (n + mpfr("0.5")))
-        for _ in range(9):
-            p, before = x, mpfr(1)
-            for j in range(2, n + 1):
-                p, before = ((2 * j - 1) * x * p - (j - 1) * before) / j, p
-            slope = n * (before - x * p) / (1 - x * x)
-            x -= p / slope
-        nodes.append((1 + x) / 2)
-        weights.append(1 / ((1 - x * x) * slope**2))
-    return nodes, weights
-
-
-NODES, WEIGHTS = gauss(40)
+with mpmath.workprec(420):
+    NODES, WEIGHTS = ([mpfr(str(v)) for v in values] for values in mpmath.gauss_quadrature(40, "legendre01"))
 
 
 def spherical_bessel(x, count):
