@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A progress bar for calls that are marched through time: the library writes how far it is."""
+"""Progress bars: of loops, and of calls that are marched through time, of which the library writes how far they are."""
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 import numpy as np
 
@@ -18,23 +19,28 @@ LOOK = 0.2
 """Seconds between two looks at how far it is."""
 
 
+def bar(total: int, unit: str) -> Any:
+    """A bar on a terminal, if it takes long; a context manager."""
+    from tqdm import tqdm
+
+    return tqdm(total=total, unit=unit, delay=PATIENCE, disable=None, leave=False)
+
+
 @contextmanager
 def marching(samples: int, shown: bool) -> Iterator[None]:
     """While the calling thread marches through so many samples, in rounds of ever shorter steps: a bar of the present round."""
     if not shown:
         yield
         return
-    from tqdm import tqdm
-
     part, done = np.zeros(1), threading.Event()
 
     def follow() -> None:
-        with tqdm(total=samples, unit="samples", delay=PATIENCE, disable=None, leave=False) as bar:
+        with bar(samples, "samples") as shown_bar:
             while not done.wait(LOOK):
                 rounds, share = divmod(float(part[0]), 1.0)
-                bar.total = samples * (int(rounds) + 1)
-                bar.set_description(f"round {int(rounds) + 1}", refresh=False)
-                bar.update(samples * (int(rounds) + share) - bar.n)
+                shown_bar.total = samples * (int(rounds) + 1)
+                shown_bar.set_description(f"round {int(rounds) + 1}", refresh=False)
+                shown_bar.update(samples * (int(rounds) + share) - shown_bar.n)
 
     watcher = threading.Thread(target=follow, daemon=True)
     call(_native.set_progress, part.ctypes.data)

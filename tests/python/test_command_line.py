@@ -322,6 +322,7 @@ def test_compare_takes_the_indenter_into_every_model(capsys, tmp_path, monkeypat
 
 
 def test_progress_appears_when_it_takes_long(monkeypatch):
+    from mdrcontact import _progress
     from mdrcontact.cli import solve
     from mdrcontact.problem import load
 
@@ -333,7 +334,7 @@ def test_progress_appears_when_it_takes_long(monkeypatch):
     for patience, shown in ((0.0, True), (60.0, False)):
         terminal = Terminal()
         monkeypatch.setattr(sys, "stderr", terminal)
-        monkeypatch.setattr(solve, "PATIENCE", patience)
+        monkeypatch.setattr(_progress, "PATIENCE", patience)
         with solve.progress(1, problem.control) as bar:
             solve.solve(problem.contact(), problem.control, bar)
             bar.refresh() if shown else None

@@ -9,9 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from tqdm import tqdm
 
-from .._progress import PATIENCE
+from .. import _progress
 from ..fitting import FitResult, OliverPharr, StiffnessDepth, compare_models, fit, oliver_pharr, report
 from ..fitting.quantities import digits, dimension_of_data
 from ..problem.data import Curve
@@ -106,7 +105,7 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
     print(result.summary())
     intervals = {}
     if arguments.interval != "normal":
-        with tqdm(total=len(result.names), unit="intervals", delay=PATIENCE, disable=None, leave=False) as bar:
+        with _progress.bar(len(result.names), "intervals") as bar:
             for name in result.names:
                 intervals[name] = result.interval(name, method=arguments.interval, seed=0)
                 bar.update()

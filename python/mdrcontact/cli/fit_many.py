@@ -12,9 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from tqdm import tqdm
 
-from .._progress import PATIENCE
+from .. import _progress
 from ..errors import MDRError
 from ..fitting import FailedFit, FitResult, fit_many, report
 from ..fitting.quantities import dimension_of, words_of
@@ -32,7 +31,7 @@ def run_folder(arguments: argparse.Namespace, problem: FitFile) -> None:
     """Fits every curve of a folder."""
     paths = files.data_files(arguments.data)
     curves: list[Curve] = []
-    with tqdm(total=len(paths), unit="files", delay=PATIENCE, disable=None, leave=False) as bar:
+    with _progress.bar(len(paths), "files") as bar:
         for path in paths:
             try:
                 curves += problem.curves(path)
@@ -50,7 +49,7 @@ def run_curves(arguments: argparse.Namespace, problem: FitFile, curves: list[Cur
     """Fits each curve and reports all of them."""
     print("\n".join([f"{len(curves)} curves in {arguments.data}; as in", *(f"  {note}" for note in _first_notes(curves))]))
     tasks = [functools.partial(_only_data, curve) for curve in curves]
-    with tqdm(total=len(curves), unit="curves", delay=PATIENCE, disable=None, leave=False) as bar:
+    with _progress.bar(len(curves), "curves") as bar:
         results = fit_many(
             tasks,
             problem.indenter,

@@ -7,9 +7,8 @@ import re
 from typing import Any, NamedTuple
 
 import numpy as np
-from tqdm import tqdm
 
-from .._progress import PATIENCE
+from .. import _progress
 from ..contact import State
 from ..errors import InvalidArgumentError, MDRError, UnreachableError
 from ..friction import Friction, FrictionHistory, TangentialState
@@ -40,7 +39,7 @@ def lead(problem: Problem, sliding: Sliding, path: SlidingPath) -> Led:
     at: Any = friction.contact.at_depth if path.name == "depth" else friction.contact.at_force
     state: State = at(path.values)
     history = _exact(friction) if path.rings is None else None
-    with tqdm(total=len(path.values) * (1 if history else 2), unit="steps", delay=PATIENCE, disable=None, leave=False) as bar:
+    with _progress.bar(len(path.values) * (1 if history else 2), "steps") as bar:
         if history:
             return Led(friction, state, _along(path, state, history, bar), 0, 0.0, 0.0)
         rings, deepest = path.rings or _RINGS, float(np.max(state.depth))

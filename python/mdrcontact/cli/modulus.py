@@ -10,9 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from tqdm import tqdm
 
-from .._progress import PATIENCE
+from .. import _progress
 from ..fitting import DepthProfile, StiffnessDepth, modulus_at_depths, report
 from ..fitting.quantities import dimension_of, measured, words_of
 from ..problem import ProblemError
@@ -57,7 +56,7 @@ def run(arguments: argparse.Namespace) -> None:
     print("\n".join([str(arguments.data), *(f"  {note}" for note in notes)]))
     if not isinstance(data, StiffnessDepth):
         raise ProblemError('[data]: kind must be "stiffness-depth"')
-    with tqdm(total=len(data), unit="points", delay=PATIENCE, disable=None, leave=False) as bar:
+    with _progress.bar(len(data), "points") as bar:
         profile = modulus_at_depths(
             data,
             problem.indenter,

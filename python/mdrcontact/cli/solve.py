@@ -10,9 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from tqdm import tqdm
 
-from .._progress import PATIENCE
+from .. import _progress
 from ..contact import Contact
 from ..medium import Coated, Layered, Medium, Pair
 from ..problem.compute import Control
@@ -47,7 +46,7 @@ class Curve(NamedTuple):
 def progress(curves: int, control: Control) -> Iterator[Any]:
     """A bar on the terminal for that many curves, shown once the work has taken long enough to wonder about."""
     total = curves * len(control.values)
-    with tqdm(total=total, unit="states", delay=PATIENCE, disable=None, leave=False) as bar:
+    with _progress.bar(total, "states") as bar:
         yield bar
 
 

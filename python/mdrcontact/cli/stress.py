@@ -8,9 +8,8 @@ import math
 from typing import Any
 
 import numpy as np
-from tqdm import tqdm
 
-from .._progress import PATIENCE
+from .. import _progress
 from ..contact import Contact, State
 from ..critical import Failure, Maximum, layers_of
 from ..interior import Interior
@@ -80,7 +79,7 @@ def _inside(problem: Problem, contact: Contact, state: State, friction: float, w
     failures: tuple[Failure, ...] = ()
     unreached: list[str] = []
     if problem.strength is not None:
-        with tqdm(total=len(problem.strength), unit="modes", delay=PATIENCE, disable=None, leave=False) as bar:
+        with _progress.bar(len(problem.strength), "modes") as bar:
             failures = _failures(contact, problem.strength, friction, 3.0 * float(state.radius), bar)
         reached = {(failure.mode, failure.place) for failure in failures}
         unreached = [

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import io
 import os
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -108,12 +109,12 @@ def _draw_points(
         above.plot(x, y, ".", color=_GREY, markersize=3, label="data")
     else:
         above.errorbar(x, y, bars, fmt=".", color=_GREY, markersize=4, elinewidth=0.8, label="data")
-    for first, last in zip(ends, ends[1:], strict=False):
+    for first, last in pairwise(ends):
         above.plot(x[first:last], fitted[order][first:last] / y_unit.factor, color=_BLUE, label=label if first == 0 else None)
     above.set_ylabel(f"{_AXES[data.y_name]} [{y_unit.symbol}]")
     if isinstance(data, DynamicStiffness):
         above.set(xscale="log", yscale="log")
-        for first, last, part in zip(ends, ends[1:], ("storage", "loss"), strict=False):
+        for (first, last), part in zip(pairwise(ends), ("storage", "loss"), strict=False):
             top = first + int(np.argmax(fitted[order][first:last]))
             place = (x[top], fitted[order][top] / y_unit.factor)
             above.annotate(part, place, (0, 6), textcoords="offset points", ha="right" if top == last - 1 else "center")

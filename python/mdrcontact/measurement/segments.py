@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -105,7 +106,7 @@ def find_segments(depth: ArrayLike, force: ArrayLike) -> list[Segment]:
         else:
             joined.append([kind, start, stop])
     joined[0][1], joined[-1][2] = 0, n
-    for one, other in zip(joined, joined[1:], strict=False):
+    for one, other in pairwise(joined):
         between = slice(one[1], other[2])
         middle = (one[2] + other[1]) // 2
         if one[0] * other[0] < 0:
@@ -136,7 +137,7 @@ def find_strays(values: ArrayLike) -> NDArray[np.intp]:
 
 def _runs(state: NDArray[np.int64]) -> list[tuple[int, int, int]]:
     ends = [0, *(np.flatnonzero(np.diff(state)) + 1).tolist(), len(state)]
-    return [(int(state[a]), a, b) for a, b in zip(ends, ends[1:], strict=False)]
+    return [(int(state[a]), a, b) for a, b in pairwise(ends)]
 
 
 def drift_rate(time: ArrayLike, depth: ArrayLike) -> Drift:

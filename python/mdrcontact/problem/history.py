@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
@@ -85,8 +86,8 @@ def _duration(section: Section, key: str) -> float:
 def _pieces(times: list[float], values: list[float], points: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Straight pieces. Half of the points go by duration, half to the pieces alike: a short rise is a curve, too."""
     alike = 1.0 / (len(times) - 1)
-    steps = [max(1, round(0.5 * points * ((b - a) / times[-1] + alike))) for a, b in zip(times, times[1:], strict=False)]
-    pieces = [np.linspace(a, b, n + 1)[1:] for a, b, n in zip(times, times[1:], steps, strict=False)]
+    steps = [max(1, round(0.5 * points * ((b - a) / times[-1] + alike))) for a, b in pairwise(times)]
+    pieces = [np.linspace(a, b, n + 1)[1:] for (a, b), n in zip(pairwise(times), steps, strict=True)]
     time = np.concatenate([[times[0]], *pieces])
     return time, np.interp(time, times, values)
 
