@@ -55,6 +55,16 @@ def number(name: str, value: Any) -> float:
     return float(array)
 
 
+def whole(name: str, value: Any, smallest: int, largest: int | None = None) -> int:
+    """`value` as a whole number of a range."""
+    is_whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+    if not is_whole or not smallest <= value <= (largest or value):
+        allowed = f", at least {smallest}" if largest is None else f" from {smallest} to {largest}"
+        words = f"{name} = {value!r} is not allowed: it must be a whole number{allowed}"
+        raise InvalidArgumentError(words) if is_whole else ArgumentTypeError(words)
+    return int(value)
+
+
 def thread_count(threads: Any) -> int:
     """`threads` as a whole number. Its range is the library's business."""
     if isinstance(threads, bool) or not isinstance(threads, int):

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._boundary import FloatOrArray, call, evaluate, evaluate_all, number, numbers
+from ._boundary import FloatOrArray, call, evaluate, evaluate_all, number, numbers, whole
 from .contact import Contact, State
-from .errors import ArgumentTypeError, InvalidArgumentError
+from .errors import ArgumentTypeError
 
 MOST_POINTS = 1_000_000
 FLAG = 5
@@ -90,9 +90,7 @@ def field(
 
 def point_count(points: Any) -> int:
     """Of a loop."""
-    if isinstance(points, bool) or not isinstance(points, (int, np.integer)) or not 3 <= points <= MOST_POINTS:
-        raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number from 3 to {MOST_POINTS}")
-    return int(points)
+    return whole("points", points, 3, MOST_POINTS)
 
 
 def draw_loop(x: NDArray[np.float64], y: NDArray[np.float64], labels: tuple[str, str], axes: Any, look: dict[str, Any]) -> Any:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from ._boundary import Handle, call, number
+from ._boundary import Handle, call, number, whole
 from ._choices import nearest
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -115,9 +115,8 @@ def loop(contact: Any, control: str, largest: Any, points: Any, spring_stiffness
     if (spring_stiffness is not None) != (control == "spring"):
         raise ArgumentTypeError('spring_stiffness is needed under control "spring", and only there')
     stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
-    if isinstance(points, bool) or not isinstance(points, (int, np.integer)) or not 2 <= points <= 1_000_000:
-        raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number from 2 to 1000000")
-    created = _native.loop_new(contact._handle.address, chosen, number("largest", largest), int(points), stiffness)
+    count = whole("points", points, 2, 1_000_000)
+    created = _native.loop_new(contact._handle.address, chosen, number("largest", largest), count, stiffness)
     handle = Handle(created, _native.loop_free)
     count, turning_point, jumps = call(_native.loop_size, handle.address)
     position, d, a, F = call(_native.loop_path, handle.address, count)

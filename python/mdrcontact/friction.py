@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -10,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native, _slip
-from ._boundary import FloatOrArray, Handle, call, number, numbers
+from ._boundary import FloatOrArray, Handle, call, number, numbers, whole
 from ._value import Value
 from .adhesion import code
 from .contact import Contact, State
@@ -224,9 +225,6 @@ class Friction(Value):
         return _slip.field(_native.friction_field, self._handle.address, field, name, r, "tangential", shear, rows)
 
 
-_UNLOADED = TangentialState(0.0, 0.0, 0.0, 0.0, 0.0, False)
-
-
 class FrictionHistory:
     """A contact with friction and its past, along any path of normal and tangential loading: `friction.history()`.
 
@@ -238,34 +236,22 @@ class FrictionHistory:
     way.
     """
 
-    def __init__(
-        self,
-        friction: Friction,
-        largest_depth: float | None = None,
-        rings: int | None = None,
-        *,
-        _copy_of: FrictionHistory | None = None,
-    ) -> None:
+    def __init__(self, friction: Friction, largest_depth: float | None = None, rings: int | None = None) -> None:
         if not isinstance(friction, Friction):
             raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
-        if _copy_of is None:
-            deepest = 0.0 if largest_depth is None else number("largest_depth", largest_depth)
-            if (largest_depth is not None and deepest == 0.0) or (rings is not None and (largest_depth is None or rings == 0)):
-                raise InvalidArgumentError(
-                    f"largest_depth = {largest_depth!r}, rings = {rings!r} is not allowed: rings need a largest_depth > 0, and "
-                    "there must be 10 to 1000 of them"
-                )
-            if isinstance(rings, bool) or not isinstance(rings, (int, np.integer, type(None))):
-                raise ArgumentTypeError(f"rings = {rings!r} is not allowed: it must be a whole number")
-            created = _native.friction_history_new(friction._handle.address, deepest, int(rings or 0))
-        else:
-            created = _native.friction_history_copy(_copy_of._handle.address)
-        self._handle: Handle = Handle(created, _native.friction_history_free)
+        deepest = 0.0 if largest_depth is None else number("largest_depth", largest_depth)
+        count = 0 if rings is None else whole("rings", rings, 1)
+        if deepest == 0.0 and (largest_depth is not None or count):
+            raise InvalidArgumentError(f"largest_depth = {largest_depth!r} is not allowed: rings need a largest_depth > 0")
+        self._own(_native.friction_history_new(friction._handle.address, deepest, count))
         self.friction = friction
-        self.state: State = State(0.0, 0.0, 0.0, 0.0) if _copy_of is None else _copy_of.state
+        self.state = State(0.0, 0.0, 0.0, 0.0)
         """the normal state reached"""
-        self.shear: TangentialState = _UNLOADED if _copy_of is None else _copy_of.shear
+        self.shear = TangentialState(0.0, 0.0, 0.0, 0.0, 0.0, False)
         """the tangential state reached"""
+
+    def _own(self, created: tuple[int, int]) -> None:
+        self._handle = Handle(created, _native.friction_history_free)
 
     def advance(
         self,
@@ -308,7 +294,9 @@ class FrictionHistory:
 
     def copy(self) -> FrictionHistory:
         """The same past, which goes its own way from here."""
-        return FrictionHistory(self.friction, _copy_of=self)
+        other = copy.copy(self)
+        other._own(_native.friction_history_copy(self._handle.address))
+        return other
 
     def __repr__(self) -> str:
         return f"<FrictionHistory of {self.friction!r} at depth {self.state.depth:g}, shift {self.shear.shift:g}>"

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import Handle, address, call, number, numbers, record
+from ._boundary import Handle, address, call, number, numbers, record, whole
 from ._law_file import LawFile, law_options
-from .errors import ArgumentTypeError, InvalidArgumentError
+from .errors import ArgumentTypeError
 from .friction import Friction
 
 __all__ = ["FrictionLaw"]
@@ -106,9 +106,7 @@ class FrictionLaw(LawFile):
     def contacts(count: int) -> NDArray[Any]:
         """The memory of `count` contacts that have not been loaded: a structured array, C's struct mdr_friction_memory, with the
         tangential forces in ["force"]. Setting an entry to 0 forgets that contact."""
-        if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 0:
-            raise InvalidArgumentError(f"count = {count!r} is not allowed: it must be a whole number, 0 or more")
-        return np.zeros(count, _layout.friction_memory)
+        return np.zeros(whole("count", count, 0), _layout.friction_memory)
 
     def advance(self, contacts: NDArray[Any], force: ArrayLike, shift: ArrayLike) -> NDArray[np.float64]:
         """One step of all contacts, in each of which normal force and shift change in proportion; changes `contacts`.

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _layout, _native
-from .._boundary import Refusal, address, number, outcome, record
+from .._boundary import Refusal, address, number, outcome, record, whole
 from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..medium import Pair
@@ -120,8 +120,6 @@ def make_problem(
     if not isinstance(data, Data):
         raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be ForceDepth(...), StiffnessDepth(...), ...")
     rule, loss_code = code("adhesion_rule", adhesion_rule, RULES), code("loss", loss, _LOSSES)
-    if not isinstance(max_iterations, int) or max_iterations < 1:
-        raise InvalidArgumentError(f"max_iterations = {max_iterations!r} is not allowed: it must be a whole number, at least 1")
     is_paired = has_homogeneous_indenter(medium)
     parts = of_indenter(indenter), of_medium(medium), of_instrument(with_indenter(instrument or Instrument(), medium))
     names = parts[0].names + parts[1].numbers.names + parts[2].names
@@ -162,7 +160,7 @@ def make_problem(
         loss=loss_code,
         loss_scale=number("loss_scale", loss_scale),
         sd_is_absolute=bool(sd_is_absolute),
-        max_iterations=max_iterations,
+        max_iterations=whole("max_iterations", max_iterations, 1),
         check_units=bool(check_units),
     )
     return Problem(data, *parts, names, chosen, problem, table, weights, is_paired)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _native
-from .._boundary import call, number
+from .._boundary import call, number, whole
 from .._choices import nearest
 from .._files import replace
 from .._interrupt import workers
@@ -150,8 +150,6 @@ class FitResult:
     def simulate(self, draws: int = 200, seed: int | None = None) -> Array:
         """Estimates from simulated data: the fitted curve plus noise, and priors drawn about their estimates; (draws, parameters).
         Simulations that fail are left out."""
-        if not isinstance(draws, int) or draws < 2:
-            raise InvalidArgumentError(f"draws = {draws!r} is not allowed: it must be a whole number, at least 2")
         random = np.random.default_rng(seed)
         sd = self.noise * (np.ones_like(self.fitted) if self.data.sd is None else self.data.sd)
         errors = self.problem.table[4]
@@ -166,7 +164,7 @@ class FitResult:
                 + np.where(joint, back @ random.standard_normal(len(weights)), errors * random.standard_normal(errors.shape)),
                 start=self._values,
             )
-            for _ in range(draws)
+            for _ in range(whole("draws", draws, 2))
         ]
 
         def one(problem: Problem) -> list[float] | None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import _native
-from .._boundary import number
+from .._boundary import number, whole
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..medium import Medium
 from .structure import Structure
@@ -42,8 +42,6 @@ class LateralMedium(Medium):
             raise InvalidArgumentError(
                 f"smallest_radius = {first!r}, largest_radius = {last!r} are not allowed: 0 < smallest < largest is needed"
             )
-        if isinstance(points, bool) or not isinstance(points, int) or not 3 <= points <= 1_000_000:
-            raise InvalidArgumentError(f"points = {points!r} is not allowed: it must be a whole number from 3 to 1000000")
-        a = np.geomspace(first, last, points)
+        a = np.geomspace(first, last, whole("points", points, 3, 1_000_000))
         created = _native.medium_table(a, np.asarray(structure.modulus(*place, a)))
         self._own(created, x=place[0], y=place[1], smallest_radius=first, largest_radius=last)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .._boundary import number, numbers
+from .._boundary import number, numbers, whole
 from ..contact import Contact
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
@@ -66,12 +66,10 @@ def indentation_map(
     d = number("depth", depth)
     if not 0.0 < d < np.inf:
         raise InvalidArgumentError(f"depth = {d!r} is not allowed: it must be finite and greater than 0")
-    if isinstance(nodes, bool) or not isinstance(nodes, int) or nodes < 1:
-        raise InvalidArgumentError(f"nodes = {nodes!r} is not allowed: it must be a whole number, at least 1")
     ideal = Contact(indenter, _UNIT)
     state = ideal.at_depth(d)
     a, first = float(state.radius), float(ideal.at_depth(0.0).radius)
-    u, w = np.polynomial.legendre.leggauss(nodes)
+    u, w = np.polynomial.legendre.leggauss(whole("nodes", nodes, 1))
     u, w = 0.5 * (u + 1.0), 0.5 * w
     s = first + (a - first) * u**2
     radii, factors = np.array([a]), np.array([2.0 * a * (d - float(indenter.mdr(a)))])

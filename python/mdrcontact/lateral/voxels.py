@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _layout, _native
-from .._boundary import address, number, record, row
+from .._boundary import address, number, record, row, whole
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from .shapes import Shapes
@@ -69,8 +69,6 @@ class Voxels(Structure):
             raise InvalidArgumentError(f"spacing = {spacing!r} is not allowed: edge lengths must be finite and greater than 0")
         if beside != "periodic":
             elastic("beside", beside)
-        if isinstance(images, bool) or not isinstance(images, int) or not 1 <= images <= 100:
-            raise InvalidArgumentError(f"images = {images!r} is not allowed: it must be a whole number from 1 to 100")
         corner: Any = row("origin", origin)
         if len(corner) != 2 or not np.all(np.isfinite(corner)):
             raise InvalidArgumentError(f"origin = {origin!r} is not allowed: it must be two finite numbers (x, y)")
@@ -81,8 +79,8 @@ class Voxels(Structure):
         nu = mean if reference_nu is None else number("reference_nu", reference_nu)
         if not -1.0 < nu <= 0.5:
             raise InvalidArgumentError(f"reference_nu = {nu!r} is not allowed: it must be greater than -1 and at most 0.5")
-        self._set(labels=cells, phases=materials, spacing=steps, beside=beside, below=base, origin=corner, images=images,
-                  reference_nu=nu, exponent=exponent_of_mean(exponent), _counts=counts)  # fmt: skip
+        self._set(labels=cells, phases=materials, spacing=steps, beside=beside, below=base, origin=corner, reference_nu=nu,
+                  images=whole("images", images, 1, 100), exponent=exponent_of_mean(exponent), _counts=counts)  # fmt: skip
 
     @classmethod
     def from_shapes(
