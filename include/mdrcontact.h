@@ -711,8 +711,8 @@ int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], doub
  *  Before the first time the bodies are apart and at rest; what is prescribed then is reached in a jump, and is linear in time in
  *  between. Materials that all relax in proportion, each at a constant Poisson's ratio (layers on a rigid base), and homogeneous
  *  bodies follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the maximum.
- *  Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all layers, for
- *  materials with a glassy and a relaxed limit, indenters without a flat end and the model exact.
+ *  Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all layers, under
+ *  the model exact and unless a dashpot is in parallel at the surface; power laws are sums of exponentials there.
  *  @param c          contact
  *  @param given      one of enum mdr_given
  *  @param tolerance  of marching, relative to the largest depth, radius and force; 1e-9 to 1e-2, 1e-5 is a good choice

@@ -146,7 +146,7 @@ class Contact(Value):
         Bodies whose materials relax in proportion, each at a constant Poisson's ratio (a layer on a rigid base), and homogeneous
         ones follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest
         depth. Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all
-        layers, for materials with a glassy and a relaxed limit, indenters without a flat end and the model "exact".
+        layers, under the model "exact" and unless a dashpot is in parallel at the surface.
         """
         return history.history(self._handle.address, time, depth, force, radius, tolerance, progress)
 

@@ -59,6 +59,11 @@ contains
         if (allocated(error)) return
         select type (medium => contact%equilibrium%medium)
         type is (viscoelastic_t)
+            if (given /= given_force .and. values(1) > 0.0_wp .and. .not. medium%materials(1)%has_glassy()) then
+                call raise(error, error_invalid, " = "//to_text(values(1))//" is not allowed: a surface of a power law or with "// &
+                           "a dashpot in parallel bears any jump; begin with 0", trim(word(given)), 1)
+                return
+            end if
             covered = medium%is_proportional
             if (covered) call of_proportional(contact, medium, given, time, values, accuracy, depth, radius, force, &
                                                covered, error)
@@ -95,12 +100,6 @@ contains
         if (allocated(error)) return
         phi = medium%relaxation_shape(shortest_step(time), max(time(size(time)) - time(1), shortest_step(time)), &
                                       merge(of_power_laws*tolerance, 0.0_wp, tolerance > default_tolerance))
-        if (phi%viscosity > 0.0_wp .and. values(1) > 0.0_wp .and. given /= given_force .and. &
-            .not. medium%materials(1)%is_power_law()) then
-            call raise(error, error_invalid, " = "//to_text(values(1))//" is not allowed: a body with a dashpot in "// &
-                       "parallel bears any jump; begin with 0", trim(word(given)), 1)
-            return
-        end if
         select case (given)
         case (given_depth)
             depth = values

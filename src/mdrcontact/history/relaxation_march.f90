@@ -6,33 +6,40 @@
 !> springs themselves, z, lives on panels of x which end at the edge of the contact and at the radii where it has turned.
 module mdrcontact_history_relaxation_march
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_contact_values, only: given_depth, given_force
-    use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_contact_values, only: given_depth, given_force, given_radius
+    use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_history_relaxation_memory, only: memory_t
     use mdrcontact_history_relaxation_panels, only: interpolate, new_panels, panels_t, per_panel
-    use mdrcontact_history_relaxation_path, only: mean_decay
+    use mdrcontact_history_relaxation_path, only: mean_lag, mean_rise
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: march_t, start_march, step_march
+    public :: march_t, start_march, step_march, mark_kink
 
     !> Contacts smaller than this part of the largest radius are none.
     real(wp), parameter :: smallest_part = 1.0e-7_wp
     real(wp), parameter :: edge_tolerance = 1.0e-12_wp
     integer, parameter :: most_trials = 100
+    !> Of radii between panels.
+    integer, parameter :: most_turns = 16
 
     !> Where a history stands.
     type :: march_t
         class(profile_t), allocatable :: profile
         type(memory_t) :: memory
-        !> no contact is larger [length]
+        !> no contact is larger [length]; whether because the indenter ends there in a wall, at which q need not vanish
         real(wp) :: limit = 0.0_wp
+        logical :: ends_in_wall = .false.
+        !> radius of a flat end, 0 without [length]
+        real(wp) :: flat = 0.0_wp
         !> state: depth, contact radius, force
         real(wp) :: depth = 0.0_wp, radius = 0.0_wp, force = 0.0_wp
+        !> least gap outside the contact so far, where the surface has been touched [length]
+        real(wp) :: gap = 0.0_wp
         !> 1: grew in the last step, -1: shrank
         integer :: direction = 1
-        !> radii where the contact has turned, ascending
+        !> radii where the contact has turned, or what is prescribed had a kink, ascending
         real(wp), allocatable :: turns(:)
         !> q and z_l (nodes, l)
         type(panels_t) :: panels
@@ -63,6 +70,8 @@ contains
         allocate (self%profile, source=profile)
         self%memory = memory
         self%limit = limit
+        self%ends_in_wall = profile%has_wall .and. limit >= profile%largest_radius
+        self%flat = profile%end_radius
         self%turns = [real(wp) ::]
         self%panels = new_panels([0.0_wp])
         allocate (self%q(0, 1), self%z(0, size(memory%local%rate)))
@@ -71,71 +80,89 @@ contains
         self%wave = 0.0_wp
     end subroutine start_march
 
-    !> One step of length h to the prescribed depth or force; h = 0 is a jump.
+    !> One step of length h to the prescribed depth, force or radius; h = 0 is a jump.
     subroutine step_march(self, h, given, value, error)
         type(march_t), intent(inout) :: self
         real(wp), intent(in) :: h
-        !> given_depth or given_force, and what is prescribed at the end of the step
+        !> given_depth, given_force or given_radius, and what is prescribed at the end of the step
         integer, intent(in) :: given
         real(wp), intent(in) :: value
         type(error_t), allocatable, intent(inout) :: error
         type(trial_t) :: trial
-        real(wp) :: low, high, x, x_before, y_before, next, lowest
-        integer :: i
-        logical :: has_low, has_high
+        real(wp) :: radius
 
         if (allocated(error)) return
-        lowest = smallest_part*self%limit
-        call try(self, h, lowest, given, value, trial, error)
+        radius = value
+        if (given == given_radius) then
+            call try(self, h, radius, given, value, .false., trial, error)
+        else
+            call find_edge(self, h, given, value, radius, trial, error)
+        end if
+        if (allocated(error)) return
+        call commit(self, h, radius, given, value, trial)
+    end subroutine step_march
+
+    !> The radius at the end of the step, and the state there.
+    subroutine find_edge(self, h, given, value, radius, trial, error)
+        type(march_t), intent(in) :: self
+        real(wp), intent(in) :: h
+        integer, intent(in) :: given
+        real(wp), intent(in) :: value
+        real(wp), intent(out) :: radius
+        type(trial_t), intent(out) :: trial
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: low, high, x, x_before, y_before, next
+        integer :: i
+        logical :: has_high
+
+        radius = 0.0_wp
+        low = smallest_part*self%limit
+        call try(self, h, low, given, value, .false., trial, error)
         if (allocated(error)) return
         if (.not. trial%residual < 0.0_wp) then
             ! no contact at all
-            call try(self, h, 0.0_wp, given, value, trial, error)
-            if (.not. allocated(error)) call commit(self, h, 0.0_wp, given, value, trial)
+            call try(self, h, 0.0_wp, given, value, .false., trial, error)
             return
         end if
-        low = lowest
         high = self%limit
-        has_low = .true.
         has_high = .false.
-        x_before = lowest
+        x_before = low
         y_before = trial%residual
         x = min(max(self%radius, 1.0e-3_wp*self%limit), 0.9_wp*self%limit)
+        if (self%ends_in_wall .and. self%radius >= self%limit) x = self%limit
         do i = 1, most_trials
             call check_cancelled(error)
-            if (.not. allocated(error)) call try(self, h, x, given, value, trial, error)
+            if (.not. allocated(error)) call try(self, h, x, given, value, .false., trial, error)
             if (allocated(error)) return
+            radius = x
             if (trial%residual < 0.0_wp) then
                 low = x
             else
                 high = x
                 has_high = .true.
             end if
-            next = x
+            if (low >= self%limit*(1.0_wp - edge_tolerance)) then
+                radius = self%limit
+                if (self%ends_in_wall) then
+                    call try(self, h, radius, given, value, .true., trial, error)
+                else
+                    call raise(error, error_domain, "the contact would be larger than radius "//to_text(self%limit))
+                end if
+                return
+            end if
+            next = high
             if (abs(trial%residual - y_before) > 0.0_wp) next = x - trial%residual*(x - x_before)/(trial%residual - y_before)
-            if (abs(next - x) <= edge_tolerance*self%limit .or. high - low <= edge_tolerance*self%limit) exit
+            if (abs(next - x) <= edge_tolerance*self%limit .or. high - low <= edge_tolerance*self%limit) return
             if (.not. (next > low .and. next < high)) then
                 next = 0.5_wp*(low + high)
                 if (.not. has_high) next = min(1.5_wp*x, high)
             end if
             x_before = x
             y_before = trial%residual
-            if (.not. has_high .and. x >= self%limit*(1.0_wp - edge_tolerance)) then
-                call raise(error, error_domain, "the contact would be larger than radius "//to_text(self%limit))
-                return
-            end if
             x = next
         end do
-        if (i > most_trials) then
-            call raise(error, error_no_convergence, "the edge of the contact was not found in a step of length "//to_text(h))
-            return
-        end if
-        call commit(self, h, x, given, value, trial)
-        if (trial%gap < -1.0e-6_wp*self%profile%mdr(self%limit)) then
-            call raise(error, error_invalid, "the surface that was touched before comes back to the indenter outside "// &
-                       "the contact: it is not one disc any more")
-        end if
-    end subroutine step_march
+        call raise(error, error_no_convergence, "the edge of the contact was not found in a step of length "//to_text(h))
+    end subroutine find_edge
 
     subroutine commit(self, h, radius, given, value, trial)
         type(march_t), intent(inout) :: self
@@ -151,6 +178,7 @@ contains
         self%radius = radius
         self%depth = trial%depth
         self%force = trial%force
+        self%gap = min(self%gap, trial%gap)
         if (given == given_depth) self%depth = value
         if (given == given_force .and. radius > 0.0_wp) self%force = value
         self%panels = trial%panels
@@ -160,49 +188,62 @@ contains
         self%z = trial%z
         do m = 1, size(self%memory%time)
             u = h/self%memory%time(m)
-            self%y(:, m) = exp(-u)*self%y(:, m) + (mean_decay(u) - exp(-u))*self%wave + (1.0_wp - mean_decay(u))*trial%wave
+            self%y(:, m) = exp(-u)*self%y(:, m) + mean_lag(u)*self%wave + mean_rise(u)*trial%wave
         end do
         self%wave = trial%wave
         ! a jump leaves a kink at its edge
         if (h <= 0.0_wp .and. radius > 0.0_wp) call add_turn(self%turns, radius, self%limit)
     end subroutine commit
 
-    !> Ascending; those very near each other are one.
+    !> What is prescribed has a kink here: memories keep it at the edge as it is.
+    pure subroutine mark_kink(self)
+        type(march_t), intent(inout) :: self
+
+        if (self%radius > 0.0_wp) call add_turn(self%turns, self%radius, self%limit)
+    end subroutine mark_kink
+
+    !> Ascending; those very near each other are one, and of too many the nearest to each other.
     pure subroutine add_turn(turns, radius, limit)
         real(wp), allocatable, intent(inout) :: turns(:)
         real(wp), intent(in) :: radius, limit
+        integer :: n
 
         if (any(abs(turns - radius) <= 1.0e-6_wp*limit)) return
         turns = [pack(turns, turns < radius), radius, pack(turns, turns > radius)]
+        n = size(turns)
+        if (n <= most_turns) return
+        n = minloc(turns(2:) - turns(:n - 1), dim=1)
+        turns = [turns(:n), turns(n + 2:)]
     end subroutine add_turn
 
     !> The state at the end of the step if the contact then has a given radius. The memory y is not touched.
-    subroutine try(self, h, radius, given, value, trial, error)
+    subroutine try(self, h, radius, given, value, is_held, trial, error)
         type(march_t), intent(in) :: self
         real(wp), intent(in) :: h, radius, value
         integer, intent(in) :: given
+        !> by the wall: then q need not vanish at the edge, and there is no residual
+        logical, intent(in) :: is_held
         type(trial_t), intent(out) :: trial
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: z(:, :), q(:, :), held(:), cosines(:, :), matrix(:, :), right(:, :), history(:), local(:), decay(:)
         real(wp), allocatable :: memory(:), factor(:), work(:, :), displacement(:), g(:), edge(:)
-        real(wp) :: u, edge_one, edge_g
-        integer :: i, l, m, n, inner
+        real(wp) :: u, edge_one, edge_g, low, high, force(2)
+        integer :: i, l, m, n, inner, last
 
         call place(self, radius, trial%panels, inner)
         n = size(trial%panels%x)
         associate (x => trial%panels%x, creep => self%memory%local, k => self%memory%k)
             allocate (z, source=interpolate(self%panels, self%z, x))
             allocate (q, source=interpolate(self%panels, self%q, x))
-            where (x >= self%radius) q(:, 1) = 0.0_wp
-            ! how long each place is in contact during the step
+            where (x > self%radius) q(:, 1) = 0.0_wp
+            ! how long each place is in contact during the step; a flat end comes and goes at once
             allocate (held(n), local(n), history(n), decay(n), g(n))
-            held = 0.0_wp
-            where (x <= min(radius, self%radius)) held = h
-            if (radius > self%radius) then
-                where (x > self%radius .and. x <= radius) held = h*(radius - x)/(radius - self%radius)
-            else if (radius < self%radius) then
-                where (x > radius .and. x < self%radius) held = h*(self%radius - x)/(self%radius - radius)
-            end if
+            low = min(radius, self%radius)
+            high = max(radius, self%radius)
+            if (.not. low > 0.0_wp) low = min(self%flat, high)
+            held = h
+            where (x > low) held = 0.0_wp
+            where (x > low .and. x < high) held = h*(high - x)/(high - low)
             ! z at the end: history and what q adds
             local = creep%instant
             history = 0.0_wp
@@ -216,10 +257,10 @@ contains
                         trial%z(i, l) = exp(-creep%rate(l)*h)*z(i, l)
                     else
                         ! held with q falling or changing, then free
-                        trial%z(i, l) = decay(i)*z(i, l) + (mean_decay(u) - decay(i))*q(i, 1)
+                        trial%z(i, l) = decay(i)*z(i, l) + mean_lag(u)*q(i, 1)
                         if (x(i) > radius) trial%z(i, l) = exp(-creep%rate(l)*(h - held(i)))*trial%z(i, l)
                     end if
-                    if (x(i) <= radius) local(i) = local(i) + creep%weight(l)*(1.0_wp - mean_decay(u))
+                    if (x(i) <= radius) local(i) = local(i) + creep%weight(l)*mean_rise(u)
                     history(i) = history(i) + creep%weight(l)*trial%z(i, l)
                 end do
             end do
@@ -229,8 +270,8 @@ contains
             memory = 0.0_wp
             do m = 1, size(self%memory%time)
                 u = h/self%memory%time(m)
-                factor = factor + self%memory%rest(:, m)*(1.0_wp - mean_decay(u))
-                memory = memory + self%memory%rest(:, m)*(exp(-u)*self%y(:, m) + (mean_decay(u) - exp(-u))*self%wave)
+                factor = factor + self%memory%rest(:, m)*mean_rise(u)
+                memory = memory + self%memory%rest(:, m)*(exp(-u)*self%y(:, m) + mean_lag(u)*self%wave)
             end do
             do i = 1, size(k)
                 cosines(:, i) = cos(k(i)*x)
@@ -244,9 +285,12 @@ contains
             trial%wave = 0.0_wp
             trial%depth = 0.0_wp
             if (given == given_depth) trial%depth = value
+            ! at radius 0 the indenter touches the surface where it is
+            if (given == given_radius .and. inner == 0 .and. n > 0) trial%depth = history(1)
             if (inner > 0) then
-                ! unknowns at all nodes of the contact but the edge, where q = 0
-                allocate (matrix(inner, inner), right(inner - 1, 2), work(inner, size(k)), edge(inner))
+                ! unknowns at all nodes of the contact, but the edge where q = 0
+                last = merge(inner, inner - 1, is_held)
+                allocate (matrix(inner, inner), right(last, 2), work(inner, size(k)), edge(inner))
                 do i = 1, size(k)
                     work(:, i) = cosines(:inner, i)*(factor(i)*self%memory%weights(i))
                 end do
@@ -256,26 +300,28 @@ contains
                     matrix(i, i) = matrix(i, i) + local(i)/trial%panels%weights(i)
                 end do
                 right(:, 1) = 1.0_wp
-                right(:, 2) = g(:inner - 1) + history(:inner - 1)
-                call solve_symmetric(inner - 1, inner, matrix, right)
+                right(:, 2) = g(:last) + history(:last)
+                call solve_symmetric(last, inner, matrix, right)
+                force = 2.0_wp*sum(right, dim=1)
                 do i = 1, 2
-                    right(:, i) = right(:, i)/trial%panels%weights(:inner - 1)
+                    right(:, i) = right(:, i)/trial%panels%weights(:last)
                 end do
-                edge_one = 1.0_wp - sum(edge(:inner - 1)*right(:, 1))
-                edge_g = g(inner) + history(inner) - sum(edge(:inner - 1)*right(:, 2))
+                edge_one = 1.0_wp - sum(edge(:inner - 1)*right(:inner - 1, 1))
+                edge_g = g(inner) + history(inner) - sum(edge(:inner - 1)*right(:inner - 1, 2))
                 if (.not. (abs(edge_one) <= huge(1.0_wp) .and. abs(edge_g) <= huge(1.0_wp))) then
                     call raise(error, error_no_convergence, "the springs of this body nearly cancel at radius "//to_text(radius))
                     return
                 end if
                 if (given /= given_depth) trial%depth = edge_g/edge_one
-                trial%q(:inner - 1) = trial%depth*right(:, 1) - right(:, 2)
-                trial%force = 2.0_wp*sum(trial%panels%weights(:inner)*trial%q(:inner))
+                if (given == given_force .and. is_held) trial%depth = (value + force(2))/force(1)
+                trial%q(:last) = trial%depth*right(:, 1) - right(:, 2)
+                trial%force = trial%depth*force(1) - force(2)
                 trial%residual = edge_g - edge_one*trial%depth
                 if (given == given_force) trial%residual = trial%force - value
                 trial%wave = matmul(trial%panels%weights(:inner)*trial%q(:inner), cosines(:inner, :))
             end if
             do l = 1, size(creep%rate)
-                where (x < radius) trial%z(:, l) = trial%z(:, l) + (1.0_wp - mean_decay(creep%rate(l)*held))*trial%q
+                where (x <= radius) trial%z(:, l) = trial%z(:, l) + mean_rise(creep%rate(l)*held)*trial%q
             end do
             trial%gap = 0.0_wp
             if (n > inner) then

@@ -6,7 +6,7 @@
 !> found by least squares from elastic compliances at real s.
 module mdrcontact_history_relaxation_memory
     use mdrcontact_body_surface, only: new_surface, surface_t
-    use mdrcontact_error, only: error_invalid, error_no_convergence, error_t, raise
+    use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgels
     use mdrcontact_material_prony, only: creep_of, creep_t
@@ -20,9 +20,11 @@ module mdrcontact_history_relaxation_memory
     integer, parameter :: panel_nodes = 16
     real(wp), parameter :: largest_phase = 8.0_wp, negligible = 1.0e-15_wp
     !> Numbers of common times to try, and how far beyond them and how densely the transform is sampled.
-    integer, parameter :: counts(*) = [6, 10, 14, 18, 24, 32, 40]
+    integer, parameter :: counts(*) = [6, 10, 14, 18, 24, 32, 40, 52, 64, 80]
     integer, parameter :: samples_per_time = 4
     real(wp), parameter :: beyond = 30.0_wp
+    !> Times longer than the history in these units are one.
+    real(wp), parameter :: slow = 1000.0_wp
     !> Relative error that rounding leaves of the transform.
     real(wp), parameter :: reachable = 1.0e-12_wp
 
@@ -41,11 +43,11 @@ module mdrcontact_history_relaxation_memory
 contains
 
     !> The memory of a body whose materials have a glassy and a relaxed limit.
-    subroutine new_memory(self, medium, radius, tolerance, error)
+    subroutine new_memory(self, medium, radius, span, tolerance, error)
         type(memory_t), intent(out) :: self
         type(viscoelastic_t), intent(in) :: medium
-        !> largest contact radius [length], and relative error of the common times
-        real(wp), intent(in) :: radius, tolerance
+        !> largest contact radius [length], for how long memory is needed [time], and relative error of the common times
+        real(wp), intent(in) :: radius, span, tolerance
         type(error_t), allocatable, intent(out) :: error
         type(creep_t) :: creep
         real(wp) :: longest, misfit
@@ -55,11 +57,6 @@ contains
         longest = 0.0_wp
         do i = 1, size(medium%materials)
             associate (material => medium%materials(i))
-                if (.not. (medium%has_glassy() .and. material%shear%limit > 0.0_wp)) then
-                    call raise(error, error_invalid, "this history is offered for materials with a glassy and a relaxed limit "// &
-                               "only: no power laws, no dashpots, no liquids")
-                    return
-                end if
                 creep = creep_of(material%shear)
                 if (size(creep%rate) == 0) cycle
                 self%shortest = min(self%shortest, 1.0_wp/maxval(material%shear%rate))
@@ -74,7 +71,7 @@ contains
         end if
         call place_waves(self, medium, radius)
         do i = 1, size(counts)
-            call fit_times(self, medium, counts(i), longest, misfit, error)
+            call fit_times(self, medium, counts(i), longest, span, misfit, error)
             if (allocated(error) .or. misfit <= max(tolerance, reachable)) return
         end do
         call raise(error, error_no_convergence, "the memory of this body spreads over too many times")
@@ -134,43 +131,51 @@ contains
         if (allocated(error)) weights = 0.0_wp
     end subroutine unit_rule
 
-    !> X_g and R_m for so many common times, log-Chebyshev between the shortest and the longest.
-    subroutine fit_times(self, medium, count, longest, misfit, error)
+    !> X_g and R_m for so many common times, log-Chebyshev between the shortest and the last that is resolved, and the longest.
+    subroutine fit_times(self, medium, count, longest, span, misfit, error)
         type(memory_t), intent(inout) :: self
         type(viscoelastic_t), intent(in) :: medium
         integer, intent(in) :: count
-        real(wp), intent(in) :: longest
-        !> largest error of c~ at the samples, relative to its largest value
+        real(wp), intent(in) :: longest, span
+        !> largest error of c~ at any s, relative to its largest value there
         real(wp), intent(out) :: misfit
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: matrix(:, :), factor(:, :), values(:, :), wanted(:, :), work(:)
-        real(wp) :: s, part
-        integer :: i, rows, info
+        real(wp) :: s, lowest, highest, last, part
+        integer :: i, rows, columns, info
 
         misfit = 0.0_wp
         rows = samples_per_time*count
+        columns = count
+        last = min(longest, slow*span)
+        if (last < longest) columns = count + 1
         if (allocated(self%time)) deallocate (self%time)
-        allocate (self%time(count))
+        allocate (self%time(columns))
+        self%time(columns) = longest
         do i = 1, count
             part = 0.5_wp*(1.0_wp + cos(pi*(real(i, wp) - 0.5_wp)/real(count, wp)))
-            self%time(i) = self%shortest*(longest/self%shortest)**part
+            self%time(i) = self%shortest*(last/self%shortest)**part
         end do
         self%instant = compliance(medium, 1.0e18_wp/self%shortest, self%k)
-        allocate (matrix(rows, count), values(rows, size(self%k)), work(64*rows))
+        allocate (matrix(rows, columns), values(rows, size(self%k)), work(64*rows))
+        lowest = 1.0_wp/(beyond*min(longest, span))
+        highest = beyond/self%shortest
         do i = 1, rows
-            s = (longest*beyond)**(-1)*(longest/self%shortest*beyond**2)**(real(i - 1, wp)/real(rows - 1, wp))
-            matrix(i, :) = 1.0_wp/(1.0_wp + s*self%time)
-            values(i, :) = compliance(medium, s, self%k) - self%instant
+            s = lowest*(highest/lowest)**(real(i - 1, wp)/real(rows - 1, wp))
+            values(i, :) = compliance(medium, s, self%k)
+            part = 1.0_wp/max(maxval(abs(self%instant)), maxval(abs(values(i, :))))
+            matrix(i, :) = part/(1.0_wp + s*self%time)
+            values(i, :) = part*(values(i, :) - self%instant)
         end do
         allocate (factor, source=matrix)
         allocate (wanted, source=values)
-        call dgels("N", rows, count, size(self%k), factor, rows, values, rows, work, size(work), info)
+        call dgels("N", rows, columns, size(self%k), factor, rows, values, rows, work, size(work), info)
         if (info /= 0) then
             call raise(error, error_no_convergence, "the memory of this body could not be found")
             return
         end if
-        self%rest = transpose(values(:count, :))
-        misfit = maxval(abs(matmul(matrix, values(:count, :)) - wanted))/max(maxval(abs(self%instant)), maxval(abs(wanted)))
+        self%rest = transpose(values(:columns, :))
+        misfit = maxval(abs(matmul(matrix, values(:columns, :)) - wanted))
     end subroutine fit_times
 
 end module mdrcontact_history_relaxation_memory

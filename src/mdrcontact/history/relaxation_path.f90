@@ -10,7 +10,7 @@ module mdrcontact_history_relaxation_path
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: path_t, new_path, mean_decay, partial_integrals
+    public :: path_t, new_path, mean_decay, mean_rise, mean_lag, partial_integrals
 
     !> Coefficients of a panel; up to which rate times length their moments are sums of powers, and of how many.
     integer, parameter :: most = 16, fewest = 4, powers = 22
@@ -301,6 +301,30 @@ contains
             value = 1.0_wp/x
         end if
     end function mean_decay
+
+    !> 1 - (1 - exp(-x))/x, accurate for small x: what a load that rises in proportion to time leaves in a spring's memory.
+    elemental function mean_rise(x) result(value)
+        real(wp), intent(in) :: x
+        real(wp) :: value
+
+        if (x < 1.0e-2_wp) then
+            value = x*(0.5_wp - x*(1.0_wp/6.0_wp - x*(1.0_wp/24.0_wp - x*(1.0_wp/120.0_wp - x/720.0_wp))))
+        else
+            value = 1.0_wp - mean_decay(x)
+        end if
+    end function mean_rise
+
+    !> (1 - exp(-x))/x - exp(-x), accurate for small x: of a load that falls to 0 in proportion to time.
+    elemental function mean_lag(x) result(value)
+        real(wp), intent(in) :: x
+        real(wp) :: value
+
+        if (x < 1.0e-2_wp) then
+            value = x*(0.5_wp - x*(1.0_wp/3.0_wp - x*(1.0_wp/8.0_wp - x*(1.0_wp/30.0_wp - x/144.0_wp))))
+        else
+            value = mean_decay(x) - exp(-x)
+        end if
+    end function mean_lag
 
     !> S and D at a fraction of a panel, for every rate.
     subroutine partial_integrals(self, panel, fraction, load, passed)

@@ -5,9 +5,9 @@ module mdrcontact_history_relaxation_steps
     use mdrcontact_cancel, only: report_progress
     use mdrcontact_contact, only: contact_t, new_contact
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_values, only: given_depth, given_force
+    use mdrcontact_contact_values, only: given_depth, given_force, given_radius
     use mdrcontact_error, only: error_invalid, error_no_convergence, error_t, raise, to_text
-    use mdrcontact_history_relaxation_march, only: march_t, start_march, step_march
+    use mdrcontact_history_relaxation_march, only: march_t, mark_kink, start_march, step_march
     use mdrcontact_history_relaxation_memory, only: memory_t, new_memory
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
@@ -22,6 +22,8 @@ module mdrcontact_history_relaxation_steps
     real(wp), parameter :: margin = 1.3_wp
     !> Steps after a kink: in units of the shortest time, after first contact in units of the interval, and how fast they grow.
     real(wp), parameter :: first_step = 0.25_wp, first_touch = 1.0e-3_wp, growth = 1.6_wp
+    !> The same after a kink of a power law in units of the shortest interval, and what is a kink, of the steepest slope.
+    real(wp), parameter :: first_part = 1.0e-3_wp, kink = 0.1_wp
     integer, parameter :: most_levels = 9
     !> What the common times may add to the error of the transform, which is up to 1000 times smaller than that in time.
     real(wp), parameter :: memory_part = 1.0e-3_wp
@@ -32,40 +34,53 @@ contains
     subroutine march_through(contact, medium, given, time, values, tolerance, depth, radius, force, error)
         type(contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
-        !> given_depth or given_force
+        !> given_depth, given_force or given_radius
         integer, intent(in) :: given
         !> relative to the largest depth, radius and force
         real(wp), intent(in) :: time(:), values(:), tolerance
         real(wp), intent(inout) :: depth(:), radius(:), force(:)
         type(error_t), allocatable, intent(out) :: error
         type(memory_t) :: memory
+        type(viscoelastic_t) :: solid
         real(wp), dimension(size(time), 3) :: now, before, best, best_before
-        real(wp) :: limit, change
-        integer :: level
+        real(wp) :: limit, change, shortest, span, gap, nearest
+        integer :: i, level
 
-        if (given /= given_depth .and. given /= given_force) then
-            call raise(error, error_invalid, "radius is not allowed: for this body or this path prescribe depth or force")
-        else if (contact%equilibrium%profile%end_radius > 0.0_wp) then
-            call raise(error, error_invalid, "this history is not offered for indenters with a flat end: see what answers a "// &
-                       "step under a flat punch")
-        else if (medium%model /= models%exact) then
+        if (medium%model /= models%exact) then
             call raise(error, error_invalid, "this history needs the model exact: it does not follow from elastic curves")
+        else if (medium%materials(1)%shear%viscosity > 0.0_wp) then
+            call raise(error, error_invalid, "this history is not offered for a surface with a dashpot in parallel: where its "// &
+                       "contact grows the pressure at the edge is infinite")
         end if
-        if (.not. allocated(error)) call widest(contact, medium, given, maxval(values), limit, error)
-        if (.not. allocated(error)) call new_memory(memory, medium, limit, memory_part*tolerance, error)
         if (allocated(error)) return
+        span = 1.0_wp
+        shortest = 1.0_wp
+        if (size(time) > 1) then
+            span = time(size(time)) - time(1)
+            shortest = first_part*minval(time(2:) - time(:size(time) - 1))
+        end if
+        solid = medium
+        do i = 1, size(solid%materials)
+            solid%materials(i) = medium%materials(i)%between(shortest, span, memory_part*tolerance)
+        end do
+        call widest(contact, medium, solid, span, given, maxval(values), limit, error)
+        if (.not. allocated(error)) call new_memory(memory, solid, limit, span, memory_part*tolerance, error)
+        if (allocated(error)) return
+        shortest = max(first_step*memory%shortest, shortest)
         best_before = 0.0_wp
         before = 0.0_wp
         change = huge(1.0_wp)
         do level = 0, most_levels
-            call march_once(contact, memory, limit, given, time, values, level, now, error)
+            call march_once(contact, memory, limit, shortest, given, time, values, level, now, gap, error)
             if (allocated(error)) return
             best = (4.0_wp*now - before)/3.0_wp
             if (level == 1) change = largest_change(now, best)
             ! the error of `best` falls at most as fast as the fourth power of the step: what falls faster falls by chance
             if (level > 1) change = max(change/16.0_wp, largest_change(best, best_before))
+            nearest = max(tolerance, 1.0e-6_wp)*maxval(abs(now(:, 1)))
             if (level > 0 .and. change <= tolerance) then
-                depth = merge(now(:, 1), best(:, 1), given == given_depth)
+                if (gap < -nearest) exit
+                depth = best(:, 1)
                 ! where contact is lost between two steps, or between the levels, there is nothing to extrapolate
                 where (now(:, 2) > 0.0_wp .and. before(:, 2) > 0.0_wp)
                     radius = best(:, 2)
@@ -74,11 +89,29 @@ contains
                     radius = now(:, 2)
                     force = now(:, 3)
                 end where
+                ! a surface that is rigid at once
+                if (values(1) > 0.0_wp .and. .not. medium%materials(1)%has_glassy()) then
+                    depth(1) = 0.0_wp
+                    radius(1) = 0.0_wp
+                end if
+                select case (given)
+                case (given_depth)
+                    depth = values
+                case (given_force)
+                    force = values
+                case default
+                    radius = values
+                end select
                 return
             end if
             best_before = best
             before = now
         end do
+        if (gap < -nearest) then
+            call raise(error, error_invalid, "the surface that was touched before comes back to the indenter outside "// &
+                       "the contact: it is not one disc any more")
+            return
+        end if
         call raise(error, error_no_convergence, "the history did not reach the relative tolerance "//to_text(tolerance)// &
                    ": the last halving of the steps changed it by "//to_text(change))
     end subroutine march_through
@@ -94,75 +127,97 @@ contains
         end do
     end function largest_change
 
-    !> A radius that the contact does not exceed: more than that of the glassy and of the relaxed body.
-    subroutine widest(contact, medium, given, largest, radius, error)
+    !> A radius that the contact does not exceed: more than that of the body at once and after a long time.
+    subroutine widest(contact, medium, solid, span, given, largest, radius, error)
         type(contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
+        !> the same with a glassy and a relaxed modulus of each material between the times asked
+        type(viscoelastic_t), intent(in) :: solid
+        !> duration of the history [time]
+        real(wp), intent(in) :: span
         integer, intent(in) :: given
         real(wp), intent(in) :: largest
         real(wp), intent(out) :: radius
         type(error_t), allocatable, intent(inout) :: error
-        type(material_t) :: relaxed(size(medium%thickness) + 1)
+        type(material_t) :: material(size(medium%thickness) + 1)
         type(stack_t) :: body
         class(medium_t), allocatable :: elastic
         type(contact_t) :: resting
         type(contact_state_t) :: state
-        integer :: i
+        integer :: i, last
 
+        radius = largest
+        if (given == given_radius) return
         radius = 0.0_wp
-        if (.not. medium%has_glassy()) then
-            call raise(error, error_invalid, "this history is offered for materials with a glassy and a relaxed limit only: no "// &
-                       "power laws, no dashpots, no liquids")
-            return
-        end if
-        do i = 1, size(medium%materials)
-            call medium%materials(i)%relaxed(relaxed(i), error)
-            if (allocated(error)) return
-        end do
-        call new_stack(body, relaxed(:size(medium%thickness)), medium%thickness, relaxed(size(relaxed)), error, medium%rigid_base)
-        if (.not. allocated(error)) call new_medium(elastic, body, models%exact, error)
-        do i = 1, 2
-            if (allocated(error)) return
-            if (i == 1) call new_contact(resting, contact%equilibrium%profile, elastic, error)
-            if (i == 2) call new_contact(resting, contact%equilibrium%profile, medium%reference, error)
+        do last = 0, 1
+            do i = 1, size(medium%materials)
+                if (last == 0) then
+                    call solid%materials(i)%glassy(material(i), error)
+                else if (medium%materials(i)%shear%limit > 0.0_wp) then
+                    call medium%materials(i)%relaxed(material(i), error)
+                else
+                    call medium%materials(i)%of_shear(1.0_wp/maxval(medium%materials(i)%creep([span])), material(i), error)
+                end if
+                if (allocated(error)) return
+            end do
+            call new_stack(body, material(:size(medium%thickness)), medium%thickness, material(size(material)), error, &
+                           medium%rigid_base)
+            if (.not. allocated(error)) call new_medium(elastic, body, models%exact, error)
+            if (.not. allocated(error)) call new_contact(resting, contact%equilibrium%profile, elastic, error)
             if (allocated(error)) return
             if (given == given_depth) call resting%at_depth(largest, state, error)
             if (given == given_force) call resting%at_force(largest, state, error)
+            if (allocated(error)) return
             radius = max(radius, margin*state%radius)
         end do
         radius = min(radius, contact%equilibrium%last_radius)
     end subroutine widest
 
     !> The whole history with each step cut into 2^level.
-    subroutine march_once(contact, memory, limit, given, time, values, level, states, error)
+    subroutine march_once(contact, memory, limit, shortest, given, time, values, level, states, gap, error)
         type(contact_t), intent(in) :: contact
         type(memory_t), intent(in) :: memory
-        real(wp), intent(in) :: limit, time(:), values(:)
+        real(wp), intent(in) :: limit
+        !> length of the first step after a kink, before it is cut [time]
+        real(wp), intent(in) :: shortest
         integer, intent(in) :: given, level
+        real(wp), intent(in) :: time(:), values(:)
         !> (sample, depth, radius, force)
         real(wp), intent(out) :: states(:, :)
+        !> least gap outside the contact, where the surface has been touched [length]
+        real(wp), intent(out) :: gap
         type(error_t), allocatable, intent(inout) :: error
         type(march_t) :: march
-        real(wp) :: length, done, h, part, slope
+        real(wp) :: length, done, h, next, part, slope, slope_before, steepest
         integer :: i, j, cuts
 
+        gap = 0.0_wp
         call start_march(march, contact%equilibrium%profile, memory, limit)
         cuts = 2**level
         if (values(1) > 0.0_wp) call step_march(march, 0.0_wp, given, values(1), error)
         states(1, :) = [merge(values(1), march%depth, given == given_depth), march%radius, march%force]
+        steepest = maxval([0.0_wp, abs((values(2:) - values(:size(values) - 1))/(time(2:) - time(:size(time) - 1)))])
+        slope_before = huge(1.0_wp)
+        next = shortest
         do i = 2, size(time)
             call report_progress(real(level, wp) + real(i - 2, wp)/real(size(time), wp))
             length = time(i) - time(i - 1)
             slope = (values(i) - values(i - 1))/length
             done = 0.0_wp
-            h = min(first_step*memory%shortest, length)
+            if (abs(slope - slope_before) > kink*steepest) then
+                next = shortest
+                call mark_kink(march)
+            end if
+            slope_before = slope
             if (.not. march%radius > 0.0_wp .and. values(i) > 0.0_wp) then
                 ! up to first contact in one step
                 if (values(i - 1) < 0.0_wp) done = -values(i - 1)/slope
                 if (done > 0.0_wp) call step_march(march, done, given, 0.0_wp, error)
-                h = min(h, first_touch*(length - done))
+                next = min(shortest, first_touch*(length - done))
             end if
             do while (done < length)
+                h = next
+                next = growth*next
                 if (length - done < 1.3_wp*h) h = length - done
                 do j = 1, cuts
                     part = done + h*real(j, wp)/real(cuts, wp)
@@ -170,11 +225,11 @@ contains
                     if (allocated(error)) return
                 end do
                 done = done + h
-                h = growth*h
             end do
             if (given == given_depth) march%depth = values(i)
             states(i, :) = [march%depth, march%radius, march%force]
         end do
+        gap = march%gap
     end subroutine march_once
 
 end module mdrcontact_history_relaxation_steps

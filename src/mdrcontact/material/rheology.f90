@@ -28,6 +28,8 @@ module mdrcontact_material_rheology
         procedure :: is_power_law
         !> whether G does not depend on time
         procedure :: is_elastic
+        !> whether a jump of the strain is borne by a finite stress
+        procedure :: has_glassy
         !> G(t), the shear relaxation modulus [modulus]
         procedure :: relaxation
         !> J(t), the shear compliance [1/modulus]
@@ -38,7 +40,9 @@ module mdrcontact_material_rheology
         procedure :: complex_poisson
         procedure :: glassy
         procedure :: relaxed
+        procedure :: of_shear
         procedure :: contact_series
+        procedure :: between
     end type rheology_t
 
 contains
@@ -132,11 +136,18 @@ contains
         answer = self%exponent > 0.0_wp
     end function is_power_law
 
+    elemental function has_glassy(self) result(answer)
+        class(rheology_t), intent(in) :: self
+        logical :: answer
+
+        answer = .not. self%is_power_law() .and. .not. self%shear%viscosity > 0.0_wp
+    end function has_glassy
+
     elemental function is_elastic(self) result(answer)
         class(rheology_t), intent(in) :: self
         logical :: answer
 
-        answer = .not. self%is_power_law() .and. size(self%shear%rate) == 0 .and. .not. self%shear%viscosity > 0.0_wp
+        answer = self%has_glassy() .and. size(self%shear%rate) == 0
     end function is_elastic
 
     !> G(t) at t > 0 [modulus].
@@ -212,7 +223,7 @@ contains
             call raise(error, error_invalid, "a material with a dashpot in parallel has no glassy "// &
                        "modulus: it bears any sudden load")
         else
-            call from_shear(self, self%shear%instant(), material, error)
+            call self%of_shear(self%shear%instant(), material, error)
         end if
     end subroutine glassy
 
@@ -225,12 +236,14 @@ contains
         if (self%is_power_law() .or. .not. self%shear%limit > 0.0_wp) then
             call raise(error, error_invalid, "this material has no relaxed modulus: it flows without end")
         else
-            call from_shear(self, self%shear%limit, material, error)
+            call self%of_shear(self%shear%limit, material, error)
         end if
     end subroutine relaxed
 
-    subroutine from_shear(self, shear, material, error)
+    !> The elastic material of a shear modulus that this one has at some time.
+    subroutine of_shear(self, shear, material, error)
         class(rheology_t), intent(in) :: self
+        !> > 0 [modulus]
         real(wp), intent(in) :: shear
         type(material_t), intent(out) :: material
         type(error_t), allocatable, intent(out) :: error
@@ -239,7 +252,7 @@ contains
         poisson = self%poisson
         if (self%bulk > 0.0_wp) poisson = (3.0_wp*self%bulk - 2.0_wp*shear)/(2.0_wp*(3.0_wp*self%bulk + shear))
         call new_material(material, 2.0_wp*shear*(1.0_wp + poisson), poisson, error)
-    end subroutine from_shear
+    end subroutine of_shear
 
     !> The contact modulus E*(t) of a half-space as a sum of exponentials. With a constant bulk modulus
     !> E* = Q + 9K/4 - (27 K^2/4)/(3K + 4Q), whose last part is a compliance.
@@ -280,6 +293,35 @@ contains
             series%viscosity = factor*series%viscosity
         end if
     end function contact_series
+
+    !> A material with a glassy and a relaxed modulus that answers as this one between two times: a power law is a sum of
+    !> exponentials, a dashpot in parallel relaxes before the first time, a liquid bears something long after the last.
+    function between(self, shortest, longest, tolerance) result(solid)
+        class(rheology_t), intent(in) :: self
+        !> > 0 [time]
+        real(wp), intent(in) :: shortest, longest
+        !> relative, of the modulus of a power law at the longest time
+        real(wp), intent(in) :: tolerance
+        type(rheology_t) :: solid
+        real(wp), parameter :: at_once = 40.0_wp, hardly = 1.0e-12_wp
+        real(wp) :: rate
+
+        solid%poisson = self%poisson
+        solid%bulk = self%bulk
+        solid%shear = self%shear
+        if (self%is_power_law()) then
+            solid%shear = power_law_series(self%time, self%exponent, shortest, longest, tolerance)
+            solid%shear%weight = solid%shear%weight*self%modulus
+            solid%shear%viscosity = solid%shear%viscosity*self%modulus
+        end if
+        if (solid%shear%viscosity > 0.0_wp) then
+            rate = 2.0_wp*max(at_once/shortest, maxval([0.0_wp, solid%shear%rate]))
+            solid%shear%weight = [solid%shear%weight, solid%shear%viscosity*rate]
+            solid%shear%rate = [solid%shear%rate, rate]
+            solid%shear%viscosity = 0.0_wp
+        end if
+        if (.not. solid%shear%limit > 0.0_wp) solid%shear%limit = hardly/maxval(self%creep([longest]))
+    end function between
 
     !> Whether two materials relax in proportion, each at a constant Poisson's ratio.
     pure function same_shape(one, other) result(answer)

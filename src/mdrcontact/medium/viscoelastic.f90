@@ -52,7 +52,6 @@ module mdrcontact_medium_viscoelastic
         procedure :: is_exact
         procedure :: is_viscoelastic
         procedure :: relaxation_shape
-        procedure :: has_glassy
     end type viscoelastic_t
 
 contains
@@ -143,18 +142,6 @@ contains
         series%weight = series%weight/scale
         series%viscosity = series%viscosity/scale
     end function relaxation_shape
-
-    !> Whether the body bears a jump of the depth with a finite force.
-    pure function has_glassy(self) result(answer)
-        class(viscoelastic_t), intent(in) :: self
-        logical :: answer
-        integer :: i
-
-        answer = .true.
-        do i = 1, size(self%materials)
-            answer = answer .and. .not. self%materials(i)%is_power_law() .and. .not. self%materials(i)%shear%viscosity > 0.0_wp
-        end do
-    end function has_glassy
 
     subroutine no_radius_function(self, a, values, error)
         class(viscoelastic_t), intent(in) :: self

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marched histories: any rheology, flat ends, prescribed radii, against flat punches by the inverse Laplace transform and Ting."""
+
+import math
+
+import numpy as np
+import pytest
+
+import mdrcontact as mdr
+
+POLYMER = mdr.Viscoelastic(0.6, [(0.4, 2.0)], nu=0.3)
+GEL = mdr.PowerLawRheology(1.0, 1.0, 0.2, nu=0.5)
+LIQUID = mdr.Viscoelastic(0.0, [(0.7, 0.5), (0.2, 3.0)], nu=0.5)
+KELVIN = mdr.Viscoelastic(1.0, [], nu=0.4, viscosity=0.5)
+HARD = mdr.Elastic(10.0, 0.3)
+BODIES = {
+    "polymers": mdr.Coated(mdr.Viscoelastic(1.0, [(2.0, 0.5)], bulk_modulus=5.0), 1.0, POLYMER),
+    "gel on an elastic base": mdr.Coated(GEL, 1.0, HARD),
+    "elastic film on a gel": mdr.Coated(HARD, 0.3, GEL),
+    "polymer on a gel": mdr.Coated(POLYMER, 1.0, GEL),
+    "liquid on a polymer": mdr.Coated(LIQUID, 1.0, POLYMER),
+    "film on a liquid": mdr.Coated(HARD, 0.2, LIQUID),
+    "dashpot below": mdr.Coated(POLYMER, 0.5, KELVIN),
+}
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
+TIMES = np.array([0.0, 0.5, 1.0, 1.2, 1.6])
+DEPTHS = np.array([0.0, 0.5, 0.8, 0.68, 0.44])
+"""A kink while the contact grows, and one at the largest depth."""
+
+
+def largest(found, wanted):
+    """The largest difference, relative to the largest value."""
+    return np.max(np.abs(found - wanted)) / np.max(np.abs(wanted))
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_a_punch_superposes_its_steps(name):
+    """F = int k(t - u) d'(u) du with k by the inverse Laplace transform, and d from F: no marching, no common times."""
+    punch = mdr.Contact(mdr.FlatPunch(0.7), BODIES[name])
+    time = np.array([0.0, 0.1, 1.0, 3.0])
+    path = np.array([0.0, 0.2, 0.5, 0.5])
+    for answer, marched in (
+        (punch.relaxation, punch.history(time, depth=path, tolerance=1e-4).force),
+        (punch.creep, punch.history(time, force=path, tolerance=1e-4).depth),
+    ):
+        wanted = []
+        for t in time:
+            # u = t - y^3: a power law's step is singular there
+            low, high = (np.maximum(t - ends, 0.0) ** (1.0 / 3.0) for ends in (time[1:], time[:-1]))
+            y = low + 0.5 * (high - low) * (1.0 + NODES[:, None])
+            steps = np.sum(WEIGHTS[:, None] * answer(np.maximum(y, 0.01) ** 3) * 1.5 * y**2, axis=0) * (high - low)
+            wanted.append(np.sum(np.diff(path) / np.diff(time) * steps))
+        assert largest(marched, np.array(wanted)) < 1e-4
+
+
+@pytest.mark.parametrize(
+    "tip", [mdr.FlatPunch(0.5), mdr.FlatEndedCone(0.3, 0.6), mdr.FlatEndedParaboloid(0.3, 1.0), mdr.RoundedCone(0.2, 0.5)], ids=repr
+)
+def test_flat_ends_agree_with_ting(tip):
+    """A film that relaxes almost, but not quite, as its base."""
+    ting, marched = (
+        mdr.Contact(
+            tip, mdr.Coated(mdr.Viscoelastic(0.3, [(0.7, 0.5)], nu=0.5), 1.0, mdr.Viscoelastic(0.6, [(1.4, time)], nu=0.3))
+        ).history(TIMES, depth=DEPTHS)
+        for time in (0.5, 0.5 * (1.0 + 1e-9))
+    )
+    assert largest(marched.radius, ting.radius) < 1e-5 and largest(marched.force, ting.force) < 1e-5
+
+
+@pytest.mark.parametrize(
+    ("film", "base", "later", "tolerance"),
+    [
+        (LIQUID, mdr.Viscoelastic(0.0, [(1.4, 0.5), (0.4, 3.0)], nu=0.3), {"terms": [(1.4, 0.5), (0.4, 3.0 * (1.0 + 1e-9))]}, 1e-5),
+        (GEL, mdr.PowerLawRheology(2.0, 1.0, 0.2, nu=0.3), {"exponent": 0.2 * (1.0 + 1e-9)}, 1e-4),
+        (GEL.replace(exponent=0.6), mdr.PowerLawRheology(2.0, 1.0, 0.6, nu=0.3), {"exponent": 0.6 * (1.0 + 1e-9)}, 1e-3),
+    ],
+    ids=["liquid", "power law", "steep power law"],
+)
+def test_materials_without_limits_agree_with_ting(film, base, later, tolerance):
+    ting, marched = (
+        mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(film, 1.0, below)).history(TIMES, depth=DEPTHS, tolerance=tolerance)
+        for below in (base, base.replace(**later))
+    )
+    assert largest(marched.radius, ting.radius) < 2.0 * tolerance and largest(marched.force, ting.force) < 2.0 * tolerance
+
+
+def test_a_liquid_below_carries_the_film_as_long_as_it_is_asked():
+    """An elastic film on a liquid sinks under a force without end, at the rate of the liquid at last."""
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(HARD, 0.2, mdr.Viscoelastic(0.0, [(1.0, 0.5)], nu=0.5)))
+    history = contact.history([0.0, 1.0, 10.0, 20.0, 30.0], force=[0.0, 0.2, 0.2, 0.2, 0.2])
+    assert np.all(np.diff(history.depth) > 0.0) and np.all(history.radius[1:] > 0.0)
+    double = contact.history(2.0 * history.time, force=history.force)
+    assert np.all(double.depth[1:] > history.depth[1:])
+
+
+def test_a_prescribed_radius_is_the_inverse_of_a_prescribed_depth():
+    time = np.linspace(0.0, 1.5, 301)
+    contact = mdr.Contact(mdr.Paraboloid(1.0), BODIES["polymers"])
+    by_depth = contact.history(time, depth=0.5 * np.minimum(time, 2.0 - time) ** 2, tolerance=1e-6)
+    by_radius = contact.history(time, radius=by_depth.radius)
+    assert np.array_equal(by_radius.radius, by_depth.radius)
+    assert largest(by_radius.depth, by_depth.depth) < 1e-4 and largest(by_radius.force, by_depth.force) < 1e-4
+
+
+def test_a_wall_holds_the_contact():
+    """A punch that is withdrawn until it comes free, and set down again where the surface still is low."""
+    contact = mdr.Contact(mdr.FlatPunch(0.5), BODIES["polymers"])
+    history = contact.history([0.0, 0.5, 1.0, 1.3, 5.0], depth=[0.0, 0.5, 0.0, 0.3, 0.3])
+    assert list(history.radius) == [0.0, 0.5, 0.0, 0.5, 0.5] and history.force[2] == 0.0
+    fresh = contact.history([0.0, 0.3, 4.0], depth=[0.0, 0.3, 0.3])
+    assert 0.7 * fresh.force[1] < history.force[3] < fresh.force[1]
+
+
+def test_a_noisy_path_ends():
+    """Each sample has a kink: no more panels than are good for something."""
+    time = np.linspace(0.0, 1.0, 41)
+    depth = 0.5 * np.sin(np.pi * time) + 0.02 * np.random.default_rng(1).standard_normal(time.size)
+    contact = mdr.Contact(mdr.Paraboloid(1.0), BODIES["polymers"])
+    noisy = contact.history(time, depth=depth, tolerance=1e-2)
+    smooth = contact.history(time, depth=0.5 * np.sin(np.pi * time), tolerance=1e-2)
+    assert largest(noisy.force, smooth.force) < 0.2
+
+
+@pytest.mark.parametrize("body", [BODIES["gel on an elastic base"], mdr.Homogeneous(GEL), mdr.Homogeneous(KELVIN)])
+def test_jumps_that_take_an_infinite_force_are_refused(body):
+    contact = mdr.Contact(mdr.Cone(math.pi / 4), body)
+    for given in {"depth": [0.1, 0.1]}, {"radius": [0.1, 0.1]}:
+        with pytest.raises(mdr.InvalidArgumentError, match="begin with 0"):
+            contact.history([0.0, 1.0], **given)
+    sudden = contact.history([0.0, 1.0], force=[0.1, 0.1])
+    assert sudden.depth[0] == sudden.radius[0] == 0.0 < sudden.depth[1]
+
+
+def test_a_dashpot_at_the_surface_is_refused():
+    contact = mdr.Contact(mdr.Cone(math.pi / 4), mdr.Coated(KELVIN, 1.0, HARD))
+    with pytest.raises(mdr.InvalidArgumentError, match="dashpot in parallel"):
+        contact.history([0.0, 1.0], depth=[0.0, 0.1])
