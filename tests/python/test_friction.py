@@ -6,6 +6,7 @@ import pickle
 
 import numpy as np
 import pytest
+from scipy.special import ellipe, ellipk, zeta
 from scipy.integrate import quad
 
 import mdrcontact as mdr
@@ -340,3 +341,35 @@ def test_stick_radius_just_before_sliding():
     parts = np.array([1e-4, 1e-6, 1e-9])
     found = pair.at_shift(pair.sliding_shift(state) * (1.0 - parts), state)
     np.testing.assert_allclose(found.stick_radius / state.radius, parts, rtol=1e-6)
+
+
+def test_rings_touch_where_the_error_is_of_second_order():
+    """Oblique growth without slip: the error falls with the square of the rings' width, and only with the right place of touch."""
+    pair = mdr.Friction(mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(STEEL)), 2.0)
+    exact = pair.history().advance(depth=0.1, shift=0.05).tangential_force
+    counts = np.array([20, 40, 80, 160])
+    found = [pair.history(largest_depth=0.1, rings=int(n)).advance(depth=0.1, shift=0.05).tangential_force for n in counts]
+    errors = np.array(found) / exact - 1.0
+    np.testing.assert_allclose(errors * counts**2, errors[-1] * counts[-1] ** 2, rtol=0.1)
+
+
+def test_place_of_touch():
+    """What the library takes for it, by Wiener and Hopf's integral and by how much rings of constant traction lack of a disc."""
+    theta, weights = np.polynomial.legendre.leggauss(60)
+    theta, weights = 0.5 * np.pi * (1.0 + theta), 0.5 * np.pi * weights
+    part = theta / (2.0 * np.pi)
+    symbol = 4.0 * np.sin(theta / 2.0) ** 2 * (zeta(3, part) + zeta(3, 1.0 - part)) / (2.0 * np.pi) ** 3
+    integrand = np.log(2.0 * np.sin(theta / 2.0) * symbol) / (1.0 - np.cos(theta))
+    assert 0.25 - np.sum(weights * integrand) / (2.0 * np.pi) == pytest.approx(0.384948, abs=2e-6)
+    lacking = []
+    for n in (40, 80, 160):
+        r = np.arange(1, n + 1) / n
+        large, small = np.maximum.outer(r, r), np.minimum.outer(r, r)
+        part = np.minimum((small / large) ** 2, 1.0 - 1e-16)
+        discs = np.zeros((n + 1, n + 1))
+        discs[1:, 1:] = 8.0 / 3.0 * large * ((large**2 + small**2) * ellipe(part) - (large**2 - small**2) * ellipk(part))
+        forces = np.diff(np.diff(discs, axis=0), axis=1)
+        areas = np.pi * np.diff(np.append(0.0, r**2))
+        stiffness = np.linalg.solve(forces / np.outer(areas, areas), np.ones(n)).sum()
+        lacking.append(n * (1.0 - stiffness / 2.0))
+    assert 0.5 - (2.0 * lacking[2] - lacking[1]) == pytest.approx(0.384948, abs=2e-6)

@@ -22,9 +22,12 @@ module mdrcontact_history_friction_rings
     real(wp), parameter :: close = 1.0e-3_wp
     !> A negative pressure of this part of the mean pressure is more than the solver's error.
     real(wp), parameter :: noticeable = 1.0e-4_wp
-    !> Where in a growing ring the contact is when the ring counts as touched: the place (2 ln 2 - 1 by numerical experiment, within
-    !> 0.002 on a half-space and on films of G0/G1 = 0.1 and 2) at which the error falls with the square of the ring's width.
-    real(wp), parameter :: touched = 0.386_wp
+    !> Where in a growing ring the contact is when the ring counts as touched. A contact that sticks while it grows over a ring of
+    !> width w gains T by 2 G* (b + w/2) ds; discs of rings of constant traction are stiff as if their radius were b - alpha w,
+    !> and a ring touched at the part t adds (1 - t) w: t = 1/2 - alpha. Near the edge rings are strips under the compliance
+    !> 1/|k|; from how the Toeplitz matrix a(th) = 4 sin^2(th/2) sum of 1/|th + 2 pi m|^3 factorizes (Wiener and Hopf),
+    !>     t = 1/4 - (1/(2 pi)) int_0^pi ln[2 sin(th/2) a(th)]/(1 - cos th) dth.
+    real(wp), parameter :: touched = 0.384948_wp
     !> Nodes in a ring for its normal force.
     integer, parameter :: nodes = 3
 
