@@ -409,7 +409,7 @@ STORAGE, LOSS = 1, 2
 def _check_ascending(data: Data) -> None:
     back = np.flatnonzero(np.diff(data.x) <= 0.0)
     if len(back):
-        raise InvalidArgumentError(f"time[{back[0] + 1}] = {data.x[back[0] + 1]!r} is not allowed: times must ascend")
+        raise InvalidArgumentError(f"entry {back[0] + 2} of time = {data.x[back[0] + 1]:.7g} is not allowed: times must ascend")
 
 
 def _rise_and_fall(time: Array, depth: Array) -> Array:

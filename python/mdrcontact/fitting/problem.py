@@ -15,8 +15,9 @@ from .._boundary import Refusal, address, number, outcome, record, whole
 from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..medium import Pair
+from ..medium.viscoelastic import is_viscoelastic
 from ..profile import AreaFunction
-from .data import Data
+from .data import Data, DepthTime, DynamicStiffness, ForceTime
 from .parameters import (
     Free,
     Instrument,
@@ -102,6 +103,21 @@ class Problem(NamedTuple):
         return *found, summary[0]
 
 
+def _check_time(data: Data, medium: Any) -> None:
+    """Data in time belong to viscoelastic bodies, and to them alone."""
+    in_time = isinstance(data, ForceTime | DepthTime | DynamicStiffness)
+    if is_viscoelastic(medium) and not in_time:
+        raise InvalidArgumentError(
+            f"data = {type(data).__name__}(...) is not allowed: the body is viscoelastic; its data are ForceTime, DepthTime or "
+            'DynamicStiffness, in problem files the kinds "force-time", "depth-time" and "dynamic-stiffness"'
+        )
+    if in_time and not is_viscoelastic(medium):
+        raise InvalidArgumentError(
+            f"data = {type(data).__name__}(...) is not allowed: the body is elastic and does not depend on time; begin with a "
+            "Viscoelastic or a PowerLawRheology, or take the forces against depth"
+        )
+
+
 def make_problem(
     data: Data,
     indenter: Any,
@@ -119,6 +135,7 @@ def make_problem(
     """Checks the arguments of `fit` and translates them."""
     if not isinstance(data, Data):
         raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be ForceDepth(...), StiffnessDepth(...), ...")
+    _check_time(data, medium)
     rule, loss_code = code("adhesion_rule", adhesion_rule, RULES), code("loss", loss, _LOSSES)
     is_paired = has_homogeneous_indenter(medium)
     parts = of_indenter(indenter), of_medium(medium), of_instrument(with_indenter(instrument or Instrument(), medium))
