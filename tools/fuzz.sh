@@ -51,7 +51,7 @@ fuzz() {
     log=$(mktemp "$build/$target-XXXXXX.log")
     mkdir -p "$build/$target"
     while ((SECONDS < end)); do
-        "${command[@]}" -max_total_time=$((end - SECONDS)) -timeout=30 -rss_limit_mb=3000 -print_final_stats=1 \
+        "${command[@]}" -max_total_time=$((end - SECONDS)) -timeout=120 -rss_limit_mb=3000 -print_final_stats=1 \
             -artifact_prefix="$build/findings/$target-" "$build/$target" "tests/fuzz/corpus/$target" > "$log" 2>&1 \
             || { ((++findings)) && grep -aE '^FINDING|ERROR|SUMMARY|Test unit written' "$log" || tail "$log"; }
         count=$(grep -a number_of_executed_units "$log" | tail -1 | tr -dc 0-9) || { tail "$log" && return 1; }
