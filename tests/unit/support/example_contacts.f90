@@ -1,12 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Contacts that several tests look at.
 module example_contacts
-    use mdrcontact, only: contact_options_t, contact_t, error_t, gao_t, homogeneous_t, layered_exact_t, material_t, medium_t, &
-                          new_cone, new_contact, new_gao, new_homogeneous_from_modulus, new_layered_exact, new_paraboloid, &
-                          power_law_t, wp
+    use mdrcontact, only: contact_options_t, contact_t, error_t, flat_cone_t, flat_punch_t, gao_t, homogeneous_t, layered_exact_t, &
+                          material_t, medium_t, new_cone, new_contact, new_flat_cone, new_flat_punch, new_gao, &
+                          new_homogeneous_from_modulus, new_layered_exact, new_paraboloid, power_law_t, profile_t, wp
     implicit none (type, external)
     private
-    public :: coated, cone_on_stiff_film, jkr
+    public :: coated, cone_on_stiff_film, jkr, steep_profile
 
 contains
 
@@ -52,6 +52,29 @@ contains
         call new_cone(cone, 0.3_wp, error)
         call press(cone, film, work_of_adhesion, contact)
     end subroutine cone_on_stiff_film
+
+    !> A flat cone, a punch, a cone, or a paraboloid, R = 1, as wide as they are high.
+    subroutine steep_profile(name, profile)
+        character(len=*), intent(in) :: name
+        class(profile_t), allocatable, intent(out) :: profile
+        type(power_law_t) :: power
+        type(flat_cone_t) :: flat_cone
+        type(flat_punch_t) :: punch
+        type(error_t), allocatable :: error
+
+        select case (name)
+        case ("flat cone")
+            call new_flat_cone(flat_cone, 0.5_wp, 0.6_wp, error)
+            allocate (profile, source=flat_cone)
+        case ("punch")
+            call new_flat_punch(punch, 0.7_wp, error)
+            allocate (profile, source=punch)
+        case default
+            call new_paraboloid(power, 1.0_wp, error)
+            if (name == "cone") call new_cone(power, 0.6_wp, error)
+            allocate (profile, source=power)
+        end select
+    end subroutine steep_profile
 
     subroutine press(profile, medium, work_of_adhesion, contact)
         type(power_law_t), intent(in) :: profile
