@@ -213,6 +213,64 @@ static void lowest_pressure(void)
     CHECK_SUCCESS(mdr_profile_free(&cone));
 }
 
+/* An indenter: a cone, one with a flat end, or a table. */
+static mdr_profile *tip(int which, double length)
+{
+    const double r[4] = {0.0, 0.2 * length, 0.5 * length, length}, f[4] = {0.0, 0.01 * length, 0.1 * length, 0.6 * length};
+    mdr_profile *p = NULL;
+
+    if (which == 0) CHECK_SUCCESS(mdr_profile_cone(0.3, &p));
+    if (which == 1) CHECK_SUCCESS(mdr_profile_flat_paraboloid(0.1 * length, length, &p));
+    if (which == 2) CHECK_SUCCESS(mdr_profile_table(4, r, f, &p));
+    return p;
+}
+
+static mdr_medium *body(int which, double length, double modulus)
+{
+    const double h = 0.1 * length;
+    mdr_medium *m = NULL;
+
+    if (which == 0) CHECK_SUCCESS(mdr_medium_homogeneous(modulus, 0.3, &m));
+    if (which == 1) CHECK_SUCCESS(mdr_medium_coated(9.0 * modulus, 0.3, h, modulus, 0.2, MDR_MODEL_GAO, NULL, &m));
+    if (which == 2) CHECK_SUCCESS(mdr_medium_coated(9.0 * modulus, 0.3, h, modulus, 0.2, MDR_MODEL_EXACT, NULL, &m));
+    if (which == 3) CHECK_SUCCESS(mdr_medium_power_graded(modulus, length, 0.3, 0.3, &m));
+    return m;
+}
+
+enum { PLACES = 8 };
+
+/* In units of the modulus, at contact radius length/2. */
+static void pressures(int which_tip, int which_body, double length, double modulus, double p[PLACES])
+{
+    const double place[PLACES] = {1e-6, 0.01, 0.1, 0.3, 0.5, 0.9, 0.99, 0.9999};
+    mdr_profile *indenter = tip(which_tip, length);
+    mdr_medium *medium = body(which_body, length, modulus);
+    mdr_contact *c = NULL;
+    double r[PLACES];
+
+    for (int i = 0; i < PLACES; i++) r[i] = 0.5 * length * place[i];
+    CHECK_SUCCESS(mdr_contact_new(indenter, medium, NULL, &c));
+    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5 * length, PLACES, r, p));
+    for (int i = 0; i < PLACES; i++) p[i] /= modulus;
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_medium_free(&medium));
+    CHECK_SUCCESS(mdr_profile_free(&indenter));
+}
+
+/* Metres and pascals, or others: the pressures are the same to rounding. */
+static void other_units(void)
+{
+    double p[PLACES], same[PLACES];
+
+    for (int b = 0; b < 4; b++) {
+        for (int t = 0; t < 3; t++) {
+            pressures(t, b, 1.0, 1.0, p);
+            pressures(t, b, 3.7e-9, 1.3e11, same);
+            for (int i = 0; i < PLACES; i++) CHECK_CLOSE(same[i], p[i], 1e-12);
+        }
+    }
+}
+
 int main(void)
 {
     two_bodies();
@@ -221,5 +279,6 @@ int main(void)
     sneddon();
     boussinesq();
     lowest_pressure();
+    other_units();
     return check_report("fields");
 }
