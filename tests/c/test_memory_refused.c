@@ -83,6 +83,19 @@ static int tangential_states(void)
     return mdr_friction_states(rubbed, &pressed, MDR_GIVEN_SHIFT, POINTS, small, found);
 }
 static int tangential_loop(void) { return mdr_friction_loop(rubbed, &pressed, MDR_GIVEN_SHIFT, 1e-3, POINTS, out, other, other); }
+/* Large matrices of rings: made, led deeper and back, copied. */
+static int rings(void)
+{
+    const double d[2] = {0.3, 0.1}, s[2] = {0.05, -0.05};
+    mdr_friction_history *history = NULL, *copy = NULL;
+    mdr_state states[2];
+    mdr_tangential_state sheared[2];
+    int status = mdr_friction_history_new(rubbed, 0.5, 120, &history);
+    if (status == MDR_SUCCESS) {
+        status = mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 2, d, s, states, sheared);
+    }
+    return status == MDR_SUCCESS ? mdr_friction_history_copy(history, &copy) : status;
+}
 
 /* What differs from a paraboloid's forces over depths, by least squares of its modulus. */
 typedef struct {
@@ -220,6 +233,7 @@ int main(void)
     refuse_each("oscillations", 0, oscillations);
     refuse_each("tangential states", 0, tangential_states);
     refuse_each("tangential loop", 0, tangential_loop);
+    refuse_each("friction by rings", 0, rings);
     refuse_each("prediction", 0, predict);
     refuse_each("prediction at radii", 0, predict_radii);
     refuse_each("fit", 0, solve);
