@@ -6,8 +6,8 @@ import pickle
 
 import numpy as np
 import pytest
-from scipy.special import ellipe, ellipk, zeta
 from scipy.integrate import quad
+from scipy.special import ellipe, ellipk, zeta
 
 import mdrcontact as mdr
 
