@@ -16,7 +16,7 @@ export OPENBLAS_NUM_THREADS=1 # threads of the library's own are what is measure
 "$build/venv/bin/python" benchmarks/compare.py "$build/benchmarks/law_cost" docs
 late=()
 "$build/benchmarks/exact_states" >> docs/benchmarks.md || late+=(exact_states)
-for section in pairs stresses histories fits; do
+for section in pairs stresses histories tangential fits; do
     "$build/venv/bin/python" "benchmarks/$section.py" >> docs/benchmarks.md || late+=("$section")
 done
 [[ ${#late[@]} -eq 0 ]] || echo "budgets are missed in: ${late[*]}"

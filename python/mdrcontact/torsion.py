@@ -69,6 +69,10 @@ class Torsion:
     __slots__ = ("friction",)
 
     def __init__(self, friction: Friction) -> None:
+        from .friction import Friction  # which imports this module
+
+        if not isinstance(friction, Friction):
+            raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
         self.friction = friction
 
     def at_twist(

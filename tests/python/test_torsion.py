@@ -208,5 +208,7 @@ def test_refusals():
         torsion.loop(-0.1, state=state)
     with pytest.raises(mdr.DomainError, match="r"):
         torsion.traction(2.0, torsion.at_twist(0.01, state), state)
+    with pytest.raises(mdr.ArgumentTypeError, match="must be a Friction"):
+        mdr.Torsion(pair.contact)
     with pytest.raises(mdr.ArgumentTypeError, match="TorsionalState"):
         torsion.traction(0.1, pair.at_shift(0.01, state), state)
