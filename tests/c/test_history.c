@@ -150,9 +150,58 @@ static void test_histories(void)
     CHECK_SUCCESS(mdr_material_free(&material));
 }
 
+/* Layers that do not relax in proportion: what is refused writes nothing, and a contact is lost and comes back. */
+static void test_marching(void)
+{
+    const double t[5] = {0.0, 1.0, 1.2, 3.0, 4.0}, path[5] = {0.0, 0.4, -0.1, 0.0, 0.4}, jump[5] = {0.1, 0.1, 0.1, 0.1, 0.1};
+    const double twice[5] = {0.0, 1.0, 1.0, 3.0, 4.0}, missing[5] = {0.0, 0.1, NAN, 0.1, 0.1};
+    const double pull[5] = {0.0, 0.1, -0.1, 0.1, 0.1}, h = 1.0;
+    double d[5], a[5], F[5], untouched[5] = {7.0, 7.0, 7.0, 7.0, 7.0};
+    mdr_material *film = polymer(), *gel = NULL, *kelvin = NULL, *base = NULL;
+    mdr_profile *ball = NULL;
+
+    CHECK_SUCCESS(mdr_material_power_law(1.0, 1.0, 0.2, 0.5, &gel));
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 0, NULL, NULL, 0.5, 0.4, 0.0, &kelvin));
+    CHECK_SUCCESS(mdr_material_elastic(10.0, 0.3, &base));
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    const mdr_material *tops[3] = {film, gel, kelvin};
+    for (int i = 0; i < 3; i++) {
+        mdr_medium *coated = NULL;
+        mdr_contact *contact = NULL;
+        CHECK_SUCCESS(mdr_medium_viscoelastic(1, tops + i, &h, base, MDR_MODEL_EXACT, NULL, &coated));
+        CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &contact));
+        if (i < 2) {
+            CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, t, path, d, a, F));
+            CHECK_TRUE(a[2] == 0.0 && F[2] == 0.0 && a[4] > 0.0 && F[4] > 0.5 * F[1] && F[4] < F[1]);
+        } else {
+            CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, t, path, untouched, untouched, untouched),
+                         MDR_EINVALID, "dashpot");
+        }
+        if (i > 0) {
+            CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, t, jump, untouched, untouched, untouched),
+                         MDR_EINVALID, "begin with 0");
+        }
+        CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, twice, path, untouched, untouched, untouched),
+                     MDR_EINVALID, "ascending");
+        CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, t, missing, untouched, untouched, untouched),
+                     MDR_EINVALID, "finite");
+        CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_FORCE, 1e-3, 5, t, pull, untouched, untouched, untouched),
+                     MDR_EINVALID, "force");
+        CHECK_SUCCESS(mdr_contact_free(&contact));
+        CHECK_SUCCESS(mdr_medium_free(&coated));
+    }
+    for (int i = 0; i < 5; i++) CHECK_TRUE(untouched[i] == 7.0);
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_SUCCESS(mdr_material_free(&film));
+    CHECK_SUCCESS(mdr_material_free(&gel));
+    CHECK_SUCCESS(mdr_material_free(&kelvin));
+    CHECK_SUCCESS(mdr_material_free(&base));
+}
+
 int main(void)
 {
     test_materials();
     test_histories();
+    test_marching();
     return check_report("history");
 }

@@ -135,3 +135,36 @@ def test_a_dashpot_at_the_surface_is_refused():
     contact = mdr.Contact(mdr.Cone(math.pi / 4), mdr.Coated(KELVIN, 1.0, HARD))
     with pytest.raises(mdr.InvalidArgumentError, match="dashpot in parallel"):
         contact.history([0.0, 1.0], depth=[0.0, 0.1])
+
+
+@pytest.mark.parametrize(
+    ("time", "given", "words"),
+    [
+        ([0.0, 1.0, 1.0], {"depth": [0.0, 0.1, 0.2]}, "ascending"),  # a jump on the way
+        ([0.0, 2.0, 1.0], {"depth": [0.0, 0.1, 0.2]}, "ascending"),
+        ([0.0, 1.0, math.inf], {"depth": [0.0, 0.1, 0.2]}, "finite"),
+        ([0.0, 1.0, 2.0], {"depth": [0.0, math.nan, 0.2]}, "finite"),
+        ([0.0, 1.0, 2.0], {"force": [0.0, -0.1, 0.2]}, "entry 2 of force"),
+        ([0.0, 1.0, 2.0], {"radius": [0.0, -0.1, 0.2]}, "entry 2 of radius"),
+        ([0.0, 1.0, 2.0], {"depth": [0.0, 0.1, 0.2], "tolerance": 1.0}, "tolerance = 1"),
+    ],
+)
+def test_bad_paths_are_refused(time, given, words):
+    contact = mdr.Contact(mdr.Paraboloid(1.0), BODIES["polymers"])
+    with pytest.raises(mdr.InvalidArgumentError, match=words):
+        contact.history(time, **given)
+
+
+def test_a_contact_that_is_lost_returns():
+    """At once to a surface that is still low, and long afterwards as for the first time; a jump finds the glassy body."""
+    film, base = mdr.Viscoelastic(1.0, [(2.0, 0.5)], nu=0.5), mdr.Viscoelastic(0.6, [(0.4, 2.0)], nu=0.3)
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(film, 1.0, base))
+    path = [0.0, 0.4, -0.1, -0.1, 0.0, 0.4]
+    soon = contact.history([0.0, 1.0, 1.2, 1.3, 1.4, 2.4], depth=path)
+    late = contact.history([0.0, 1.0, 1.2, 90.0, 91.0, 92.0], depth=path)
+    assert soon.radius[2] == late.radius[3] == late.force[4] == 0.0
+    assert 0.5 * late.force[5] < soon.force[5] < 0.999 * late.force[5]
+    assert late.force[5] == pytest.approx(late.force[1], rel=1e-4) and late.radius[5] == pytest.approx(late.radius[1], rel=1e-4)
+    glassy = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(film.glassy, 1.0, base.glassy)).at_depth(0.4)
+    jump = contact.history([0.0, 1.0], depth=[0.4, 0.4])
+    assert (jump.force[0], jump.radius[0]) == pytest.approx((glassy.force, glassy.radius), rel=1e-10)
