@@ -16,7 +16,7 @@ from ..problem.units import ENERGY, FORCE, LENGTH, TIME, told
 from . import files, history_figure
 from .table import Column, as_csv, as_text, column
 
-_FEWEST = 200
+_FEWEST = 60
 """Steps that a path is cut into at least."""
 
 _DESCRIPTION = """\
