@@ -2,7 +2,8 @@
 """Makes film_extremes.csv: a paraboloid on one or two films at the ends of what is allowed, to 40 digits (needs gmpy2, mpmath).
 
 Drawn log-uniformly: ratios of the shear moduli of neighbours 1e-12 to 1e12, contact radius 1e-8 to 10 thicknesses of the first
-film, thickness of a second film 1e-6 to 1e6 of them; Poisson's ratios uniformly from -0.99 to 0.5. The springs' equation in even
+film and in some more rows 10 to WIDEST (the time grows as a^2 and more), thickness of a second film 1e-6 to 1e6 of them;
+Poisson's ratios uniformly from -0.99 to 0.5. The springs' equation in even
 Legendre polynomials is assembled in k space, as in film_contrast.py; the compliance comes from harmonic potentials in each film
 and what the films below reflect, in as many digits as the longest waves lose.
 The first film has thickness 1 and shear modulus 1; R = 1.
@@ -18,7 +19,7 @@ from gmpy2 import cos, exp, log, mpfr, sin, sqrt
 gmpy2.get_context().precision = 365
 DIGITS = 40
 PI = gmpy2.const_pi()
-COUNT = 200
+COUNT, WIDEST = 200, 23
 OCTAVES = range(-110, 8)
 
 
@@ -53,9 +54,9 @@ def solution(matrix, right):
     return found
 
 
-def draw(count):
-    """(shear moduli, Poisson's ratios, thickness of the second film or 0, a), the base last, as decimal texts."""
-    chance = random.Random(20)
+def draw(seed, count, lowest, highest):
+    """(shear moduli, Poisson's ratios, thickness of the second film or 0, 10^lowest < a < 10^highest), the base last, as texts."""
+    chance = random.Random(seed)
     cases = []
     for i in range(count):
         films = 1 + i % 2
@@ -65,7 +66,7 @@ def draw(count):
         second = f"{10 ** chance.uniform(-6, 6):.3e}" if films == 2 else "0"
         if chance.random() < 0.2:
             nu[chance.randrange(films + 1)] = chance.choice(["0.5", "-0.99"])
-        cases.append((shear, nu, second, f"{10 ** chance.uniform(-8, 1):.3e}"))
+        cases.append((shear, nu, second, f"{10 ** chance.uniform(lowest, highest):.3e}"))
     return cases
 
 
@@ -168,7 +169,7 @@ def main():
     out = open(sys.argv[1], "w") if len(sys.argv) > 1 else sys.stdout
     with out:
         print("shear_2,shear_3,nu_1,nu_2,nu_3,thickness_2,a,modulus,edge,depth,force", file=out)
-        for shear, nu, second, a in draw(COUNT):
+        for shear, nu, second, a in [*draw(20, COUNT, -8, 1), *(case for case in draw(21, 16, 1, 1.6) if float(case[3]) < WIDEST)]:
             found = [f"{v:.{DIGITS}g}" for v in solve(shear, nu, second, a)]
             print(",".join([*(shear[1:] + ["0"])[:2], *(nu + ["0"])[:3], second, a, *found]), file=out, flush=True)
 
