@@ -70,8 +70,8 @@ contains
 
     !> From now on histories that the calling thread marches through time write how far they are; null() ends it.
     subroutine set_progress(part)
-        !> receives the number of rounds that are done, each with steps half as long, plus the part of the path that the present one has
-        !> behind it
+        !> receives the number of rounds that are done, each with steps half as long, plus the part of the path that the present one
+        !> has behind it
         real(c_double), pointer, intent(in) :: part
         type(c_ptr) :: place
         integer(c_int) :: status

@@ -237,8 +237,7 @@ contains
         call check_array(error, "out", n, present(out))
         status = status_of(error)
         if (allocated(error)) return
-        allocate (normals(n), stat=stat)
-        if (stat == 0) allocate (tangentials(n), stat=stat)
+        allocate (normals(n), tangentials(n), stat=stat)
         call check_memory(error, stat)
         status = status_of(error)
         if (allocated(error)) return

@@ -41,8 +41,7 @@ contains
         call check_array(error, "z", n, present(z))
         call check_array(error, "out", n, present(out))
         if (.not. allocated(error)) then
-            allocate (field(n, components), stat=stat)
-            if (stat == 0) allocate (azimuth(n), stat=stat)
+            allocate (field(n, components), azimuth(n), stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error) .and. n > 0) then

@@ -253,8 +253,7 @@ contains
         type(contact_state_t), allocatable :: state(:)
         integer :: stat
 
-        allocate (position(room), stat=stat)
-        if (stat == 0) allocate (state(room), stat=stat)
+        allocate (position(room), state(room), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         if (self%points > 0) then

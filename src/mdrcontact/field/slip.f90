@@ -168,8 +168,8 @@ contains
 
     end subroutine integrate
 
-    !> How many nodes a panel takes: their error falls as rho^(-2 nodes), rho that of the largest ellipse around it without the axis,
-    !> where a power of c may begin, and without what lies `scale` beside it.
+    !> How many nodes a panel takes: their error falls as rho^(-2 nodes), rho that of the largest ellipse around it without the
+    !> axis, where a power of c may begin, and without what lies `scale` beside it.
     pure function nodes_for(edge, length, scale) result(nodes)
         real(wp), intent(in) :: edge, length, scale
         integer :: nodes

@@ -172,7 +172,8 @@ contains
         end if
     end subroutine find_end
 
-    !> The lowest sum of squares, priors included, with one parameter held; huge where the model has no value. After an error nothing.
+    !> The lowest sum of squares, priors included, with one parameter held; huge where the model has no value. After an error
+    !> nothing.
     subroutine find_objective(problem, data, position, p, total, error)
         type(fit_problem_t), intent(in) :: problem
         type(fit_data_t), intent(in) :: data

@@ -169,10 +169,7 @@ contains
         integer :: i, n, stat
 
         n = size(y)
-        allocate (a(n), stat=stat)
-        if (stat == 0) allocate (d(n), stat=stat)
-        if (stat == 0) allocate (sd(n), stat=stat)
-        if (stat == 0) allocate (branch(n), stat=stat)
+        allocate (a(n), d(n), sd(n), branch(n), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         a(:) = 0.0_wp

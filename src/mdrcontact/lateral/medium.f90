@@ -37,8 +37,7 @@ contains
                        "greater than smallest_radius = "//to_text(smallest_radius))
         end if
         if (allocated(error)) return
-        allocate (radii(count), stat=stat)
-        if (stat == 0) allocate (modulus(count), stat=stat)
+        allocate (radii(count), modulus(count), stat=stat)
         call check_memory(error, stat)
         do i = 1, count
             if (allocated(error)) return

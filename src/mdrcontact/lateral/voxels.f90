@@ -128,8 +128,7 @@ contains
         call window(self, 1, x, columns, lines_x, error)
         if (.not. allocated(error)) call window(self, 2, y, rows, lines_y, error)
         if (allocated(error)) return
-        allocate (shear_weights(size(columns), size(rows)), stat=stat)
-        if (stat == 0) allocate (poisson_weights(size(columns), size(rows)), stat=stat)
+        allocate (shear_weights(size(columns), size(rows)), poisson_weights(size(columns), size(rows)), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         lines_x = lines_x/a
@@ -173,8 +172,7 @@ contains
             first = 0
             last = n
         end if
-        allocate (indices(last - first), stat=stat)
-        if (stat == 0) allocate (lines(last - first + 1), stat=stat)
+        allocate (indices(last - first), lines(last - first + 1), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         do i = first, last

@@ -125,10 +125,7 @@ contains
         if (size(reader%words) - reader%next + 1 < segment_words*segments + interval_words*intervals + &
             row_words*panels) reader%sound = .false.
         if (.not. reader%sound) return
-        allocate (table%segments(segments), stat=stat)
-        if (stat == 0) allocate (table%intervals(intervals), stat=stat)
-        if (stat == 0) allocate (table%other(panels), stat=stat)
-        if (stat == 0) allocate (table%contact(panels), stat=stat)
+        allocate (table%segments(segments), table%intervals(intervals), table%other(panels), table%contact(panels), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         do i = 1, segments

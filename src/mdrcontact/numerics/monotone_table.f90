@@ -48,9 +48,7 @@ contains
         end if
         status = gsl_spline_init(spline, x, y, int(size(x), c_size_t))
         if (status /= gsl_success) call raise(error, error_invalid, "the table cannot be interpolated")
-        allocate (self%x(size(x)), stat=stat)
-        if (stat == 0) allocate (self%y(size(x)), stat=stat)
-        if (stat == 0) allocate (self%slopes(size(x)), stat=stat)
+        allocate (self%x(size(x)), self%y(size(x)), self%slopes(size(x)), stat=stat)
         if (stat /= 0) call raise(error, error_memory, "no memory to interpolate a table")
         if (allocated(error)) then
             call gsl_spline_free(spline)

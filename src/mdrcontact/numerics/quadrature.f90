@@ -104,9 +104,7 @@ contains
         call mark_breaks(edges, breaks, at_break, error)
         if (allocated(error)) return
         count = (size(edges) - 1)*nodes_per_panel
-        allocate (nodes(count), stat=stat)
-        if (stat == 0) allocate (weights(count), stat=stat)
-        if (stat == 0) allocate (offsets(count), stat=stat)
+        allocate (nodes(count), weights(count), offsets(count), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         do panel = 1, size(edges) - 1

@@ -67,9 +67,7 @@ contains
         if (allocated(error)) return
         self%smallest_radius = radius(1)
         self%largest_radius = radius(size(radius))
-        allocate (self%table, stat=stat)
-        if (stat == 0) allocate (self%breaks(size(radius)), stat=stat)
-        if (stat == 0) allocate (logarithms(size(radius)), stat=stat)
+        allocate (self%table, self%breaks(size(radius)), logarithms(size(radius)), stat=stat)
         if (stat /= 0) then
             call raise(error, error_memory, "no memory for a table")
             return

@@ -86,8 +86,7 @@ contains
         ! Panels wait on a stack, leftmost on top, so that finished ones come out in ascending order.
         call resize(self, 0, size(edges) + 64, error)
         if (allocated(error)) return
-        allocate (stack(2, size(edges) + 64), stat=stat)
-        if (stat == 0) allocate (root_stack(size(edges) + 64), stat=stat)
+        allocate (stack(2, size(edges) + 64), root_stack(size(edges) + 64), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         call cosine_transform(cosines)
@@ -141,9 +140,7 @@ contains
         end do
         call resize(self, count, count, error)
         if (allocated(error)) return
-        allocate (self%derivatives(nodes, count), stat=stat)
-        if (stat == 0) allocate (self%used(count), stat=stat)
-        if (stat == 0) allocate (self%integrals(count + 1), stat=stat)
+        allocate (self%derivatives(nodes, count), self%used(count), self%integrals(count + 1), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         self%edges(count + 1) = edges(size(edges))
@@ -196,9 +193,7 @@ contains
         logical, allocatable :: from_root(:)
         integer :: stat
 
-        allocate (edges(room + 1), stat=stat)
-        if (stat == 0) allocate (from_root(room), stat=stat)
-        if (stat == 0) allocate (coefficients(nodes, room), stat=stat)
+        allocate (edges(room + 1), from_root(room), coefficients(nodes, room), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         if (kept > 0) then

@@ -85,12 +85,8 @@ contains
         end do
         self%first = self%first(:levels + 1)
         count = self%first(levels + 1) - 1
-        allocate (self%centre(count), stat=stat)
-        if (stat == 0) allocate (self%half_width(count), stat=stat)
-        if (stat == 0) allocate (self%edges(panels + 1), stat=stat)
-        if (stat == 0) allocate (self%moments(0:terms - 1, count), stat=stat)
-        if (stat == 0) allocate (self%near(panels), stat=stat)
-        if (stat == 0) allocate (self%far(panels), stat=stat)
+        allocate (self%centre(count), self%half_width(count), self%edges(panels + 1), self%moments(0:terms - 1, count), &
+                  self%near(panels), self%far(panels), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         do count = 1, panels + 1
