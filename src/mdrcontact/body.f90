@@ -16,6 +16,7 @@ module mdrcontact_body
 
     !> A body of which media are made: by a model (mdrcontact_model), or by its exact compliance. Its numbers are to be read only.
     type, abstract :: body_t
+        !> E [modulus] and nu at the surface
         type(material_t) :: surface_material
         !> E0*, the contact modulus of the surface material [modulus]
         real(wp) :: surface_modulus = 0.0_wp
@@ -68,6 +69,7 @@ contains
     !> `response` at each of several wavenumbers. A body may keep what it finds for another one: this is not pure.
     subroutine responses(self, k, sigma, chi)
         class(body_t), intent(in) :: self
+        !> wavenumbers [1/length]
         complex(wp), intent(in) :: k(:)
         !> same size as k
         complex(wp), intent(out) :: sigma(:), chi(:)

@@ -121,11 +121,13 @@ contains
     !> error all memories are as before, and the error names the first contact that is at fault.
     subroutine advance_all(self, n, force, shift, memory, threads, error)
         class(friction_law_t), intent(in), target :: self
+        !> how many contacts, >= 0
         integer, intent(in) :: n
         !> as of advance
         real(wp), intent(in), target :: force(n), shift(3, n)
         !> of each contact
         type(friction_memory_t), intent(inout), target :: memory(n)
+        !> at least 1, or 0 for as many as OpenMP offers
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(inout) :: error
         integer :: i
