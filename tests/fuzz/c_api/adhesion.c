@@ -23,6 +23,7 @@ static void pull_off(world *w)
     status = mdr_contact_pull_off(contact, control, MOST_POINTS, d, a, F, &count);
     if (status == MDR_SUCCESS && count < 0) finding("mdr_contact_pull_off", "no count", count);
     if (count > MOST_POINTS) count = MOST_POINTS;
+    if (count == 0) count = 1; /* without adhesion the first is 0 */
     judge("mdr_contact_pull_off", status, count, d, FINITE);
     judge("mdr_contact_pull_off", status, count, a, NOT_NEGATIVE);
     judge("mdr_contact_pull_off", status, count, F, FINITE);
