@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import ELASTIC_MODELS, ROOT
+from scipy import optimize
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
@@ -134,6 +135,43 @@ def test_loops(control, largest, spring):
     inside = loop.radius > 0
     states = contact.at_radius(loop.radius[inside])
     np.testing.assert_allclose(loop.force[inside], states.force, rtol=1e-9, atol=1e-12)
+
+
+def flat_ended(shape, unit):
+    """A flat-ended indenter with b = 0.1 unit, and its g'(x) sqrt(x^2 - b^2)."""
+    b = 0.1 * unit
+    if shape == "paraboloid":
+        return mdr.FlatEndedParaboloid(b, unit), lambda x: (2 * x**2 - b**2) / unit
+    return mdr.FlatEndedCone(b, 0.3), lambda x: math.tan(0.3) * (np.sqrt(x**2 - b**2) * np.arccos(b / x) + b)
+
+
+@pytest.mark.parametrize("model", ["gao", "exact"])
+@pytest.mark.parametrize("shape", ["paraboloid", "cone"])
+def test_flat_ends_on_films_in_any_unit(shape, model):
+    """Beside the end the states lose the digits of a - b, and in some units of length more than in others."""
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    for unit in (1.0, 1e3, 1e-3, 1e-6, 7.0, 1 / 3):
+        indenter, slope = flat_ended(shape, unit)
+        film = mdr.Coated(mdr.Elastic(1.0, 0.3), 0.4 * unit, mdr.Elastic(3.0, 0.2), model)
+        contact, b, gamma = mdr.Contact(indenter, film, 0.02 * unit), 0.1 * unit, 0.02 * unit
+
+        def force(a):
+            if model == "exact":
+                return float(contact.at_radius(a).force)
+            # theory 4 and 5: F = 2 int E x g' dx - 2 a E dl, x^2 = b^2 + y^2
+            y = np.sqrt(a**2 - b**2) * 0.5 * (1 + nodes)
+            x = np.sqrt(b**2 + y**2)
+            load = np.sqrt(a**2 - b**2) * (weights @ (film.modulus(x) * slope(x)))
+            return load - math.sqrt(8 * math.pi * gamma * film.modulus(a) * a**3)
+
+        found = optimize.minimize_scalar(force, bounds=(2 * b, 10 * b), method="bounded", options={"xatol": 1e-9 * b})
+        pull_off = contact.pull_off("force")
+        assert pull_off.force == pytest.approx(found.fun, rel=1e-10)
+        assert pull_off.radius == pytest.approx(found.x, rel=1e-5)
+        (rim,) = pull_off.others
+        assert rim.radius == b
+        if model == "gao":
+            assert rim.force == pytest.approx(-math.sqrt(8 * math.pi * gamma * film.modulus(b) * b**3), rel=1e-12)
 
 
 @pytest.mark.parametrize("control", ["force", "depth"])

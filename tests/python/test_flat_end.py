@@ -84,6 +84,18 @@ def test_stresses_below_the_edge():
             assert getattr(field, name) == pytest.approx(float(row[name]), abs=1e-11 * abs(float(row["s_zz"]))), (row, name)
 
 
+@pytest.mark.parametrize("shape", [mdr.FlatEndedParaboloid(0.1, 1.0), mdr.FlatEndedCone(0.1, 0.3)])
+def test_forces_beside_the_end_keep_their_digits(shape):
+    """There a film, or zeta, is as good as constant: the same rounding of a as on a homogeneous body, and no more."""
+    film = mdr.Coated(mdr.Elastic(1.0, NU), 0.4, mdr.Elastic(3.0, 0.2), "gao")
+    beyond = np.geomspace(1e-9, 1e-5, 300)
+    force = mdr.Contact(shape, UNIT).at_radius(0.1 * (1 + beyond)).force
+    on_film = mdr.Contact(shape, film).at_radius(0.1 * (1 + beyond)).force
+    scaled = mdr.Contact(shape, UNIT, zeta=([0.01, 0.5, 1.0], [1.1, 1.1, 1.1])).at_radius(0.1 * (1 + beyond)).force
+    assert np.all(abs(on_film / (film.modulus(0.1) * force) - 1) < 2e-13 + 0.2 * beyond)
+    np.testing.assert_allclose(scaled, 1.1 * force, rtol=2e-13)
+
+
 def test_every_flat_end_of_a_sum_is_infinite():
     contact = mdr.Contact(mdr.Paraboloid(2.0) + mdr.FlatEndedCone(0.3, 0.2) + mdr.FlatEndedParaboloid(0.6, 1.0), UNIT)
     state = contact.at_radius(0.9)

@@ -138,7 +138,7 @@ contains
         real(wp) :: moment
         real(wp), allocatable :: edges(:)
         type(error_t), allocatable :: error
-        real(wp) :: s(nodes), ds(nodes), length
+        real(wp) :: beyond(nodes), ds(nodes), length
         integer :: i
 
         moment = 0.0_wp
@@ -152,13 +152,13 @@ contains
         do i = 1, size(edges) - 1
             length = edges(i + 1) - edges(i)
             if (i == 1) then
-                s = lower + length*self%t**2
+                beyond = length*self%t**2
                 ds = 2.0_wp*length*self%t*self%w
             else
-                s = edges(i) + length*self%t
+                beyond = (edges(i) - lower) + length*self%t
                 ds = length*self%w
             end if
-            moment = moment + sum(s*self%mdr_slope(s)*ds)
+            moment = moment + sum((lower + beyond)*self%mdr_slope_beyond(lower, beyond)*ds)
         end do
     end function moment_between
 

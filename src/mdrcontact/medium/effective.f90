@@ -129,24 +129,25 @@ contains
         slope = profile%mdr_slope(a)
     end function nonadhesive_slope
 
-    !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to rounding.
+    !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to rounding. Beside a flat end g' is
+    !> infinite and must not see the rounding of s: its noise would exceed that of a - b.
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         real(wp), intent(out) :: depth, force
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:)
         real(wp) :: lowest
 
         depth = profile%mdr(a)
         force = 0.0_wp
         lowest = max(profile%end_radius, negligible_part(self, profile, a)*a)
         if (a <= lowest) return
-        call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error)
+        call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error, beyond)
         if (allocated(error)) return
         force = 2.0_wp*(self%effective_modulus(lowest)*profile%mdr_moment(lowest) &
-                        + sum(s*self%effective_modulus(s)*profile%mdr_slope(s)*ds))
+                        + sum(s*self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds))
     end subroutine depth_and_force
 
     !> The share of a below which the modulus may be taken as constant: what lies there is too little of the force for its
