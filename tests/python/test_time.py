@@ -265,6 +265,20 @@ def test_unloading_under_force():
     assert np.all(np.diff(by_force.force[11:]) < 0.0) and by_force.depth[-1] > 0.0
 
 
+def test_unloading_a_gel_on_a_rigid_base_under_force():
+    """A power law bears the first contact with a radius far below the largest."""
+    gel = mdr.Coated(mdr.PowerLawRheology(500.0, 1.0, 0.2, nu=0.5), 4e-6, mdr.RIGID)
+    contact = mdr.Contact(mdr.Sphere(5e-6), gel)
+    time = np.linspace(0.0, 3.0, 31)
+    force = 2e-9 * np.interp(time, [0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 1.0, 0.0])
+    marched = contact.history(time, force=force, tolerance=1e-2)
+    # until the force falls, by Lee and Radok; then, by Ting, from the depths
+    held = contact.history(time[:21], force=force[:21])
+    assert marched.depth[:21] == pytest.approx(held.depth, abs=1e-3 * held.depth[-1])
+    by_depth = contact.history(time, depth=marched.depth)
+    assert by_depth.force[21:] == pytest.approx(force[21:], abs=1e-2 * force[20])
+
+
 def test_materials():
     t = np.geomspace(1e-3, 30.0, 7)
     assert A.relaxation(t) == pytest.approx(1.0 + 2.0 * np.exp(-t / 0.3) + 0.5 * np.exp(-t / 3.0), rel=1e-15)

@@ -20,7 +20,11 @@ module mdrcontact_history_relaxation_march
     !> Contacts smaller than this part of the largest radius are none.
     real(wp), parameter :: smallest_part = 1.0e-7_wp
     real(wp), parameter :: edge_tolerance = 1.0e-12_wp
-    integer, parameter :: most_trials = 100
+    !> After so many trials the residual must have fallen to this part, else the bracket is cut in the middle of its logarithm: the
+    !> force goes as a power of the radius, whose chord from a far end leads nowhere.
+    integer, parameter :: patience = 3
+    real(wp), parameter :: fallen = 0.1_wp
+    integer, parameter :: most_trials = 200
     !> Of radii between panels.
     integer, parameter :: most_turns = 16
 
@@ -111,7 +115,7 @@ contains
         real(wp), intent(out) :: radius
         type(trial_t), intent(out) :: trial
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: low, high, x, x_before, y_before, next
+        real(wp) :: low, high, x, x_before, y_before, y_checked, next
         integer :: i
         logical :: has_high
 
@@ -126,6 +130,7 @@ contains
         end if
         high = self%limit
         has_high = .false.
+        y_checked = huge(1.0_wp)
         x_before = low
         y_before = trial%residual
         x = min(max(self%radius, 1.0e-3_wp*self%limit), 0.9_wp*self%limit)
@@ -153,8 +158,12 @@ contains
             next = high
             if (abs(trial%residual - y_before) > 0.0_wp) next = x - trial%residual*(x - x_before)/(trial%residual - y_before)
             if (abs(next - x) <= edge_tolerance*self%limit .or. high - low <= edge_tolerance*self%limit) return
+            if (has_high .and. mod(i, patience) == 0) then
+                if (abs(trial%residual) > fallen*y_checked) next = high
+                y_checked = abs(trial%residual)
+            end if
             if (.not. (next > low .and. next < high)) then
-                next = 0.5_wp*(low + high)
+                next = sqrt(low)*sqrt(high)
                 if (.not. has_high) next = min(1.5_wp*x, high)
             end if
             x_before = x
