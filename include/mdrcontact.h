@@ -469,14 +469,18 @@ int mdr_material_viscoelastic(double relaxed_shear_modulus, int n, const double 
  *  @param out       receives the handle */
 int mdr_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out);
 
-/** The shear relaxation modulus G(t) [modulus]; a dashpot bears nothing at t > 0.
+/** The shear relaxation modulus G(t) [modulus], at t = 0 the glassy one; a dashpot bears nothing at t > 0.
  *  @param m    material
  *  @param n    number of times
- *  @param t    [n] > 0 [time]
+ *  @param t    [n] >= 0, and > 0 of a power law or with a dashpot, whose G(0) is infinite [time]
  *  @param out  [n] [modulus] */
 int mdr_material_relaxation(const mdr_material *m, int n, const double t[], double out[]);
 
-/** The shear compliance J(t), the strain under a constant stress of 1 [1/modulus]. Arguments as of mdr_material_relaxation(). */
+/** The shear compliance J(t), the strain under a constant stress of 1 [1/modulus]; J(0) = 0 of a power law or with a dashpot.
+ *  @param m    material
+ *  @param n    number of times
+ *  @param t    [n] >= 0 [time]
+ *  @param out  [n] [1/modulus] */
 int mdr_material_creep(const mdr_material *m, int n, const double t[], double out[]);
 
 /** The complex shear modulus at angular frequencies: storage and loss modulus.

@@ -48,11 +48,13 @@ class _Rheology(Value):
     """What viscoelastic materials have in common."""
 
     def relaxation(self, t: ArrayLike) -> FloatOrArray:
-        """The shear relaxation modulus G(t) [modulus] at times t > 0, any shape; a dashpot bears nothing at t > 0."""
+        """The shear relaxation modulus G(t) [modulus] at times t >= 0, any shape, G(0) being the glassy one; a dashpot bears
+        nothing at t > 0. InvalidArgumentError at t = 0 for power laws and dashpots, whose G(0) is infinite."""
         return evaluate("t", t, lambda values: _native.material_relaxation(self._handle.address, values))
 
     def creep(self, t: ArrayLike) -> FloatOrArray:
-        """The shear compliance J(t), the strain under a constant stress of 1 [1/modulus], at times t > 0, any shape."""
+        """The shear compliance J(t), the strain under a constant stress of 1 [1/modulus], at times t >= 0, any shape; J(0) = 0 of
+        power laws and dashpots."""
         return evaluate("t", t, lambda values: _native.material_creep(self._handle.address, values))
 
     def complex_modulus(self, omega: ArrayLike) -> ComplexOrArray:

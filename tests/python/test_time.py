@@ -308,6 +308,19 @@ def test_creep_and_relaxation_are_inverse(material):
         assert product == pytest.approx(t, rel=1e-6 if material is POWER else 1e-9)
 
 
+def test_moduli_at_once():
+    for material in A, B, S:
+        shear = material.glassy.E / (2.0 * (1.0 + material.glassy.nu))
+        assert material.relaxation(0.0) == pytest.approx(shear, rel=1e-14)
+        assert material.creep([0.0, 1.0])[0] == pytest.approx(1.0 / shear, rel=1e-13)
+    for material in POWER, mdr.Viscoelastic(2.0, [(1.0, 0.1)], nu=0.5, viscosity=0.7):
+        assert material.creep(0.0) == 0.0
+        with pytest.raises(mdr.InvalidArgumentError, match="infinite"):
+            material.relaxation([1.0, 0.0])
+        with pytest.raises(mdr.InvalidArgumentError, match="t = -1"):
+            material.relaxation(-1.0)
+
+
 def test_dashpot_alone_is_kelvin_voigt():
     kelvin = mdr.Viscoelastic(2.0, [], nu=0.5, viscosity=0.7)
     assert kelvin.creep(0.3) == pytest.approx((1.0 - math.exp(-0.3 * 2.0 / 0.7)) / 2.0, rel=1e-14)

@@ -6,7 +6,7 @@ module mdrcontact_api_material
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_error, only: check_choice, check_memory, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_choice, check_memory, check_not_negative, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
@@ -101,10 +101,17 @@ contains
         type(rheology_t), pointer :: material
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
+        integer :: i
 
         call open_handle(m, "m", material, error)
         call check_in_out(error, n, "t", present(t), present(out))
-        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "t", t(:n))
+        do i = 1, n
+            if (allocated(error)) exit
+            call check_not_negative(error, "t", t(i), i)
+            if (is_creep .or. t(i) > 0.0_wp .or. material%has_glassy()) cycle
+            call raise(error, error_invalid, " = 0.0 is not allowed: there G(t) of a power law, or with a dashpot in parallel, "// &
+                       "is infinite", "t", i)
+        end do
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             if (is_creep) then

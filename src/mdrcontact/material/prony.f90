@@ -37,7 +37,7 @@ module mdrcontact_material_prony
 
 contains
 
-    !> f(t) at t > 0.
+    !> f(t) without the dashpot, at t >= 0.
     pure function relaxation_at(self, t) result(value)
         class(prony_t), intent(in) :: self
         real(wp), intent(in) :: t
@@ -63,7 +63,7 @@ contains
         value = self%limit + sum(self%weight*(s/(s + self%rate))) + self%viscosity*s
     end function transform
 
-    !> J(t) at t > 0.
+    !> J(t) at t >= 0.
     pure function creep_at(self, t) result(value)
         class(creep_t), intent(in) :: self
         real(wp), intent(in) :: t

@@ -150,10 +150,10 @@ contains
         answer = self%has_glassy() .and. size(self%shear%rate) == 0
     end function is_elastic
 
-    !> G(t) at t > 0 [modulus].
+    !> G(t), at t = 0 the glassy one [modulus].
     elemental function relaxation(self, t) result(value)
         class(rheology_t), intent(in) :: self
-        !> > 0 [time]
+        !> >= 0, and > 0 of a power law or with a dashpot in parallel, whose G(0) is infinite [time]
         real(wp), intent(in) :: t
         real(wp) :: value
 
@@ -164,10 +164,10 @@ contains
         end if
     end function relaxation
 
-    !> J(t) at times t > 0, the shear compliance: strain under a constant stress of 1 [1/modulus].
+    !> J(t), the shear compliance: strain under a constant stress of 1, at t = 0 that of the sudden load [1/modulus].
     pure function creep(self, t) result(values)
         class(rheology_t), intent(in) :: self
-        !> > 0 [time]
+        !> >= 0 [time]
         real(wp), intent(in) :: t(:)
         real(wp) :: values(size(t))
         type(creep_t) :: series
