@@ -85,15 +85,27 @@ def test_stresses_below_the_edge():
 
 
 @pytest.mark.parametrize("shape", [mdr.FlatEndedParaboloid(0.1, 1.0), mdr.FlatEndedCone(0.1, 0.3)])
-def test_forces_beside_the_end_keep_their_digits(shape):
+def test_states_beside_the_end_keep_their_digits(shape):
     """There a film, or zeta, is as good as constant: the same rounding of a as on a homogeneous body, and no more."""
     film = mdr.Coated(mdr.Elastic(1.0, NU), 0.4, mdr.Elastic(3.0, 0.2), "gao")
-    beyond = np.geomspace(1e-9, 1e-5, 300)
-    force = mdr.Contact(shape, UNIT).at_radius(0.1 * (1 + beyond)).force
-    on_film = mdr.Contact(shape, film).at_radius(0.1 * (1 + beyond)).force
-    scaled = mdr.Contact(shape, UNIT, zeta=([0.01, 0.5, 1.0], [1.1, 1.1, 1.1])).at_radius(0.1 * (1 + beyond)).force
-    assert np.all(abs(on_film / (film.modulus(0.1) * force) - 1) < 2e-13 + 0.2 * beyond)
+    b, E, beyond = 0.1, film.modulus(0.1), np.geomspace(1e-9, 1e-5, 300)
+    force = mdr.Contact(shape, UNIT).at_radius(b * (1 + beyond)).force
+    contact = mdr.Contact(shape, film)
+    assert np.all(abs(contact.at_radius(b * (1 + beyond)).force / (E * force) - 1) < 2e-13 + 0.2 * beyond)
+    scaled = mdr.Contact(shape, UNIT, zeta=([0.01, 0.5, 1.0], [1.1, 1.1, 1.1])).at_radius(b * (1 + beyond)).force
     np.testing.assert_allclose(scaled, 1.1 * force, rtol=2e-13)
+    pair = mdr.Contact(shape, mdr.Pair(film, film))
+    for part in beyond[::30]:
+        # as the flat punch of radius b
+        rtol = 2e-13 + 2.0 * part
+        state = contact.at_radius(b * (1 + part))
+        outside = np.arcsin(0.5) / np.pi * state.depth
+        np.testing.assert_allclose(contact.line_load([0.05], state), E * state.depth, rtol)
+        np.testing.assert_allclose(contact.displacement([0.2], state), 2 * outside, rtol)
+        # g is rounded at the nodes of the rule, as the depth is at a
+        np.testing.assert_allclose(contact.elastic_energy(state), b * E * state.depth**2, rtol + 4e-16 / part)
+        state = pair.at_radius(b * (1 + part))
+        np.testing.assert_allclose(pair.displacement([0.05, 0.2], state, body="upper"), [state.depth / 2, outside], rtol)
 
 
 def test_every_flat_end_of_a_sum_is_infinite():

@@ -2,6 +2,7 @@
 !> Media described by an effective modulus E_eff(a) (theory 3 and 4; Popov 2014, equations (9), (10), (21)-(27)).
 !>
 !> The rule: contact radius from the shape, stiffness from the radius, force by integrating the stiffness from first contact.
+!> Beside a flat end g' is infinite; it is taken at distances from there: the rounding of s would be seen far beyond that of a.
 module mdrcontact_medium_effective
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_error, only: error_t
@@ -129,8 +130,7 @@ contains
         slope = profile%mdr_slope(a)
     end function nonadhesive_slope
 
-    !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to rounding. Beside a flat end g' is
-    !> infinite and must not see the rounding of s: its noise would exceed that of a - b.
+    !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to rounding.
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -180,7 +180,7 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:)
         real(wp) :: lowest
         integer :: i
 
@@ -188,11 +188,11 @@ contains
             values(i) = self%effective_modulus(a)*excess
             lowest = max(r(i), profile%end_radius, smallest_panel_ratio*a)
             if (a <= lowest) cycle
-            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error)
+            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error, beyond)
             if (allocated(error)) return
             values(i) = values(i) + self%effective_modulus(lowest) &
                         *(profile%mdr(lowest) - profile%mdr(min(r(i), lowest))) &
-                        + sum(self%effective_modulus(s)*profile%mdr_slope(s)*ds)
+                        + sum(self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds)
         end do
     end subroutine line_load
 
@@ -239,7 +239,7 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:)
         real(wp) :: lowest
         integer :: i
 
@@ -247,10 +247,10 @@ contains
         do i = 1, size(r)
             values(i) = excess*asin(a/r(i))
             if (a > lowest) then
-                call graded_rule(lowest, a, all_breaks(self, profile), min(profile%singular_radius, r(i)), s, ds, error)
+                call graded_rule(lowest, a, all_breaks(self, profile), min(profile%singular_radius, r(i)), s, ds, error, beyond)
                 if (allocated(error)) return
                 values(i) = values(i) + profile%mdr_moment(lowest)/r(i) &
-                            + sum(profile%mdr_slope(s)*asin(s/r(i))*ds)
+                            + sum(profile%mdr_slope_beyond(lowest, beyond)*asin(s/r(i))*ds)
             end if
             values(i) = values(i)*(2.0_wp/pi)
         end do
@@ -263,7 +263,7 @@ contains
         real(wp), intent(in) :: a, excess
         real(wp), intent(out) :: values(2)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:)
         real(wp) :: lowest, depth, force, rise, total, upper
         integer :: i
 
@@ -275,9 +275,9 @@ contains
         lowest = max(profile%end_radius, smallest_panel_ratio*a)
         if (a > lowest) then
             rise = self%upper_depth(profile, a, error)
-            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error)
+            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error, beyond)
             if (allocated(error)) return
-            ds = 2.0_wp*s*self%effective_modulus(s)*profile%mdr_slope(s)*ds
+            ds = 2.0_wp*s*self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds
             total = total + sum((depth - profile%mdr(s))*ds)
             upper = upper + sum([((rise - self%upper_depth(profile, s(i), error))*ds(i), i=1, size(s))])
         end if

@@ -101,16 +101,17 @@ contains
         real(wp), intent(in) :: a
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: depth
-        real(wp), allocatable :: s(:), ds(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:)
         real(wp) :: lowest
 
         lowest = max(profile%end_radius, smallest_panel_ratio*a)
         depth = 0.0_wp
         if (a <= lowest) return
         call graded_rule(lowest, a, merged_breaks(profile%break_radii(), self%breaks()), profile%singular_radius, s, ds, &
-                         error)
+                         error, beyond)
         if (allocated(error)) return
-        depth = self%upper_share(lowest)*profile%mdr(lowest) + sum(self%upper_share(s)*profile%mdr_slope(s)*ds)
+        depth = self%upper_share(lowest)*profile%mdr(lowest) + &
+                sum(self%upper_share(s)*profile%mdr_slope_beyond(lowest, beyond)*ds)
     end function upper_depth
 
     !> Each increment of depth moves each surface as a flat punch on a homogeneous body, by that body's share:
@@ -123,7 +124,7 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(inout) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:)
         real(wp) :: lowest, highest, whole, upper
         integer :: i
 
@@ -138,10 +139,11 @@ contains
             lowest = max(profile%end_radius, smallest_panel_ratio*highest)
             if (highest > lowest) then
                 call graded_rule(lowest, highest, merged_breaks(profile%break_radii(), self%breaks()), &
-                                 min(profile%singular_radius, r(i)), s, ds, error)
+                                 min(profile%singular_radius, r(i)), s, ds, error, beyond)
                 if (allocated(error)) return
                 upper = upper + (self%upper_share(lowest)*profile%mdr_moment(lowest)/r(i) &
-                                 + sum(self%upper_share(s)*profile%mdr_slope(s)*asin(min(s/r(i), 1.0_wp))*ds))/half_pi
+                                 + sum(self%upper_share(s)*profile%mdr_slope_beyond(lowest, beyond) &
+                                       *asin(min(s/r(i), 1.0_wp))*ds))/half_pi
             end if
             values(i) = merge(values(i) - upper, upper, body == lower_body)
         end do
