@@ -5,7 +5,7 @@ module mdrcontact_contact_inversion
     use mdrcontact_contact_range, only: first_guess
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
-    use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
+    use mdrcontact_error, only: error_no_convergence, error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_roots, only: cubic_error, inverse_cubic, solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -54,6 +54,9 @@ module mdrcontact_contact_inversion
     !> The radius of a homogeneous body is but a guess: found to this part of itself, and in at most so many steps.
     real(wp), parameter :: short_step = 0.01_wp
     integer, parameter :: most_steps = 50
+    !> Parts of the medium's largest radius: wider states are dear where they are solved for, and may be refused; near the other
+    !> one, states are as those of the surface alone.
+    real(wp), parameter :: wide = 1.0e-2_wp, narrow = 1.0e-7_wp
 
 contains
 
@@ -157,7 +160,7 @@ contains
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
         type(neighbours_t), intent(in), optional :: neighbours
-        real(wp) :: first, last, guess, root, distance
+        real(wp) :: first, last, guess, root, distance, widest
         logical :: guessed
 
         associate (equilibrium => mismatch%equilibrium, control => mismatch%control)
@@ -166,14 +169,54 @@ contains
                 first = equilibrium%coordinate_of(equilibrium%medium%smallest_radius)
             end if
             last = equilibrium%coordinate_of(equilibrium%last_radius)
-            guessed = .false.
-            if (present(neighbours)) call neighbours%guess(mismatch, guess, distance, guessed)
-            if (guessed) then
-                call solve_increasing(mismatch, guess, expected_slope, first, last, root, found, error, distance)
-                radius = equilibrium%radius_of(root)
-                return
+            widest = last
+            if (mismatch%near_enough > 0.0_wp) then
+                widest = min(last, log(max(wide*equilibrium%medium%largest_radius, tiny(1.0_wp))))
             end if
-            radius = -1.0_wp
+            guessed = .false.
+            distance = 1.0_wp
+            if (present(neighbours)) call neighbours%guess(mismatch, guess, distance, guessed)
+            if (.not. guessed) then
+                distance = 1.0_wp
+                call guess_of_surface(mismatch, first, last, guess, error)
+                if (allocated(error)) then
+                    found = .false.
+                    return
+                end if
+                ! A stiff film bends and sinks by more than it would as a half-space: the contact is smaller.
+                if (guess > widest) guess = narrow_coordinate(equilibrium)
+            end if
+            call solve_increasing(mismatch, guess, expected_slope, first, last, root, found, error, distance)
+            if (allocated(error) .and. mismatch%near_enough > 0.0_wp) then
+                if (error%code == error_no_convergence) then
+                    ! That a state farther out is refused says nothing of those further in.
+                    deallocate (error)
+                    if (allocated(mismatch%error)) deallocate (mismatch%error)
+                    call solve_increasing(mismatch, narrow_coordinate(equilibrium), expected_slope, first, last, root, found, error)
+                end if
+            end if
+            radius = equilibrium%radius_of(root)
+        end associate
+    end subroutine find_radius
+
+    !> That of a contact so small that the search goes up from there, in steps of bounded length.
+    pure function narrow_coordinate(equilibrium) result(x)
+        type(equilibrium_t), intent(in) :: equilibrium
+        real(wp) :: x
+
+        x = log(max(narrow*min(equilibrium%medium%largest_radius, equilibrium%last_radius/wide), tiny(1.0_wp)))
+    end function narrow_coordinate
+
+    !> Where a half-space of the surface's material would have s.
+    subroutine guess_of_surface(mismatch, first, last, guess, error)
+        type(mismatch_t), intent(in) :: mismatch
+        real(wp), intent(in) :: first, last
+        real(wp), intent(out) :: guess
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: radius
+
+        radius = -1.0_wp
+        associate (equilibrium => mismatch%equilibrium, control => mismatch%control)
             if (control%depth_weight > 0.0_wp) then
                 radius = equilibrium%profile%radius_from_mdr(mismatch%target_value/control%depth_weight)
             end if
@@ -181,15 +224,9 @@ contains
                 guess = equilibrium%coordinate_of(radius)
             else
                 call guess_of_homogeneous(mismatch, first, last, guess, error)
-                if (allocated(error)) then
-                    found = .false.
-                    return
-                end if
             end if
-            call solve_increasing(mismatch, guess, expected_slope, first, last, root, found, error)
-            radius = equilibrium%radius_of(root)
         end associate
-    end subroutine find_radius
+    end subroutine guess_of_surface
 
     !> Where the next state lies, and how far from there it may be.
     pure subroutine guess_from_neighbours(self, mismatch, guess, distance, guessed)

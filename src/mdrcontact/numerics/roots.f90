@@ -15,6 +15,8 @@ module mdrcontact_numerics_roots
     integer, parameter :: most_iterations = 200
     !> Newton's or secant steps before Brent's method takes over.
     integer, parameter :: most_secants = 12
+    !> Steps that are halved.
+    integer, parameter :: most_refused = 6
     real(wp), parameter :: relative_width = 4.0_wp*epsilon(1.0_wp)
     real(wp), parameter :: widest_step = 50.0_wp
     !> A slope between points that are not farther apart speaks for the function near them.
@@ -82,6 +84,7 @@ contains
     !> secant steps, from `guess` until they converge, bracketed
     !> by the signs seen on the way; Brent's method if they do not. The last step, which leaves less than rounding or than f asks
     !> for, is taken without looking at f again, unless f is rough. Far from the root f is asked for less accuracy.
+    !> A step up to where f cannot be had is halved, a few times.
     !> `found` is false, and `root` the nearer end, if f keeps its sign over the whole interval.
     subroutine solve_increasing(f, guess, slope, smallest, largest, root, found, error, distance)
         class(scalar_function_t), intent(inout) :: f
@@ -96,8 +99,9 @@ contains
         real(wp) :: x, y, x_before, y_before, slope_before, accuracy_before, low, high, left, remaining, step_before
         real(wp) :: ratio_before
         logical :: has_low, has_high, slope_is_local, is_best
-        integer :: iteration
+        integer :: iteration, refused
 
+        refused = 0
         remaining = 1.0_wp
         if (present(distance)) remaining = distance
         slope_is_local = .true.
@@ -120,6 +124,15 @@ contains
             end if
             y = f%value(x)
             if (allocated(f%error)) then
+                if (refused < most_refused .and. y_before < 0.0_wp .and. x > x_before &
+                    .and. f%error%code == error_no_convergence) then
+                    refused = refused + 1
+                    deallocate (f%error)
+                    x = 0.5_wp*(x_before + x)
+                    step_before = x - x_before
+                    remaining = abs(step_before)
+                    cycle
+                end if
                 error = f%error
                 return
             end if
