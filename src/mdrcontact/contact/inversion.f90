@@ -186,7 +186,11 @@ contains
                 ! A stiff film bends and sinks by more than it would as a half-space: the contact is smaller.
                 if (guess > widest) guess = narrow_coordinate(equilibrium)
             end if
-            call solve_increasing(mismatch, guess, expected_slope, first, last, root, found, error, distance)
+            if (guess > widest) widest = last
+            call solve_increasing(mismatch, guess, expected_slope, first, widest, root, found, error, distance)
+            if (.not. (allocated(error) .or. found) .and. root >= widest .and. widest < last) then
+                call solve_increasing(mismatch, widest, expected_slope, first, last, root, found, error)
+            end if
             if (allocated(error) .and. mismatch%near_enough > 0.0_wp) then
                 if (error%code == error_no_convergence) then
                     ! That a state farther out is refused says nothing of those further in.
