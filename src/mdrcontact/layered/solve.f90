@@ -100,7 +100,8 @@ contains
             n = min(next_unknowns(n, reached/tolerance), most_unknowns)
         end do
         call raise(error, error_no_convergence, "the exact layered medium did not reach the relative tolerance "// &
-                   to_text(tolerance)//" at contact radius "//to_text(a)//": it reached "//to_text(reached))
+                   to_text(tolerance)//" at contact radius "//to_text(a)//": it reached "//to_text(reached)// &
+                   "; where that is enough, make the medium with a larger tolerance")
     end subroutine solve
 
     !> n such that the estimate meets the tolerance at the first attempt, for films: fitted to what 5 films take.
