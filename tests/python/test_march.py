@@ -53,6 +53,18 @@ def test_a_punch_superposes_its_steps(name):
         assert largest(marched, np.array(wanted)) < 1e-4
 
 
+@pytest.mark.parametrize("thickness", [(0.5, 0.5), (1.0, 0.3), (0.1, 1.0)])
+@pytest.mark.parametrize("nu", [0.4, 0.5])
+def test_a_punch_above_a_dashpot_begins_on_a_rigid_base(thickness, nu):
+    film, base = thickness
+    punch = mdr.Contact(mdr.FlatPunch(0.7), mdr.Layered([(POLYMER, film), (KELVIN.replace(nu=nu), base)], HARD))
+    at_once = mdr.Coated(POLYMER.glassy, film, mdr.RIGID).stiffness(0.7)
+    found = punch.relaxation([1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 0.01])
+    # the layer's first bending goes as the third root of the time
+    assert (found[0] + (found[0] - found[1]) / (10.0 ** (1.0 / 3.0) - 1.0)) == pytest.approx(at_once, rel=2e-3)
+    assert np.all(np.diff(found) < 0.0)
+
+
 @pytest.mark.parametrize(
     "tip", [mdr.FlatPunch(0.5), mdr.FlatEndedCone(0.3, 0.6), mdr.FlatEndedParaboloid(0.3, 1.0), mdr.RoundedCone(0.2, 0.5)], ids=repr
 )
