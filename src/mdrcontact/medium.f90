@@ -324,6 +324,11 @@ contains
 
         associate (unused => self)
         end associate
+        if (self%is_viscoelastic()) then
+            call raise(error, error_invalid, "the tangential stiffness is not allowed with a viscoelastic body: it depends on "// &
+                       "how long the body is sheared, and friction is not known where stiffness changes with time")
+            return
+        end if
         call raise(error, error_invalid, "the tangential stiffness of this medium is not known: use a homogeneous one with E "// &
                    "and nu, or a coated, layered or graded one with the model exact or one of the weighted means (gao, "// &
                    "gao-series, gao-power)")

@@ -178,6 +178,42 @@ def test_history_on_a_film():
         history.advance(depth=0.11, shift=0.0)
 
 
+@pytest.mark.parametrize(
+    "medium", [mdr.Homogeneous(STEEL), mdr.Coated(mdr.Elastic(40.0, 0.3), 1.0, STEEL)], ids=["half-space", "film"]
+)
+@pytest.mark.parametrize("indenter", [mdr.FlatEndedCone(0.4, 0.2), mdr.FlatEndedParaboloid(0.4, 5.0), mdr.FlatPunch(0.4)], ids=repr)
+def test_rings_under_a_flat_end(indenter, medium):
+    """They touch at once. Under a flat punch the error is that of the first order: rings of constant traction are less stiff."""
+    pair = friction(medium, indenter)
+    state = pair.contact.at_depth(0.1)
+    shifts = pair.sliding_shift(state) * np.array([0.0, 0.1, 0.5, 1.2])
+    exact = pair.at_shift(shifts, state).tangential_force
+    errors = []
+    for rings in (25, 100):
+        found = pair.history(0.1, rings).advance(depth=0.1, shift=shifts).tangential_force
+        errors.append(np.abs(found - exact).max() / (MU * state.force))
+    assert errors[0] < (4e-3 if isinstance(indenter, mdr.FlatPunch) else 1.5e-3)
+    assert errors[1] < 0.5 * errors[0]
+
+
+def test_flat_ends_along_paths_by_rings():
+    depth, shift = [0.1, 0.05, 0.0, 0.0, 0.08, 0.08], [0.03, -0.01, 0.0, 0.02, 0.03, 0.0]
+    pair = friction(mdr.Homogeneous(STEEL), mdr.FlatEndedCone(0.4, 0.2))
+    exact = pair.history().advance(depth=depth, shift=shift)
+    found = pair.history(0.1, 50).advance(depth=depth, shift=shift)
+    largest = MU * pair.contact.at_depth(0.1).force
+    np.testing.assert_allclose(found.tangential_force, exact.tangential_force, atol=2e-3 * largest)
+    np.testing.assert_allclose(found.dissipated_energy, exact.dissipated_energy, atol=0.01 * exact.dissipated_energy[-1])
+
+
+def test_viscoelastic_bodies_say_why_they_are_refused():
+    body = mdr.Homogeneous(mdr.Viscoelastic(500.0, [(300.0, 0.05)], bulk_modulus=5e3))
+    with pytest.raises(mdr.InvalidArgumentError, match="not allowed with a viscoelastic body"):
+        friction(body)
+    with pytest.raises(mdr.InvalidArgumentError, match="not allowed with a viscoelastic body"):
+        body.tangential_stiffness(1.0)
+
+
 def test_law():
     pair = friction(mdr.Homogeneous(STEEL))
     law = mdr.FrictionLaw(pair, 0.1, tolerance=1e-8)

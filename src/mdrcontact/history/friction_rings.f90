@@ -103,12 +103,12 @@ contains
         if (.not. allocated(self%edges)) call lose(self, 0.0_wp)
         from = [self%depth, self%shift]
         dissipated = 0.0_wp
+        if (.not. self%radius > 0.0_wp) call touch(self, grid, contact%equilibrium%profile%end_radius)
         do
             call find_stop(self, grid, contact, state, stop, radius, is_last, error)
             if (allocated(error)) return
-            if (is_last .and. .not. radius > 0.0_wp) then
-                call lose(self, shift)
-            else if (is_last) then
+            if (is_last .and. .not. radius > 0.0_wp) exit
+            if (is_last) then
                 call step(self, grid, contact, tangential, coefficient, state, radius, shift, error)
             else
                 call step(self, grid, contact, tangential, coefficient, stop, radius, &
@@ -118,8 +118,25 @@ contains
             dissipated = dissipated + self%dissipated
             if (is_last) exit
         end do
+        if (.not. state%depth > 0.0_wp) call lose(self, shift)
         self%dissipated = dissipated
     end subroutine advance
+
+    !> The first touch: a flat end does so with all of its rings at once, which carry nothing yet.
+    subroutine touch(self, grid, end_radius)
+        type(rings_t), intent(inout) :: self
+        type(ring_grid_t), intent(in) :: grid
+        !> 0 where there is no flat end [length]
+        real(wp), intent(in) :: end_radius
+
+        if (.not. end_radius > 0.0_wp) return
+        self%radius = snapped(self, grid, min(end_radius, grid%radii(size(grid%radii))))
+        self%edges = [pack(grid%radii, grid%radii < self%radius), self%radius]
+        self%load = 0.0_wp*self%edges
+        self%normal = self%load
+        self%base_load = self%load
+        self%offset = self%load - self%shift
+    end subroutine touch
 
     !> The next state at which a straight step is divided, or its last one.
     subroutine find_stop(self, grid, contact, state, stop, radius, is_last, error)
@@ -245,7 +262,7 @@ contains
         was = dot_product(compliance(n, :base), self%base_load) - self%base_shift
         time = touched*edges(n)
         if (base > 0) time = edges(base) + touched*(edges(n) - edges(base))
-        call contact%at_radius(time, touching, error)
+        call contact%at_radius(max(time, contact%equilibrium%profile%end_radius), touching, error)
         if (allocated(error)) return
         time = min(max((touching%depth - self%base_depth)/(state%depth - self%base_depth), 0.0_wp), 1.0_wp)
         offset(n) = was + time*(dot_product(compliance(n, :base), free) - shift - was)
@@ -319,6 +336,7 @@ contains
         integer :: j
 
         forces = 0.0_wp
+        if (.not. state%force > 0.0_wp) return
         call gauss_legendre(t, weights, error)
         if (allocated(error)) return
         roots(0) = state%radius
