@@ -21,8 +21,8 @@ module mdrcontact_history_relaxation_stiffness
     !> Nodes of the inverse Laplace transform on a parabola: Weideman, Trefethen, Math. Comp. 76 (2007) 1341.
     integer, parameter :: nodes = 16
     real(wp), parameter :: tolerance = 1.0e-13_wp
-    !> Parts of the sum that may be left out where a body has no kernel: the last nodes lie near the negative axis, where springs and
-    !> dashpots nearly cancel.
+    !> Parts of the sum that may be left out where a body has no kernel: the last nodes lie near the negative axis, where springs
+    !> and dashpots nearly cancel.
     real(wp), parameter :: dispensable = 1.0e-11_wp
 
     !> k(a; s) of one body at one s after the other.
