@@ -38,7 +38,7 @@ static int branches[POINTS];
 static int labels[ROWS * ROWS * 10];
 static mdr_profile *ball, *tip;
 static mdr_medium *half_space, *film;
-static mdr_contact *contact, *on_film, *by_tip;
+static mdr_contact *contact, *on_film, *by_tip, *coated;
 static mdr_law *law;
 static mdr_structure *voxels;
 static mdr_contact *relaxing;
@@ -54,6 +54,20 @@ static int states(void) { return mdr_contact_from_depth(contact, POINTS, x, NULL
 static int states_on_film(void) { return mdr_contact_from_depth(on_film, 3, x + 100, NULL, NULL, out, NULL); }
 static int states_of_tip(void) { return mdr_contact_from_depth(by_tip, 3, x + 100, NULL, NULL, out, NULL); }
 static int field(void) { return field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 2.0, POINTS, x, out); }
+/* At scattered points or on a grid. */
+static int stress_at(mdr_contact *c, double friction, int is_grid)
+{
+    static double r[POINTS], z[POINTS];
+    static mdr_interior found[POINTS];
+    for (int i = 0; i < POINTS; i++) {
+        r[i] = is_grid ? i % 100 * 0.02 : x[i];
+        z[i] = is_grid ? i / 100 * 0.01 : 0.05 + x[POINTS - 1 - i];
+    }
+    return mdr_contact_interior(c, MDR_BODY_LOWER, &pressed, MDR_SIDE_BELOW, friction, POINTS, r, z, NULL, found);
+}
+static int stresses(void) { return stress_at(contact, 0.0, 0); }
+static int stresses_sliding(void) { return stress_at(contact, 0.3, 0); }
+static int stresses_of_grid(void) { return stress_at(coated, 0.3, 1); }
 static int loop(void) { mdr_loop *l = NULL; return mdr_loop_new(contact, MDR_CONTROL_DEPTH, 0.5, POINTS, 0.0, &l); }
 static int make_voxels(void)
 {
@@ -192,7 +206,7 @@ int main(void)
     const double E[2] = {1.0, 2.0}, nu[2] = {0.3, 0.3}, spacing[3] = {0.1, 0.1, 0.1};
     mdr_law_options options;
     mdr_material *material = NULL;
-    mdr_medium *soft = NULL;
+    mdr_medium *soft = NULL, *coating = NULL;
 
     for (int i = 0; i < POINTS; i++) x[i] = i * 1e-4, y[i] = x[i] * x[i] * (1.0 + 0.01 * sin(30.0 * x[i]));
     for (int i = 0; i < POINTS; i++) small[i] = 1e-3 * y[i] * x[i], branches[i] = i % 2 ? MDR_ON_LOADING : MDR_ON_UNLOADING;
@@ -212,6 +226,8 @@ int main(void)
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, (double[]){2.0}, (double[]){0.5}, 0.0, 0.5, 0.0, &material));
     CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, material, MDR_MODEL_EXACT, NULL, &soft));
     CHECK_SUCCESS(mdr_contact_new(ball, soft, NULL, &relaxing));
+    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &coating));
+    CHECK_SUCCESS(mdr_contact_new(ball, coating, NULL, &coated));
     CHECK_SUCCESS(mdr_friction_new(contact, 0.3, &rubbed));
     CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, (double[]){0.3}, &pressed));
 
@@ -224,6 +240,9 @@ int main(void)
     refuse_each("states on a table", 8, states_on_film);
     refuse_each("states of a table", 0, states_of_tip);
     refuse_each("field", 0, field);
+    refuse_each("stresses", 0, stresses);
+    refuse_each("stresses under sliding", 0, stresses_sliding);
+    refuse_each("stresses of a grid in a coated body", 0, stresses_of_grid);
     refuse_each("loop", 0, loop);
     refuse_each("law written and read", 0, write_law);
     refuse_each("voxels", 0, make_voxels);

@@ -7,7 +7,7 @@
 module mdrcontact_field_body_field
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_interior, only: components, interior_field
     use mdrcontact_field_lattice, only: distinct
     use mdrcontact_field_load, only: load_t
@@ -39,24 +39,52 @@ contains
         real(wp), intent(in) :: friction, angle(:)
         integer, intent(in) :: threads
         type(layers_t) :: layers
-        real(wp), allocatable :: part(:, :)
-        integer, allocatable :: first(:), chosen(:)
-        integer :: which(size(z)), group, i
+        integer, allocatable :: first(:), which(:)
+        integer :: group, stat
 
         if (.not. body%is_graded) then
             call body%sublayers(load%radius, coarsest, z(:0), layers)
             call interior_field(load, layers, r, z, below, field, error, friction, angle, threads)
             return
         end if
-        call distinct(z, first, which)
+        allocate (which(size(z)), stat=stat)
+        call check_memory(error, stat)
+        call distinct(z, first, which, error)
+        if (allocated(error)) return
         do group = 0, (size(first) - 1)/depths_together
-            chosen = pack([(i, i=1, size(z))], (which - 1)/depths_together == group)
-            allocate (part(size(chosen), components))
-            call graded_field(load, body, r(chosen), z(chosen), part, error, friction, angle(chosen), threads)
+            call group_field(count((which - 1)/depths_together == group))
             if (allocated(error)) return
-            field(chosen, :) = part
-            deallocate (part)
         end do
+
+    contains
+
+        !> The field at the n points of this group of depths.
+        subroutine group_field(n)
+            integer, intent(in) :: n
+            real(wp), allocatable :: r_here(:), z_here(:), angle_here(:), part(:, :)
+            integer :: i, j
+
+            allocate (r_here(n), z_here(n), angle_here(n), part(n, components), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
+            j = 0
+            do i = 1, size(z)
+                if ((which(i) - 1)/depths_together /= group) cycle
+                j = j + 1
+                r_here(j) = r(i)
+                z_here(j) = z(i)
+                angle_here(j) = angle(i)
+            end do
+            call graded_field(load, body, r_here, z_here, part, error, friction, angle_here, threads)
+            if (allocated(error)) return
+            j = 0
+            do i = 1, size(z)
+                if ((which(i) - 1)/depths_together /= group) cycle
+                j = j + 1
+                field(i, :) = part(j, :)
+            end do
+        end subroutine group_field
+
     end subroutine body_field
 
     subroutine graded_field(load, body, r, z, field, error, friction, angle, threads)
@@ -68,14 +96,18 @@ contains
         real(wp), intent(in) :: friction, angle(:)
         integer, intent(in) :: threads
         type(layers_t) :: layers
-        real(wp) :: fields(size(r), components, divisions), faces(size(z)), ratio
-        integer, allocatable :: first(:)
-        integer :: which(size(z)), i, j
+        real(wp), allocatable :: fields(:, :, :), faces(:)
+        real(wp) :: ratio
+        integer, allocatable :: first(:), which(:)
+        integer :: i, j, stat
 
-        call distinct(z, first, which)
+        allocate (fields(size(r), components, divisions), which(size(z)), stat=stat)
+        call check_memory(error, stat)
+        call distinct(z, first, which, error)
+        if (allocated(error)) return
         ratio = coarsest*0.5_wp**(divisions - 1)
-        faces = -1.0_wp
-        faces(:size(first)) = z(first)
+        ! at most depths_together
+        faces = z(first)
         do i = 1, divisions
             ! points above the finest first layer stay inside it
             call body%sublayers(load%radius, coarsest*0.5_wp**(i - 1), pack(faces, faces > 0.25_wp*ratio*load%radius), layers)

@@ -7,7 +7,7 @@
 module mdrcontact_field_energy
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_field_load, only: load_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, sweep_t
     use mdrcontact_field_waves, only: faded, wave_rule
     use mdrcontact_kinds, only: pi, wp
@@ -49,7 +49,7 @@ contains
         type(sweep_t) :: sweep
         real(wp), allocatable :: k(:), weight(:), transform(:), y(:, :)
         real(wp) :: total, contrast
-        integer :: n
+        integer :: n, stat
 
         energy = 0.0_wp
         n = size(layers%thickness) + 1
@@ -62,10 +62,13 @@ contains
         ! p_hat^2 holds waves up to 2 a, and the states e^(-2 k z)
         call wave_rule(2.0_wp, total*contrast, faded/(2.0_wp*scaled%top(max(layer, 2))), k, weight, error)
         if (allocated(error)) return
-        allocate (transform(size(k)), y(size(k), normal_rows))
+        allocate (transform(size(k)), y(size(k), normal_rows), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         call load%transform(k/load%radius, transform, error)
         if (allocated(error)) return
-        call new_sweep(sweep, scaled, k, .false.)
+        call new_sweep(sweep, scaled, k, .false., error)
+        if (allocated(error)) return
         call layer_state(sweep, scaled, layer, scaled%top(layer), scaled%top(layer), layer == 1, 1, size(k), y)
         if (layer == 1) then
             energy = sum(weight*transform**2*y(:, 2))

@@ -5,7 +5,7 @@
 module mdrcontact_field_hankel
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_half_space, only: shear_sums
     use mdrcontact_field_load, only: load_t
     use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, shear_rows, sweep_t
@@ -67,9 +67,9 @@ contains
         !> largest a + r [a] and largest wavenumber [1/a]
         real(wp), intent(in) :: farthest, last
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: weight(:)
+        real(wp), allocatable :: weight(:), scaled(:)
         real(wp) :: total, stiffest, softest
-        integer :: i, n
+        integer :: i, n, stat
 
         n = size(layers%thickness)
         self%layers = layers
@@ -81,11 +81,14 @@ contains
         softest = minval(layers%shear(:n))
         call wave_rule(farthest, total*stiffest/softest, last, self%k, weight, error)
         if (allocated(error)) return
-        allocate (self%load(size(self%k)))
-        call load%transform(self%k/load%radius, self%load, error)
+        allocate (self%load(size(self%k)), scaled(size(self%k)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        scaled(:) = self%k/load%radius
+        call load%transform(scaled, self%load, error)
         if (allocated(error)) return
-        self%load = self%load*weight/load%radius**2
-        call new_sweep(self%sweep, layers, self%k, along_surface)
+        self%load(:) = self%load*weight/load%radius**2
+        call new_sweep(self%sweep, layers, self%k, along_surface, error)
     end subroutine new_hankel
 
     !> How many nodes a depth needs.
@@ -193,19 +196,23 @@ contains
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(inout) :: error
         type(grid_t) :: grid
-        integer, target :: place(size(depths))
-        integer :: first, waves, i
+        integer, allocatable, target :: place(:)
+        integer :: first, waves, i, stat
 
         grid%hankel => self
         grid%depths => depths
         grid%r => r
         grid%sums => sums
         ! deepest reach in k first: those that need a slab are the first ones
-        place = [(i, i=1, size(depths))]
+        allocate (place(size(depths)), grid%columns(slab, size(depths), size(sums, 2)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        do i = 1, size(place)
+            place(i) = i
+        end do
         call sort_descending(depths%last, place)
         grid%place => place
         waves = wave_count(self, depths(place(1)))
-        allocate (grid%columns(slab, size(depths), size(sums, 2)))
         do first = 1, waves, slab
             grid%first = first
             grid%last = min(first + slab - 1, waves)
@@ -226,7 +233,8 @@ contains
 
         if (self%is_bessel) then
             do i = first, last, radii
-                call multiply(self, i, min(i + radii - 1, last))
+                call multiply(self, i, min(i + radii - 1, last), error)
+                if (allocated(error)) return
             end do
         else
             do i = first, last
@@ -240,17 +248,20 @@ contains
     end subroutine grid_work
 
     !> The radii from first to last of a slab: products of matrices for every sum, so small that no BLAS starts threads for them.
-    subroutine multiply(self, first, last)
+    subroutine multiply(self, first, last, error)
         class(grid_t), intent(inout) :: self
         integer, intent(in) :: first, last
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: product(radii, together)
         real(wp), allocatable :: j(:, :, :)
-        integer :: i, n, m, deep, count, place, order, group(0:2)
+        integer :: i, n, m, deep, count, place, order, group(0:2), stat
 
         n = self%last - self%first + 1
         m = last - first + 1
         group = groups(self%hankel)
-        allocate (j(n, m, 0:2))
+        allocate (j(n, m, 0:2), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         do i = 1, m
             call bessel_table(self%hankel, self%r(first + i - 1), self%first, self%last, j(:, i, :))
         end do

@@ -6,7 +6,7 @@
 module mdrcontact_field_interior
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_batch, only: batch_t, run_batch
-    use mdrcontact_error, only: check_not_negative, error_domain, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_t, raise, to_text
     use mdrcontact_field_half_space, only: add_normal_sums, add_shear_sums, half_space_rule_t, new_half_space_rule, normal_sums, &
                                            shear_sums
     use mdrcontact_field_hankel, only: add_grid, add_point, depth_t, hankel_t, new_hankel
@@ -39,6 +39,7 @@ module mdrcontact_field_interior
         !> distances from the axis [length] and [a]
         real(wp), pointer :: position(:) => null(), r(:) => null()
         real(wp), pointer :: sums(:, :) => null()
+        !> allocated for all points
         integer, allocatable :: order(:)
         real(wp) :: poisson = 0.0_wp
         logical :: along_surface = .false., is_closed = .false.
@@ -74,7 +75,7 @@ contains
         type(layers_t) :: scaled
         real(wp), allocatable :: radii(:), sums(:, :)
         type(lattice_t) :: lattice
-        integer :: team
+        integer :: team, stat
 
         team = 1
         if (present(threads)) team = threads
@@ -82,24 +83,25 @@ contains
         if (allocated(error) .or. size(r) == 0) return
         scaled = layers
         scaled%thickness = layers%thickness/load%radius
-        allocate (radii, source=r/load%radius)
-        call new_lattice(lattice, r, z)
+        allocate (radii(size(r)), depths(size(r)), sums(normal_sums, size(r)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        radii(:) = r/load%radius
+        call new_lattice(lattice, r, z, error)
+        if (allocated(error)) return
         call set_depths(load, layers, r, z, below, lattice%is_grid, depths)
-        allocate (sums(normal_sums, size(r)))
         call find_sums(load, scaled, .false., lattice, r, radii, depths, sums, team, error)
         if (allocated(error)) return
         call normal_components(layers, depths, radii, load%radius, sums, field)
         if (present(friction)) then
             if (friction /= 0.0_wp) then
                 deallocate (sums)
-                allocate (sums(shear_sums, size(r)))
+                allocate (sums(shear_sums, size(r)), stat=stat)
+                call check_memory(error, stat)
+                if (stat /= 0) return
                 call find_sums(load, scaled, .true., lattice, r, radii, depths, sums, team, error)
                 if (allocated(error)) return
-                if (present(angle)) then
-                    call add_shear_components(layers, depths, radii, load%radius, sums, friction, angle, field)
-                else
-                    call add_shear_components(layers, depths, radii, load%radius, sums, friction, spread(0.0_wp, 1, size(r)), field)
-                end if
+                call add_shear_components(layers, depths, radii, load%radius, sums, friction, field, angle)
             end if
         end if
         call mark_singular(load, layers%poisson(1), r, z, field, friction, angle)
@@ -133,10 +135,10 @@ contains
         type(layers_t), intent(in) :: layers
         real(wp), intent(in) :: r(:), z(:)
         logical, intent(in) :: below, is_grid
-        type(depth_t), allocatable, intent(out) :: depths(:)
+        !> same size as z
+        type(depth_t), intent(inout) :: depths(:)
         integer :: i
 
-        allocate (depths(size(z)))
         do i = 1, size(z)
             depths(i)%z = z(i)/load%radius
             if (abs(infinite_pressure(load, r(i), z(i))) > 0.0_wp) depths(i)%z = just_below
@@ -169,10 +171,13 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(points_t) :: points
         type(hankel_t), target :: hankel
-        logical :: open(size(r)), chosen(size(r))
+        logical, allocatable :: waiting(:), chosen(:)
         real(wp) :: reach
-        integer :: i
+        integer :: n, stat
 
+        allocate (waiting(size(r)), chosen(size(r)), points%order(size(r)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         sums = 0.0_wp
         points%load => load
         points%depths => depths
@@ -184,30 +189,46 @@ contains
         call new_half_space_rule(points%rule, error)
         if (allocated(error)) return
         points%is_closed = .true.
-        points%order = pack([(i, i=1, size(r))], depths%less)
-        call run_batch(points, size(points%order), 32, 64, threads, error)
+        chosen(:) = depths%less
+        call list_chosen(chosen, points%order, n)
+        call run_batch(points, n, 32, 64, threads, error)
         if (allocated(error)) return
         if (size(layers%thickness) == 0) return
         points%is_closed = .false.
-        open = .true.
+        waiting(:) = .true.
         ! far points need more waves than near ones: each doubling of a + r has its own rule
-        do while (any(open))
-            reach = max(3.0_wp, 2.0_wp*(1.0_wp + minval(r, mask=open)))
-            chosen = open .and. 1.0_wp + r <= reach
-            open = open .and. .not. chosen
+        do while (any(waiting))
+            reach = max(3.0_wp, 2.0_wp*(1.0_wp + minval(r, mask=waiting)))
+            chosen(:) = waiting .and. 1.0_wp + r <= reach
+            waiting(:) = waiting .and. .not. chosen
             call new_hankel(hankel, load, layers, along_surface, 1.0_wp + maxval(r, mask=chosen), &
                             maxval(depths%last, mask=chosen), error)
             if (allocated(error)) return
             points%hankel => hankel
-            points%order = pack([(i, i=1, size(r))], chosen)
+            call list_chosen(chosen, points%order, n)
             if (lattice%is_grid) then
-                call add_on_grid(hankel, lattice, depths, r, points%order, sums, threads, error)
+                call add_on_grid(hankel, lattice, depths, r, points%order(:n), sums, threads, error)
             else
-                call run_batch(points, size(points%order), 16, 32, threads, error)
+                call run_batch(points, n, 16, 32, threads, error)
             end if
             if (allocated(error)) return
         end do
     end subroutine find_sums
+
+    !> The places of the n chosen points come first in `order`.
+    pure subroutine list_chosen(chosen, order, n)
+        logical, intent(in) :: chosen(:)
+        integer, intent(inout) :: order(:)
+        integer, intent(out) :: n
+        integer :: i
+
+        n = 0
+        do i = 1, size(chosen)
+            if (.not. chosen(i)) cycle
+            n = n + 1
+            order(n) = i
+        end do
+    end subroutine list_chosen
 
     !> The Hankel integrals of chosen points by products of matrices over their distinct radii and depths.
     subroutine add_on_grid(hankel, lattice, depths, r, order, sums, threads, error)
@@ -220,15 +241,25 @@ contains
         real(wp), intent(inout) :: sums(:, :)
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(inout) :: error
-        integer, dimension(size(order)) :: row, column
-        integer, allocatable :: first_r(:), first_z(:)
-        real(wp), allocatable :: table(:, :, :)
-        integer :: i
+        integer, allocatable :: first_r(:), first_z(:), row(:), column(:)
+        type(depth_t), allocatable :: levels(:)
+        real(wp), allocatable :: radii(:), table(:, :, :)
+        integer :: i, stat
 
-        call distinct_among(lattice%row(order), first_r, row)
-        call distinct_among(lattice%column(order), first_z, column)
-        allocate (table(size(first_r), size(sums, 1), size(first_z)), source=0.0_wp)
-        call add_grid(hankel, depths(order(first_z)), r(order(first_r)), table, threads, error)
+        call distinct_among(lattice%row, order, first_r, row, error)
+        call distinct_among(lattice%column, order, first_z, column, error)
+        if (allocated(error)) return
+        allocate (levels(size(first_z)), radii(size(first_r)), table(size(first_r), size(sums, 1), size(first_z)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        table(:, :, :) = 0.0_wp
+        do i = 1, size(first_z)
+            levels(i) = depths(first_z(i))
+        end do
+        do i = 1, size(first_r)
+            radii(i) = r(first_r(i))
+        end do
+        call add_grid(hankel, levels, radii, table, threads, error)
         if (allocated(error)) return
         do i = 1, size(order)
             sums(:, order(i)) = sums(:, order(i)) + table(row(i), :, column(i))
@@ -276,17 +307,22 @@ contains
         end do
     end subroutine normal_components
 
-    pure subroutine add_shear_components(layers, depths, r, unit, sums, friction, angle, field)
+    pure subroutine add_shear_components(layers, depths, r, unit, sums, friction, field, angle)
         type(layers_t), intent(in) :: layers
         type(depth_t), intent(in) :: depths(:)
-        real(wp), intent(in) :: r(:), unit, sums(:, :), friction, angle(:)
+        real(wp), intent(in) :: r(:), unit, sums(:, :), friction
         real(wp), intent(inout) :: field(:, :)
+        real(wp), intent(in), optional :: angle(:)
         real(wp) :: along, across, nu, mu, local
         integer :: i
 
+        along = friction
+        across = 0.0_wp
         do i = 1, size(r)
-            along = friction*cos(angle(i))
-            across = friction*sin(angle(i))
+            if (present(angle)) then
+                along = friction*cos(angle(i))
+                across = friction*sin(angle(i))
+            end if
             mu = layers%shear(depths(i)%layer)
             call local_constants(layers, depths(i), unit, nu, local)
             associate (s => sums(:, i))

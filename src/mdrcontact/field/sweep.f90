@@ -9,6 +9,7 @@
 !> Nothing is divided by 1 - 2 nu: nu = 1/2 is allowed.
 module mdrcontact_field_sweep
     use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -29,22 +30,25 @@ module mdrcontact_field_sweep
 contains
 
     !> Amplitudes at wavenumbers k > 0 under a normal load, or under a load along the surface.
-    pure subroutine new_sweep(self, layers, k, along_surface)
+    pure subroutine new_sweep(self, layers, k, along_surface, error)
         type(sweep_t), intent(out) :: self
         type(layers_t), intent(in) :: layers
         real(wp), intent(in) :: k(:)
         logical, intent(in) :: along_surface
-        integer :: i, n
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, n, stat
 
         n = size(layers%thickness)
-        allocate (self%k, source=k)
-        allocate (self%plane(4, n + 1, size(k)), self%plane_less(2, size(k)))
+        allocate (self%k(size(k)), self%plane(4, n + 1, size(k)), self%plane_less(2, size(k)), stat=stat)
+        if (stat == 0 .and. along_surface) allocate (self%along(2, n + 1, size(k)), self%along_less(size(k)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        self%k(:) = k
         do i = 1, size(k)
             call plane_amplitudes(layers, k(i), merge([1.0_wp, 0.0_wp], [0.0_wp, -1.0_wp], along_surface), &
                                   self%plane(:, :, i), self%plane_less(:, i))
         end do
         if (.not. along_surface) return
-        allocate (self%along(2, n + 1, size(k)), self%along_less(size(k)))
         do i = 1, size(k)
             call along_amplitudes(layers, k(i), self%along(:, :, i), self%along_less(i))
         end do

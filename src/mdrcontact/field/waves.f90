@@ -5,7 +5,7 @@
 !> that resolves the waves of a contact of radius a = 1 seen at distance r.
 module mdrcontact_field_waves
     use mdrcontact_gsl, only: gsl_sf_bessel_j0, gsl_sf_bessel_j1
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
@@ -34,12 +34,14 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: ends(:)
         real(wp) :: node(nodes), w(nodes)
-        integer :: i
+        integer :: i, stat
 
         call gauss_legendre(node, w, error)
         if (allocated(error)) return
         call panel_ends(farthest, min(first_panel/max(farthest, structure), last), last, ends)
-        allocate (k(nodes*(size(ends) - 1)), weight(nodes*(size(ends) - 1)))
+        allocate (k(nodes*(size(ends) - 1)), weight(nodes*(size(ends) - 1)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         do i = 1, size(ends) - 1
             k(nodes*(i - 1) + 1:nodes*i) = ends(i) + (ends(i + 1) - ends(i))*node
             weight(nodes*(i - 1) + 1:nodes*i) = (ends(i + 1) - ends(i))*w
