@@ -176,3 +176,14 @@ def test_pressure_at_the_edge_on_a_power_law_graded_body():
         assert (before, beyond) == pytest.approx((at, at), rel=bound)
     soft = mdr.Contact(shape, mdr.PowerLawGraded(1.0, 1.0, -0.4, NU))
     assert soft.pressure(0.5, soft.at_radius(1.0)) == np.inf
+
+
+@pytest.mark.parametrize(("points", "end"), [(31, 0.5), (31, 1.0), (61, 0.4), (61, 0.7), (121, 0.4)])
+def test_tables_that_begin_flat_are_found_from_depth_and_force(points, end):
+    # beside the end the table rises as the square of the distance, and rounding leaves nothing of the depth there
+    r = np.linspace(0.0, 3.0, points)
+    for table in (mdr.TabulatedMDRProfile, mdr.TabulatedProfile):
+        contact = mdr.Contact(table(r, 0.1 * np.maximum(r - end, 0.0)), mdr.Homogeneous(mdr.Elastic(100.0, 0.3)))
+        state = contact.at_radius(np.array([1.001, 1.1, 1.9]) * end)
+        np.testing.assert_allclose(contact.at_depth(state.depth).radius, state.radius, rtol=1e-11)
+        np.testing.assert_allclose(contact.at_force(state.force).radius, state.radius, rtol=1e-11)

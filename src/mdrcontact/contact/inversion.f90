@@ -300,7 +300,7 @@ contains
                 else
                     high = guess
                 end if
-                if (rate > 0.0_wp .and. rate <= huge(rate)) then
+                if (rate > 0.0_wp .and. rate <= huge(rate) .and. s > tiny(s)) then
                     step = step/rate
                 else
                     step = 0.5_wp*(low + high) - guess
@@ -353,7 +353,8 @@ contains
         self%known_slope = exp(x)*depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*modulus)/s
         ! Unknown to both formula and solution; or infinite, as d' at the rim of a flat end.
         if (depth_slope < 0.0_wp .and. depth_slope == formula) self%known_slope = 0.0_wp
-        if (.not. abs(self%known_slope) <= huge(s)) self%known_slope = 0.0_wp
+        ! And that of ln s says nothing where rounding has left nothing of s, beside a flat end.
+        if (.not. abs(self%known_slope) <= huge(s) .or. s <= tiny(s)) self%known_slope = 0.0_wp
         ! The radius closest to x is not exactly there, least so next to a flat end.
         if (radius < self%equilibrium%last_radius) y = y + self%known_slope*(x - self%equilibrium%coordinate_of(radius))
         self%x = x
