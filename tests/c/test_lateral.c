@@ -201,6 +201,11 @@ static void weights(void)
     CHECK_SUCCESS(mdr_lateral_density(2, rho, z, 0.5, shear, poisson));
     CHECK_TRUE(shear[0] > shear[1] && shear[1] > 0.0);
     CHECK_STATUS(mdr_lateral_density(2, falling, z, 0.5, shear, poisson), MDR_EINVALID, "rho");
+    /* infinite at the edge, below all numbers where twice the depth is none */
+    CHECK_SUCCESS(mdr_lateral_density(3, (const double[3]){1.0, 1.0, 0.0}, (const double[3]){0.0, 1e-320, 1e308}, -0.52, shear,
+                                      poisson));
+    CHECK_TRUE(isinf(shear[0]) && isinf(poisson[0]) && isinf(shear[1]) && isinf(poisson[1]));
+    CHECK_TRUE(shear[2] == 0.0 && poisson[2] == 0.0);
     CHECK_SUCCESS(mdr_lateral_rule(2, 0.3, points, rule));
     for (int i = 0; i < 6 * 8; i++) total += rule[2 * i];
     CHECK_CLOSE(total, 1.0, 1e-14);

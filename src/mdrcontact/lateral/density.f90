@@ -10,10 +10,14 @@
 !> s and t are oblate spheroidal coordinates, rho^2 = (1 + s^2)(1 - t^2), z = s t, and the volume element is (s^2 + t^2) ds dt
 !> dtheta.
 module mdrcontact_lateral_density
+    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
     private
     public :: lateral_density, lateral_density_spheroidal, deviatoric_weight, volumetric_weight
+
+    !> Beyond this both weights, which fall as R^-4, are below all numbers; |sqrt(rho^2 + c^2)| below which its cube has no inverse.
+    real(wp), parameter :: farthest = 1.0e80_wp, nearest = 1.0e-100_wp
 
 contains
 
@@ -30,7 +34,15 @@ contains
         real(wp), intent(out) :: shear, poisson
         complex(wp) :: root
 
+        shear = 0.0_wp
+        poisson = 0.0_wp
+        if (max(rho, z) > farthest) return
         root = sqrt(cmplx((rho - 1.0_wp)*(rho + 1.0_wp) + z**2, 2.0_wp*z, wp))
+        if (abs(root) < nearest) then
+            shear = ieee_value(shear, ieee_positive_inf)
+            poisson = shear
+            return
+        end if
         call from_root(rho, z, root, nu, shear, poisson)
     end subroutine lateral_density
 
