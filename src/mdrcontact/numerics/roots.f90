@@ -111,6 +111,7 @@ contains
         high = largest
         found = .true.
         x = min(max(guess, smallest), largest)
+        root = x
         x_before = x
         y_before = 0.0_wp
         slope_before = 0.0_wp
