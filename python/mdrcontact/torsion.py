@@ -3,23 +3,30 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native, _slip
-from ._boundary import FloatOrArray, call, number
+from ._boundary import FloatOrArray, Handle, call, number
 from .adhesion import code
-from .contact import State
+from .contact import Contact, State
 from .errors import ArgumentTypeError
-
-if TYPE_CHECKING:
-    from .friction import Friction
 
 __all__ = ["Torsion", "TorsionLoop", "TorsionalState"]
 
 _CONTROLS = {"twist": _layout.GIVEN_TWIST, "torque": _layout.GIVEN_TORQUE}
+
+
+class _Rubbing(Protocol):
+    """What is needed of a `Friction`, whose module imports this one."""
+
+    @property
+    def contact(self) -> Contact: ...
+
+    @property
+    def _handle(self) -> Handle: ...
 
 
 class TorsionalState(NamedTuple):
@@ -68,10 +75,8 @@ class Torsion:
 
     __slots__ = ("friction",)
 
-    def __init__(self, friction: Friction) -> None:
-        from .friction import Friction  # which imports this module
-
-        if not isinstance(friction, Friction):
+    def __init__(self, friction: _Rubbing) -> None:
+        if not isinstance(getattr(friction, "contact", None), Contact):
             raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
         self.friction = friction
 
