@@ -124,7 +124,7 @@ def test_a_long_march_shows_how_far_it_is(monkeypatch):
         monkeypatch.setattr(_progress, "PATIENCE", patience)
         told = contact.history(time, depth=0.4 * time, tolerance=1e-4, progress=True)
         assert np.array_equal(told.force, quiet.force)
-        assert ("round 1" in terminal.getvalue()) == shown
+        assert ("round" in terminal.getvalue()) == shown
     threads = threading.active_count()
     with pytest.raises(mdr.InvalidArgumentError, match="depth"):
         contact.history([0.0, 1.0], depth=[0.0, np.nan], progress=True)
