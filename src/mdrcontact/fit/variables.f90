@@ -117,7 +117,8 @@ contains
         integer :: first, last
 
         kinds = positive
-        if (body%indenter == indenter_area_function) kinds(:indenter_count(body)) = signed
+        ! the coefficients, not the smallest and the largest height before them
+        if (body%indenter == indenter_area_function) kinds(indenter_count(body) - area_terms + 1:indenter_count(body)) = signed
         first = indenter_count(body) + 1
         last = indenter_count(body) + medium_count(body%medium)
         call mark(body%medium, kinds(first:last))
