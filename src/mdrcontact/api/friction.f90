@@ -7,8 +7,7 @@ module mdrcontact_api_friction
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_count_from, check_memory, check_positive, count_text, error_invalid, &
-                                error_t, raise, raise_at
+    use mdrcontact_error, only: check_choice, check_count_from, check_memory, check_positive, error_t, raise_at
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, friction_past_t, given_shift, &
                                                    given_tangential_force, new_friction_history
@@ -59,15 +58,13 @@ contains
         type(tangential_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
 
-        select case (given)
-        case (given_shift)
+        call check_choice(error, "given", int(given), given_shift, given_tangential_force, "1 (shift) or 2 (tangential force)")
+        if (allocated(error)) return
+        if (given == given_shift) then
             call shear%at_shift(value, state, error)
-        case (given_tangential_force)
+        else
             call shear%at_tangential_force(value, state, error)
-        case default
-            call raise(error, error_invalid, "given = "//count_text(int(given))//" is not allowed: it must be 1 (shift) or "// &
-                       "2 (tangential force)")
-        end select
+        end if
     end subroutine solve
 
     function mdr_friction_states(f, state, given, n, in, out) result(status) bind(C)

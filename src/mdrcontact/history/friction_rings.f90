@@ -96,7 +96,7 @@ contains
         type(contact_state_t), intent(in) :: state
         real(wp), intent(in) :: shift
         type(error_t), allocatable, intent(out) :: error
-        type(contact_state_t) :: stop
+        type(contact_state_t) :: halt
         real(wp) :: radius, from(2), dissipated
         logical :: is_last
 
@@ -105,14 +105,14 @@ contains
         dissipated = 0.0_wp
         if (.not. self%radius > 0.0_wp) call touch(self, grid, contact%equilibrium%profile%end_radius)
         do
-            call find_stop(self, grid, contact, state, stop, radius, is_last, error)
+            call find_halt(self, grid, contact, state, halt, radius, is_last, error)
             if (allocated(error)) return
             if (is_last .and. .not. radius > 0.0_wp) exit
             if (is_last) then
                 call step(self, grid, contact, tangential, coefficient, state, radius, shift, error)
             else
-                call step(self, grid, contact, tangential, coefficient, stop, radius, &
-                          from(2) + (shift - from(2))*(stop%depth - from(1))/(state%depth - from(1)), error)
+                call step(self, grid, contact, tangential, coefficient, halt, radius, &
+                          from(2) + (shift - from(2))*(halt%depth - from(1))/(state%depth - from(1)), error)
             end if
             if (allocated(error)) return
             dissipated = dissipated + self%dissipated
@@ -139,13 +139,13 @@ contains
     end subroutine touch
 
     !> The next state at which a straight step is divided, or its last one.
-    subroutine find_stop(self, grid, contact, state, stop, radius, is_last, error)
+    subroutine find_halt(self, grid, contact, state, halt, radius, is_last, error)
         class(rings_t), intent(in) :: self
         type(ring_grid_t), intent(in) :: grid
         type(contact_t), intent(in) :: contact
         type(contact_state_t), intent(in) :: state
-        type(contact_state_t), intent(out) :: stop
-        !> of the stop [length]
+        type(contact_state_t), intent(out) :: halt
+        !> of the halt [length]
         real(wp), intent(out) :: radius
         logical, intent(out) :: is_last
         type(error_t), allocatable, intent(out) :: error
@@ -159,18 +159,18 @@ contains
             ring = findloc(grid%radii < self%radius .and. grid%radii > radius, .true., dim=1, back=.true.)
         end if
         most = coarse*grid%largest_depth/real(size(grid%radii), wp)
-        stop = state
+        halt = state
         if (ring > 0) then
-            call contact%at_radius(grid%radii(ring), stop, error)
+            call contact%at_radius(grid%radii(ring), halt, error)
             if (allocated(error)) return
             radius = grid%radii(ring)
         end if
         is_last = ring == 0
-        if (abs(stop%depth - self%depth) <= most .or. .not. self%radius > 0.0_wp) return
+        if (abs(halt%depth - self%depth) <= most .or. .not. self%radius > 0.0_wp) return
         is_last = .false.
-        call contact%at_depth(self%depth + sign(most, state%depth - self%depth), stop, error)
-        if (.not. allocated(error)) radius = snapped(self, grid, min(stop%radius, grid%radii(size(grid%radii))))
-    end subroutine find_stop
+        call contact%at_depth(self%depth + sign(most, state%depth - self%depth), halt, error)
+        if (.not. allocated(error)) radius = snapped(self, grid, min(halt%radius, grid%radii(size(grid%radii))))
+    end subroutine find_halt
 
     !> A step within a ring, or of a contact that does not grow.
     subroutine step(self, grid, contact, tangential, coefficient, state, radius, shift, error)
