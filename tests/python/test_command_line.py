@@ -18,6 +18,8 @@ from test_problem_files import FAULTS, GOOD
 import mdrcontact as mdr
 from mdrcontact.cli import main
 from mdrcontact.cli.example import examples
+from mdrcontact.cli.figures import homogeneous_forces
+from mdrcontact.problem import load
 
 PROBLEMS = sorted((ROOT / "examples" / "problems").glob("*.toml"))
 ELASTIC = [path for path in PROBLEMS if "[history]" not in path.read_text(encoding="utf-8")]
@@ -107,6 +109,18 @@ def test_examples_run_and_draw(path, command, tmp_path, capsys):
     assert main([command, str(path), "--plot", str(plot)]) == 0
     assert _png_size(plot)[0] > 1000
     assert capsys.readouterr().err == ""
+
+
+def test_the_homogeneous_bodies_of_a_figure_adhere_like_the_coated_one():
+    problem = load(next(path for path in ELASTIC if path.stem == "afm_on_pdms"))
+    names, forces = zip(*homogeneous_forces(problem, np.array([150e-9, 400e-9])), strict=True)
+    assert names == ("coating", "substrate")
+    modulus, edge, gamma = 2e6 / 0.75, 0.9e-6, 0.05  # JKR: d = a^2/R - sqrt(2 pi a gamma/E*), F = 4 E* a^3/(3 R) - sqrt(8 pi ...)
+    depth = edge**2 / 2e-6 - np.sqrt(2 * np.pi * edge * gamma / modulus)
+    force = 4 * modulus * edge**3 / 6e-6 - np.sqrt(8 * np.pi * edge**3 * modulus * gamma)
+    [(_, alone), _] = homogeneous_forces(problem, np.array([depth]))
+    assert alone == pytest.approx([force], rel=1e-9)
+    assert forces[0][0] < 0.0
 
 
 @pytest.mark.parametrize("form", ["png", "pdf", "svg"])

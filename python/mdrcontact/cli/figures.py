@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 
 from ..adhesion import Loop, PullOff
-from ..contact import Contact
+from ..errors import MDRError
 from ..material import Elastic
 from ..medium import Coated, Homogeneous
 from ..problem import Problem
@@ -62,7 +63,7 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
             # an adhesive contact has negative depths and forces too
             # from 0 on, unless an adhesive curve begins far from it and would fill a corner only
             axis.set_xlim(0.0 if 0.0 <= curve.depth[0] < 0.5 * curve.depth[-1] else None, None)
-            axis.set_ylim(0.0 if 0.0 <= values.min() < 0.5 * values.max() else None, None)
+            axis.set_ylim(0.0 if 0.0 <= axis.dataLim.y0 < 0.5 * values.max() else None, None)
         axes.flat[0].legend()
         _draw_pressures(axes.flat[3], pressures, curve)
         return _render(figure, form)
@@ -145,16 +146,22 @@ def _model_name(problem: Problem) -> str:
 
 
 def _draw_references(axis: Any, problem: Problem, curve: Curve, depth: Unit, force: Unit) -> None:
-    """The homogeneous bodies between which a coated one lies."""
+    dashes = {"coating": (0, (1, 1.5)), "substrate": (0, (5, 2))}
+    for name, values in homogeneous_forces(problem, curve.depth):
+        if 1.0 / _COMPARABLE < abs(values[-1] / curve.force[-1]) < _COMPARABLE:
+            line = dashes[name]
+            axis.plot(depth.of(curve.depth), force.of(values), color=_GREY, linewidth=1.0, linestyle=line, label=f"{name} alone")
+
+
+def homogeneous_forces(problem: Problem, depth: Array) -> Iterator[tuple[str, Array]]:
+    """Forces [N] at depths [m], with the problem's adhesion, on the homogeneous bodies between which a coated one lies."""
     body = problem.medium
     if not isinstance(body, Coated):
         return
-    for name, material, dashes in (("coating", body.coating, (0, (1, 1.5))), ("substrate", body.substrate, (0, (5, 2)))):
-        if not isinstance(material, Elastic):
-            continue
-        values = np.asarray(Contact(problem.indenter, Homogeneous(material)).at_depth(curve.depth).force)
-        if 1.0 / _COMPARABLE < values[-1] / curve.force[-1] < _COMPARABLE:
-            axis.plot(depth.of(curve.depth), force.of(values), color=_GREY, linewidth=1.0, linestyle=dashes, label=f"{name} alone")
+    for name, material in (("coating", body.coating), ("substrate", body.substrate)):
+        if isinstance(material, Elastic):
+            with suppress(MDRError):  # depths beyond the pull-off of the homogeneous body
+                yield name, np.asarray(problem._replace(medium=Homogeneous(material)).contact().at_depth(depth).force)
 
 
 def _mark_thickness(axis: Any, problem: Problem, curve: Curve, depth: Unit, unit: Unit, values: Array) -> None:
