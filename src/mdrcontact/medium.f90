@@ -188,8 +188,8 @@ contains
         associate (unused => self, also_unused => profile, unused_too => a, and_this => excess)
         end associate
         values = 0.0_wp
-        call raise(error, error_invalid, "the elastic energy of a body is not known for this medium: use one that is "// &
-                   "homogeneous or solved exactly, or an effective modulus")
+        call not_known(self, "the elastic energy of a body is", "one that is homogeneous or solved exactly, or an effective "// &
+                       "modulus", error)
     end subroutine no_energies
 
     elemental function upper_share(self, a) result(share)
@@ -313,8 +313,7 @@ contains
 
         associate (unused => self, also_unused => profile, unused_too => a, and_this => excess, this_too => load)
         end associate
-        call raise(error, error_invalid, "stresses inside are not known for this medium: use a homogeneous, coated, layered or "// &
-                   "graded one")
+        call not_known(self, "stresses inside are", "a homogeneous, coated, layered or graded one", error)
     end subroutine no_surface_load
 
     subroutine no_tangential(self, tangential, error)
@@ -324,14 +323,8 @@ contains
 
         associate (unused => self)
         end associate
-        if (self%is_viscoelastic()) then
-            call raise(error, error_invalid, "the tangential stiffness is not allowed with a viscoelastic body: it depends on "// &
-                       "how long the body is sheared, and friction is not known where stiffness changes with time")
-            return
-        end if
-        call raise(error, error_invalid, "the tangential stiffness of this medium is not known: use a homogeneous one with E "// &
-                   "and nu, or a coated, layered or graded one with the model exact or one of the weighted means (gao, "// &
-                   "gao-series, gao-power)")
+        call not_known(self, "the tangential stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
+                       "one with the model exact or one of the weighted means (gao, gao-series, gao-power)", error)
         if (.not. allocated(error)) allocate (tangential, source=self)
     end subroutine no_tangential
 
@@ -346,8 +339,8 @@ contains
         associate (unused => self, also_unused => a)
         end associate
         values = 0.0_wp
-        call raise(error, error_invalid, "the torsional stiffness of this medium is not known: use a homogeneous one with E "// &
-                   "and nu, or a coated, layered or graded one with the model exact")
+        call not_known(self, "the torsional stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
+                       "one with the model exact", error)
     end subroutine no_torsion
 
     !> int u dA over discs around the axis, u the displacement by a pressure of 1 on another one. With it what rings of constant
@@ -365,8 +358,8 @@ contains
         associate (unused => self, unused_too => radius + sum(radii))
         end associate
         products = 0.0_wp
-        call raise(error, error_invalid, "histories of friction on rings are not known for this medium: use a homogeneous "// &
-                   "one with E and nu, or a coated, layered or graded one with the model exact")
+        call not_known(self, "histories of friction on rings are", "a homogeneous one with E and nu, or a coated, layered or "// &
+                       "graded one with the model exact", error)
     end subroutine no_discs
 
     subroutine no_slip(self, tangential, profile, a, excess, slip, error)
@@ -396,8 +389,24 @@ contains
         associate (unused => self, unused_too => profile, and_this => a, this_too => excess)
         end associate
         if (allocated(slip)) return
-        call raise(error, error_invalid, "torsion with friction is not known for this medium: use a homogeneous one with E and "// &
-                   "nu, or a pair of them")
+        call not_known(self, "torsion with friction is", "a homogeneous one with E and nu, or a pair of them", error)
     end subroutine no_twisted_slip
+
+    !> The refusal of what only other media answer.
+    subroutine not_known(self, what, instead, error)
+        class(medium_t), intent(in) :: self
+        !> with its verb
+        character(len=*), intent(in) :: what
+        !> media that answer
+        character(len=*), intent(in) :: instead
+        type(error_t), allocatable, intent(out) :: error
+
+        if (self%is_viscoelastic()) then
+            call raise(error, error_invalid, what//" not known for a viscoelastic body, whose stiffness depends on how long it "// &
+                       "is loaded: take the glassy or the relaxed material")
+        else
+            call raise(error, error_invalid, what//" not known for this medium: use "//instead)
+        end if
+    end subroutine not_known
 
 end module mdrcontact_medium

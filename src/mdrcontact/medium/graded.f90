@@ -101,7 +101,7 @@ contains
         class is (graded_body_t)
             call new_graded(own, body, error, self%options, under_shear=.true.)
         class default
-            call raise(error, error_invalid, "the tangential stiffness of this medium is not known: its body was not kept")
+            call raise(error, error_invalid, "the tangential stiffness is not known for this medium: its body was not kept")
         end select
         if (.not. allocated(error)) allocate (tangential, source=own)
     end subroutine new_tangential
