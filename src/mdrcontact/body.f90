@@ -8,6 +8,7 @@
 !> Concrete bodies are made by their `new_...` procedures, keep their materials and never change afterwards.
 module mdrcontact_body
     use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     implicit none (type, external)
@@ -54,13 +55,14 @@ module mdrcontact_body
             complex(wp), intent(out) :: sigma, chi
         end subroutine response_at
 
-        pure subroutine sublayers_at(self, unit, ratio, depths, layers)
-            import :: body_t, layers_t, wp
+        pure subroutine sublayers_at(self, unit, ratio, depths, layers, error)
+            import :: body_t, error_t, layers_t, wp
             class(body_t), intent(in) :: self
             !> where constants vary with depth z, layers are at most ratio*(unit + z) thick, and have faces at depths, ascending
             !> [length]; else these do not matter
             real(wp), intent(in) :: unit, ratio, depths(:)
             type(layers_t), intent(out) :: layers
+            type(error_t), allocatable, intent(inout) :: error
         end subroutine sublayers_at
     end interface
 

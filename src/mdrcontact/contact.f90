@@ -14,6 +14,7 @@ module mdrcontact_contact
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_numerics_radius_law, only: radius_law_t
     implicit none (type, external)
     private
@@ -120,7 +121,7 @@ contains
     end function is_formula
 
     !> Between which contact radii the contact is defined, and where it is not analytic in between.
-    subroutine radius_range(self, end_radius, smallest, largest, breaks)
+    subroutine radius_range(self, end_radius, smallest, largest, breaks, error)
         class(contact_t), intent(in) :: self
         !> radius of the indenter's flat end, 0 if there is none [length]
         real(wp), intent(out) :: end_radius
@@ -128,12 +129,14 @@ contains
         real(wp), intent(out) :: smallest, largest
         !> radii where indenter or medium are not analytic, ascending [length]
         real(wp), allocatable, intent(out) :: breaks(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: all_breaks(:)
 
         end_radius = self%equilibrium%profile%end_radius
         smallest = max(end_radius, self%equilibrium%medium%smallest_radius)
         largest = max(smallest, self%equilibrium%last_radius)
-        breaks = self%equilibrium%breaks()
-        breaks = pack(breaks, breaks > smallest .and. breaks < largest)
+        call self%equilibrium%add_breaks(all_breaks, error)
+        call merge_breaks(breaks, all_breaks(count(all_breaks <= smallest) + 1:count(all_breaks < largest)), error)
     end subroutine radius_range
 
     !> The state of equilibrium at contact radius a, stable or not.

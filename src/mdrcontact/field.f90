@@ -210,7 +210,7 @@ contains
             call raise(error, error_invalid, "a graded body has no layers whose energies could be told apart")
             return
         end if
-        call body%sublayers(load%radius, 1.0_wp, [real(wp) ::], layers)
+        call body%sublayers(load%radius, 1.0_wp, [real(wp) ::], layers, error)
         allocate (energies, source=layer_energies(load, layers, error))
     end subroutine layer_energy
 

@@ -67,7 +67,7 @@ module mdrcontact_medium
         !> raises where the medium does not hold under this indenter
         procedure :: check_profile => any_profile
         !> radii where E_eff is not analytic, ascending [length]
-        procedure :: breaks => no_breaks
+        procedure :: add_breaks => no_breaks
         !> whether its states depend on time: it has no elastic ones
         procedure :: is_viscoelastic => no
         !> whether it does not deform: one body of a pair, no medium by itself
@@ -284,14 +284,15 @@ contains
         answer = .false.
     end function no
 
-    pure function no_breaks(self) result(radii)
+    pure subroutine no_breaks(self, radii, error)
         class(medium_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        associate (unused => self)
+        associate (unused => self, also_unused => error)
         end associate
-        radii = [real(wp) ::]
-    end function no_breaks
+        if (.not. allocated(radii)) allocate (radii(0))
+    end subroutine no_breaks
 
     recursive subroutine copy_to(self, copy, error)
         class(medium_t), intent(in) :: self

@@ -38,8 +38,8 @@ module mdrcontact_profile
         procedure :: mdr_slope_beyond
         !> int_0^x s g'(s) ds [length^2]; a homogeneous body's force is 2 E* times it
         procedure(radial_function), deferred :: mdr_moment
-        !> radii at which f is not analytic, ascending, in (0, largest_radius); quadrature is split there
-        procedure :: break_radii => none
+        !> adds to ascending radii those at which f is not analytic, in (0, largest_radius); quadrature is split there
+        procedure :: add_breaks => none
         !> where a search for the contact radius at a depth begins: the inverse of g if it has a closed form [length]; else negative
         procedure :: radius_from_mdr => no_inverse
         !> g as a sum of powers c x^s where it is one
@@ -73,14 +73,15 @@ contains
         y = self%mdr_slope(start + distance)
     end function mdr_slope_beyond
 
-    pure function none(self) result(radii)
+    pure subroutine none(self, radii, error)
         class(profile_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        associate (unused => self)
+        associate (unused => self, also_unused => error)
         end associate
-        radii = [real(wp) ::]
-    end function none
+        if (.not. allocated(radii)) allocate (radii(0))
+    end subroutine none
 
     pure function no_inverse(self, depth) result(radius)
         class(profile_t), intent(in) :: self

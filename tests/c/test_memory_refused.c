@@ -237,7 +237,7 @@ int main(void)
     refuse_each("contact of a table", 0, contact_of_tip);
     refuse_each("contact on a table", 0, contact_on_film);
     refuse_each("states", 0, states);
-    refuse_each("states on a table", 8, states_on_film);
+    refuse_each("states on a table", 0, states_on_film);
     refuse_each("states of a table", 0, states_of_tip);
     refuse_each("field", 0, field);
     refuse_each("stresses", 0, stresses);

@@ -10,11 +10,11 @@ module mdrcontact_body_graded
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_gradient, only: anti_plane_rate, gradient_series, in_plane_rate, multiply_series, order, series_value
     use mdrcontact_body_modes, only: half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, transferred
-    use mdrcontact_error, only: check_poisson, check_positive, check_table, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, check_poisson, check_positive, check_table, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_numerics_quadrature, only: merged_breaks, new_antiderivative
+    use mdrcontact_numerics_quadrature, only: merge_breaks, new_antiderivative
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t, watched_function_t
     use mdrcontact_numerics_search, only: interval_of
@@ -50,7 +50,7 @@ module mdrcontact_body_graded
         type(layer_modes_t) :: top
     contains
         procedure :: constants
-        procedure :: knots
+        procedure :: add_knots
         procedure :: response
         procedure :: in_plane_response
         procedure :: anti_plane_response
@@ -115,7 +115,7 @@ contains
                                                               spread(.false., 1, function_octaves), function_tolerance, error, &
                                                               noise=1.0e-15_wp, most=most_panels)
         if (allocated(error)) return
-        allocate (depths, source=self%knots())
+        call self%add_knots(depths, error)
         do i = 1, size(depths)
             call self%constants(depths(i), shear, nu)
             call check_positive(error, "E at z = "//to_text(depths(i)), 2.0_wp*shear*(1.0_wp + nu))
@@ -124,17 +124,18 @@ contains
         if (.not. allocated(error)) call build(self, edges(1), error)
     end subroutine new_graded_body_from_functions
 
-    !> Ascending depths between which the constants are analytic; beyond the last they are constant [length].
-    pure function knots(self) result(depths)
+    !> Adds to ascending depths those between which the constants are analytic; beyond the last they are constant [length].
+    pure subroutine add_knots(self, depths, error)
         class(graded_body_t), intent(in) :: self
-        real(wp), allocatable :: depths(:)
+        real(wp), allocatable, intent(inout) :: depths(:)
+        type(error_t), allocatable, intent(inout) :: error
 
         if (allocated(self%z)) then
-            depths = self%z(2:)
+            call merge_breaks(depths, self%z(2:), error)
         else
-            depths = self%young_of%panel_edges()
+            call merge_breaks(depths, self%young_of%panel_edges(), error)
         end if
-    end function knots
+    end subroutine add_knots
 
     !> G [modulus] and nu at depth z >= 0.
     pure subroutine constants(self, z, shear, poisson)
@@ -168,12 +169,16 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: antiderivative(nodes + 1, nodes), surface_shear, surface_nu, t(nodes), shear(nodes), nu(nodes), g, v
         real(wp) :: in_plane(4, 4, nodes), anti_plane(2, 2, nodes)
-        integer :: i, j, n
+        real(wp), allocatable :: knots(:)
+        integer :: i, j, n, stat
 
-        call sublayer_ends(self, first, self%knots(), self%ends)
+        call self%add_knots(knots, error)
+        call sublayer_ends(self, first, knots, self%ends)
+        if (allocated(error)) return
         n = size(self%ends) - 1
-        allocate (self%series(4, 4, 0:order, n), self%from_surface(4, 4, 0:order, n), self%local(2, 2, n))
-        allocate (self%anti_plane(2, 2, 0:order, n), self%anti_plane_from_surface(2, 2, 0:order, n))
+        allocate (self%series(4, 4, 0:order, n), self%from_surface(4, 4, 0:order, n), self%local(2, 2, n), &
+                  self%anti_plane(2, 2, 0:order, n), self%anti_plane_from_surface(2, 2, 0:order, n), stat=stat)
+        call check_memory(error, stat)
         call new_antiderivative(t, antiderivative, error)
         if (allocated(error)) return
         call self%constants(0.5_wp*first, surface_shear, surface_nu)
@@ -331,15 +336,17 @@ contains
     end subroutine carry
 
     !> Homogeneous layers with the constants of their middles, faces at the knots and the depths.
-    pure subroutine sublayers(self, unit, ratio, depths, layers)
+    pure subroutine sublayers(self, unit, ratio, depths, layers, error)
         class(graded_body_t), intent(in) :: self
         real(wp), intent(in) :: unit, ratio, depths(:)
         type(layers_t), intent(out) :: layers
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: faces(:), fixed(:)
         real(wp) :: length
         integer :: i, j, parts
 
-        call fixed_faces(self, unit, ratio, depths, fixed)
+        call fixed_faces(self, unit, ratio, depths, fixed, error)
+        if (allocated(error)) return
         allocate (faces(1), source=0.0_wp)
         do i = 2, size(fixed)
             length = fixed(i) - fixed(i - 1)
@@ -360,17 +367,20 @@ contains
     end subroutine sublayers
 
     !> Where layers must end: the depths, and those knots that are not closer to each other than a fraction of a layer.
-    pure subroutine fixed_faces(self, unit, ratio, depths, faces)
+    pure subroutine fixed_faces(self, unit, ratio, depths, faces, error)
         class(graded_body_t), intent(in) :: self
         real(wp), intent(in) :: unit, ratio, depths(:)
         real(wp), allocatable, intent(out) :: faces(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), parameter :: fraction = 0.2_wp
         real(wp), allocatable :: knots(:)
         real(wp) :: least
         integer :: i
 
         allocate (faces(1), source=0.0_wp)
-        knots = merged_breaks(self%knots(), depths)
+        call self%add_knots(knots, error)
+        call merge_breaks(knots, depths, error)
+        if (allocated(error)) return
         do i = 1, size(knots)
             least = ratio*(unit + knots(i))*merge(0.0_wp, fraction, any(depths == knots(i)) .or. knots(i) >= self%last_depth)
             if (knots(i) - faces(size(faces)) > least) faces = [faces, knots(i)]

@@ -7,6 +7,7 @@
 module mdrcontact_body_sheared
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -91,12 +92,13 @@ contains
         call self%body%anti_plane_response(k, sigma, chi)
     end subroutine anti_plane_response
 
-    pure subroutine sublayers(self, unit, ratio, depths, layers)
+    pure subroutine sublayers(self, unit, ratio, depths, layers, error)
         class(sheared_body_t), intent(in) :: self
         real(wp), intent(in) :: unit, ratio, depths(:)
         type(layers_t), intent(out) :: layers
+        type(error_t), allocatable, intent(inout) :: error
 
-        call self%body%sublayers(unit, ratio, depths, layers)
+        call self%body%sublayers(unit, ratio, depths, layers, error)
     end subroutine sublayers
 
 end module mdrcontact_body_sheared

@@ -172,12 +172,13 @@ contains
     end function ratios
 
     !> The layers as they were given.
-    pure subroutine sublayers(self, unit, ratio, depths, layers)
+    pure subroutine sublayers(self, unit, ratio, depths, layers, error)
         class(stack_t), intent(in) :: self
         real(wp), intent(in) :: unit, ratio, depths(:)
         type(layers_t), intent(out) :: layers
+        type(error_t), allocatable, intent(inout) :: error
 
-        associate (unused => unit, also_unused => ratio, unused_too => depths)
+        associate (unused => unit, also_unused => ratio, unused_too => depths, error_unused => error)
         end associate
         layers%rigid_base = self%rigid_base
         allocate (layers%thickness, source=self%thickness)

@@ -61,13 +61,16 @@ contains
         type(equilibrium_t), intent(in), target :: equilibrium
         type(error_t), allocatable, intent(out) :: error
         type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
+        real(wp), allocatable :: coordinates(:)
         real(wp) :: first, last
 
         if (equilibrium%profile%end_radius < equilibrium%last_radius*(1.0_wp - 1.0e-12_wp)) then
             call adhesive_range(equilibrium, first, last, error)
             if (allocated(error)) return
             allocate (self%curve)
-            call new_curve(self%curve, equilibrium, coordinates_between(equilibrium, first, last), tolerance, error)
+            call coordinates_between(equilibrium, first, last, coordinates, error)
+            if (allocated(error)) return
+            call new_curve(self%curve, equilibrium, coordinates, tolerance, error)
             if (allocated(error)) then
                 deallocate (self%curve)
                 return
@@ -168,12 +171,15 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: x
         type(curve_t), target :: near
+        real(wp), allocatable :: coordinates(:)
         real(wp) :: from, to
 
         x = 0.5_wp*(low + high)
         from = low - extremum_width
         to = min(high + extremum_width, equilibrium%coordinate_of(equilibrium%last_radius))
-        call new_curve(near, equilibrium, coordinates_between(equilibrium, from, to), tolerance, error)
+        call coordinates_between(equilibrium, from, to, coordinates, error)
+        if (allocated(error)) return
+        call new_curve(near, equilibrium, coordinates, tolerance, error)
         if (allocated(error)) return
         if (near%slope(control, from) < 0.0_wp .neqv. near%slope(control, to) < 0.0_wp) then
             call near%turn(control, from, to, x, error)

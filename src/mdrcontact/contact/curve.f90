@@ -111,7 +111,8 @@ contains
         if (allocated(error)) return
         noise = equilibrium%roughness
         if (present(largest_noise)) noise = largest_noise
-        allocate (waiting, source=first_edges(coordinates))
+        ! one more than can be sampled is enough to be refused
+        allocate (waiting, source=first_edges(coordinates(:min(size(coordinates), most_panels + 2))))
         allocate (before(size(waiting)), source=huge(1.0_wp))
         allocate (kept(rows, nodes, most_panels), stat=stat)
         call check_memory(error, stat)

@@ -10,7 +10,6 @@ module mdrcontact_contact_equilibrium
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t, reason_length
-    use mdrcontact_numerics_quadrature, only: merged_breaks
     use mdrcontact_numerics_radius_law, only: interpolation_roughness, radius_law_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -43,7 +42,7 @@ module mdrcontact_contact_equilibrium
     contains
         procedure :: at
         procedure :: parts
-        procedure :: breaks
+        procedure :: add_breaks
         procedure :: radius_of
         procedure :: coordinate_of
         procedure :: why_it_ends
@@ -101,31 +100,36 @@ contains
         class(medium_t), intent(in) :: medium
         type(radius_law_t), intent(in) :: zeta
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: radii(:), depths(:)
+        real(wp), allocatable :: radii(:)
+        real(wp) :: depth, before
         integer :: i
 
         if (medium%is_exact()) then
             call raise(error, error_invalid, "zeta is not allowed: this medium determines its depth exactly")
             return
         end if
-        radii = pack(zeta%break_radii(), zeta%break_radii() <= profile%largest_radius)
-        depths = zeta%at(radii)*profile%mdr(radii)
-        do i = 2, size(radii)
-            if (depths(i) < depths(i - 1)) then
+        call zeta%add_breaks(radii, error)
+        before = 0.0_wp
+        do i = 1, count(radii <= profile%largest_radius)
+            depth = zeta%at(radii(i))*profile%mdr(radii(i))
+            if (depth < before) then
                 call raise(error, error_invalid, "zeta is not allowed: the depth zeta(a) g(a) decreases between a = "// &
                            to_text(radii(i - 1))//" and a = "//to_text(radii(i)))
                 return
             end if
+            before = depth
         end do
     end subroutine check_zeta
 
     !> Radii where indenter, zeta or medium are not analytic, ascending [length].
-    pure function breaks(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(equilibrium_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = merged_breaks(self%profile%break_radii(), self%medium%breaks())
-    end function breaks
+        call self%profile%add_breaks(radii, error)
+        call self%medium%add_breaks(radii, error)
+    end subroutine add_breaks
 
     !> The state at a radius that the caller has checked; at a vertical wall that of the lowest depth.
     subroutine at(self, radius, state, error)

@@ -5,6 +5,7 @@ module mdrcontact_contact_range
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_numerics_roots, only: guess_from_below, solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -41,18 +42,23 @@ module mdrcontact_contact_range
 contains
 
     !> The first and the last coordinate, and the breaks between them that leave room.
-    pure function coordinates_between(equilibrium, first, last) result(coordinates)
+    pure subroutine coordinates_between(equilibrium, first, last, coordinates, error)
         type(equilibrium_t), intent(in) :: equilibrium
         real(wp), intent(in) :: first, last
-        real(wp), allocatable :: coordinates(:)
+        real(wp), allocatable, intent(out) :: coordinates(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), parameter :: room = 1.0e-3_wp
+        real(wp), allocatable :: x(:)
         integer :: i
 
-        coordinates = equilibrium%breaks()
-        coordinates = pack(coordinates, coordinates > equilibrium%profile%end_radius)
-        coordinates = [(equilibrium%coordinate_of(coordinates(i)), i=1, size(coordinates))]
-        coordinates = [first, pack(coordinates, coordinates > first + room .and. coordinates < last - room), last]
-    end function coordinates_between
+        call equilibrium%add_breaks(x, error)
+        do i = 1, size(x)
+            ! at the edge of a flat end and below, far below all others
+            x(i) = equilibrium%coordinate_of(x(i))
+        end do
+        coordinates = [first, last]
+        call merge_breaks(coordinates, x(count(x <= first + room) + 1:count(x < last - room)), error)
+    end subroutine coordinates_between
 
     !> The coordinates between which the depth or the force of an adhesive contact can have extrema.
     subroutine adhesive_range(equilibrium, first, last, error)

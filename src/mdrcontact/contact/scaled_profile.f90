@@ -2,9 +2,9 @@
 !> An indenter whose depth is corrected, d = zeta(a) g(a), equation (9): zeta g stands for g in all that follows from it.
 module mdrcontact_contact_scaled_profile
     use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_edges, merged_breaks
+    use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_edges, merge_breaks
     use mdrcontact_numerics_radius_law, only: radius_law_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -29,7 +29,7 @@ module mdrcontact_contact_scaled_profile
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment
-        procedure :: break_radii
+        procedure :: add_breaks
         procedure :: radius_from_mdr
     end type scaled_profile_t
 
@@ -42,7 +42,7 @@ contains
         type(radius_law_t), intent(in) :: zeta
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: breaks(:)
-        integer :: i
+        integer :: i, stat
 
         call profile%copy_to(self%profile, error)
         if (.not. allocated(error)) call zeta%copy_to(self%zeta, error)
@@ -53,10 +53,12 @@ contains
         self%has_wall = profile%has_wall
         call gauss_legendre(self%t, self%w, error)
         if (allocated(error)) return
-        allocate (breaks, source=self%break_radii())
-        self%radii = [zeta%smallest_radius, pack(breaks, breaks > zeta%smallest_radius)]
-        self%radii = pack(self%radii, self%radii <= profile%largest_radius)
-        allocate (self%moments(size(self%radii)))
+        call self%add_breaks(breaks, error)
+        self%radii = [min(zeta%smallest_radius, profile%largest_radius)]
+        call merge_breaks(self%radii, breaks(count(breaks <= self%radii(1)) + 1:count(breaks <= profile%largest_radius)), error)
+        allocate (self%moments(size(self%radii)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         do i = 1, size(self%radii)
             if (i == 1) then
                 self%moments(1) = scaled_moment(self, self%radii(1))
@@ -162,12 +164,14 @@ contains
         end do
     end function moment_between
 
-    pure function break_radii(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(scaled_profile_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = merged_breaks(self%profile%break_radii(), self%zeta%break_radii())
-    end function break_radii
+        call self%profile%add_breaks(radii, error)
+        call self%zeta%add_breaks(radii, error)
+    end subroutine add_breaks
 
     pure function radius_from_mdr(self, depth) result(radius)
         class(scaled_profile_t), intent(in) :: self

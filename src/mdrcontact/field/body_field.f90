@@ -43,7 +43,7 @@ contains
         integer :: group, stat
 
         if (.not. body%is_graded) then
-            call body%sublayers(load%radius, coarsest, z(:0), layers)
+            call body%sublayers(load%radius, coarsest, z(:0), layers, error)
             call interior_field(load, layers, r, z, below, field, error, friction, angle, threads)
             return
         end if
@@ -110,7 +110,9 @@ contains
         faces = z(first)
         do i = 1, divisions
             ! points above the finest first layer stay inside it
-            call body%sublayers(load%radius, coarsest*0.5_wp**(i - 1), pack(faces, faces > 0.25_wp*ratio*load%radius), layers)
+            call body%sublayers(load%radius, coarsest*0.5_wp**(i - 1), pack(faces, faces > 0.25_wp*ratio*load%radius), layers, &
+                                error)
+            if (allocated(error)) return
             call interior_field(load, layers, r, z, .true., fields(:, :, i), error, friction, angle, threads)
             if (allocated(error)) return
         end do

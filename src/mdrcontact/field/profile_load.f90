@@ -3,7 +3,9 @@
 !> one-dimensional profile and v what the layers below the first do to the springs, a sum of even Legendre polynomials of x/a.
 module mdrcontact_field_profile_load
     use mdrcontact_field_load, only: load_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -24,7 +26,7 @@ module mdrcontact_field_profile_load
 contains
 
     !> The load of a state.
-    subroutine new_profile_load(self, profile, modulus, radius, edge, v, first_depth)
+    subroutine new_profile_load(self, profile, modulus, radius, edge, v, first_depth, error)
         type(profile_load_t), intent(out) :: self
         class(profile_t), intent(in) :: profile
         !> contact modulus of the surface layer [modulus], contact radius [length], q(a) [modulus length]
@@ -33,19 +35,18 @@ contains
         real(wp), intent(in) :: v(:)
         !> thickness of the surface layer: v is analytic within twice as much beyond the contact, with a high pole there [length]
         real(wp), intent(in) :: first_depth
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: breaks(:)
 
-        allocate (self%profile, source=profile)
+        call profile%copy_to(self%profile, error)
         self%modulus = modulus
         self%radius = radius
         self%edge = edge
         allocate (self%v, source=v)
-        breaks = profile%break_radii()
-        breaks = pack(breaks, breaks < radius)
-        if (profile%end_radius > 0.0_wp .and. profile%end_radius < radius .and. .not. any(breaks == profile%end_radius)) then
-            breaks = [profile%end_radius, breaks]
-        end if
-        self%kinks = breaks
+        call profile%add_breaks(breaks, error)
+        if (profile%end_radius > 0.0_wp) call merge_breaks(breaks, [profile%end_radius], error)
+        call merge_breaks(self%kinks, breaks(:count(breaks < radius)), error)
+        if (allocated(error)) return
         self%singular_end = profile%singular_radius
         ! so many coefficients resolve no more than this
         if (size(v) > 1) self%analytic = max(first_depth, 27.0_wp*radius/real(size(v), wp)**2)

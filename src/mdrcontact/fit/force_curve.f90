@@ -52,7 +52,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> how many depths will be asked for; default: few
         integer, intent(in), optional :: count
-        real(wp), allocatable :: brackets(:, :)
+        real(wp), allocatable :: brackets(:, :), coordinates(:)
         real(wp) :: found
         integer :: i, solutions
 
@@ -89,7 +89,8 @@ contains
         if (allocated(error)) return
         self%first = min(self%first, self%last - 0.01_wp)
         allocate (self%curve)
-        call new_curve(self%curve, equilibrium, coordinates_between(equilibrium, self%first, self%last), tolerance, error)
+        call coordinates_between(equilibrium, self%first, self%last, coordinates, error)
+        if (.not. allocated(error)) call new_curve(self%curve, equilibrium, coordinates, tolerance, error)
         if (allocated(error)) return
         if (self%adhesive) then
             ! Below the uppermost minimum of the depth the branch is unstable.

@@ -248,7 +248,7 @@ contains
         associate (profile => contact%equilibrium%profile)
             call profile%powers(exponents, coefficients)
             is_polynomial = size(exponents) > 0 .and. all(modulo(exponents, 1.0_wp) == 0.0_wp)
-            allocate (breaks, source=profile%break_radii())
+            call profile%add_breaks(breaks, error)
             do i = 1, size(self%lost)
                 if (.not. allocated(error)) call radius_at(contact, self%lost(i)%from, lower, error)
                 if (.not. allocated(error)) call radius_at(contact, self%lost(i)%to, upper, error)

@@ -98,10 +98,12 @@ contains
         type(contact_state_t) :: state
         real(wp), allocatable :: radii(:)
         real(wp) :: end_radius, smallest, largest
-        integer :: i
+        integer :: i, stat
 
-        call contact%radius_range(end_radius, smallest, largest, radii)
-        allocate (depths(size(radii)))
+        call contact%radius_range(end_radius, smallest, largest, radii, error)
+        allocate (depths(size(radii)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         do i = 1, size(radii)
             call contact%at_radius(radii(i), state, error)
             if (allocated(error)) return

@@ -239,7 +239,8 @@ contains
         real(wp) :: u, edge_one, edge_g, low, high, force(2)
         integer :: i, l, m, n, inner, last
 
-        call place(self, radius, trial%panels, inner)
+        call place(self, radius, trial%panels, inner, error)
+        if (allocated(error)) return
         n = size(trial%panels%x)
         associate (x => trial%panels%x, creep => self%memory%local, k => self%memory%k)
             allocate (z, source=interpolate(self%panels, self%z, x))
@@ -365,12 +366,13 @@ contains
     end subroutine solve_symmetric
 
     !> Panels for a trial radius: to the turns, to the edge, and as far as the surface has been touched.
-    subroutine place(self, radius, panels, inner)
+    subroutine place(self, radius, panels, inner, error)
         type(march_t), intent(in) :: self
         real(wp), intent(in) :: radius
         type(panels_t), intent(out) :: panels
         !> nodes within the contact, its edge included
         integer, intent(out) :: inner
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: ends(:), inside(:)
         real(wp) :: near, largest
         integer :: i
@@ -380,7 +382,7 @@ contains
         if (self%radius > 0.0_wp .and. (radius < self%radius) .neqv. (self%direction < 0)) then
             call add_turn(ends, self%radius, self%limit)
         end if
-        inside = self%profile%break_radii()
+        call self%profile%add_breaks(inside, error)
         do i = 1, size(inside)
             call add_turn(ends, inside(i), self%limit)
         end do

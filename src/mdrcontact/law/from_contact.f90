@@ -79,7 +79,8 @@ contains
         type is (power_law_t)
             self%radius = profile%paraboloid_radius()
         end select
-        call contact%radius_range(end_radius, smallest, largest, breaks)
+        call contact%radius_range(end_radius, smallest, largest, breaks, error)
+        if (allocated(error)) return
         call open_table(self%by_depth, .true., contact%is_adhesive(), end_radius)
         call open_table(self%by_force, .false., contact%is_adhesive(), end_radius)
         if (smallest >= largest*(1.0_wp - 1.0e-12_wp)) then
@@ -168,7 +169,8 @@ contains
             of_depth%last = last
             of_force = of_depth
         end if
-        coordinates = coordinates_between(contact%equilibrium, first, last)
+        call coordinates_between(contact%equilibrium, first, last, coordinates, error)
+        if (allocated(error)) return
         ! what the samples miss, verification finds
         call new_curve(curve, contact%equilibrium, coordinates, sample_share*self%tolerance, error, largest_noise)
         if (.not. allocated(error) .and. present(tangential)) call curve%shear(tangential, error)

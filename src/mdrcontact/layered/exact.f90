@@ -397,8 +397,8 @@ contains
         if (allocated(error)) return
         allocate (own)
         call new_profile_load(own, profile, self%surface_modulus, a, self%surface_modulus*springs%edge, springs%v, &
-                              self%pressed%first_depth)
-        call move_alloc(own, load)
+                              self%pressed%first_depth, error)
+        if (.not. allocated(error)) call move_alloc(own, load)
     end subroutine surface_load
 
     !> The same body under shear; of two, their compliances add.

@@ -208,10 +208,10 @@ contains
         real(wp), intent(in) :: v(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: work
-        real(wp), allocatable :: x(:), dx(:), q(:)
+        real(wp), allocatable :: x(:), dx(:), q(:), breaks(:)
 
-        call graded_rule(smallest_panel_ratio*self%a, self%a, profile%break_radii(), profile%singular_radius, x, dx, &
-                         error)
+        call profile%add_breaks(breaks, error)
+        call graded_rule(smallest_panel_ratio*self%a, self%a, breaks, profile%singular_radius, x, dx, error)
         work = 0.0_wp
         if (allocated(error)) return
         q = self%at(profile, x)

@@ -100,8 +100,9 @@ contains
         real(wp) :: low, high, ends
         integer :: i, k
 
-        allocate (breaks, source=profile%break_radii())
-        breaks = [pack(breaks, breaks < a), a]
+        call profile%add_breaks(breaks, error)
+        if (allocated(error)) return
+        breaks = [breaks(:count(breaks < a)), a]
         low = 0.0_wp
         do i = 1, size(breaks)
             high = breaks(i)
@@ -147,10 +148,11 @@ contains
         real(wp), intent(in) :: shift, mean
         real(wp), intent(out) :: total
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable, dimension(:) :: x, weights, near, far
+        real(wp), allocatable, dimension(:) :: x, weights, near, far, breaks
 
         ! X varies at the scale of the distance from the edge, down to the unit
-        call graded_rule(smallest_panel_ratio*a, a, profile%break_radii(), a + 0.1_wp*kernel%unit, x, weights, error)
+        call profile%add_breaks(breaks, error)
+        call graded_rule(smallest_panel_ratio*a, a, breaks, a + 0.1_wp*kernel%unit, x, weights, error)
         total = 0.0_wp
         if (allocated(error)) return
         allocate (near, far, mold=x)

@@ -140,7 +140,7 @@ contains
         real(wp), allocatable :: breaks(:), exponents(:), coefficients(:)
         real(wp) :: here, next, length
 
-        allocate (breaks, source=self%profile%break_radii())
+        call self%profile%add_breaks(breaks, error)
         call self%profile%base%powers(exponents, coefficients)
         if (size(exponents) == 0 .or. any(modulo(exponents, 1.0_wp) > 0.0_wp)) then
             call graded_edges(max(c, smallest_panel_ratio*self%radius), self%radius, breaks, self%profile%singular_radius, &

@@ -32,7 +32,7 @@ module mdrcontact_layered_slip_profile
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment => no_height
-        procedure :: break_radii
+        procedure :: add_breaks
         procedure :: moments
     end type slip_profile_t
 
@@ -102,12 +102,13 @@ contains
         end do
     end subroutine sums
 
-    pure function break_radii(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(slip_profile_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = self%base%break_radii()
-    end function break_radii
+        call self%base%add_breaks(radii, error)
+    end subroutine add_breaks
 
     !> Adds the Legendre coefficients of the sum on a smaller contact to those of g, times the ratio. Beyond its own degree they
     !> are 0.

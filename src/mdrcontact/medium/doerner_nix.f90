@@ -7,6 +7,7 @@ module mdrcontact_medium_doerner_nix
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_coated, only: coated_t
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     implicit none (type, external)
     private
     public :: doerner_nix_t, new_doerner_nix
@@ -18,7 +19,7 @@ module mdrcontact_medium_doerner_nix
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: breaks
+        procedure :: add_breaks
     end type doerner_nix_t
 
 contains
@@ -62,13 +63,14 @@ contains
     end function effective_modulus_slope
 
     !> At a large contrast the exponential switches from one body to the other within a small range of radii.
-    pure function breaks(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(doerner_nix_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: y(:)
 
         allocate (y, source=transition_exponents(self%coating%contact()/self%substrate%contact()))
-        radii = self%alpha*self%thickness/y(size(y):1:-1)
-    end function breaks
+        call merge_breaks(radii, self%alpha*self%thickness/y(size(y):1:-1), error)
+    end subroutine add_breaks
 
 end module mdrcontact_medium_doerner_nix

@@ -12,7 +12,7 @@ module mdrcontact_medium_effective
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_superposed_slip, only: new_superposed_slip, superposed_slip_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_numerics_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: graded_rule, merge_breaks, smallest_panel_ratio
     implicit none (type, external)
     private
     public :: effective_medium_t
@@ -38,6 +38,7 @@ module mdrcontact_medium_effective
         procedure :: upper_depth
         procedure :: surface_load
         procedure :: new_slip
+        procedure, non_overridable :: all_breaks
     end type effective_medium_t
 
     !> q' = -E_eff(x) g'(x), equation (21); an adhesive edge adds the constant E_eff(a) excess.
@@ -90,13 +91,16 @@ contains
     end subroutine modulus_slope
 
     !> Where profile or modulus are not analytic.
-    pure function all_breaks(self, profile) result(radii)
+    pure subroutine all_breaks(self, profile, radii, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), allocatable :: radii(:)
+        !> others already in it stay
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = merged_breaks(profile%break_radii(), self%breaks())
-    end function all_breaks
+        call profile%add_breaks(radii, error)
+        call self%add_breaks(radii, error)
+    end subroutine all_breaks
 
     pure function has_modulus_formula(self) result(answer)
         class(effective_medium_t), intent(in) :: self
@@ -137,14 +141,15 @@ contains
         real(wp), intent(in) :: a
         real(wp), intent(out) :: depth, force
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:), beyond(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
 
         depth = profile%mdr(a)
         force = 0.0_wp
         lowest = max(profile%end_radius, negligible_part(self, profile, a)*a)
         if (a <= lowest) return
-        call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error, beyond)
+        call self%all_breaks(profile, breaks, error)
+        call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
         if (allocated(error)) return
         force = 2.0_wp*(self%effective_modulus(lowest)*profile%mdr_moment(lowest) &
                         + sum(s*self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds))
@@ -180,15 +185,16 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:), beyond(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
         integer :: i
 
+        call self%all_breaks(profile, breaks, error)
         do i = 1, size(r)
             values(i) = self%effective_modulus(a)*excess
             lowest = max(r(i), profile%end_radius, smallest_panel_ratio*a)
             if (a <= lowest) cycle
-            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error, beyond)
+            call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
             if (allocated(error)) return
             values(i) = values(i) + self%effective_modulus(lowest) &
                         *(profile%mdr(lowest) - profile%mdr(min(r(i), lowest))) &
@@ -205,7 +211,7 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:), beyond(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
         logical :: from_axis
         integer :: i
@@ -219,8 +225,9 @@ contains
                 values(i) = ieee_value(values(i), ieee_positive_inf)
             else if (a > lowest) then
                 ! r too: a flat end's edge just beyond it has short panels
-                call graded_rule(lowest, a, merged_breaks(merged_breaks([r(i)], [lowest]), all_breaks(self, profile)), &
-                                 profile%singular_radius, s, ds, error, beyond)
+                breaks = [r(i), lowest]
+                call self%all_breaks(profile, breaks, error)
+                call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
                 if (allocated(error)) return
                 values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds &
                                             /(sqrt(beyond + (lowest - r(i)))*sqrt(s + r(i))))
@@ -239,15 +246,16 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:), beyond(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
         integer :: i
 
         lowest = max(profile%end_radius, smallest_panel_ratio*a)
+        call self%all_breaks(profile, breaks, error)
         do i = 1, size(r)
             values(i) = excess*asin(a/r(i))
             if (a > lowest) then
-                call graded_rule(lowest, a, all_breaks(self, profile), min(profile%singular_radius, r(i)), s, ds, error, beyond)
+                call graded_rule(lowest, a, breaks, min(profile%singular_radius, r(i)), s, ds, error, beyond)
                 if (allocated(error)) return
                 values(i) = values(i) + profile%mdr_moment(lowest)/r(i) &
                             + sum(profile%mdr_slope_beyond(lowest, beyond)*asin(s/r(i))*ds)
@@ -263,7 +271,7 @@ contains
         real(wp), intent(in) :: a, excess
         real(wp), intent(out) :: values(2)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:), beyond(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest, depth, force, rise, total, upper
         integer :: i
 
@@ -275,11 +283,14 @@ contains
         lowest = max(profile%end_radius, smallest_panel_ratio*a)
         if (a > lowest) then
             rise = self%upper_depth(profile, a, error)
-            call graded_rule(lowest, a, all_breaks(self, profile), profile%singular_radius, s, ds, error, beyond)
+            call self%all_breaks(profile, breaks, error)
+            call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
             if (allocated(error)) return
-            ds = 2.0_wp*s*self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds
+            ds(:) = 2.0_wp*s*self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds
             total = total + sum((depth - profile%mdr(s))*ds)
-            upper = upper + sum([((rise - self%upper_depth(profile, s(i), error))*ds(i), i=1, size(s))])
+            do i = 1, size(s)
+                upper = upper + (rise - self%upper_depth(profile, s(i), error))*ds(i)
+            end do
         end if
         values = [total - upper, upper]
     end subroutine energies
@@ -340,8 +351,9 @@ contains
         allocate (own%profile, source=profile)
         own%radius = a
         own%edge = self%effective_modulus(a)*excess
-        breaks = all_breaks(self, profile)
-        own%kinks = pack(breaks, breaks < a)
+        call self%all_breaks(profile, breaks, error)
+        call merge_breaks(own%kinks, breaks(:count(breaks < a)), error)
+        if (allocated(error)) return
         own%singular_end = profile%singular_radius
         call own%mark_axis()
         call move_alloc(own, load)

@@ -64,10 +64,12 @@ contains
         !> G_t in place of E_eff; default false
         logical, intent(in), optional :: under_shear
         type(average_t) :: average
+        real(wp), allocatable :: knots(:)
         integer :: i
 
         call disable_gsl_abort()
-        call depth_nodes(average, body%knots(), error)
+        call body%add_knots(knots, error)
+        if (.not. allocated(error)) call depth_nodes(average, knots, error)
         if (allocated(error)) return
         allocate (average%shear, mold=average%z)
         allocate (average%poisson, mold=average%z)

@@ -185,7 +185,8 @@ contains
         if (profile%end_radius < a) call sample_transform(self, profile, a, g, error)
         if (allocated(error)) return
         power = 0.5_wp*(self%exponent - 1.0_wp)
-        breaks = pack(profile%break_radii(), profile%break_radii() < a)
+        call profile%add_breaks(breaks, error)
+        breaks = breaks(:count(breaks < a))
         do i = 1, size(r)
             values(i) = 0.0_wp
             if (excess /= 0.0_wp) then
@@ -215,7 +216,7 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         type(sampled_function_t) :: g
-        real(wp), allocatable :: x(:), dx(:), w(:)
+        real(wp), allocatable :: x(:), dx(:), w(:), breaks(:)
         real(wp) :: depth, lowest
         integer :: i
 
@@ -225,8 +226,9 @@ contains
         depth = mdr(profile, self%exponent, a, error) + excess
         if (allocated(error)) return
         lowest = smallest_panel_ratio*a
+        call profile%add_breaks(breaks, error)
         do i = 1, size(r)
-            call graded_rule(lowest, a, profile%break_radii(), min(r(i), profile%singular_radius), x, dx, error)
+            call graded_rule(lowest, a, breaks, min(r(i), profile%singular_radius), x, dx, error)
             if (allocated(error)) return
             w = spread(depth, 1, size(x))
             if (profile%end_radius < a) w = depth - merge(g%value(x), 0.0_wp, x > profile%end_radius)
@@ -266,7 +268,7 @@ contains
         real(wp), intent(in) :: m, a
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: moments(2)
-        real(wp), allocatable :: r(:), dr(:), s(:), ds(:), f(:)
+        real(wp), allocatable :: r(:), dr(:), s(:), ds(:), f(:), breaks(:)
         real(wp) :: lowest, edge, power
         integer :: i
 
@@ -274,19 +276,18 @@ contains
         edge = closest*a
         moments = profile%slope(a - edge)*(2.0_wp*a)**power*edge**(power + 1.0_wp)/(power + 1.0_wp)*[1.0_wp, a**2]
         lowest = smallest_panel_ratio*a
+        call profile%add_breaks(breaks, error)
         if (profile%end_radius < 0.5_wp*a) then
             lowest = max(lowest, profile%end_radius)
-            call graded_rule(lowest, 0.5_wp*a, profile%break_radii(), profile%singular_radius, r, dr, error)
+            call graded_rule(lowest, 0.5_wp*a, breaks, profile%singular_radius, r, dr, error)
             if (allocated(error)) return
             f = profile%slope(r)*((a - r)*(a + r))**power*dr
             moments = moments + [sum(f) + profile%height(lowest)*a**(m - 1.0_wp), sum(f*r**2)]
         end if
         ! A break of the profile is a kink of f', which panel edges resolve; it sits at s = a - break.
         if (a - profile%end_radius <= edge) return
-        associate (breaks => profile%break_radii())
-            call graded_rule(edge, min(0.5_wp*a, a - profile%end_radius), &
-                             [(a - breaks(i), i=size(breaks), 1, -1)], huge(1.0_wp), s, ds, error)
-        end associate
+        call graded_rule(edge, min(0.5_wp*a, a - profile%end_radius), [(a - breaks(i), i=size(breaks), 1, -1)], huge(1.0_wp), &
+                         s, ds, error)
         if (allocated(error)) return
         f = profile%slope(a - s)*(s*(2.0_wp*a - s))**power*ds
         moments = moments + [sum(f), sum(f*(a - s)**2)]
@@ -305,8 +306,9 @@ contains
 
         transform%profile => profile
         transform%exponent = self%exponent
-        allocate (breaks, source=profile%break_radii())
-        allocate (corners, source=[profile%end_radius, pack(breaks, breaks > profile%end_radius .and. breaks < a), a])
+        call profile%add_breaks(breaks, error)
+        if (allocated(error)) return
+        corners = [profile%end_radius, breaks(count(breaks <= profile%end_radius) + 1:count(breaks < a)), a]
         allocate (edges(0))
         do k = 1, size(corners) - 1
             edges = [edges, [(corners(k) + (corners(k + 1) - corners(k))*0.5_wp**i, i=octaves, 1, -1)], corners(k + 1)]

@@ -10,7 +10,7 @@ module mdrcontact_medium_series
     use mdrcontact_material, only: in_series
     use mdrcontact_medium, only: lower_body, medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_numerics_quadrature, only: graded_rule, merged_breaks, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -23,7 +23,7 @@ module mdrcontact_medium_series
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: breaks
+        procedure :: add_breaks
         procedure :: check_profile
         procedure :: upper_share
         procedure :: upper_depth
@@ -69,12 +69,14 @@ contains
         value = (both/first)**2*self%lower%effective_modulus_slope(a) + (both/second)**2*self%upper%effective_modulus_slope(a)
     end function effective_modulus_slope
 
-    pure function breaks(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(series_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = merged_breaks(self%lower%breaks(), self%upper%breaks())
-    end function breaks
+        call self%lower%add_breaks(radii, error)
+        call self%upper%add_breaks(radii, error)
+    end subroutine add_breaks
 
     pure subroutine check_profile(self, profile, error)
         class(series_t), intent(in) :: self
@@ -101,14 +103,14 @@ contains
         real(wp), intent(in) :: a
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: depth
-        real(wp), allocatable :: s(:), ds(:), beyond(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
 
         lowest = max(profile%end_radius, smallest_panel_ratio*a)
         depth = 0.0_wp
         if (a <= lowest) return
-        call graded_rule(lowest, a, merged_breaks(profile%break_radii(), self%breaks()), profile%singular_radius, s, ds, &
-                         error, beyond)
+        call self%all_breaks(profile, breaks, error)
+        call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
         if (allocated(error)) return
         depth = self%upper_share(lowest)*profile%mdr(lowest) + &
                 sum(self%upper_share(s)*profile%mdr_slope_beyond(lowest, beyond)*ds)
@@ -124,10 +126,11 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(inout) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: s(:), ds(:), beyond(:)
+        real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest, highest, whole, upper
         integer :: i
 
+        call self%all_breaks(profile, breaks, error)
         whole = self%upper_depth(profile, a, error)
         do i = 1, size(r)
             if (r(i) < a) then
@@ -138,8 +141,7 @@ contains
             highest = min(r(i), a)
             lowest = max(profile%end_radius, smallest_panel_ratio*highest)
             if (highest > lowest) then
-                call graded_rule(lowest, highest, merged_breaks(profile%break_radii(), self%breaks()), &
-                                 min(profile%singular_radius, r(i)), s, ds, error, beyond)
+                call graded_rule(lowest, highest, breaks, min(profile%singular_radius, r(i)), s, ds, error, beyond)
                 if (allocated(error)) return
                 upper = upper + (self%upper_share(lowest)*profile%mdr_moment(lowest)/r(i) &
                                  + sum(self%upper_share(s)*profile%mdr_slope_beyond(lowest, beyond) &

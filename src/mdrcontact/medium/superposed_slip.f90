@@ -10,7 +10,7 @@ module mdrcontact_medium_superposed_slip
     use mdrcontact_field_slip, only: beside, slip_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
-    use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, merged_breaks, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -45,10 +45,12 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: depth, modulus(1), shear(1), dissipated, tangential_force, lowest
 
-        allocate (self%normal, source=normal)
-        allocate (self%tangential, source=tangential)
-        allocate (self%profile, source=profile)
-        self%breaks = merged_breaks(profile%break_radii(), normal%breaks())
+        call normal%copy_to(self%normal, error)
+        if (.not. allocated(error)) call tangential%copy_to(self%tangential, error)
+        if (.not. allocated(error)) call profile%copy_to(self%profile, error)
+        call profile%add_breaks(self%breaks, error)
+        call normal%add_breaks(self%breaks, error)
+        if (allocated(error)) return
         self%radius = a
         self%excess = excess
         self%smallest_stick = profile%end_radius

@@ -20,7 +20,7 @@ module mdrcontact_medium_tabulated
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: breaks
+        procedure :: add_breaks
         procedure :: copy_to
     end type tabulated_medium_t
 
@@ -104,11 +104,12 @@ contains
         value = self%law%slope_at(a)
     end function effective_modulus_slope
 
-    pure function breaks(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(tabulated_medium_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = self%law%break_radii()
-    end function breaks
+        call self%law%add_breaks(radii, error)
+    end subroutine add_breaks
 
 end module mdrcontact_medium_tabulated

@@ -16,7 +16,7 @@ module mdrcontact_medium_twisted_slip
     use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_medium, only: medium_t
-    use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_rule, mark_breaks
+    use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_rule, mark_breaks, merge_breaks
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -62,13 +62,14 @@ contains
         !> [length]
         real(wp), intent(in) :: a, excess
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: b(:), weights(:)
+        real(wp), allocatable :: b(:), weights(:), breaks(:)
         real(wp), dimension(1) :: twist, rate, stiffness, slope
 
-        allocate (self%normal, source=normal)
-        allocate (self%profile, source=profile)
-        self%breaks = profile%break_radii()
-        self%breaks = pack(self%breaks, self%breaks < a)
+        call normal%copy_to(self%normal, error)
+        if (.not. allocated(error)) call profile%copy_to(self%profile, error)
+        call profile%add_breaks(breaks, error)
+        call merge_breaks(self%breaks, breaks(:count(breaks < a)), error)
+        if (allocated(error)) return
         if (size(self%breaks) > most_pieces) then
             call raise(error, error_invalid, "torsion with friction is not known under an indenter of "// &
                        count_text(size(self%breaks))//" pieces below the contact radius, as tables make them: "// &

@@ -48,7 +48,7 @@ module mdrcontact_medium_viscoelastic
         procedure :: pressure => no_field
         procedure :: displacement_outside => no_field
         procedure :: check_profile
-        procedure :: breaks
+        procedure :: add_breaks
         procedure :: is_exact
         procedure :: is_viscoelastic
         procedure :: relaxation_shape
@@ -191,12 +191,13 @@ contains
         call self%reference%check_profile(profile, error)
     end subroutine check_profile
 
-    pure function breaks(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(viscoelastic_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        allocate (radii, source=self%reference%breaks())
-    end function breaks
+        call self%reference%add_breaks(radii, error)
+    end subroutine add_breaks
 
     pure function is_exact(self) result(answer)
         class(viscoelastic_t), intent(in) :: self

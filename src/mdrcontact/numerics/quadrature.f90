@@ -15,7 +15,7 @@ module mdrcontact_numerics_quadrature
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: gauss_legendre, graded_rule, graded_edges, mark_breaks, merged_breaks, new_antiderivative, smallest_panel_ratio
+    public :: gauss_legendre, graded_rule, graded_edges, mark_breaks, merge_breaks, new_antiderivative, smallest_panel_ratio
 
     !> Nodes in a panel: a panel's nearest singularity lies at least a third of its length away, where 20 nodes give 1e-16.
     integer, parameter :: nodes_per_panel = 20
@@ -123,28 +123,51 @@ contains
         if (present(distances)) call move_alloc(offsets, distances)
     end subroutine graded_rule
 
-    !> Two ascending lists of radii as one, without repetitions.
-    pure function merged_breaks(first, second) result(merged)
-        real(wp), intent(in) :: first(:), second(:)
+    !> Adds to an ascending list of radii those of another, without repetitions. An error leaves the list as it was.
+    pure subroutine merge_breaks(radii, more, error)
+        !> not allocated: empty; allocated afterwards
+        real(wp), allocatable, intent(inout) :: radii(:)
+        real(wp), intent(in) :: more(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: merged(:)
         real(wp) :: next
-        integer :: i, j, count
+        integer :: i, j, count, stat
 
-        allocate (merged(size(first) + size(second)))
+        if (.not. allocated(radii)) allocate (radii(0))
+        if (allocated(error) .or. size(more) == 0) return
+        allocate (merged(size(radii) + size(more)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         i = 1
         j = 1
         count = 0
-        do while (i <= size(first) .or. j <= size(second))
+        do while (i <= size(radii) .or. j <= size(more))
             next = huge(next)
-            if (i <= size(first)) next = first(i)
-            if (j <= size(second)) next = min(next, second(j))
+            if (i <= size(radii)) next = radii(i)
+            if (j <= size(more)) next = min(next, more(j))
             count = count + 1
             merged(count) = next
-            i = i + count_upto(first(i:), next)
-            j = j + count_upto(second(j:), next)
+            i = i + count_upto(radii(i:), next)
+            j = j + count_upto(more(j:), next)
         end do
-        merged = merged(:count)
-    end function merged_breaks
+        call move_alloc(merged, radii)
+        if (count < size(radii)) call shorten(radii, count, error)
+    end subroutine merge_breaks
+
+    !> The first `count` of a list.
+    pure subroutine shorten(list, count, error)
+        real(wp), allocatable, intent(inout) :: list(:)
+        integer, intent(in) :: count
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: first(:)
+        integer :: stat
+
+        allocate (first(count), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        first(:) = list(:count)
+        call move_alloc(first, list)
+    end subroutine shorten
 
     !> How many leading entries are not above `limit`.
     pure function count_upto(list, limit) result(number)
@@ -212,11 +235,7 @@ contains
             edges(count) = next
             here = next
         end do
-        allocate (longer(count), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        longer(:) = edges(:count)
-        call move_alloc(longer, edges)
+        call shorten(edges, count, error)
 
     contains
 

@@ -10,6 +10,7 @@ module mdrcontact_numerics_radius_law
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -32,7 +33,7 @@ module mdrcontact_numerics_radius_law
         procedure :: at
         procedure :: copy_to
         procedure :: slope_at
-        procedure :: break_radii
+        procedure :: add_breaks
     end type radius_law_t
 
     !> The function of ln a, watched for values that are not positive numbers.
@@ -167,12 +168,13 @@ contains
     end function slope_at
 
     !> Radii where the law is not analytic: the points of a table.
-    pure function break_radii(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(radius_law_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = self%breaks
-    end function break_radii
+        call merge_breaks(radii, self%breaks, error)
+    end subroutine add_breaks
 
     !> Radii between which the law varies so fast that its sampling had to be refined: quadrature follows it there.
     pure function fine_edges(sampled) result(radii)

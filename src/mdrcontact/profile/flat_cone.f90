@@ -4,6 +4,7 @@ module mdrcontact_profile_flat_cone
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_error, only: check_inclination, check_positive, error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_profile, only: profile_t, root_after, root_beyond
     implicit none (type, external)
     private
@@ -21,7 +22,7 @@ module mdrcontact_profile_flat_cone
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment
-        procedure :: break_radii
+        procedure :: add_breaks
         procedure :: linear_pieces
     end type flat_cone_t
 
@@ -101,12 +102,13 @@ contains
         y = 0.5_wp*self%tangent*(x**2*atan2(root, self%end_radius) + self%end_radius*root)
     end function mdr_moment
 
-    pure function break_radii(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(flat_cone_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = [self%end_radius]
-    end function break_radii
+        call merge_breaks(radii, [self%end_radius], error)
+    end subroutine add_breaks
 
     pure subroutine linear_pieces(self, radii, slopes, curvatures)
         class(flat_cone_t), intent(in) :: self

@@ -4,6 +4,7 @@ module mdrcontact_profile_flat_paraboloid
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_profile, only: profile_t, root_after, root_beyond
     implicit none (type, external)
     private
@@ -21,7 +22,7 @@ module mdrcontact_profile_flat_paraboloid
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment
-        procedure :: break_radii
+        procedure :: add_breaks
         procedure :: linear_pieces
     end type flat_paraboloid_t
 
@@ -99,12 +100,13 @@ contains
         y = root_beyond(x, self%end_radius)*(2.0_wp*x**2 + self%end_radius**2)/(3.0_wp*self%curvature_radius)
     end function mdr_moment
 
-    pure function break_radii(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(flat_paraboloid_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = [self%end_radius]
-    end function break_radii
+        call merge_breaks(radii, [self%end_radius], error)
+    end subroutine add_breaks
 
     pure subroutine linear_pieces(self, radii, slopes, curvatures)
         class(flat_paraboloid_t), intent(in) :: self

@@ -3,6 +3,7 @@
 module mdrcontact_profile_rounded_cone
     use mdrcontact_error, only: check_inclination, check_positive, error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_profile, only: profile_t, root_beyond
     implicit none (type, external)
     private
@@ -22,7 +23,7 @@ module mdrcontact_profile_rounded_cone
         procedure :: mdr
         procedure :: mdr_slope
         procedure :: mdr_moment
-        procedure :: break_radii
+        procedure :: add_breaks
         procedure :: linear_pieces
     end type rounded_cone_t
 
@@ -107,12 +108,13 @@ contains
         end if
     end function mdr_moment
 
-    pure function break_radii(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(rounded_cone_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = [self%blend_radius]
-    end function break_radii
+        call merge_breaks(radii, [self%blend_radius], error)
+    end subroutine add_breaks
 
     pure subroutine linear_pieces(self, radii, slopes, curvatures)
         class(rounded_cone_t), intent(in) :: self

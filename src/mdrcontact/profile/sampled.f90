@@ -4,6 +4,7 @@
 module mdrcontact_profile_sampled
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_transform, only: new_transform, transform_t
@@ -26,7 +27,7 @@ module mdrcontact_profile_sampled
         procedure :: mdr
         procedure :: mdr_slope
         procedure :: mdr_moment
-        procedure :: break_radii
+        procedure :: add_breaks
         procedure :: copy_to
     end type sampled_profile_t
 
@@ -236,12 +237,13 @@ contains
         end if
     end function mdr_moment
 
-    pure function break_radii(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(sampled_profile_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        radii = self%breaks
-    end function break_radii
+        call merge_breaks(radii, self%breaks, error)
+    end subroutine add_breaks
 
     !> What is lost to rounding behind a flat end: relative accuracy of the transform at the first break.
     function flat_noise(transform, flat_radius, first) result(noise)

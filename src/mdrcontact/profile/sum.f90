@@ -4,7 +4,7 @@ module mdrcontact_profile_sum
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_numerics_quadrature, only: merged_breaks
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     implicit none (type, external)
     private
     public :: profile_sum_t, profile_term_t, new_profile_sum
@@ -26,7 +26,7 @@ module mdrcontact_profile_sum
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment
-        procedure :: break_radii
+        procedure :: add_breaks
         procedure :: powers
         procedure :: copy_to
     end type profile_sum_t
@@ -157,17 +157,18 @@ contains
         end do
     end function mdr_moment
 
-    pure function break_radii(self) result(radii)
+    pure subroutine add_breaks(self, radii, error)
         class(profile_sum_t), intent(in) :: self
-        real(wp), allocatable :: radii(:)
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: own(:)
         integer :: i
 
-        allocate (radii(0))
         do i = 1, size(self%terms)
-            radii = merged_breaks(radii, self%terms(i)%profile%break_radii())
+            call self%terms(i)%profile%add_breaks(own, error)
         end do
-        radii = pack(radii, radii < self%largest_radius)
-    end function break_radii
+        call merge_breaks(radii, own(:count(own < self%largest_radius)), error)
+    end subroutine add_breaks
 
     !> Those of all terms, if each is a sum of powers.
     pure subroutine powers(self, exponents, coefficients)

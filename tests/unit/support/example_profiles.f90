@@ -8,7 +8,7 @@ module example_profiles
                           scalar_function_t, sphere_t, wp
     implicit none (type, external)
     private
-    public :: example_profile_t, make_example_profiles, hyperboloid_t
+    public :: example_profile_t, make_example_profiles, hyperboloid_t, break_radii
 
     type :: example_profile_t
         character(len=32) :: name = ""
@@ -26,6 +26,15 @@ module example_profiles
     end type hyperboloid_t
 
 contains
+
+    !> Radii at which a profile is not analytic.
+    pure function break_radii(profile) result(radii)
+        class(profile_t), intent(in) :: profile
+        real(wp), allocatable :: radii(:)
+        type(error_t), allocatable :: error
+
+        call profile%add_breaks(radii, error)
+    end function break_radii
 
     !> All of them except the flat punch, whose profile is 0, unless `with_punch`.
     subroutine make_example_profiles(examples, with_punch)
