@@ -28,6 +28,8 @@ module mdrcontact_numerics_roots
     real(wp), parameter :: careful_step = 2.0_wp, first_accuracy = 1.0e-2_wp, share = 0.1_wp, curvature = 0.3_wp
     !> Square of a distance of values, and length of a step, below which a cubic does not pay.
     real(wp), parameter :: closest = 1.0e-8_wp, close_by = 1.0e-3_wp
+    !> Steps that f takes as near enough must leave no more of f than at this slope.
+    real(wp), parameter :: steepest = 10.0_wp
     !> Points at which a cubic is looked at for its first root.
     integer, parameter :: probes = 32
 
@@ -205,7 +207,11 @@ contains
                     remaining = abs(next - x)
                 end if
             end if
-            if (f%near_enough > 0.0_wp) left = abs(next - x)
+            if (f%near_enough > 0.0_wp) then
+                left = abs(next - x)
+                ! Next to a vertical tangent the shortest step may come from afar.
+                if (abs(y) > steepest*f%near_enough) left = huge(left)
+            end if
             if (.not. slope_is_local) then
                 left = huge(left)
                 if (abs(next - x) <= relative_width*max(1.0_wp, abs(x))) next = x - sign(0.1_wp*nearby, y)
