@@ -6,13 +6,14 @@
 !> sigma = sqrt(1 - r^2/a^2).
 module mdrcontact_layered_fields
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: contact_rule, is_fine, moments_t, new_interaction, normalisation
     use mdrcontact_layered_rule, only: new_rule, rule_t
     use mdrcontact_layered_series, only: even_sum
-    use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, solve_lower, solve_upper
+    use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, raise_missed, &
+                                       solve_lower, solve_upper
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -69,9 +70,8 @@ contains
             if (n >= most_unknowns) exit
             n = min(next_unknowns(n, reached/tolerance), most_unknowns)
         end do
-        call raise(error, error_no_convergence, "the fields of the exact layered medium did not reach the relative tolerance "// &
-                   to_text(tolerance)//" at contact radius "//to_text(a)//": they reached "//to_text(reached)// &
-                   "; where the indenter's profile is not smooth they take many unknowns on films thin against the radius")
+        ! where the profile is not smooth, on films thin against the radius, it would take more unknowns
+        call raise_missed(error, "a field", tolerance, a, reached)
     end subroutine new_line_load
 
     !> With n unknowns.

@@ -16,7 +16,8 @@ module mdrcontact_layered_solve
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: equation_t, new_equation, solution_t, solve, first_unknowns, next_unknowns, factorize, solve_lower, solve_upper
+    public :: equation_t, new_equation, solution_t, solve, first_unknowns, next_unknowns, factorize, solve_lower, solve_upper, &
+              raise_missed
 
     !> Unknowns at most, and those that a graded body is begun with at most.
     integer, parameter :: most_unknowns = 1500, first_graded = 16
@@ -99,10 +100,21 @@ contains
             if (n >= most_unknowns) exit
             n = min(next_unknowns(n, reached/tolerance), most_unknowns)
         end do
-        call raise(error, error_no_convergence, "the exact layered medium did not reach the relative tolerance "// &
-                   to_text(tolerance)//" at contact radius "//to_text(a)//": it reached "//to_text(reached)// &
-                   "; where that is enough, make the medium with a larger tolerance")
+        call raise_missed(error, "a state", tolerance, a, reached)
     end subroutine solve
+
+    !> Says that the tolerance was missed, and what to do.
+    pure subroutine raise_missed(error, what, tolerance, a, reached)
+        type(error_t), allocatable, intent(inout) :: error
+        !> what was asked for
+        character(len=*), intent(in) :: what
+        !> relative; contact radius [length]; what was reached
+        real(wp), intent(in) :: tolerance, a, reached
+
+        call raise(error, error_no_convergence, what//" of the exact layered medium did not reach the relative tolerance "// &
+                   to_text(tolerance)//" at contact radius "//to_text(a)//": it reached "//to_text(min(reached, 1.0_wp))// &
+                   "; where that is enough, make the medium with a larger tolerance")
+    end subroutine raise_missed
 
     !> n such that the estimate meets the tolerance at the first attempt, for films: fitted to what 5 films take.
     pure function first_unknowns(kernel, tolerance, a, is_kinked, to_edge) result(n)

@@ -11,7 +11,7 @@ module mdrcontact_layered_stiffness
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: moments_t, new_interaction
-    use mdrcontact_layered_solve, only: first_unknowns
+    use mdrcontact_layered_solve, only: first_unknowns, raise_missed
     implicit none (type, external)
     private
     public :: relative_stiffness
@@ -35,9 +35,11 @@ contains
         complex(wp), intent(out) :: ratio
         type(error_t), allocatable, intent(inout) :: error
         complex(wp) :: before
+        real(wp) :: reached
         integer :: i, n
 
         ratio = 1.0_wp
+        reached = huge(reached)
         if (parts(1)%vanishes) return
         n = maxval([(first_unknowns(parts(i), tolerance, a/parts(i)%unit, .false., .false.), i=1, size(parts))])
         call solve_with(parts, a, n, twisted, before, error)
@@ -46,11 +48,12 @@ contains
             n = n + max(2, n/4)
             if (n > most_unknowns) exit
             call solve_with(parts, a, n, twisted, ratio, error)
-            if (abs(ratio - before) <= merge(on_films, on_gradings, all(parts%resolved <= 1.0_wp))*tolerance*abs(ratio)) return
+            if (allocated(error)) return
+            reached = abs(ratio - before)/(merge(on_films, on_gradings, all(parts%resolved <= 1.0_wp))*abs(ratio))
+            if (reached <= tolerance) return
             before = ratio
         end do
-        call raise(error, error_no_convergence, "the stiffness at contact radius "//to_text(a)//" did not reach the relative "// &
-                   "tolerance "//to_text(tolerance))
+        call raise_missed(error, "a stiffness", tolerance, a, reached)
     end subroutine relative_stiffness
 
     !> With n unknowns: the first coefficient of the solution of (1 + H) c = (1, 0, ...).
