@@ -297,7 +297,7 @@ enum mdr_model {
 
 /** The name of a model, as Python and problem files write it: "gao-series", "exact", ...
  *  @param model   one of enum mdr_model
- *  @param length  size of name, at least 20
+ *  @param length  size of name, at least 19
  *  @param name    [length] receives the name and a null character
  *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a model that does not exist or too short a length */
 int mdr_model_name(int model, int length, char *name);

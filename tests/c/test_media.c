@@ -334,7 +334,9 @@ static void model_names(void)
     CHECK_TRUE(model == MDR_MODEL_MENCIK_EXPONENTIAL);
     CHECK_STATUS(mdr_model_name(MDR_MODEL_GAO, 20, NULL), MDR_ENULL, "name is NULL");
     CHECK_STATUS(mdr_model_name(-1, 20, name), MDR_EINVALID, "model = -1");
-    CHECK_STATUS(mdr_model_name(MDR_MODEL_GAO, 5, name), MDR_EINVALID, "length = 5");
+    CHECK_STATUS(mdr_model_name(MDR_MODEL_GAO, 18, name), MDR_EINVALID, "length = 18");
+    CHECK_SUCCESS(mdr_model_name(MDR_MODEL_EXACT, 19, name));
+    CHECK_TRUE(strcmp(name, "exact") == 0);
     CHECK_STATUS(mdr_model_from_name(NULL, &model), MDR_ENULL, "name is NULL");
     CHECK_STATUS(mdr_model_from_name("gao", NULL), MDR_ENULL, "model is NULL");
     CHECK_STATUS(mdr_model_from_name("gauss", &model), MDR_EINVALID, "name = gauss");
