@@ -683,6 +683,10 @@ enum mdr_field_kind {
 };
 
 /** States from depths, forces or radii.
+ *
+ *  A coating far stiffer than the body, from 80 times under a cone, from 12 times at the corner of a wide flat end, bends so much
+ *  that depth and force fall over some radii. Of several states of one depth or force without adhesion the one with the smallest
+ *  radius is given, to which the contact grows from first touch; larger ones would pull (mdr_contact_lowest_pressure()).
  *  @param c       contact
  *  @param given   one of enum mdr_given: what `in` holds
  *  @param branch  one of enum mdr_branch: which state of an adhesive contact; not looked at for radii
@@ -782,7 +786,8 @@ int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, i
 
 /** The lowest pressure of a state without adhesion. Below 0 the bodies would have to pull on each other: the contact is then not
  *  one disc, its pressure is not that of the true contact, and F(d) is off by up to 0.05 % (cone), 0.6 % (r^4) or 3.5 % (flat
- *  punch). It happens on stiff coatings, solved exactly: from a ratio of moduli of 5 (nu = 1/2) to 7 (nu = 0) under flat ends,
+ *  punch) where it begins, and where the radius jumps by as much as the force jumps at that depth: under a cone 0.1 % at a ratio of
+ *  moduli of 100, 7 % at 300, 28 % at 1,000. It happens on stiff coatings, solved exactly: from a ratio of moduli of 5 (nu = 1/2) to 7 (nu = 0) under flat ends,
  *  6 to 10 under r^4, 8 to 12 under r^3, 12 to 20 under r^2.5, 50 to 100 under cones; never under paraboloids.
  *  @param c         contact without adhesion
  *  @param state     a state of this contact, with a radius > 0

@@ -6,6 +6,7 @@ module mdrcontact_contact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, new_equilibrium
     use mdrcontact_contact_exact_zeta, only: exact_zeta
+    use mdrcontact_contact_falls, only: find_falls
     use mdrcontact_error, only: check_choice, check_finite, check_not_negative, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_field, only: fields_t
@@ -72,6 +73,7 @@ contains
         call disable_gsl_abort()
         if (.not. present(options)) then
             call new_equilibrium(self%equilibrium, profile, medium, error)
+            if (.not. allocated(error)) call find_falls(self%equilibrium, error)
             return
         end if
         if (options%zeta_is_exact) then
@@ -81,6 +83,7 @@ contains
         end if
         if (.not. allocated(error)) call new_equilibrium(self%equilibrium, profile, medium, error, zeta)
         if (.not. allocated(error)) call set_adhesion(self, options%work_of_adhesion, options%adhesion_rule, error)
+        if (.not. (allocated(error) .or. self%is_adhesive())) call find_falls(self%equilibrium, error)
     end subroutine new_contact
 
     subroutine set_adhesion(self, work_of_adhesion, rule, error)
@@ -173,7 +176,8 @@ contains
     !> The stable state at indentation depth d.
     subroutine at_depth(self, depth, state, error, branch, neighbours)
         class(contact_t), intent(in), target :: self
-        !> d >= 0, or with adhesion down to the pull-off depth on unloading [length]
+        !> d >= 0, or with adhesion down to the pull-off depth on unloading [length]. Where a contact without adhesion has several
+        !> states of this depth, on a stiff coating that bends: the one with the smallest radius, met first as the contact grows
         real(wp), intent(in) :: depth
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error

@@ -36,6 +36,8 @@ module mdrcontact_medium
         real(wp) :: smallest_radius = 0.0_wp, largest_radius = huge(1.0_wp)
         !> relative accuracy of E_eff and its slope where they are interpolated between samples; 0 where they are computed
         real(wp) :: roughness = 0.0_wp
+        !> how many times stiffer the surface is than what lies below it, at most, where that is known
+        real(wp) :: surface_contrast = 1.0_wp
         !> what follows a message that a contact would be larger: why, and what to do; blank where the end was given by the caller
         character(len=reason_length) :: why_it_ends = ""
     contains

@@ -14,7 +14,7 @@ module mdrcontact_contact_equilibrium
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: equilibrium_t, new_equilibrium
+    public :: equilibrium_t, new_equilibrium, fall_t
     public :: adhesion_automatic, adhesion_paper, adhesion_energy
 
     !> dl by the source's rule (28), sqrt(2 pi a gamma/E_eff), or by the balance of energy, sqrt(4 pi a gamma/k'(a)).
@@ -23,6 +23,14 @@ module mdrcontact_contact_equilibrium
 
     !> No contact radius is larger [length].
     real(wp), parameter :: largest_number = 1.0e100_wp
+
+    !> A stretch of contact radii over which depth and force of the non-adhesive state fall.
+    type :: fall_t
+        !> coordinates x = ln(a - end radius) of its ends
+        real(wp) :: first = 0.0_wp, last = 0.0_wp
+        !> at the first end: the most that contacts up to there bear
+        type(contact_state_t) :: top
+    end type fall_t
 
     !> What determines a state once the contact radius is known.
     type :: equilibrium_t
@@ -39,6 +47,8 @@ module mdrcontact_contact_equilibrium
         logical :: is_formula = .false.
         !> relative accuracy of a state where medium or zeta are interpolated between samples; 0 where they are computed
         real(wp) :: roughness = 0.0_wp
+        !> ascending; found for contacts, by find_falls
+        type(fall_t), allocatable :: falls(:)
     contains
         procedure :: at
         procedure :: parts
@@ -78,6 +88,7 @@ contains
         self%last_radius = largest_contact_radius(profile, medium)
         self%is_formula = medium%is_cheap()
         self%roughness = medium%roughness
+        allocate (self%falls(0))
         if (present(zeta)) then
             if (allocated(zeta)) then
                 call check_zeta(profile, medium, zeta, error)

@@ -57,6 +57,8 @@ module mdrcontact_contact_inversion
     !> Parts of the medium's largest radius: wider states are dear where they are solved for, and may be refused; near the other
     !> one, states are as those of the surface alone.
     real(wp), parameter :: wide = 1.0e-2_wp, narrow = 1.0e-7_wp
+    !> So far below the coordinate from which on the depth falls a search begins that would begin beyond it.
+    real(wp), parameter :: before_top = 0.5_wp
 
 contains
 
@@ -154,21 +156,51 @@ contains
         state%radius = radius
     end subroutine shift
 
+    !> The smallest contact radius that has s: the one to which the contact has grown from first touch. Where depth and force fall
+    !> larger radii have it too, and pressures below 0.
     subroutine find_radius(mismatch, radius, found, error, neighbours)
         type(mismatch_t), intent(inout) :: mismatch
         real(wp), intent(out) :: radius
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
         type(neighbours_t), intent(in), optional :: neighbours
-        real(wp) :: first, last, guess, root, distance, widest
+        real(wp) :: smallest, first, last
+        integer :: i
+
+        associate (equilibrium => mismatch%equilibrium, falls => mismatch%equilibrium%falls)
+            smallest = smallest_log
+            if (equilibrium%medium%smallest_radius > equilibrium%profile%end_radius) then
+                smallest = equilibrium%coordinate_of(equilibrium%medium%smallest_radius)
+            end if
+            first = smallest
+            do i = 1, size(falls)
+                if (mismatch%target_value <= mismatch%control%of(falls(i)%top%depth, falls(i)%top%force)) then
+                    call find_between(mismatch, first, falls(i)%first, radius, found, error, neighbours)
+                    if (found .or. allocated(error)) return
+                end if
+                first = falls(i)%last
+            end do
+            last = equilibrium%coordinate_of(equilibrium%last_radius)
+            call find_between(mismatch, first, last, radius, found, error, neighbours)
+            ! where a fall is not known as well as the states
+            if (.not. (found .or. allocated(error)) .and. radius <= equilibrium%radius_of(first) .and. size(falls) > 0) then
+                call find_between(mismatch, smallest, last, radius, found, error)
+            end if
+        end associate
+    end subroutine find_radius
+
+    !> The contact radius between two coordinates.
+    subroutine find_between(mismatch, first, last, radius, found, error, neighbours)
+        type(mismatch_t), intent(inout) :: mismatch
+        real(wp), intent(in) :: first, last
+        real(wp), intent(out) :: radius
+        logical, intent(out) :: found
+        type(error_t), allocatable, intent(out) :: error
+        type(neighbours_t), intent(in), optional :: neighbours
+        real(wp) :: guess, root, distance, widest
         logical :: guessed
 
-        associate (equilibrium => mismatch%equilibrium, control => mismatch%control)
-            first = smallest_log
-            if (equilibrium%medium%smallest_radius > equilibrium%profile%end_radius) then
-                first = equilibrium%coordinate_of(equilibrium%medium%smallest_radius)
-            end if
-            last = equilibrium%coordinate_of(equilibrium%last_radius)
+        associate (equilibrium => mismatch%equilibrium)
             widest = last
             if (mismatch%near_enough > 0.0_wp) then
                 widest = min(last, log(max(wide*equilibrium%medium%largest_radius, tiny(1.0_wp))))
@@ -184,7 +216,11 @@ contains
                     return
                 end if
                 ! A stiff film bends and sinks by more than it would as a half-space: the contact is smaller.
-                if (guess > widest) guess = narrow_coordinate(equilibrium)
+                if (guess > last) then
+                    guess = last - before_top
+                else if (guess > widest) then
+                    guess = narrow_coordinate(equilibrium)
+                end if
             end if
             if (guess > widest) widest = last
             call solve_increasing(mismatch, guess, expected_slope, first, widest, root, found, error, distance)
@@ -201,7 +237,7 @@ contains
             end if
             radius = equilibrium%radius_of(root)
         end associate
-    end subroutine find_radius
+    end subroutine find_between
 
     !> That of a contact so small that the search goes up from there, in steps of bounded length.
     pure function narrow_coordinate(equilibrium) result(x)

@@ -30,6 +30,11 @@ module mdrcontact_law_from_contact
     !> Noise of the contact's states with which it is worth to go on to verification.
     real(wp), parameter :: largest_noise = 1.0e-6_wp
 
+    !> A law ends at this part of the depth at which a contact jumps, at most: the radius has a root's singularity there.
+    real(wp), parameter :: largest_part = 0.99_wp
+    !> By so much in the coordinate a law goes on beyond its largest depth, for rounding.
+    real(wp), parameter :: beyond = 1.0e-6_wp
+
     !> What a law can be asked for.
     type :: law_options_t
         !> Without adhesion: the depth down to which the tolerance holds [length]; 0: 1e-4 of the largest. Nearer to first touch
@@ -134,9 +139,16 @@ contains
         type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
         real(wp), allocatable :: coordinates(:)
         real(wp) :: first, last, found
+        logical :: jumps
         integer :: i
 
-        call coordinate_beyond(contact%equilibrium, largest_depth, largest_depth, last, found, self%solutions, error)
+        jumps = size(contact%equilibrium%falls) > 0
+        found = largest_depth
+        if (jumps) then
+            call ends_before_fall(contact, smallest_depth, largest_depth, first, last, error)
+        else
+            call coordinate_beyond(contact%equilibrium, largest_depth, largest_depth, last, found, self%solutions, error)
+        end if
         if (allocated(error)) return
         if (found < largest_depth) then
             call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" cannot be reached: indenter or "// &
@@ -158,7 +170,8 @@ contains
             if (smallest > end_radius) first = max(first, log(smallest - end_radius) + 8.0_wp*epsilon(1.0_wp))
         else
             allocate (of_depth(1), of_force(1))
-            call coordinate_before(contact%equilibrium, smallest_depth, first, found, self%solutions, error)
+            found = smallest_depth
+            if (.not. jumps) call coordinate_before(contact%equilibrium, smallest_depth, first, found, self%solutions, error)
             if (allocated(error)) return
             if (found > smallest_depth) then
                 call raise(error, error_unreachable, "smallest_depth = "//to_text(smallest_depth)//" cannot be reached: the "// &
@@ -193,5 +206,30 @@ contains
                        ": its error is "//to_text(self%error)//"; the contact itself may not be computed more accurately")
         end if
     end subroutine compile_branch
+
+    !> The ends of a law of a contact whose depth and force fall over some radii: it jumps there, as no law without adhesion does.
+    subroutine ends_before_fall(contact, smallest_depth, largest_depth, first, last, error)
+        type(contact_t), intent(in) :: contact
+        real(wp), intent(in) :: smallest_depth, largest_depth
+        !> coordinates
+        real(wp), intent(out) :: first, last
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: smallest, largest
+
+        first = 0.0_wp
+        last = 0.0_wp
+        associate (equilibrium => contact%equilibrium, top => contact%equilibrium%falls(1)%top)
+            if (largest_depth > largest_part*top%depth) then
+                call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" is not allowed: the surface "// &
+                           "bends so much that the contact jumps at depth "//to_text(top%depth)//", contact radius "// &
+                           to_text(top%radius)//"; compile up to depth "//to_text(largest_part*top%depth)//" at most")
+                return
+            end if
+            call contact%at_depth(smallest_depth, smallest, error)
+            if (.not. allocated(error)) call contact%at_depth(largest_depth, largest, error)
+            first = equilibrium%coordinate_of(smallest%radius) - beyond
+            last = equilibrium%coordinate_of(largest%radius) + beyond
+        end associate
+    end subroutine ends_before_fall
 
 end module mdrcontact_law_from_contact

@@ -110,6 +110,7 @@ contains
             call shared_kernel(own, self%pressed, self%kernel, error)
         end if
         self%largest_radius = merge(largest_homogeneous, largest_ratio*body%last_depth, self%kernel%vanishes)
+        self%surface_contrast = contrast_of(self%kernel)
     end subroutine new_exact_from_body
 
     !> A stack of bonded layers on an elastic half-space or a rigid base: the arguments of new_stack and those above.
@@ -157,7 +158,17 @@ contains
         call self%set_pair(lower, upper)
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (.not. allocated(error)) call add_kernels(lower%kernel, upper%kernel, self%parts%share, self%kernel, error)
+        self%surface_contrast = contrast_of(self%kernel)
     end subroutine new_exact_pair
+
+    !> E0*/E_eff at large radii, or what it comes to at the unit if the base is stiff again.
+    pure function contrast_of(kernel) result(ratio)
+        type(kernel_t), intent(in) :: kernel
+        real(wp) :: ratio
+
+        ratio = 1.0_wp
+        if (.not. kernel%vanishes) ratio = max(kernel%sigma_zero, kernel%origin)
+    end function contrast_of
 
     !> E_eff(a), the stiffness of a flat punch over 2 a.
     subroutine modulus(self, a, values, error)
