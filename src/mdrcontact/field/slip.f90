@@ -34,6 +34,8 @@ module mdrcontact_field_slip
         real(wp) :: first_shift = 0.0_wp, stiffness = 0.0_wp
         !> -ds/dc at c = a where it is known, else 0: what a search begins with
         real(wp) :: edge_rate = 0.0_wp
+        !> power of c with which s begins to fall at the axis, about, for the same purpose
+        real(wp) :: exponent = 2.0_wp
         !> length in which everything varies but for powers of c [length]; 0 where that is not known
         real(wp) :: scale = 0.0_wp
     contains
@@ -45,6 +47,8 @@ module mdrcontact_field_slip
         procedure(state_at), deferred :: at
         !> q_t(x) [modulus length] and tau(r) [modulus] of a stick radius, 0 <= x, r <= a
         procedure(field_at), deferred :: line_load, traction
+        !> D [modulus length^3] of a stick radius
+        procedure :: dissipation
         procedure, non_overridable :: integrate
     end type slip_t
 
@@ -93,6 +97,19 @@ module mdrcontact_field_slip
     end interface
 
 contains
+
+    !> D by integration over the stick radii that the contact had.
+    subroutine dissipation(self, c, width, shift, dissipated, error)
+        class(slip_t), intent(in) :: self
+        !> stick radius, a - c without cancellation, and s [length]
+        real(wp), intent(in) :: c, width, shift
+        !> [modulus length^3]
+        real(wp), intent(out) :: dissipated
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: same_shift, force
+
+        call self%integrate(c, width, same_shift, force, dissipated, error, shift)
+    end subroutine dissipation
 
     !> s, T and D of a stick radius by integration; D alone needs it where s and T are known and no small differences.
     subroutine integrate(self, c, width, shift, force, dissipated, error, known_shift)

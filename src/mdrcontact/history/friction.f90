@@ -234,10 +234,10 @@ contains
         class(first_shear_t), intent(in) :: self
         type(tangential_state_t), intent(inout) :: state
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: shift, force, dissipated, lowest
+        real(wp) :: dissipated, lowest
 
         lowest = max(self%slip%smallest_stick, tiny(1.0_wp))
-        call self%slip%integrate(lowest, self%radius - lowest, shift, force, dissipated, error, self%slip%sliding_shift)
+        call self%slip%dissipation(lowest, self%radius - lowest, self%slip%sliding_shift, dissipated, error)
         state%shift = self%sliding_shift
         state%tangential_force = self%sliding_force
         state%dissipated_energy = self%coefficient**2*dissipated
@@ -266,18 +266,12 @@ contains
             equation%slip => self%slip
             equation%target = given
             equation%of_force = of_force
-            ! that of a paraboloid on a homogeneous body
-            if (of_force) then
-                part = given/slip%force
-                part = -expm1_of(2.0_wp/3.0_wp*log(1.0_wp - part), part)
-            else
-                part = first_part(given/slip%sliding_shift)
-            end if
+            part = complement(first_part(), 2.0_wp/slip%exponent)
             call solve_increasing(equation, log(part/max(1.0_wp - part, 1.0e-6_wp)), 1.0_wp, least, most, x, found, error)
             if (allocated(error)) return
             call annulus(slip%radius, x, c, width)
             call slip%at(c, width, shift, force, state%stiffness, rate, error)
-            if (.not. allocated(error)) call slip%integrate(c, width, part, rate, dissipated, error, shift)
+            if (.not. allocated(error)) call slip%dissipation(c, width, shift, dissipated, error)
             if (allocated(error)) return
             state%stick_radius = c
             state%shift = self%coefficient*shift
@@ -287,31 +281,38 @@ contains
 
     contains
 
-        !> t = 1 - c^2/a^2 from the shift relative to that of sliding, by t [1 + b (1 - t)] with the slope that it has at the edge.
-        pure function first_part(shift) result(t)
-            real(wp), intent(in) :: shift
+        !> t = 1 - (c/a)^m, m the exponent of the shift: exact under c r^m on a homogeneous body; else from the shift relative to
+        !> that of sliding by t [1 + b (1 - t)] with the slope that it has at the edge.
+        pure function first_part() result(t)
             real(wp) :: t
-            real(wp) :: b
+            real(wp) :: b, relative
 
-            t = shift
-            if (.not. (self%slip%edge_rate > 0.0_wp .and. self%slip%first_shift <= 0.0_wp)) return
-            b = min(max(0.5_wp*self%slip%edge_rate*self%slip%radius/self%slip%sliding_shift - 1.0_wp, -0.9_wp), 0.9_wp)
-            t = 2.0_wp*shift/((1.0_wp + b) + sqrt((1.0_wp + b)**2 - 4.0_wp*b*shift))
+            associate (slip => self%slip, m => self%slip%exponent)
+                if (of_force) then
+                    t = complement(given/slip%force, m/(m + 1.0_wp))
+                    return
+                end if
+                relative = given/slip%sliding_shift
+                t = relative
+                if (.not. (slip%edge_rate > 0.0_wp .and. slip%first_shift <= 0.0_wp)) return
+                b = min(max(slip%edge_rate*slip%radius/(m*slip%sliding_shift) - 1.0_wp, -0.9_wp), 0.9_wp)
+                t = 2.0_wp*relative/((1.0_wp + b) + sqrt((1.0_wp + b)**2 - 4.0_wp*b*relative))
+            end associate
         end function first_part
 
     end subroutine partial_slip
 
-    !> exp(y) - 1 for y = (2/3) ln(1 - part) without cancellation for small parts.
-    pure function expm1_of(y, part) result(value)
-        real(wp), intent(in) :: y, part
+    !> 1 - (1 - part)^power, without cancellation for small parts.
+    pure function complement(part, power) result(value)
+        real(wp), intent(in) :: part, power
         real(wp) :: value
 
         if (part < 1.0e-4_wp) then
-            value = -2.0_wp/3.0_wp*part
+            value = power*part
         else
-            value = exp(y) - 1.0_wp
+            value = 1.0_wp - (1.0_wp - part)**power
         end if
-    end function expm1_of
+    end function complement
 
     !> Stick radius and width of the annulus of slip at x = ln(a^2/c^2 - 1).
     pure subroutine annulus(a, x, c, width)

@@ -503,9 +503,8 @@ contains
             call springs%part_of(tangential%kernel, sheared, error)
             if (allocated(error)) return
             allocate (own)
-            call new_layered_slip(own, self, tangential, profile, springs, sheared, excess, &
-                                  merge(0.0_wp, tangential%kernel%unit, tangential%kernel%vanishes), &
-                                  self%surface_modulus/tangential%surface_modulus, error)
+            call new_layered_slip(own, self, tangential, tangential%kernel, tangential%tolerance, profile, springs, sheared, &
+                                  excess, self%surface_modulus, tangential%surface_modulus, error)
         class default
             call raise(error, error_invalid, "the medium under shear must be that of new_tangential")
         end select

@@ -10,6 +10,7 @@ module mdrcontact_layered_fields
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: contact_rule, is_fine, moments_t, new_interaction, normalisation
+    use mdrcontact_layered_moments, only: is_smooth
     use mdrcontact_layered_rule, only: new_rule, rule_t
     use mdrcontact_layered_series, only: even_sum
     use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, raise_missed, &
@@ -36,6 +37,7 @@ module mdrcontact_layered_fields
         procedure :: at
         procedure :: smooth_pressure
         procedure :: displacement_beyond
+        procedure :: interaction_beyond
         procedure :: part_of
         procedure :: displacement_by
         procedure :: work_on
@@ -58,8 +60,7 @@ contains
         logical :: solved
 
         reached = huge(reached)
-        n = ceiling(1.5_wp*first_unknowns(kernel, tolerance, a/kernel%unit, is_kinked=.false., to_edge=.false.))
-        n = min(n, most_unknowns)
+        n = min(unknowns_for(kernel, tolerance, a/kernel%unit, is_smooth(profile)), most_unknowns)
         do
             call check_cancelled(error)
             if (allocated(error)) return
@@ -73,6 +74,22 @@ contains
         ! where the profile is not smooth, on films thin against the radius, it would take more unknowns
         call raise_missed(error, "a field", tolerance, a, reached)
     end subroutine new_line_load
+
+    !> n such that the series ends at rounding at the first attempt, for films: fitted to what 3 films take.
+    pure function unknowns_for(kernel, tolerance, a, smooth) result(n)
+        type(kernel_t), intent(in) :: kernel
+        !> relative tolerance, and contact radius [unit]
+        real(wp), intent(in) :: tolerance, a
+        !> see is_smooth
+        logical, intent(in) :: smooth
+        integer :: n
+        real(wp) :: coarse
+
+        n = ceiling(1.5_wp*first_unknowns(kernel, tolerance, a, is_kinked=.false., to_edge=.false.))
+        if (kernel%vanishes) return
+        coarse = min(a/kernel%resolved, real(most_unknowns, wp))
+        n = max(n, ceiling(5.0_wp + 10.0_wp*sqrt(coarse) + merge(0.0_wp, 3.0_wp, smooth)*coarse))
+    end function unknowns_for
 
     !> With n unknowns.
     subroutine expand(self, kernel, profile, a, excess, n, reached, solved, error)
@@ -235,6 +252,35 @@ contains
         end do
     end function legendre_series
 
+    !> (K q)(x)/E0* = (1/pi) int_-a^a X(x - s) q(s)/E0* ds beyond the contact [length].
+    subroutine interaction_beyond(self, kernel, n, distances, values, error)
+        class(line_load_t), intent(in) :: self
+        type(kernel_t), intent(in) :: kernel
+        integer, intent(in) :: n
+        !> x - a >= 0 [length]
+        real(wp), intent(in) :: distances(n)
+        real(wp), intent(out) :: values(n)
+        type(error_t), allocatable, intent(inout) :: error
+        type(rule_t) :: rule
+        real(wp), allocatable :: load(:), x(:)
+        real(wp) :: a
+        integer :: i, terms
+
+        values = 0.0_wp
+        if (kernel%vanishes) return
+        a = self%a/kernel%unit
+        terms = size(self%q)
+        ! X does not show beyond the degree at which the series was let end: that of the product is twice as large
+        call contact_rule(rule, a, 2*terms + 2, 4*terms, is_fine(kernel, a, terms), error)
+        if (allocated(error)) return
+        load = a/pi*rule%weights*even_sum(self%q, 1.0_wp - rule%distance)
+        allocate (x, mold=load)
+        do i = 1, n
+            call kernel%evaluate(distances(i)/kernel%unit + a*rule%distance, 0.0_wp, x)
+            values(i) = sum(load*x)
+        end do
+    end subroutine interaction_beyond
+
     !> What the layers add to the displacement of the surface beyond the contact:
     !> (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx [length], with w(x) = (1/pi) int_-a^a X(x - s) q(s)/E0* ds.
     subroutine displacement_beyond(self, kernel, r, values, error)
@@ -244,29 +290,26 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        type(rule_t) :: rule, panel
-        real(wp), allocatable :: load(:), w(:, :), series(:, :), x(:)
+        type(rule_t) :: panel
+        real(wp), allocatable :: x(:, :), w(:, :), series(:, :)
         real(wp) :: a, far, start, length, y(panel_nodes), root(panel_nodes)
-        integer :: i, j, k, n, panels
+        integer :: j, k, panels
 
         a = self%a/kernel%unit
-        n = size(self%q)
-        call contact_rule(rule, a, 4*n + 4, 4*n, is_fine(kernel, a, n), error)
         call new_rule(panel, panel_nodes, error)
         values = 0.0_wp
         if (allocated(error) .or. size(r) == 0) return
-        load = a/pi*rule%weights*even_sum(self%q, 1.0_wp - rule%distance)
-        allocate (x, mold=load)
         ! panel k begins at a distance longest_panel (2^(k-1) - 1) from the edge [unit] and is longest_panel 2^(k-1) long: w at
         ! the nodes, and as Legendre series
         panels = panel_at((maxval(r) - self%a)/kernel%unit)
-        allocate (w(panel_nodes, panels), series(0:panel_nodes - 1, panels))
+        allocate (x(panel_nodes, panels), w(panel_nodes, panels), series(0:panel_nodes - 1, panels))
         do k = 1, panels
             call place(k, start, length)
-            do i = 1, panel_nodes
-                call kernel%evaluate(start + 0.5_wp*length*panel%distance(i) + a*rule%distance, 0.0_wp, x)
-                w(i, k) = sum(load*x)
-            end do
+            x(:, k) = kernel%unit*(start + 0.5_wp*length*panel%distance)
+        end do
+        call self%interaction_beyond(kernel, size(x), x, w, error)
+        if (allocated(error)) return
+        do k = 1, panels
             series(:, k) = legendre_series(panel%distance - 1.0_wp, panel%weights*w(:, k))
         end do
         do j = 1, size(r)

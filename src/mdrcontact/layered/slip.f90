@@ -3,23 +3,21 @@
 !> q* = q_n - q_t is that of a contact of radius c without adhesion, with the kernel of shear and the profile
 !> [R(0) - R(x)]/G0*. Its depth is R(0)/G0* - s, its force F - T.
 module mdrcontact_layered_slip
-    use mdrcontact_error, only: error_domain, error_t, raise
+    use mdrcontact_error, only: check_memory, error_domain, error_t, raise
     use mdrcontact_field_slip, only: beside, slip_t, thin
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_fields, only: line_load_t
+    use mdrcontact_layered_fields, only: line_load_t, new_line_load
+    use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_slip_profile, only: slip_profile_t
     use mdrcontact_medium, only: medium_t
-    use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: graded_edges, graded_rule, mark_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
     public :: layered_slip_t, new_layered_slip
 
-    !> Panels of stick radii in units of their distance from the axis and from the edge, where R varies as fast as the kernel.
-    real(wp), parameter :: growth = 2.0_wp, edge_growth = 1.5_wp
-    !> The shortest in units of the kernel's.
-    real(wp), parameter :: shortest = 1.0_wp
-
+    !> Nodes in a panel of springs that slip.
+    integer, parameter :: nodes = 12
     !> By how much the first shift may seem to exceed that of sliding where they are equal, as under a punch on a homogeneous body.
     real(wp), parameter :: largest_excess = 1.0e-9_wp
 
@@ -28,9 +26,16 @@ module mdrcontact_layered_slip
         private
         class(medium_t), allocatable :: normal, tangential
         type(slip_profile_t) :: profile
-        !> depth beyond the non-adhesive one [length], length of the kernel's variation [length]
-        real(wp) :: excess = 0.0_wp, unit = 0.0_wp
+        !> q_n/E0*, and E0* [modulus]
+        type(line_load_t) :: springs
+        real(wp) :: modulus = 0.0_wp
+        !> of the interaction under shear, and the tolerance of its solutions
+        type(kernel_t) :: kernel
+        real(wp) :: tolerance = 0.0_wp
+        !> depth beyond the non-adhesive one [length]
+        real(wp) :: excess = 0.0_wp
     contains
+        procedure :: dissipation
         procedure :: rates
         procedure :: panels
         procedure :: at
@@ -41,36 +46,44 @@ module mdrcontact_layered_slip
 contains
 
     !> From the springs' line load.
-    subroutine new_layered_slip(self, normal, tangential, profile, springs, sheared, excess, unit, ratio, error)
+    subroutine new_layered_slip(self, normal, tangential, kernel, tolerance, profile, springs, sheared, excess, modulus, shear, &
+                                error)
         type(layered_slip_t), intent(out) :: self
         !> the medium under normal load and under shear
         class(medium_t), intent(in) :: normal, tangential
+        !> of the interaction under shear, and the relative tolerance of its solutions
+        type(kernel_t), intent(in) :: kernel
+        real(wp), intent(in) :: tolerance
         class(profile_t), intent(in) :: profile
         !> q_n/E0*, and (K_t q_n)/E0* as coefficients of P_2j(x/a) [length]
         type(line_load_t), intent(in) :: springs
         real(wp), intent(in) :: sheared(:)
-        !> depth beyond the non-adhesive one, thickness of the first layer [length], E0*/G0* [1]
-        real(wp), intent(in) :: excess, unit, ratio
+        !> depth beyond the non-adhesive one [length], E0* and G0* [modulus]
+        real(wp), intent(in) :: excess, modulus, shear
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: exponents(:), coefficients(:)
-        real(wp) :: even, modulus, rise, depth, force
+        real(wp) :: even, effective, rise, depth, force
         integer :: j
 
         allocate (self%normal, source=normal)
         allocate (self%tangential, source=tangential)
         allocate (self%profile%base, source=profile)
         self%radius = springs%a
-        call normal%response(profile, springs%a, depth, force, modulus, rise, error)
+        call normal%response(profile, springs%a, depth, force, effective, rise, error)
         if (allocated(error)) return
-        self%force = force + 2.0_wp*springs%a*modulus*excess
+        self%force = force + 2.0_wp*springs%a*effective*excess
         self%excess = excess
-        self%unit = unit
+        self%springs = springs
+        self%modulus = modulus
+        self%kernel = kernel
+        self%tolerance = tolerance
         call profile%powers(exponents, coefficients)
-        if (size(exponents) > 0) self%scale = unit
+        if (size(exponents) > 0) self%exponent = minval(exponents)
+        if (size(exponents) > 0 .and. .not. kernel%vanishes) self%scale = kernel%unit
         self%profile%radius = springs%a
         self%profile%largest_radius = springs%a
         self%profile%singular_radius = profile%singular_radius
-        self%profile%ratio = ratio
+        self%profile%ratio = modulus/shear
         self%profile%c = springs%v - sheared
         self%profile%c = self%profile%c(:last_that_counts(self%profile%c))
         even = 1.0_wp
@@ -78,7 +91,7 @@ contains
             self%profile%at_axis = self%profile%at_axis + self%profile%c(j)*even
             even = -even*real(2*j - 1, wp)/real(2*j, wp)
         end do
-        self%sliding_shift = ratio*(depth + excess - self%profile%at_axis)
+        self%sliding_shift = self%profile%ratio*(depth + excess - self%profile%at_axis)
         call solve(self, self%radius, depth, force, self%stiffness, self%edge_rate, error)
         ! without a load at the edge something slips with the slightest shift
         if (allocated(error) .or. excess <= 0.0_wp) return
@@ -130,34 +143,61 @@ contains
         end do
     end subroutine rates
 
-    !> In c the state varies at the length of the kernel, and where a power of x that is not whole goes on to the axis.
+    !> Of a thin annulus, see dissipation.
     subroutine panels(self, c, edges, has_root, error)
         class(layered_slip_t), intent(in) :: self
         real(wp), intent(in) :: c
         real(wp), allocatable, intent(out) :: edges(:)
         logical, allocatable, intent(out) :: has_root(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: breaks(:), exponents(:), coefficients(:)
-        real(wp) :: here, next, length
+        real(wp), allocatable :: breaks(:)
 
         call self%profile%add_breaks(breaks, error)
-        call self%profile%base%powers(exponents, coefficients)
-        if (size(exponents) == 0 .or. any(modulo(exponents, 1.0_wp) > 0.0_wp)) then
-            call graded_edges(max(c, smallest_panel_ratio*self%radius), self%radius, breaks, self%profile%singular_radius, &
-                              edges, error)
-        else
-            edges = [c]
-            here = c
-            do while (here < self%radius)
-                length = max(min(growth*here, edge_growth*(self%radius - here)/(1.0_wp + edge_growth)), shortest*self%unit)
-                next = here + length
-                if (self%radius - next < 0.5_wp*length .or. .not. self%unit > 0.0_wp) next = self%radius
-                edges = [edges, next]
-                here = next
-            end do
-        end if
+        if (allocated(error)) return
+        call graded_edges(c, self%radius, breaks, self%profile%singular_radius, edges, error)
         call mark_breaks(edges, breaks, has_root, error)
     end subroutine panels
+
+    !> 2 int_c^a q_n(x) w(x) dx: the springs of the annulus slip under their limit by w = R(x)/G0* + (K_t q*)(x)/G0* - d*, d* the
+    !> depth of q*. One solution is enough, where an integral over c takes many; of a thin annulus w would be a small difference.
+    subroutine dissipation(self, c, width, shift, dissipated, error)
+        class(layered_slip_t), intent(in) :: self
+        real(wp), intent(in) :: c, width, shift
+        real(wp), intent(out) :: dissipated
+        type(error_t), allocatable, intent(out) :: error
+        type(line_load_t) :: stuck
+        real(wp), allocatable, dimension(:) :: breaks, exponents, coefficients, x, dx, distances, added
+        real(wp) :: start, length, same_shift, force
+        integer :: stat
+
+        if (width < thin*self%radius) then
+            call self%integrate(c, width, same_shift, force, dissipated, error, shift)
+            return
+        end if
+        dissipated = 0.0_wp
+        start = max(c, smallest_panel_ratio*self%radius)
+        call new_line_load(stuck, self%kernel, self%tolerance, self%profile, start, 0.0_wp, error)
+        if (allocated(error)) return
+        ! everything varies at the length of the kernel beside c and a, and more slowly between, but for g: radii are
+        ! counted from one length below c
+        length = merge(self%radius, self%kernel%unit, self%kernel%vanishes)
+        call self%profile%base%powers(exponents, coefficients)
+        if (size(exponents) == 0 .or. any(modulo(exponents, 1.0_wp) > 0.0_wp)) breaks = [0.0_wp]
+        call self%profile%add_breaks(breaks, error)
+        if (allocated(error)) return
+        breaks = (breaks - start) + length
+        call graded_rule(length, length + (self%radius - start), breaks, &
+                         min((self%profile%singular_radius - start) + length, (self%radius - start) + 2.0_wp*length), x, dx, &
+                         error, distances, nodes)
+        if (allocated(error)) return
+        allocate (added(size(x)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        call stuck%interaction_beyond(self%kernel, size(x), distances, added, error)
+        if (allocated(error)) return
+        x = start + distances
+        dissipated = 2.0_wp*self%modulus*sum(dx*self%springs%at(self%profile%base, x)*(self%profile%mdr(x) + added - stuck%depth))
+    end subroutine dissipation
 
     subroutine at(self, c, width, shift, force, stiffness, shift_rate, error)
         class(layered_slip_t), intent(in) :: self
@@ -182,8 +222,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: inner(count(r < c))
 
-        call self%normal%line_load(self%profile%base, self%radius, self%excess, r, values, error)
-        if (allocated(error) .or. size(inner) == 0) return
+        values = self%modulus*self%springs%at(self%profile%base, r)
+        if (size(inner) == 0) return
         call self%tangential%line_load(self%profile, c, 0.0_wp, pack(r, r < c), inner, error)
         if (.not. allocated(error)) values = values - unpack(inner, r < c, 0.0_wp*r)
     end subroutine line_load

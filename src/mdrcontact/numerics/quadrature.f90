@@ -83,7 +83,7 @@ contains
 
     !> Nodes s and weights ds of a composite rule over [lower, upper], graded towards 0, away from `breaks`
     !> and towards `singular_end` (the radius above `upper` where the integrand may blow up; huge() if none).
-    subroutine graded_rule(lower, upper, breaks, singular_end, nodes, weights, error, distances)
+    subroutine graded_rule(lower, upper, breaks, singular_end, nodes, weights, error, distances, per_panel)
         !> 0 < lower < upper; for an integral from 0 take lower = upper*smallest_panel_ratio
         real(wp), intent(in) :: lower, upper
         !> ascending radii where the integrand is not analytic [length]
@@ -93,23 +93,28 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         !> nodes - lower without cancellation, for integrands that are singular there
         real(wp), allocatable, intent(out), optional :: distances(:)
-        real(wp), allocatable :: edges(:), offsets(:)
+        !> nodes in a panel, where rounding is not asked for
+        integer, intent(in), optional :: per_panel
+        real(wp), allocatable :: edges(:), offsets(:), t(:), w(:)
         logical, allocatable :: at_break(:)
-        real(wp) :: t(nodes_per_panel), w(nodes_per_panel), length
-        integer :: panel, first, last, count, stat
+        real(wp) :: length
+        integer :: panel, first, last, count, each, stat
 
         call check_cancelled(error)
+        each = nodes_per_panel
+        if (present(per_panel)) each = per_panel
+        allocate (t(each), w(each))
         call gauss_legendre(t, w, error)
         call graded_edges(lower, upper, breaks, singular_end, edges, error)
         call mark_breaks(edges, breaks, at_break, error)
         if (allocated(error)) return
-        count = (size(edges) - 1)*nodes_per_panel
+        count = (size(edges) - 1)*each
         allocate (nodes(count), weights(count), offsets(count), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         do panel = 1, size(edges) - 1
-            first = (panel - 1)*nodes_per_panel + 1
-            last = panel*nodes_per_panel
+            first = (panel - 1)*each + 1
+            last = panel*each
             length = edges(panel + 1) - edges(panel)
             if (at_break(panel)) then
                 offsets(first:last) = (edges(panel) - lower) + length*t**2
