@@ -100,6 +100,8 @@ def test_sheets_of_a_spreadsheet(tmp_path):
 BAD = {
     "only its unit is missing": (table(["depth\tload", *POINT]).encode(), TableOptions(), "does not say its unit"),
     "no header": (table(POINT).encode(), TableOptions(), "columns ="),
+    "decimal commas between commas": (b"depth [nm],load [mN]\n1,5,2,5\n2,5,3,5\n", TableOptions(), "decimal signs"),
+    "another unit": (b"depth [mN],load [mN]\n1,2\n2,3\n", TableOptions(), "'mN' is no unit of a length"),
     "no numbers": (b"a,b\nc,d\n", TableOptions(), "no table"),
     "empty": (b"", TableOptions(), "no table"),
     "binary": (bytes(range(1, 8)) + b"\0\0abc" * 30, TableOptions(), "not a text file"),

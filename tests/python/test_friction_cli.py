@@ -179,7 +179,7 @@ def test_a_path_on_a_film_by_rings(tmp_path, capsys):
     [
         ("depth [nm],shift", ([1, 2], [0, 1]), "", "the column 'shift' should be the shift, but does not say its unit", 2),
         ("depth [nm],height [nm]", ([1, 2], [0, 1]), "", "no column is the shift or tangential_force", 2),
-        ("depth [nm],shift [nm]", ([1, -2], [0, 1]), "", "depth = -2e-09 in row 2 of the numbers is not allowed", 2),
+        ("depth [nm],shift [nm]", ([1, -2], [0, 1]), "", "depth = -2 nm in row 2 of the numbers is not allowed", 2),
         ("depth [nm],shift [nm]", ([0, 0], [0, 1]), "", "never touch", 2),
         ("depth [nm],shift [nm]", ([1, 2, 3], [0, np.nan, 1]), "", "row 2 of the numbers has no shift", 2),
         ("depth [nm],F [mN],shift [nm]", ([1, 2], [1, 2], [0, 1]), "", "both depth and force: say which one leads the path", 2),

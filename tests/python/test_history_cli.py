@@ -66,6 +66,13 @@ def test_path_from_a_table(tmp_path):
     tables = problem({"path": "file", "file": "path.csv", "control": "force"})
     path = read(tables, folder=tmp_path).history
     assert path.name == "force" and path.time.tolist() == [0.0, 0.5, 1.0] and path.values.tolist() == [0.0, 1e-3, 1e-3]
+    for titles, words in (
+        ("t [ms],load [g]", r"'load \[g\]' should be the force, but 'g' is no unit"),
+        ("t [ms],d [nm]", "no column is the force: name one so, with its unit"),
+    ):
+        (tmp_path / "path.csv").write_text(f"{titles}\n0,0\n500,1\n1000,1\n", encoding="utf-8")
+        with pytest.raises(ProblemError, match=words):
+            read(tables, folder=tmp_path)
 
 
 def test_materials():
@@ -86,6 +93,12 @@ def test_materials():
         ({"path": "ramp", "depth": "1 um"}, POLYMER, "rise_time"),
         ({"path": "ramp", "depth": "1 um", "rise_time": "1 s", "duration": "1 s"}, POLYMER, "duration"),
         ({"path": "step", "depth": "1 um", "hold_time": "1 m"}, POLYMER, "a time"),
+        (
+            {"path": "step", "force": "-1 mN", "hold_time": "1 s"},
+            POLYMER,
+            "force = '-1 mN' is not allowed: it must be greater than 0",
+        ),
+        ({"path": "step", "depth": "1 um", "hold_time": "1 s"}, {**POLYMER, "bulk_modulus": "1 GPa"}, "either nu or bulk_modulus"),
         ({"path": "file", "file": "none.csv"}, POLYMER, "none.csv"),
         ({"path": "step", "depth": "1 um", "hold_time": "1 s"}, {**POLYMER, "times": ["1 s"]}, "as many"),
         ({"path": "step", "depth": "1 um", "hold_time": "1 s"}, {**POLYMER, "E": "1 MPa"}, "'E'"),

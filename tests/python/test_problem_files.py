@@ -133,7 +133,7 @@ FAULTS = [
     ("[indenter]", "[indentor]", r"unknown key 'indentor': did you mean 'indenter'\?"),
     ('shape = "sphere"', 'shape = "spere"', r"\[indenter\]: shape = 'spere' is not allowed: did you mean 'sphere'\?"),
     ('shape = "sphere"', "shape = 3", r"shape = 3 is not allowed"),
-    ('shape = "sphere"', "", r"\[indenter\]: the key 'shape' is missing"),
+    ('shape = "sphere"', "", r"\[indenter\]: the key 'shape' is missing: write it as in shape = \"sphere\""),
     ('radius = "10 um"', "", r"\[indenter\]: the key 'radius' is missing: write it as in radius = \"500 nm\""),
     ('radius = "10 um"', 'raduis = "10 um"', r"\[indenter\]: unknown key 'raduis': did you mean 'radius'\?"),
     ('radius = "10 um"', "radius = 10", r"radius = 10 has no unit: write a length as in radius = \"500 nm\""),
@@ -161,6 +161,7 @@ FAULTS = [
     ('type = "coated"', 'type = "caoted"', r"did you mean 'coated'\?"),
     ('type = "coated"', "", r"\[medium\]: the key 'type' is missing"),
     ('type = "coated"', 'type = "homogeneous"', r"does not belong to a medium of type 'homogeneous'"),
+    ('type = "coated"', 'type = "coated"\nthickness_um = 1', r"thickness is not the medium's: write it in \[medium.coating\]"),
     ('model = "gao"', 'model = "goa"', r"model = 'goa' is not allowed: did you mean 'gao'\?"),
     ('model = "gao"', 'modl = "gao"', r"unknown key 'modl': did you mean 'model'\?"),
     ('model = "gao"', 'model = "gao"\nalpha = 1.0', r"alpha is not an option of the model 'gao'"),
@@ -168,6 +169,8 @@ FAULTS = [
     ('model = "gao"', 'model = "garcia"', r"rigid base"),
     ("[medium.coating]", "[medium.caoting]", r"\[medium\]: unknown key 'caoting': did you mean 'coating'\?"),
     ("nu = 0.17", "nu = 0.7", r"\[medium.coating\]: nu = 0.7 is not allowed"),
+    ("nu = 0.17", "", r"the key 'nu' is missing: write it as in nu = 0.3"),
+    ("nu = 0.17", "nu = 0,17", r"not valid TOML: .*: nu = 0,17; a number has a decimal point"),
     ("nu = 0.17", 'nu = "0.17"', r"\[medium.coating\]: nu = '0.17' is not a number"),
     ("nu = 0.17", "Nu = 0.17", r"unknown key 'Nu': did you mean 'nu'\?"),
     ('E = "72 GPa"', 'E = "72 gpa"', r"there is no unit 'gpa': did you mean 'GPa'\?"),
@@ -227,6 +230,12 @@ def test_files_that_are_no_problem_files(tmp_path):
     for text in ("", "indenter = 3\n", "[indenter]\n"):
         with pytest.raises(ProblemError):
             _load(tmp_path, text)
+
+
+def test_files_of_editors_that_mark_their_encoding(tmp_path):
+    path = tmp_path / "problem.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + GOOD.replace("\n", "\r\n").encode())
+    assert load(path).contact() == _load(tmp_path, GOOD).contact()
 
 
 RADIUS = {"radius": "5 um"}

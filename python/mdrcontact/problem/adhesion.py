@@ -35,4 +35,4 @@ def read_adhesion(section: Section) -> Adhesion:
         raise ProblemError(f'[{section.path}]: spring_stiffness belongs to control = "spring", not to {control!r}')
     spring = section.quantity("spring_stiffness") if control == "spring" else None
     rule = section.choice("adhesion_rule", RULES, default="automatic")
-    return Adhesion(section.quantity("work_of_adhesion"), rule, control, spring)
+    return Adhesion(section.positive("work_of_adhesion", zero=True), rule, control, spring)

@@ -79,8 +79,17 @@ class MeasuredTable(NamedTuple):
                 f"{self.path}: the column {named[0]!r} should be the {role}, but does not say its unit: "
                 f"{self._remedy(named[0], dimension)}"
             )
-        titles = ", ".join(repr(t) for t in self.titles)
-        raise ProblemError(f'{self.path}: no column is the {role}: name it in [data], as in {role} = "..."; there are {titles}')
+        for title in self.titles:
+            for name, unit in _splits(title):
+                if unit and name.lower() in aliases:
+                    raise ProblemError(
+                        f"{self.path}: the column {title!r} should be the {role}, but {unit!r} is no unit of {dimension.name}"
+                    )
+        unit = dimension.example.split()[-1]
+        raise ProblemError(
+            f'{self.path}: no column is the {role}: name one so, with its unit, as in "{role} [{unit}]", or, for a fit, name it in '
+            f'the problem file: [data] {role} = "..."; there are {", ".join(map(repr, self.titles))}'
+        )
 
     def named(self, aliases: Sequence[str], dimension: Dimension) -> list[str]:
         """The columns whose name, without unit, is one of the aliases."""
@@ -88,7 +97,7 @@ class MeasuredTable(NamedTuple):
         for title in self.titles:
             bare = _BRACKETS.fullmatch(title)
             name = name_of(title, dimension) if title not in self.units else bare[1] if bare else title
-            if name.lower() in aliases:
+            if name.lower() in aliases or name.lower().replace("_", " ") in aliases:
                 found.append(title)
         return found
 
@@ -141,7 +150,7 @@ def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable
         if best is None or size > best[0]:
             best = size, separator, rows
     if best is None or not best[0]:
-        raise ProblemError(f"{path}: there is no table of numbers in it: it must have a header line and lines of numbers")
+        raise ProblemError(f"{path}: there is no table of numbers in it: it must have a header line and two columns or more")
     _, separator, rows = best
     return _table_of(path, rows, separator, [f"text in {encoding}", f"separated by {_SEPARATORS[separator]}"], options)
 
@@ -274,7 +283,10 @@ def _header(path: Path, above: Sequence[Sequence[str]], width: int) -> tuple[lis
     words = [list(row) for row in above if not all(_is_gap(cell) or math.isfinite(_number(cell, ";")) for cell in row)]
     rows = [row for row in words if width <= len(row) <= width + 1 and sum(map(bool, row)) >= max(1, width - 1)]
     if not rows:
-        shorter = f", but {len(words[-1])} words" if words and len(words[-1]) > 1 else ""
+        count = len(words[-1]) if words else 0
+        shorter = f", but {count} words" if count > 1 else ""
+        if count > 1 and width == 2 * count:
+            shorter += " (if commas are decimal signs, separate columns by semicolons or tabs)"
         raise ProblemError(
             f"{path}: no line above the numbers has names for the {width} columns{shorter}: write such a line, or, for a fit, name "
             'them in [data], as in columns = ["depth [nm]", "load [mN]"]'

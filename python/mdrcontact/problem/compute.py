@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contact import Contact, State
+from ..errors import MDRError
 from .section import ProblemError, Section
 from .units import FORCE, LENGTH, Dimension
 
@@ -42,7 +43,12 @@ class Control(NamedTuple):
     def states(self, contact: Contact, part: slice = slice(None)) -> State:
         """The states of a contact at the prescribed values, or at part of them."""
         at: Any = getattr(contact, f"at_{self.name}")
-        state: State = at(self.values[part])
+        try:
+            state: State = at(self.values[part])
+        except MDRError:
+            for value in self.values[part]:
+                at(float(value))  # refused alone, with no number of its place in the part
+            raise
         return state
 
 

@@ -28,8 +28,9 @@ from ..measurement import without_oscillation
 from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
 from .columns import MeasuredTable, TableOptions, read_table
 from .record import KEYS, Cantilever, Record, prepare
+from .roles import ROLES
 from .section import ProblemError, Section
-from .units import AREA, FORCE, FREQUENCY, LENGTH, MODULUS, RATIO, SPEED, STIFFNESS, TIME, VOLTAGE, Dimension, UnitError, told
+from .units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, told
 
 Array = NDArray[np.float64]
 
@@ -68,29 +69,9 @@ _IN_TIME = ("force-time", "depth-time")
 _RECORDS = ("force-depth", "unloading", *_IN_TIME)
 KINDS = (*_RECORDS, *_TABLES)
 
-_ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
-    "depth": (
-        LENGTH,
-        (
-            *("depth", "d", "h", "displacement", "indentation", "indentation depth", "displacement into surface", "pd"),
-            *("penetration depth", "penetration"),
-        ),
-    ),
-    "force": (FORCE, ("force", "load", "f", "p", "load on sample", "fn", "normal force")),
-    "stiffness": (STIFFNESS, ("stiffness", "contact stiffness", "s", "k", "harmonic contact stiffness")),
-    "radius": (LENGTH, ("radius", "contact radius", "a")),
-    "area": (AREA, ("area", "contact area", "projected area", "projected contact area")),
-    "modulus": (MODULUS, ("modulus", "effective modulus", "e_eff", "eeff", "er", "e_r", "reduced modulus")),
-    "height": (LENGTH, ("height", "height (measured)", "height (piezo)", "piezo", "z", "zsensor")),
-    "deflection": (LENGTH, ("deflection", "vdeflection", "vertical deflection", "defl")),
-    "time": (TIME, ("time", "t", "time on sample", "elapsed time")),
-    "omega": (FREQUENCY, ("omega", "angular frequency", "w", "frequency", "freq")),
-    "storage": (STIFFNESS, ("storage", "storage stiffness", "dynamic stiffness", "k'", "k1")),
-    "loss": (STIFFNESS, ("loss", "loss stiffness", "k''", "k2")),
-}
 KNOWN: Mapping[str, Dimension | None] = {
     "kind": None,
-    **dict.fromkeys(_ROLES),
+    **dict.fromkeys(ROLES),
     "radius_over_thickness": None,
     "thickness": LENGTH,
     "contact_radius": LENGTH,
@@ -207,7 +188,7 @@ def _table_options(section: Section) -> TableOptions:
 
 
 def _column(section: Section, table: MeasuredTable, role: str) -> _Column:
-    dimension, aliases = _ROLES[role]
+    dimension, aliases = ROLES[role]
     title = str(section.plain(role)) if role in section else table.find(role, aliases, dimension)
     values, unit = table.column(title, dimension)
     return _Column(title, unit, values, dimension)
@@ -218,7 +199,7 @@ def _has(section: Section, table: MeasuredTable, role: str) -> bool:
     if role in section:
         return True
     try:
-        table.find(role, _ROLES[role][1], _ROLES[role][0])
+        table.find(role, ROLES[role][1], ROLES[role][0])
     except ProblemError:
         return False
     return True
@@ -228,8 +209,8 @@ def _sd(section: Section, table: MeasuredTable, role: str, found: _Found) -> Arr
     if "sd" not in section:
         return None
     title = str(section.plain("sd"))
-    values, unit = table.column(title, _ROLES[role][0])
-    found["standard deviation"] = _Column(title, unit, values, _ROLES[role][0])
+    values, unit = table.column(title, ROLES[role][0])
+    found["standard deviation"] = _Column(title, unit, values, ROLES[role][0])
     return values
 
 
@@ -366,7 +347,7 @@ def _record_data(section: Section, record: Record, kind: str) -> Data:
 def _has_deflection(section: Section, table: MeasuredTable) -> bool:
     if "deflection" in section:
         return True
-    aliases = _ROLES["deflection"][1]
+    aliases = ROLES["deflection"][1]
     for dimension in (LENGTH, VOLTAGE):
         try:
             table.find("deflection", aliases, dimension)
@@ -386,7 +367,7 @@ def _force_of_deflection(section: Section, cantilever: Cantilever, table: Measur
     except (ProblemError, UnitError) as of_length:
         title = str(section.plain("deflection")) if "deflection" in section else None
         try:
-            title = title or table.find("deflection", _ROLES["deflection"][1], VOLTAGE)
+            title = title or table.find("deflection", ROLES["deflection"][1], VOLTAGE)
             values, unit = table.column(title, VOLTAGE)
         except (ProblemError, UnitError):
             raise of_length from None

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from .columns import MeasuredTable, read_table
 from .section import ProblemError, Section
-from .units import FORCE, LENGTH, Dimension
+from .units import FORCE, LENGTH, Dimension, told
 
 KNOWN: Mapping[str, Dimension | None] = {
     "coefficient": None,
@@ -25,12 +25,12 @@ KNOWN: Mapping[str, Dimension | None] = {
 }
 
 _NORMAL = {
-    "depth": (("depth", "d", "indentation"), LENGTH),
-    "force": (("force", "normal force", "normal_force", "load", "f"), FORCE),
+    "depth": (("depth", "d", "indentation", "indentation depth", "penetration", "penetration depth"), LENGTH),
+    "force": (("force", "normal force", "load", "normal load", "f", "fn"), FORCE),
 }
 _TANGENTIAL = {
-    "shift": (("shift", "s", "tangential displacement", "tangential_displacement"), LENGTH),
-    "tangential_force": (("tangential force", "tangential_force", "t"), FORCE),
+    "shift": (("shift", "s", "tangential displacement", "lateral displacement"), LENGTH),
+    "tangential_force": (("tangential force", "lateral force", "t", "ft"), FORCE),
 }
 """Names of columns, and what they hold."""
 _FEWEST_RINGS, _MOST_RINGS = 20, 1000
@@ -102,8 +102,8 @@ def _read_path(section: Section, folder: Path) -> SlidingPath:
             raise ProblemError(f"{table.path}: row {row + 1} of the numbers has no {what}: each row is a step and needs one")
     for row in np.flatnonzero(values < 0.0)[:1]:
         raise ProblemError(
-            f"{table.path}: {normal} = {values[row]:g} in row {row + 1} of the numbers is not allowed: it must be 0 or more, "
-            "0 where the bodies part"
+            f"{table.path}: {normal} = {told(values[row], _NORMAL[normal][1])} in row {row + 1} of the numbers is not allowed: it "
+            "must be 0 or more, 0 where the bodies part"
         )
     if not np.any(values > 0.0):
         raise ProblemError(f"{table.path}: the bodies never touch: at least one {normal} must be greater than 0")

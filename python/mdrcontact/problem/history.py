@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .columns import read_table
+from .roles import ROLES
 from .section import ProblemError, Section
 from .units import FORCE, LENGTH, TIME, Dimension
 
@@ -57,30 +58,23 @@ def read_history(section: Section, folder: Path) -> HistoryPath:
         raise ProblemError(f'[{section.path}]: give one of depth, force and radius, the largest value, as in depth = "200 nm"')
     name = given[0]
     section.only(("path", name, "points", *_PATHS[kind]), f"path = {kind!r}")
-    largest, points = section.quantity(name), section.count("points", default=200, largest=MOST_POINTS)
+    largest, points = section.positive(name), section.count("points", default=200, largest=MOST_POINTS)
     if kind == "step":
-        return HistoryPath(name, *_pieces([0.0, _duration(section, "hold_time")], [largest, largest], points))
+        return HistoryPath(name, *_pieces([0.0, section.positive("hold_time")], [largest, largest], points))
     if kind == "sine":
-        time = np.linspace(0.0, _duration(section, "duration"), points + 1)
+        time = np.linspace(0.0, section.positive("duration"), points + 1)
         values = largest * np.sin(np.pi * np.linspace(0.0, 1.0, points + 1))
         values[-1] = 0.0
         return HistoryPath(name, time, values)
     if kind == "triangle":
-        half = 0.5 * _duration(section, "duration")
+        half = 0.5 * section.positive("duration")
         return HistoryPath(name, *_pieces([0.0, half, 2.0 * half], [0.0, largest, 0.0], points))
-    times, values_at = [0.0, _duration(section, "rise_time")], [0.0, largest]
+    times, values_at = [0.0, section.positive("rise_time")], [0.0, largest]
     for key, end in (("hold_time", largest), ("fall_time", 0.0)):
         if key in section:
-            times.append(times[-1] + _duration(section, key))
+            times.append(times[-1] + section.positive(key))
             values_at.append(end)
     return HistoryPath(name, *_pieces(times, values_at, points))
-
-
-def _duration(section: Section, key: str) -> float:
-    value = section.quantity(key)
-    if not 0.0 < value < np.inf:
-        raise ProblemError(f"[{section.path}]: {key} = {section.plain(key)!r} is not allowed: it must be greater than 0 and finite")
-    return value
 
 
 def _pieces(times: list[float], values: list[float], points: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -98,10 +92,9 @@ def _from_file(section: Section, folder: Path) -> HistoryPath:
         raise ProblemError(f'[{section.path}]: file = {name!r} is not the name of a table: write it as in file = "path.csv"')
     table = read_table(folder / name)
     control = section.choice("control", _DIMENSIONS, default="depth")
-    title = section.plain("time") if "time" in section else table.find("time", ("time", "t"), TIME)
+    title = section.plain("time") if "time" in section else table.find("time", ROLES["time"][1], TIME)
     time, _ = table.column(title, TIME)
-    letters = {"depth": ("depth", "d", "indentation"), "force": ("force", "load", "f", "p"), "radius": ("radius", "a")}[control]
-    values, _ = table.column(table.find(control, letters, _DIMENSIONS[control]), _DIMENSIONS[control])
+    values, _ = table.column(table.find(control, ROLES[control][1], _DIMENSIONS[control]), _DIMENSIONS[control])
     whole = np.isfinite(time) & np.isfinite(values)
     if not whole.any():
         raise ProblemError(f"{folder / name}: it has no row with both a time and a {control}")

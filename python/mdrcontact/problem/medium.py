@@ -12,24 +12,6 @@ from ..medium.models import MODELS, OPTIONS
 from .section import ProblemError, Section
 from .units import LENGTH, MODULUS, TIME, VISCOSITY, Dimension
 
-KNOWN: Mapping[str, Dimension | None] = {
-    "type": None,
-    "model": None,
-    "material": None,
-    "coating": None,
-    "layer": None,
-    "substrate": None,
-    **dict.fromkeys(OPTIONS),
-    "z": LENGTH,
-    "E": MODULUS,
-    "nu": None,
-    "E0": MODULUS,
-    "z0": LENGTH,
-    "exponent": None,
-    "a": LENGTH,
-    "moduli": MODULUS,
-}
-
 MATERIAL: Mapping[str, Dimension | None] = {
     "E": MODULUS,
     "nu": None,
@@ -46,6 +28,19 @@ _ELASTIC = ("E", "nu")
 _PRONY = ("relaxed_shear_modulus", "moduli", "times", "nu", "bulk_modulus", "viscosity")
 _POWER_LAW = ("modulus", "time", "exponent", "nu")
 _FILM: Mapping[str, Dimension | None] = {**MATERIAL, "thickness": LENGTH}
+_MATERIALS = ("material", "coating", "layer", "substrate")
+"""Tables in that of a medium."""
+
+KNOWN: Mapping[str, Dimension | None] = {
+    "type": None,
+    "model": None,
+    **dict.fromkeys((*_MATERIALS, *OPTIONS)),
+    "z": LENGTH,
+    "E0": MODULUS,
+    "z0": LENGTH,
+    "a": LENGTH,
+    **_FILM,
+}
 
 
 def read_material(section: Section) -> Elastic | Viscoelastic | PowerLawRheology:
@@ -71,9 +66,9 @@ def _prony(section: Section) -> Viscoelastic:
     terms = list(zip(moduli, times, strict=True))
     viscosity = section.quantity("viscosity") if "viscosity" in section else 0.0
     relaxed = section.quantity("relaxed_shear_modulus")
-    if "bulk_modulus" in section:
-        return Viscoelastic(relaxed, terms, bulk_modulus=section.quantity("bulk_modulus"), viscosity=viscosity)
-    return Viscoelastic(relaxed, terms, nu=section.number("nu"), viscosity=viscosity)
+    nu = section.number("nu") if "nu" in section else None
+    bulk = section.quantity("bulk_modulus") if "bulk_modulus" in section else None
+    return Viscoelastic(relaxed, terms, nu, bulk, viscosity)
 
 
 def _model(section: Section) -> tuple[str, dict[str, Any]]:
@@ -151,6 +146,10 @@ def read_medium(section: Section, indenter: Section) -> medium.Medium:
 def _read_body(section: Section) -> medium.Medium:
     kind = section.choice("type", _TYPES)
     keys, build = _TYPES[kind]
+    tables = [key for key in keys if key in _MATERIALS]
+    for key in _FILM:
+        if tables and key not in keys and key in section:
+            raise ProblemError(f"[{section.path}]: {key} is not the medium's: write it in [{section.path}.{tables[0]}]")
     section.only(("type", *keys), f"a medium of type {kind!r}")
     with section.words():
         return build(section)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..errors import MDRError
 from ..measurement import (
+    PopIn,
     depth_from_height,
     drift_rate,
     find_baseline,
@@ -187,11 +188,16 @@ def _find_zero(section: Section, record: Record, is_raw: bool) -> None:
         )
 
 
+def _pop_in(record: Record) -> PopIn | None:
+    """That of the points up to the largest force; none in a curve that begins there."""
+    approach = _approach(record)
+    return find_pop_in(_depth(record)[approach], record.force[approach]) if approach.stop > 2 else None
+
+
 def _cut_at_pop_in(section: Section, record: Record) -> None:
     if section.plain("before_pop_in") is not True:
         raise ProblemError("[data]: before_pop_in must be true, or left out")
-    approach = _approach(record)
-    pop_in = find_pop_in(_depth(record)[approach], record.force[approach])
+    pop_in = _pop_in(record)
     if pop_in is None:
         record.notes.append("no pop-in: the whole curve is used")
         return
@@ -203,8 +209,7 @@ def _cut_at_pop_in(section: Section, record: Record) -> None:
 
 
 def _mention_pop_in(record: Record) -> None:
-    approach = _approach(record)
-    pop_in = find_pop_in(_depth(record)[approach], record.force[approach])
+    pop_in = _pop_in(record)
     if pop_in is not None:
         record.notes.append(
             f"pop-in of {told(pop_in.jump, LENGTH)} at depth {told(pop_in.depth, LENGTH)}, force "
@@ -229,7 +234,7 @@ def _choose_branch(section: Section, record: Record) -> None:
             longest = max((s for s in segments if s.kind == kind), key=lambda s: float(np.ptp(depth[s.points])), default=None)
             if longest is not None:
                 keep[longest.points] = True
-    if not keep.any():
-        raise ProblemError(f"[data]: branch = {branch!r}: the curve has none; {words}")
+    if keep.sum() < 2:
+        raise ProblemError(f"[data]: branch = {branch!r}: the curve has {int(keep.sum())} readings of it; {words}; loading goes up")
     record.keep(keep)
     record.notes.append(f"{words}; {int(keep.sum())} readings of {branch} are used")

@@ -57,6 +57,14 @@ class Section:
         value, suffix = self._found(key)
         return self._convert(key, value, suffix)
 
+    def positive(self, key: str, zero: bool = False) -> float:
+        """A quantity that is finite and greater than 0, or 0 where that is allowed."""
+        value = self.quantity(key)
+        if not 0.0 < value < math.inf and not (zero and value == 0.0):
+            bound = "at least 0" if zero else "greater than 0"
+            raise ProblemError(f"[{self.path}]: {key} = {self.plain(key)!r} is not allowed: it must be {bound} and finite")
+        return value
+
     def quantities(self, key: str) -> list[float]:
         """A list of quantities in SI units."""
         value, suffix = self._found(key)
@@ -82,7 +90,7 @@ class Section:
         """A number without unit."""
         if default is not None and key not in self:
             return default
-        value, _ = self._found(key)
+        value, _ = self._found(key, "0.3")
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise ProblemError(f"[{self.path}]: {key} = {value!r} is not a number: write it without quotes and without a unit")
         return _real(value)
@@ -105,8 +113,8 @@ class Section:
         """One of several words."""
         if default is not None and key not in self:
             return default
-        value, _ = self._found(key)
         choices = list(choices)
+        value, _ = self._found(key, f'"{choices[0]}"')
         if not isinstance(value, str) or value not in choices:
             raise ProblemError(f"[{self.path}]: {key} = {value!r} is not allowed: {nearest(str(value), choices)}")
         return value
@@ -119,7 +127,7 @@ class Section:
         """A table inside this one."""
         path = f"{self.path}.{key}"
         if key not in self:
-            raise ProblemError(f"[{path}] is missing: it must give {', '.join(known)}")
+            raise ProblemError(f"[{path}] is missing: write such a table, with the keys {', '.join(list(known)[:2])} or others")
         return Section(self._table[key], path, known)
 
     def children(self, key: str, known: Mapping[str, Dimension | None]) -> list[Section]:
@@ -146,10 +154,10 @@ class Section:
             raise ProblemError(f"[{self.path}]: {' and '.join(found)} say the same thing twice: keep one")
         return found[0] if found else None
 
-    def _found(self, key: str) -> tuple[Any, str]:
+    def _found(self, key: str, example: str = "...") -> tuple[Any, str]:
         spelling = self._spelling(key)
         if spelling is None:
-            raise ProblemError(f"[{self.path}]: the key {key!r} is missing: write it as in {self._example(key)}")
+            raise ProblemError(f"[{self.path}]: the key {key!r} is missing: write it as in {self._example(key, example)}")
         return self._table[spelling], spelling[len(key) + 1 :]
 
     def _convert(self, key: str, value: Any, suffix: str) -> float:
@@ -169,7 +177,7 @@ class Section:
             raise ProblemError(f"[{self.path}]: {key} = {value!r} has no unit: write {dimension.name} as in {self._example(key)}")
         raise ProblemError(f"[{self.path}]: {key} = {value!r} is not {dimension.name}: write it as in {self._example(key)}")
 
-    def _example(self, key: str, many: bool = False) -> str:
+    def _example(self, key: str, plain: str = "...", many: bool = False) -> str:
         dimension = self._known.get(key)
-        text = f'"{dimension.example}"' if dimension else "..."
+        text = f'"{dimension.example}"' if dimension else plain
         return f"{key} = [{text}, ...]" if many else f"{key} = {text}"
