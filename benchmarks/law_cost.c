@@ -27,7 +27,8 @@ static double uniform(unsigned long long *state)
     return (double)(*state >> 11) * 0x1p-53;
 }
 
-/* A stiff film on a softer body under a ball; exact = 0: the paper's weights, incompressible, where F(a) is the closed form (24). */
+/* A stiff film on a softer body under a ball; exact = 0: the paper's weights, incompressible, where F(a) is the closed form
+ * (24). */
 static const double R = 1e-4, h = 2e-6, G0 = 160e9, G1 = 80e9;
 
 static mdr_contact *coated_contact(int exact)

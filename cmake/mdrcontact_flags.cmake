@@ -27,8 +27,9 @@ function(mdrcontact_keep_known language)
   set(mdrcontact_${language}_flags "${known}" PARENT_SCOPE)
 endfunction()
 
-# Warnings and the language's standard; vectorisation of atan and log (-O3, never -ffast-math), also in a host project without a build
-# type; the same bits on all processors (no a*b + c in one operation). Equality of reals is compared on purpose (exact zeros, n = 2).
+# Warnings and the language's standard; vectorisation of atan and log (-O3, never -ffast-math), also in a host project without a
+# build type; the same bits on all processors (no a*b + c in one operation). Equality of reals is compared on purpose (exact zeros,
+# n = 2).
 if(MDRCONTACT_WARNINGS_AS_ERRORS)
   set(werror -Werror)
 endif()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake --install: libraries, headers, Fortran module file, licence, CMake package and pkg-config files. All paths inside are relative
-# to where the files lie, so that the installed folder can be moved.
+# cmake --install: libraries, headers, Fortran module file, licence, CMake package and pkg-config files. All paths inside are
+# relative to where the files lie, so that the installed folder can be moved.
 include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/mdrcontact")
@@ -15,14 +15,15 @@ endforeach()
 install(FILES "${PROJECT_SOURCE_DIR}/include/mdrcontact.h" "${PROJECT_SOURCE_DIR}/include/mdrcontact_law.h"
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-# Module files belong to one compiler. gfortran's holds all that it re-exports; others read the modules behind it too, of which those
-# of the C layer are nobody's business.
+# Module files belong to one compiler. gfortran's holds all that it re-exports; others read the modules behind it too, of which
+# those of the C layer are nobody's business.
 if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
   set(pattern PATTERN "mdrcontact.mod")
 else()
   set(pattern PATTERN "*.mod" PATTERN "mdrcontact_api_*" EXCLUDE)
 endif()
-install(DIRECTORY "${CMAKE_BINARY_DIR}/modules/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/mdrcontact/modules" FILES_MATCHING ${pattern})
+install(DIRECTORY "${CMAKE_BINARY_DIR}/modules/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/mdrcontact/modules" FILES_MATCHING
+    ${pattern})
 
 if(CMAKE_BUILD_TYPE)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" mdrcontact_config)

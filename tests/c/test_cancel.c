@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Calls that would take seconds to minutes are told to stop at the second question: each asks again before its end, asks at most once
- * a thread after the answer, writes nothing, and leaves its handles as they were. How long that took is printed, in processor time.
+ * Calls that would take seconds to minutes are told to stop at the second question: each asks again before its end, asks at most
+ * once a thread after the answer, writes nothing, and leaves its handles as they were. How long that took is printed, in processor
+ * time.
  */
 #include "check.h"
 
@@ -51,7 +52,10 @@ static int place(void) { return mdr_structure_modulus(balls, MANY, in, in, in + 
 static int cells(void) { return mdr_structure_modulus(voxels, MANY, in, in, in + 1, out); }
 static int table(void) { return mdr_structure_medium(balls, 0.0, 0.0, 0.01, 10.0, 100000, &medium); }
 static int torsion(void) { return mdr_medium_torsional_stiffness(film, MANY, in, out); }
-static int path(void) { return mdr_contact_history(relaxing, MDR_GIVEN_DEPTH, 1e-9, MANY / 500, in + POINTS, sway, out, NULL, NULL); }
+static int path(void)
+{
+    return mdr_contact_history(relaxing, MDR_GIVEN_DEPTH, 1e-9, MANY / 500, in + POINTS, sway, out, NULL, NULL);
+}
 static int oscillation(void) { return mdr_contact_dynamic_stiffness(relaxing, MANY, in, in, out, other); }
 static int rub(void) { return mdr_friction_states(rubbed_film, &pressed, MDR_GIVEN_SHIFT, MANY / 10, sway, sheared); }
 static int rub_in_turn(void) { return mdr_friction_loop(rubbed_film, &pressed, MDR_GIVEN_SHIFT, 1e-3, MANY, out, other, other); }
@@ -191,13 +195,13 @@ int main(void)
     CHECK_CLOSE(out[0], once, 0.0);
 
     /* the contact with friction has not been loaded yet */
-    CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, (double[]){0.1}, (double[]){1e-3}, normal,
-                                               sheared));
+    CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, (double[]){0.1}, (double[]){1e-3},
+                                               normal, sheared));
     once = sheared[0].tangential_force;
     CHECK_SUCCESS(mdr_friction_history_free(&history));
     CHECK_SUCCESS(mdr_friction_history_new(rubbed, 0.0, 0, &history));
-    CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, (double[]){0.1}, (double[]){1e-3}, normal,
-                                               sheared));
+    CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, (double[]){0.1}, (double[]){1e-3},
+                                               normal, sheared));
     CHECK_CLOSE(sheared[0].tangential_force, once, 0.0);
 
     CHECK_SUCCESS(mdr_friction_history_free(&history));

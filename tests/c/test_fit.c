@@ -26,7 +26,8 @@ static void truth_comes_back(void)
 {
     mdr_fit_problem problem;
     mdr_fit_parameter parameters[NUMBERS];
-    double d[POINTS], F[POINTS], a[POINTS], radii[POINTS], expected[POINTS], values[NUMBERS], covariance[NUMBERS * NUMBERS], direction[NUMBERS];
+    double d[POINTS], F[POINTS], a[POINTS], radii[POINTS], expected[POINTS], values[NUMBERS], covariance[NUMBERS * NUMBERS],
+           direction[NUMBERS];
     double fitted[POINTS], residuals[POINTS], lower, upper;
     int at_bound[NUMBERS], count;
     mdr_fit_summary summary;
@@ -54,8 +55,8 @@ static void truth_comes_back(void)
     parameters[1].is_free = 1;
     parameters[3].value = 300e-9;
     parameters[3].is_free = 1;
-    CHECK_INT(mdr_fit_solve(&problem, POINTS, d, expected, NULL, NULL, values, covariance, NULL, at_bound, direction, fitted, residuals,
-                            &summary), MDR_SUCCESS);
+    CHECK_INT(mdr_fit_solve(&problem, POINTS, d, expected, NULL, NULL, values, covariance, NULL, at_bound, direction, fitted,
+                            residuals, &summary), MDR_SUCCESS);
     CHECK_INT(summary.converged, 1);
     CHECK_CLOSE(values[1], 72e9, 1e-6);
     CHECK_CLOSE(values[3], 500e-9, 1e-6);
@@ -91,7 +92,8 @@ static void truth_comes_back(void)
 static void counterbody(void)
 {
     enum { COUNT = 1 + 6 + 2 + 9 };
-    static const double values[COUNT] = { 10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1, 1141e9, 0.07, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1 };
+    static const double values[COUNT] = { 10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1, 1141e9, 0.07, 0, 0, 0, 0,
+                                          INFINITY, 0.75, 1, 1, 1 };
     mdr_fit_problem problem;
     mdr_fit_parameter parameters[COUNT];
     const double a[2] = { 1e-7, 1e-6 }, y[2] = { 1e11, 1e11 };

@@ -443,7 +443,8 @@ static void torsion(void)
     r[0] = 2.0 * state.radius;
     CHECK_STATUS(mdr_torsion_field(f, &state, out, MDR_FIELD_TRACTION, 1, r, tau), MDR_EDOMAIN, "r");
     out[0].twist = NAN;
-    CHECK_STATUS(mdr_torsion_field(f, &state, out, MDR_FIELD_TRACTION, 1, &r[1], tau), MDR_EINVALID, "twist of the torsional state");
+    CHECK_STATUS(mdr_torsion_field(f, &state, out, MDR_FIELD_TRACTION, 1, &r[1], tau), MDR_EINVALID,
+                 "twist of the torsional state");
     CHECK_STATUS(mdr_torsion_loop(f, &state, MDR_GIVEN_TWIST, 0.0, POINTS, phi, M, &lost), MDR_EINVALID, "amplitude");
     CHECK_STATUS(mdr_torsion_loop(f, &state, MDR_GIVEN_TWIST, 0.1, 2, phi, M, &lost), MDR_EINVALID, "n = 2");
     CHECK_STATUS(mdr_torsion_loop(f, &state, MDR_GIVEN_TWIST, 0.1, POINTS, NULL, M, &lost), MDR_ENULL, "twist is NULL");

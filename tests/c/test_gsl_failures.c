@@ -95,7 +95,8 @@ static mdr_profile *ball;
 static mdr_medium *film, *exact_film, *rising;
 static mdr_contact *contact, *exact_contact, *broken_power;
 static mdr_contact_options sticky;
-static const double x[3] = {0.0, 0.5, 1.0}, y[3] = {0.0, 0.1, 0.4}, E[2] = {3.0, 2.0}, nu[2] = {0.3, 0.2}, h[2] = {0.5, 0.2}, thin[1] = {7e-5};
+static const double x[3] = {0.0, 0.5, 1.0}, y[3] = {0.0, 0.1, 0.4};
+static const double E[2] = {3.0, 2.0}, nu[2] = {0.3, 0.2}, h[2] = {0.5, 0.2}, thin[1] = {7e-5};
 static const double E_graded[3] = {1.0, 2.0, 3.0}, nu_graded[3] = {0.3, 0.3, 0.3};
 static double out[3];
 

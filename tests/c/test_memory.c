@@ -93,8 +93,8 @@ int main(void)
     CHECK_STATUS(mdr_contact_dynamic_stiffness(in_time, COUNT, in, in, out, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_step_response(in_time, MDR_STEP_CREEP, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_friction_states(friction, states, MDR_GIVEN_SHIFT, COUNT, in, sheared), MDR_ENOMEMORY, "memory");
-    CHECK_STATUS(mdr_friction_history_advance(path, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, COUNT, in, in, states, sheared), MDR_ENOMEMORY,
-                 "memory");
+    CHECK_STATUS(mdr_friction_history_advance(path, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, COUNT, in, in, states, sheared),
+                 MDR_ENOMEMORY, "memory");
     for (int i = 0; i < COUNT; i += 1000) CHECK_CLOSE(out[i], untouched, 0.0);
     /* objects whose size the caller chooses */
     CHECK_STATUS(mdr_law_read(large_text, LARGE_TEXT, &law), MDR_ENOMEMORY, "not enough memory");
