@@ -786,9 +786,11 @@ int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, i
 
 /** The lowest pressure of a state without adhesion. Below 0 the bodies would have to pull on each other: the contact is then not
  *  one disc, its pressure is not that of the true contact, and F(d) is off by up to 0.05 % (cone), 0.6 % (r^4) or 3.5 % (flat
- *  punch) where it begins, and where the radius jumps by as much as the force jumps at that depth: under a cone 0.1 % at a ratio of
- *  moduli of 100, 7 % at 300, 28 % at 1,000. It happens on stiff coatings, solved exactly: from a ratio of moduli of 5 (nu = 1/2) to 7 (nu = 0) under flat ends,
- *  6 to 10 under r^4, 8 to 12 under r^3, 12 to 20 under r^2.5, 50 to 100 under cones; never under paraboloids.
+ *  punch) at a ratio of moduli of 100; at larger ones, where the radius jumps, by as much as the force jumps there: under a cone
+ *  7 % at 300, 28 % at 1,000. It happens on stiff coatings, solved exactly: from a ratio of moduli of 5 (nu = 1/2) to 7 (nu = 0)
+ *  under flat ends, 6 to 10 under r^4, 8 to 12 under r^3, 12 to 20 under r^2.5, 50 to 100 under cones; never under paraboloids.
+ *  It can also show outside alone: where the surface beyond the contact, MDR_FIELD_DISPLACEMENT, would pass through the indenter,
+ *  u(r) < d - f(r), as under cones from a ratio of 300 on.
  *  @param c         contact without adhesion
  *  @param state     a state of this contact, with a radius > 0
  *  @param pressure  or NULL: the smallest p(r), 0 <= r <= a; 0, at the edge, where no pressure is negative [modulus]
