@@ -15,8 +15,8 @@ module mdrcontact_field_slip
     private
     public :: beside, slip_t, thin
 
-    !> Nodes in a panel of stick radii, at most and at least.
-    integer, parameter :: most_nodes = 8, fewest_nodes = 4
+    !> Nodes in a panel of stick radii, at least.
+    integer, parameter :: fewest_nodes = 4
     !> Relative error of a panel's integrals with fewer nodes.
     real(wp), parameter :: negligible = 1.0e-11_wp
     !> Annuli of slip thinner than this part of the radius: s and T, differences where they are known, are integrated.
@@ -36,6 +36,8 @@ module mdrcontact_field_slip
         real(wp) :: edge_rate = 0.0_wp
         !> power of c with which s begins to fall at the axis, about, for the same purpose
         real(wp) :: exponent = 2.0_wp
+        !> nodes in a panel of stick radii, at most
+        integer :: nodes = 8
         !> length in which everything varies but for powers of c [length]; 0 where that is not known
         real(wp) :: scale = 0.0_wp
     contains
@@ -144,8 +146,8 @@ contains
         do i = size(edges) - 1, 1, -1
             length = edges(i + 1) - edges(i)
             if (size(edges) == 2) length = width
-            nodes = most_nodes
-            if (.not. has_root(i)) nodes = nodes_for(edges(i), length, self%scale)
+            nodes = self%nodes
+            if (.not. has_root(i)) nodes = nodes_for(edges(i), length, self%scale, self%nodes)
             call add_panel(nodes, edges(i), length, has_root(i))
             if (allocated(error)) return
         end do
@@ -187,17 +189,18 @@ contains
 
     !> How many nodes a panel takes: their error falls as rho^(-2 nodes), rho that of the largest ellipse around it without the
     !> axis, where a power of c may begin, and without what lies `scale` beside it.
-    pure function nodes_for(edge, length, scale) result(nodes)
+    pure function nodes_for(edge, length, scale, most) result(nodes)
         real(wp), intent(in) :: edge, length, scale
+        integer, intent(in) :: most
         integer :: nodes
         real(wp) :: from_axis, aside, rho
 
-        nodes = most_nodes
+        nodes = most
         if (.not. scale > 0.0_wp) return
         from_axis = 1.0_wp + 2.0_wp*edge/length
         aside = 2.0_wp*scale/length
         rho = min(from_axis + sqrt(from_axis**2 - 1.0_wp), aside + sqrt(aside**2 + 1.0_wp))
-        if (rho > 1.0_wp) nodes = ceiling(min(max(-0.5_wp*log(negligible)/log(rho), real(fewest_nodes, wp)), real(most_nodes, wp)))
+        if (rho > 1.0_wp) nodes = ceiling(min(max(-0.5_wp*log(negligible)/log(rho), real(fewest_nodes, wp)), real(most, wp)))
     end function nodes_for
 
     !> Where a traction that is the difference of two pressures is taken in the disc of stick: beside the apex and the edge of a

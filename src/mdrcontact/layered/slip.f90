@@ -16,7 +16,7 @@ module mdrcontact_layered_slip
     private
     public :: layered_slip_t, new_layered_slip
 
-    !> Nodes in a panel of springs that slip.
+    !> Nodes in a panel, of springs that slip and of stick radii.
     integer, parameter :: nodes = 12
     !> By how much the first shift may seem to exceed that of sliding where they are equal, as under a punch on a homogeneous body.
     real(wp), parameter :: largest_excess = 1.0e-9_wp
@@ -80,6 +80,7 @@ contains
         call profile%powers(exponents, coefficients)
         if (size(exponents) > 0) self%exponent = minval(exponents)
         if (size(exponents) > 0 .and. .not. kernel%vanishes) self%scale = kernel%unit
+        self%nodes = nodes
         self%profile%radius = springs%a
         self%profile%largest_radius = springs%a
         self%profile%singular_radius = profile%singular_radius
@@ -143,7 +144,7 @@ contains
         end do
     end subroutine rates
 
-    !> Of a thin annulus, see dissipation.
+    !> Of a thin annulus, see dissipation. At its edge R varies at the length of the kernel.
     subroutine panels(self, c, edges, has_root, error)
         class(layered_slip_t), intent(in) :: self
         real(wp), intent(in) :: c
@@ -151,10 +152,13 @@ contains
         logical, allocatable, intent(out) :: has_root(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: breaks(:)
+        real(wp) :: limit
 
         call self%profile%add_breaks(breaks, error)
         if (allocated(error)) return
-        call graded_edges(c, self%radius, breaks, self%profile%singular_radius, edges, error)
+        limit = self%profile%singular_radius
+        if (.not. self%kernel%vanishes) limit = min(limit, self%radius + self%kernel%unit)
+        call graded_edges(c, self%radius, breaks, limit, edges, error)
         call mark_breaks(edges, breaks, has_root, error)
     end subroutine panels
 

@@ -16,6 +16,9 @@ module mdrcontact_medium_superposed_slip
     private
     public :: superposed_slip_t, new_superposed_slip
 
+    !> Nodes in a panel: a singularity lies at least a third of its length away, where they give rounding.
+    integer, parameter :: nodes = 16
+
     !> One normal state and the media that answer to its parts.
     type, extends(slip_t) :: superposed_slip_t
         private
@@ -54,6 +57,7 @@ contains
         self%radius = a
         self%excess = excess
         self%smallest_stick = profile%end_radius
+        self%nodes = nodes
         call normal%depth_and_force(profile, a, depth, self%force, error)
         if (.not. allocated(error)) call normal%modulus([a], modulus, error)
         if (.not. allocated(error)) call tangential%modulus([a], shear, error)
