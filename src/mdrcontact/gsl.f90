@@ -16,7 +16,7 @@ module mdrcontact_gsl
               gsl_root_test_interval
     public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1, gsl_sf_bessel_il_scaled_array, gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp, &
               gsl_sf_ellint_rd, gsl_sf_ellint_rf
-    public :: gsl_interp_bsearch, gsl_sort_index
+    public :: gsl_interp_bsearch, gsl_sort, gsl_sort_index
     public :: gsl_interp_steffen, gsl_spline_alloc, gsl_spline_init, gsl_spline_free, gsl_spline_eval_deriv
 
     !> Status of a call that did what it says.
@@ -214,12 +214,19 @@ module mdrcontact_gsl
         end function gsl_sf_bessel_j1
 
         !> The order, from 0, in which data ascends.
-        subroutine gsl_sort_index(order, data, stride, n) bind(C)
+        pure subroutine gsl_sort_index(order, data, stride, n) bind(C)
             import :: c_double, c_size_t
             integer(c_size_t), intent(out) :: order(*)
             real(c_double), intent(in) :: data(*)
             integer(c_size_t), value :: stride, n
         end subroutine gsl_sort_index
+
+        !> Data in ascending order.
+        pure subroutine gsl_sort(data, stride, n) bind(C)
+            import :: c_double, c_size_t
+            real(c_double), intent(inout) :: data(*)
+            integer(c_size_t), value :: stride, n
+        end subroutine gsl_sort
     end interface
 
 contains

@@ -1,27 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Values in ascending order.
 module mdrcontact_fit_order
-    use, intrinsic :: iso_c_binding, only: c_double, c_size_t
+    use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_gsl, only: gsl_sort, gsl_sort_index
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: ascending, median
-
-    interface
-        pure subroutine gsl_sort_index(positions, values, stride, n) bind(C)
-            import :: c_double, c_size_t
-            integer(c_size_t), intent(out) :: positions(*)
-            real(c_double), intent(in) :: values(*)
-            integer(c_size_t), value :: stride, n
-        end subroutine gsl_sort_index
-
-        pure subroutine gsl_sort(values, stride, n) bind(C)
-            import :: c_double, c_size_t
-            real(c_double), intent(inout) :: values(*)
-            integer(c_size_t), value :: stride, n
-        end subroutine gsl_sort
-    end interface
 
 contains
 

@@ -5,6 +5,8 @@
 !> singular ring at rho = 1, z = 0. Panels no longer than their distance from the ring, each with nodes that crowd at both
 !> its ends, suit both.
 module mdrcontact_lateral_panels
+    use, intrinsic :: iso_c_binding, only: c_size_t
+    use mdrcontact_gsl, only: gsl_sort
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -15,7 +17,8 @@ module mdrcontact_lateral_panels
         real(wp), allocatable :: nodes(:), weights(:)
     end type rule_t
 
-    integer, parameter :: most_edges = 4096
+    !> Panels beyond those between breaks.
+    integer, parameter :: most_halvings = 4096
     !> Breaks closer than this are one.
     real(wp), parameter :: same = 1.0e-12_wp
 
@@ -26,7 +29,7 @@ contains
         !> any order; those outside 0 < z < infinity are ignored
         real(wp), intent(in) :: breaks(:), x(:), w(:)
         type(rule_t), intent(out) :: rule
-        real(wp) :: edges(0:most_edges), first, last
+        real(wp) :: edges(0:size(breaks) + 2 + most_halvings), first, last
         integer :: count
 
         call sorted_breaks([breaks, 0.5_wp, 2.0_wp], edges, count)
@@ -46,7 +49,7 @@ contains
     pure subroutine radius_rule(breaks, z, x, w, rule)
         real(wp), intent(in) :: breaks(:), z, x(:), w(:)
         type(rule_t), intent(out) :: rule
-        real(wp) :: edges(0:most_edges), last
+        real(wp) :: edges(0:size(breaks) + 2 + most_halvings), last
         integer :: count
 
         call sorted_breaks([breaks, 1.0_wp, 2.0_wp*max(1.0_wp, z)], edges, count)
@@ -56,20 +59,22 @@ contains
         call add_infinite(last, x, w, rule)
     end subroutine radius_rule
 
-    !> Ascending edges from 0 on, without repetitions; at most half of the room.
+    !> Ascending edges from 0 on, without repetitions.
     pure subroutine sorted_breaks(breaks, edges, count)
         real(wp), intent(in) :: breaks(:)
         real(wp), intent(inout) :: edges(0:)
         integer, intent(out) :: count
-        real(wp) :: next
+        real(wp) :: sorted(size(breaks))
+        integer :: i
 
+        sorted = breaks
+        call gsl_sort(sorted, 1_c_size_t, size(sorted, kind=c_size_t))
         count = 0
         edges(0) = 0.0_wp
-        do while (count < most_edges/4)
-            next = minval(breaks, mask=breaks > edges(count) + same*(1.0_wp + edges(count)))
-            if (.not. next < 1.0e15_wp) return
+        do i = 1, size(sorted)
+            if (sorted(i) <= edges(count) + same*(1.0_wp + edges(count)) .or. sorted(i) >= 1.0e15_wp) cycle
             count = count + 1
-            edges(count) = next
+            edges(count) = sorted(i)
         end do
     end subroutine sorted_breaks
 
@@ -91,7 +96,7 @@ contains
             else
                 distance = hypot(min(max(1.0_wp, low), high) - 1.0_wp, z)
             end if
-            if (high - low > distance .and. high - low > 1.0e-9_wp .and. count < most_edges) then
+            if (high - low > distance .and. high - low > 1.0e-9_wp .and. count < ubound(edges, 1)) then
                 edges(i + 1:count + 1) = edges(i:count)
                 edges(i) = 0.5_wp*(low + high)
                 count = count + 1

@@ -9,6 +9,7 @@ module mdrcontact_lateral_section
     implicit none (type, external)
     private
     public :: section_t, nothing, everything, ellipse, strip, rectangle, holds, crossing_angles, touching_radii, most_crossings
+    public :: is_round
 
     !> no point, every point
     integer, parameter :: nothing = 0, everything = 1
@@ -32,6 +33,14 @@ module mdrcontact_lateral_section
     end type section_t
 
 contains
+
+    !> Whether it is a disc, of radius extent(1).
+    elemental function is_round(self) result(answer)
+        type(section_t), intent(in) :: self
+        logical :: answer
+
+        answer = self%kind == ellipse .and. self%extent(1) == self%extent(2)
+    end function is_round
 
     !> Whether the point lies inside.
     pure function holds(self, point) result(answer)
@@ -66,15 +75,15 @@ contains
         integer :: i
 
         count = 0
+        if (is_round(self)) then
+            call add_circle(self%centre, self%extent(1), rho, angles, count)
+            angles(:count) = modulo(angles(:count), 2.0_wp*pi)
+            return
+        end if
         bearing = atan2(self%direction(2), self%direction(1))
         centre = local_centre(self)
         select case (self%kind)
         case (ellipse)
-            if (self%extent(1) == self%extent(2)) then
-                call add_circle(centre, self%extent(1), rho, angles, count)
-                angles(:count) = modulo(angles(:count) + bearing, 2.0_wp*pi)
-                return
-            end if
             inverse = 1.0_wp/self%extent**2
             call trigonometric_roots(dot_product(centre**2, inverse) - 1.0_wp + 0.5_wp*rho**2*sum(inverse), &
                                      -2.0_wp*rho*centre(1)*inverse(1), -2.0_wp*rho*centre(2)*inverse(2), &
@@ -105,7 +114,7 @@ contains
         centre = local_centre(self)
         select case (self%kind)
         case (ellipse)
-            if (self%extent(1) == self%extent(2)) then
+            if (is_round(self)) then
                 count = 2
                 radii(:2) = abs(norm2(centre) + [-1.0_wp, 1.0_wp]*self%extent(1))
                 return

@@ -1,14 +1,16 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A structure made of bodies in a background material: E_eff by quadrature over depths, radii and exact arcs (theory 7).
 module mdrcontact_lateral_shapes
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_poisson, check_within, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_gsl, only: gsl_sort
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_lateral_breaks, only: depths_between, radii_between
     use mdrcontact_lateral_density, only: lateral_density
     use mdrcontact_lateral_panels, only: depth_rule, radius_rule, rule_t
-    use mdrcontact_lateral_section, only: crossing_angles, everything, holds, most_crossings, nothing, section_t, touching_radii
-    use mdrcontact_lateral_shape, only: depth_breaks, most_depths, section_at, shape_t
+    use mdrcontact_lateral_section, only: crossing_angles, holds, is_round, most_crossings, nothing, section_t
+    use mdrcontact_lateral_shape, only: section_at, shape_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_material, only: material_t
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
@@ -18,8 +20,6 @@ module mdrcontact_lateral_shapes
     public :: shapes_t, new_shapes
 
     real(wp), parameter :: default_tolerance = 1.0e-5_wp
-    !> The depth, over a, at which the sections at the surface are looked at.
-    real(wp), parameter :: surface = 1.0e-6_wp
     integer, parameter :: fewest_nodes = 5, most_nodes = 40
 
     !> Bodies in a background; where they overlap, the later one is there.
@@ -111,56 +111,34 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: depths, radii
         type(section_t), allocatable :: sections(:)
-        integer, allocatable :: present_shapes(:)
-        real(wp) :: gauss(nodes), weights(nodes), plane(2), shear, poisson
-        integer :: i, j
+        integer, allocatable :: present_shapes(:), seen(:)
+        real(wp) :: gauss(nodes), weights(nodes), plane(2), arcs(2), shear, poisson
+        integer :: i, j, k, l
+        logical :: same_seen
 
         excess = 0.0_wp
         call gauss_legendre(gauss, weights, error)
         if (allocated(error)) return
-        call depth_rule(all_depth_breaks(self, x, y, a), gauss, weights, depths)
+        call depth_rule(depths_between(self%shapes, x, y, a), gauss, weights, depths)
         do i = 1, size(depths%nodes)
             call check_cancelled(error)
             if (allocated(error)) return
             call cut(self, x, y, a, depths%nodes(i), sections, present_shapes)
             if (size(present_shapes) == 0) cycle
-            call radius_rule(all_touching_radii(sections), depths%nodes(i), gauss, weights, radii)
+            call radius_rule(radii_between(sections), depths%nodes(i), gauss, weights, radii)
             plane = 0.0_wp
-            do j = 1, size(radii%nodes)
+            same_seen = all(is_round(sections))
+            do k = 1, size(radii%nodes)
+                ! within a panel, from its middle node on, the same discs are seen
+                j = k + merge(nodes/2, nodes/2 - nodes, mod(k - 1, nodes) < nodes - nodes/2)
+                if (mod(k - 1, nodes) == 0 .or. .not. same_seen) seen = [(l, l=1, size(sections))]
+                call circle_integral(contrast(:, present_shapes), sections, radii%nodes(j), seen, arcs)
                 call lateral_density(radii%nodes(j), depths%nodes(i), self%reference_nu, shear, poisson)
-                plane = plane + radii%weights(j)*radii%nodes(j)*[shear, poisson] &
-                        *circle_integral(contrast, sections, present_shapes, radii%nodes(j))
+                plane = plane + radii%weights(j)*radii%nodes(j)*[shear, poisson]*arcs
             end do
             excess = excess + depths%weights(i)*plane
         end do
     end subroutine excess_means
-
-    !> Depths where sections are not analytic, and those at which panels must still resolve what lies beside.
-    function all_depth_breaks(self, x, y, a) result(breaks)
-        class(shapes_t), intent(in) :: self
-        real(wp), intent(in) :: x, y, a
-        real(wp), allocatable :: breaks(:)
-        real(wp) :: depths(most_depths), touching(most_crossings), middle
-        integer :: i, count, found
-
-        allocate (breaks((most_depths + 1)*size(self%shapes)))
-        found = 0
-        do i = 1, size(self%shapes)
-            call depth_breaks(self%shapes(i), x, y, depths, count)
-            breaks(found + 1:found + count) = depths(:count)/a
-            found = found + count
-            ! what lies far beside the contact is seen from depths as large
-            middle = surface
-            if (count == 2 .and. all(ieee_is_finite(depths))) middle = max(surface, 0.5_wp*sum(depths)/a)
-            call touching_radii(section_at(self%shapes(i), x, y, a, middle), touching, count)
-            touching(:count) = merge(touching(:count), 0.0_wp, ieee_is_finite(touching(:count)))
-            if (count > 0) then
-                found = found + 1
-                breaks(found) = maxval(touching(:count))
-            end if
-        end do
-        breaks = breaks(:found)
-    end function all_depth_breaks
 
     !> The bodies that the plane cuts, and their sections.
     pure subroutine cut(self, x, y, a, xi, sections, present_shapes)
@@ -178,71 +156,44 @@ contains
         sections = sections(present_shapes)
     end subroutine cut
 
-    function all_touching_radii(sections) result(radii)
-        type(section_t), intent(in) :: sections(:)
-        real(wp), allocatable :: radii(:)
-        real(wp) :: touching(most_crossings)
-        integer :: i, count, found
-
-        allocate (radii(most_crossings*size(sections)))
-        found = 0
-        do i = 1, size(sections)
-            call touching_radii(sections(i), touching, count)
-            radii(found + 1:found + count) = touching(:count)
-            found = found + count
-        end do
-        radii = pack(radii(:found), ieee_is_finite(radii(:found)))
-    end function all_touching_radii
-
     !> The integral of `contrast` dtheta around the circle of radius rho: exact arcs, the last body on top.
-    function circle_integral(contrast, sections, present_shapes, rho) result(integral)
+    subroutine circle_integral(contrast, sections, rho, seen, integral)
+        !> (2, size(sections))
         real(wp), intent(in) :: contrast(:, :)
         type(section_t), intent(in) :: sections(:)
-        integer, intent(in) :: present_shapes(:)
         real(wp), intent(in) :: rho
-        real(wp) :: integral(2)
-        real(wp) :: angles(0:most_crossings*size(sections) + 1), crossings(most_crossings), middle
+        !> those to look at, ascending; afterwards those of which something is seen
+        integer, allocatable, intent(inout) :: seen(:)
+        real(wp), intent(out) :: integral(2)
+        real(wp) :: angles(0:most_crossings*size(seen) + 1), crossings(most_crossings), middle, point(2)
+        logical :: has_arc(size(seen))
         integer :: i, k, count, found
 
         found = 0
-        do i = 1, size(sections)
-            if (sections(i)%kind == everything) cycle
-            call crossing_angles(sections(i), rho, crossings, count)
-            do k = 1, count
-                call insert(angles(1:), found, crossings(k))
-            end do
+        do i = 1, size(seen)
+            call crossing_angles(sections(seen(i)), rho, crossings, count)
+            angles(found + 1:found + count) = crossings(:count)
+            found = found + count
         end do
+        call gsl_sort(angles(1:), 1_c_size_t, int(found, c_size_t))
         if (found == 0) then
             found = 1
             angles(1) = 0.0_wp
         end if
         angles(0) = angles(found) - 2.0_wp*pi
         integral = 0.0_wp
+        has_arc = .false.
         do k = 1, found
             middle = 0.5_wp*(angles(k - 1) + angles(k))
-            do i = size(sections), 1, -1
-                if (.not. holds(sections(i), rho*[cos(middle), sin(middle)])) cycle
-                integral = integral + (angles(k) - angles(k - 1))*contrast(:, present_shapes(i))
+            point = rho*[cos(middle), sin(middle)]
+            do i = size(seen), 1, -1
+                if (.not. holds(sections(seen(i)), point)) cycle
+                integral = integral + (angles(k) - angles(k - 1))*contrast(:, seen(i))
+                has_arc(i) = .true.
                 exit
             end do
         end do
-    end function circle_integral
-
-    !> Keeps angles(:count) ascending.
-    pure subroutine insert(angles, count, angle)
-        real(wp), intent(inout) :: angles(:)
-        integer, intent(inout) :: count
-        real(wp), intent(in) :: angle
-        integer :: place
-
-        place = count + 1
-        do while (place > 1)
-            if (angles(place - 1) <= angle) exit
-            angles(place) = angles(place - 1)
-            place = place - 1
-        end do
-        angles(place) = angle
-        count = count + 1
-    end subroutine insert
+        seen = pack(seen, has_arc)
+    end subroutine circle_integral
 
 end module mdrcontact_lateral_shapes
