@@ -26,7 +26,9 @@ from .profile import Paraboloid, Profile
 __all__ = ["Contact", "State"]
 
 _NOTICEABLE = 1e-4
-"""A negative pressure of this part of the mean pressure is more than the solver's error."""
+"""A negative pressure of this part of the mean pressure is more than the solver's error; of the depth, an overlap."""
+_BEYOND = np.geomspace(1.1, 60.0, 30)
+"""Radii, in contact radii, at which the surface beyond the contact is looked at."""
 
 Table = tuple[tuple[float, ...], tuple[float, ...]]
 
@@ -348,19 +350,31 @@ class Contact(Value):
             if size is None or self._looked_at is None or size in self._looked_at:
                 continue
             self._looked_at.add(size)
-            try:
-                pressure, r = self.lowest_pressure(State(*(float(value) for value in row)))
-            except MDRError:
-                continue
-            if pressure < -_NOTICEABLE * row[2] / (math.pi * row[1] ** 2):
+            fault = self._fault(State(*(float(value) for value in row)))
+            if fault:
                 self._set(_looked_at=None)
                 warnings.warn(
-                    f"this contact is not one disc: without adhesion its pressure would be {pressure:.3g} at r = {r:.3g} (contact "
-                    f"radius {row[1]:.3g}). Its pressure is not that of the true contact; F(d) is off by at most a few per cent",
+                    f"this contact is not one disc: {fault} (contact radius {row[1]:.3g}). Its pressure is not that of the true "
+                    "contact; F(d) is off by at most a few per cent where the coating is up to 200 times stiffer than the body",
                     NotOneDiscWarning,
                     stacklevel=4,
                 )
                 return
+
+    def _fault(self, state: State) -> str:
+        """Where the one disc of a state pulls, or the surface beyond it passes through the indenter; empty if neither."""
+        try:
+            pressure, r = self.lowest_pressure(state)
+            if pressure < -_NOTICEABLE * float(state.force) / (math.pi * float(state.radius) ** 2):
+                return f"without adhesion its pressure would be {pressure:.3g} at r = {r:.3g}"
+            beyond = float(state.radius) * _BEYOND
+            gap = np.asarray(self.displacement(beyond, state) - state.depth + self.indenter.height(beyond))
+        except MDRError:
+            return ""
+        place = int(np.argmin(gap))
+        if gap[place] >= -_NOTICEABLE * float(state.depth):
+            return ""
+        return f"the surface beyond it would pass through the indenter, by {-gap[place]:.3g} at r = {beyond[place]:.3g}"
 
     def _field(
         self,

@@ -25,6 +25,19 @@ def test_states_and_fields_warn_once_for_a_contact() -> None:
         mdr.Contact(mdr.FlatPunch(1.5), STIFF).pressure([0.0, 1.0], depth=0.1)
 
 
+def test_a_ring_of_contact_farther_out_is_seen() -> None:
+    film = mdr.Coated(mdr.Elastic(1000.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3), "exact")
+    contact = mdr.Contact(mdr.Cone(0.1), film)
+    with pytest.warns(mdr.NotOneDiscWarning, match="would pass through the indenter, by 0.*contact radius 0.6"):
+        state = contact.at_radius(0.6)
+    assert contact.lowest_pressure(state) == (0.0, 0.6)
+    assert contact.displacement(9.0, state) > 0.0
+    # a cone's flank is met by the bent film, u > d - f
+    assert contact.displacement(9.0, state) < state.depth - contact.indenter.height(9.0)
+    # of several radii with this depth the smallest
+    assert contact.at_depth(2.6).radius < 1.0 < 8.0 < contact.at_depth(2.7).radius
+
+
 @pytest.mark.slow
 def test_no_false_alarms() -> None:
     soft = STIFF.replace(coating=mdr.Elastic(0.01, 0.25))
