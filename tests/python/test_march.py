@@ -180,3 +180,50 @@ def test_a_contact_that_is_lost_returns():
     glassy = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(film.glassy, 1.0, base.glassy)).at_depth(0.4)
     jump = contact.history([0.0, 1.0], depth=[0.4, 0.4])
     assert (jump.force[0], jump.radius[0]) == pytest.approx((glassy.force, glassy.radius), rel=1e-10)
+
+
+@pytest.mark.parametrize("name", ["elastic film on a gel", "dashpot below"])
+@pytest.mark.parametrize("tip", [mdr.FlatPunch(0.7), mdr.Cone(0.5)], ids=repr)
+def test_a_jump_finds_power_laws_and_dashpots_below_rigid(name, tip):
+    body = BODIES[name]
+    film = body.coating if isinstance(body.coating, mdr.Elastic) else body.coating.glassy
+    at_once = mdr.Contact(tip, mdr.Coated(film, body.thickness, mdr.RIGID)).at_depth(0.1)
+    contact = mdr.Contact(tip, body)
+    for given in {"depth": 2 * [0.1]}, {"force": 2 * [at_once.force]}:
+        history = contact.history([0.0, 0.1], tolerance=1e-2, **given)
+        found = history.depth[0], history.radius[0], history.force[0]
+        assert found == pytest.approx((0.1, at_once.radius, at_once.force), rel=1e-8)
+
+
+def test_a_film_that_relaxes_sooner_than_its_base_widens_the_contact():
+    """More than either the glassy or the relaxed body does."""
+    film, base = mdr.Viscoelastic(5.4, [(32.0, 0.012)], nu=0.27), mdr.Viscoelastic(0.5, [(8.5, 2.0)], nu=0.15)
+    contact = mdr.Contact(mdr.Cone(0.5), mdr.Coated(film, 0.17, base))
+    history = contact.history([0.0, 2.8, 5.5], depth=[0.047, 0.172, 0.028], tolerance=1e-3)
+    bodies = [(film.glassy, base.glassy), (film.relaxed, base.relaxed), (film.relaxed, base.glassy)]
+    radii = [contact.replace(medium=mdr.Coated(over, 0.17, below)).at_depth(0.172).radius for over, below in bodies]
+    assert 1.2 * max(radii[:2]) < history.radius[1] < radii[2]
+
+
+@pytest.mark.parametrize(("film", "base"), [(10.0, 1.0), (1.0, 10.0)])
+def test_contacts_wider_than_their_film_are_resolved(film, base):
+    """A jump finds the glassy body, whatever the thickness."""
+    over, below = (
+        mdr.Viscoelastic(0.5 * film, [(0.5 * film, 1.0)], nu=0.3),
+        mdr.Viscoelastic(0.3 * base, [(0.7 * base, 2.0)], nu=0.3),
+    )
+    for thickness in 0.1, 0.05:
+        contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(over, thickness, below))
+        glassy = contact.replace(medium=mdr.Coated(over.glassy, thickness, below.glassy)).at_radius(1.0)
+        jump = contact.history([0.0, 1e-6], depth=2 * [glassy.depth], tolerance=1e-2)
+        assert (jump.radius[0], jump.force[0]) == pytest.approx((glassy.radius, glassy.force), rel=1e-9)
+    with pytest.raises(mdr.NoConvergenceError, match="too wide for a first layer"):
+        contact.replace(medium=mdr.Coated(over, 0.002, below)).history([0.0, 1e-6], depth=2 * [1.0])
+
+
+def test_under_no_force_the_indenter_rests_on_what_is_left():
+    """As under hardly any, though the contact has been lost."""
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(LIQUID))
+    time = np.array([0.0, 0.5, 9.0, 9.1])
+    none, hardly = (contact.history(time, force=[0.0, 0.1, 0.03, last], tolerance=1e-4).depth for last in (0.0, 1e-12))
+    assert none == pytest.approx(hardly, rel=1e-3)

@@ -295,8 +295,9 @@ contains
             trial%wave = 0.0_wp
             trial%depth = 0.0_wp
             if (given == given_depth) trial%depth = value
-            ! at radius 0 the indenter touches the surface where it is
+            ! at radius 0, or under no force, the indenter touches the surface where it is
             if (given == given_radius .and. inner == 0 .and. n > 0) trial%depth = history(1)
+            if (given == given_force .and. inner == 0 .and. n > 0) trial%depth = minval(history + g)
             if (inner > 0) then
                 ! unknowns at all nodes of the contact, but the edge where q = 0
                 last = merge(inner, inner - 1, is_held)
@@ -388,21 +389,30 @@ contains
         end do
         ends = pack(ends, ends > near)
         largest = self%panels%ends(ubound(self%panels%ends, 1))
-        inside = [pack(ends, ends < radius - near)]
         inner = 0
+        inside = [0.0_wp]
         if (radius > 0.0_wp) then
-            inner = per_panel*(size(inside) + 1)
-            inside = [0.0_wp, inside, radius]
-        else
-            inside = [0.0_wp]
+            inside = cut([0.0_wp, pack(ends, ends < radius - near), radius], self%memory%longest_panel)
+            inner = per_panel*(size(inside) - 1)
         end if
-        ends = pack(ends, ends > radius + near .and. ends < largest - near)
         if (largest > radius + near) then
-            ends = [inside, ends, largest]
-        else
-            ends = inside
+            ends = cut([radius, pack(ends, ends > radius + near .and. ends < largest - near), largest], self%memory%longest_panel)
+            inside = [inside, ends(2:)]
         end if
-        panels = new_panels(ends)
+        panels = new_panels(inside)
     end subroutine place
+
+    !> Ends of panels, none longer than allowed.
+    pure function cut(ends, longest) result(finer)
+        real(wp), intent(in) :: ends(:), longest
+        real(wp), allocatable :: finer(:)
+        integer :: i, j, pieces
+
+        finer = ends(:1)
+        do i = 2, size(ends)
+            pieces = max(1, ceiling((ends(i) - ends(i - 1))/longest))
+            finer = [finer, (ends(i - 1) + (ends(i) - ends(i - 1))*j/pieces, j=1, pieces - 1), ends(i)]
+        end do
+    end function cut
 
 end module mdrcontact_history_relaxation_march

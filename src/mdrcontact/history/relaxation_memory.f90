@@ -6,7 +6,7 @@
 !> found by least squares from elastic compliances at real s.
 module mdrcontact_history_relaxation_memory
     use mdrcontact_body_surface, only: new_surface, surface_t
-    use mdrcontact_error, only: error_no_convergence, error_t, raise
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgels
     use mdrcontact_material_prony, only: creep_of, creep_t
@@ -19,6 +19,8 @@ module mdrcontact_history_relaxation_memory
     !> Nodes in a panel of wavenumbers, the phase that a panel resolves, and what chi may be beyond the last one.
     integer, parameter :: panel_nodes = 16
     real(wp), parameter :: largest_phase = 8.0_wp, negligible = 1.0e-15_wp
+    !> Longest panel of x, of so many nodes too, in thicknesses of the first layer.
+    real(wp), parameter :: in_thicknesses = 2.0_wp
     !> Numbers of common times to try, and how far beyond them and how densely the transform is sampled.
     integer, parameter :: counts(*) = [6, 10, 14, 18, 24, 32, 40, 52, 64, 80]
     integer, parameter :: samples_per_time = 4
@@ -36,6 +38,8 @@ module mdrcontact_history_relaxation_memory
         real(wp), allocatable :: k(:), weights(:)
         !> X_g(k), R_m(k) (size(k), size(time)), and th_m
         real(wp), allocatable :: instant(:), rest(:, :), time(:)
+        !> longest panel of x that resolves what the layers do [length]
+        real(wp) :: longest_panel = huge(1.0_wp)
         !> shortest time of the body [time]
         real(wp) :: shortest = 1.0_wp
     end type memory_t
@@ -69,7 +73,9 @@ contains
             allocate (self%instant(0), self%rest(0, 0), self%time(0))
             return
         end if
-        call place_waves(self, medium, radius)
+        self%longest_panel = in_thicknesses*medium%thickness(1)
+        call place_waves(self, medium, radius, error)
+        if (allocated(error)) return
         do i = 1, size(counts)
             call fit_times(self, medium, counts(i), longest, span, misfit, error)
             if (allocated(error) .or. misfit <= max(tolerance, reachable)) return
@@ -100,13 +106,14 @@ contains
     end function compliance
 
     !> Panels of wavenumbers that grow from where all layers together are seen, and resolve the widest contact.
-    subroutine place_waves(self, medium, radius)
+    subroutine place_waves(self, medium, radius, error)
         type(memory_t), intent(inout) :: self
         type(viscoelastic_t), intent(in) :: medium
         real(wp), intent(in) :: radius
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: low, width, nodes(panel_nodes), weights(panel_nodes), last(1), scale
         integer :: panel
-        integer, parameter :: most_panels = 2000
+        integer, parameter :: most_panels = 200
 
         call unit_rule(nodes, weights)
         low = 0.0_wp
@@ -121,6 +128,10 @@ contains
             if (low*medium%thickness(1) > 3.0_wp .and. abs(last(1)) <= negligible*scale) exit
             width = min(low, largest_phase/radius, 2.0_wp/medium%thickness(1))
         end do
+        if (panel > most_panels) then
+            call raise(error, error_no_convergence, "contacts up to radius "//to_text(radius)//" are too wide for a first "// &
+                       "layer of thickness "//to_text(medium%thickness(1)))
+        end if
     end subroutine place_waves
 
     subroutine unit_rule(nodes, weights)
@@ -157,7 +168,7 @@ contains
             self%time(i) = self%shortest*(last/self%shortest)**part
         end do
         self%instant = compliance(medium, 1.0e18_wp/self%shortest, self%k)
-        allocate (matrix(rows, columns), values(rows, size(self%k)), work(64*rows))
+        allocate (matrix(rows, columns), values(rows, size(self%k)), work(columns + 32*max(columns, size(self%k))))
         lowest = 1.0_wp/(beyond*min(longest, span))
         highest = beyond/self%shortest
         do i = 1, rows

@@ -5,21 +5,25 @@ module mdrcontact_history_relaxation_steps
     use mdrcontact_cancel, only: report_progress
     use mdrcontact_contact, only: contact_t, new_contact
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_values, only: given_depth, given_force, given_radius
-    use mdrcontact_error, only: error_invalid, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_contact_values, only: contact_states, given_depth, given_force, given_radius
+    use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_history_relaxation_march, only: march_t, mark_kink, start_march, step_march
     use mdrcontact_history_relaxation_memory, only: memory_t, new_memory
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
-    use mdrcontact_model, only: models, new_medium
+    use mdrcontact_model, only: model_options_t, models, new_medium
     implicit none (type, external)
     private
     public :: march_through
 
-    !> Contacts are expected to be at most this much wider than elastic ones.
+    !> Contacts are expected to be at most this much wider than elastic ones; if they are not, they are sought in twice that, so
+    !> many times at most.
     real(wp), parameter :: margin = 1.3_wp
+    integer, parameter :: most_widenings = 6
+    !> Relative tolerance of elastic contacts from which only a bound is wanted.
+    real(wp), parameter :: of_bound = 1.0e-3_wp
     !> Steps after a kink: in units of the shortest time, after first contact in units of the interval, and how fast they grow.
     real(wp), parameter :: first_step = 0.25_wp, first_touch = 1.0e-3_wp, growth = 1.6_wp
     !> The same after a kink of a power law in units of the shortest interval, and what is a kink, of the steepest slope.
@@ -40,11 +44,10 @@ contains
         real(wp), intent(in) :: time(:), values(:), tolerance
         real(wp), intent(inout) :: depth(:), radius(:), force(:)
         type(error_t), allocatable, intent(out) :: error
-        type(memory_t) :: memory
         type(viscoelastic_t) :: solid
-        real(wp), dimension(size(time), 3) :: now, before, best, best_before
-        real(wp) :: limit, change, shortest, span, gap, nearest
-        integer :: i, level
+        type(contact_state_t) :: state
+        real(wp) :: limit, shortest, span
+        integer :: i
 
         if (medium%model /= models%exact) then
             call raise(error, error_invalid, "this history needs the model exact: it does not follow from elastic curves")
@@ -64,9 +67,93 @@ contains
             solid%materials(i) = medium%materials(i)%between(shortest, span, memory_part*tolerance)
         end do
         call widest(contact, medium, solid, span, given, maxval(values), limit, error)
-        if (.not. allocated(error)) call new_memory(memory, solid, limit, span, memory_part*tolerance, error)
+        do i = 0, most_widenings
+            if (allocated(error)) return
+            call refine(contact, solid, limit, shortest, span, given, time, values, tolerance, depth, radius, force, error)
+            if (.not. allocated(error) .or. i == most_widenings .or. limit >= contact%equilibrium%last_radius) exit
+            if (error%code /= error_domain) return
+            deallocate (error)
+            limit = min(2.0_wp*limit, contact%equilibrium%last_radius)
+        end do
         if (allocated(error)) return
-        shortest = max(first_step*memory%shortest, shortest)
+        if (values(1) > 0.0_wp .and. .not. all(medium%materials%has_glassy())) then
+            call at_once(contact, medium, given, values(1), state, error)
+            depth(1) = state%depth
+            radius(1) = state%radius
+            force(1) = state%force
+        end if
+        select case (given)
+        case (given_depth)
+            depth = values
+        case (given_force)
+            force = values
+        case default
+            radius = values
+        end select
+    end subroutine march_through
+
+    !> The state after a jump onto a body in which power laws and dashpots are rigid at first.
+    subroutine at_once(contact, medium, given, value, state, error)
+        type(contact_t), intent(in) :: contact
+        type(viscoelastic_t), intent(in) :: medium
+        integer, intent(in) :: given
+        real(wp), intent(in) :: value
+        type(contact_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(inout) :: error
+        type(material_t) :: material(size(medium%materials))
+        integer :: i, n
+
+        n = findloc(medium%materials%has_glassy(), .false., dim=1) - 1
+        if (n == 0) return
+        do i = 1, n
+            call medium%materials(i)%glassy(material(i), error)
+        end do
+        if (.not. allocated(error)) then
+            call find_resting(contact, material(:n), medium%thickness(:n), material(n), .true., medium%options, given, value, &
+                              state, error)
+        end if
+    end subroutine at_once
+
+    !> The state of an elastic body.
+    subroutine find_resting(contact, layers, thickness, base, is_rigid, options, given, value, state, error)
+        type(contact_t), intent(in) :: contact
+        type(material_t), intent(in) :: layers(:), base
+        real(wp), intent(in) :: thickness(:), value
+        logical, intent(in) :: is_rigid
+        type(model_options_t), intent(in) :: options
+        integer, intent(in) :: given
+        type(contact_state_t), intent(inout) :: state
+        type(error_t), allocatable, intent(inout) :: error
+        type(stack_t) :: body
+        class(medium_t), allocatable :: elastic
+        type(contact_t) :: resting
+        type(contact_state_t) :: states(1)
+
+        call new_stack(body, layers, thickness, base, error, is_rigid)
+        if (.not. allocated(error)) call new_medium(elastic, body, models%exact, error, options)
+        if (.not. allocated(error)) call new_contact(resting, contact%equilibrium%profile, elastic, error)
+        if (.not. allocated(error)) call contact_states(resting, given, [value], states, error)
+        if (.not. allocated(error)) state = states(1)
+    end subroutine find_resting
+
+    !> Halves the steps until nothing changes any more.
+    subroutine refine(contact, solid, limit, shortest_interval, span, given, time, values, tolerance, depth, radius, force, error)
+        type(contact_t), intent(in) :: contact
+        type(viscoelastic_t), intent(in) :: solid
+        !> largest radius, shortest time of interest and duration
+        real(wp), intent(in) :: limit, shortest_interval, span
+        integer, intent(in) :: given
+        real(wp), intent(in) :: time(:), values(:), tolerance
+        real(wp), intent(inout) :: depth(:), radius(:), force(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(memory_t) :: memory
+        real(wp), dimension(size(time), 3) :: now, before, best, best_before
+        real(wp) :: change, shortest, gap, nearest
+        integer :: level
+
+        call new_memory(memory, solid, limit, span, memory_part*tolerance, error)
+        if (allocated(error)) return
+        shortest = max(first_step*memory%shortest, shortest_interval)
         best_before = 0.0_wp
         before = 0.0_wp
         change = huge(1.0_wp)
@@ -89,19 +176,6 @@ contains
                     radius = now(:, 2)
                     force = now(:, 3)
                 end where
-                ! a surface that is rigid at once
-                if (values(1) > 0.0_wp .and. .not. medium%materials(1)%has_glassy()) then
-                    depth(1) = 0.0_wp
-                    radius(1) = 0.0_wp
-                end if
-                select case (given)
-                case (given_depth)
-                    depth = values
-                case (given_force)
-                    force = values
-                case default
-                    radius = values
-                end select
                 return
             end if
             best_before = best
@@ -114,7 +188,7 @@ contains
         end if
         call raise(error, error_no_convergence, "the history did not reach the relative tolerance "//to_text(tolerance)// &
                    ": the last halving of the steps changed it by "//to_text(change))
-    end subroutine march_through
+    end subroutine refine
 
     pure function largest_change(one, other) result(change)
         real(wp), intent(in) :: one(:, :), other(:, :)
@@ -127,7 +201,7 @@ contains
         end do
     end function largest_change
 
-    !> A radius that the contact does not exceed: more than that of the body at once and after a long time.
+    !> A radius that the contact hardly exceeds: more than that of the body at once and after a long time.
     subroutine widest(contact, medium, solid, span, given, largest, radius, error)
         type(contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
@@ -140,12 +214,12 @@ contains
         real(wp), intent(out) :: radius
         type(error_t), allocatable, intent(inout) :: error
         type(material_t) :: material(size(medium%thickness) + 1)
-        type(stack_t) :: body
-        class(medium_t), allocatable :: elastic
-        type(contact_t) :: resting
         type(contact_state_t) :: state
+        type(model_options_t) :: options
         integer :: i, last
 
+        options = medium%options
+        options%tolerance = max(options%tolerance, of_bound)
         radius = largest
         if (given == given_radius) return
         radius = 0.0_wp
@@ -160,13 +234,8 @@ contains
                 end if
                 if (allocated(error)) return
             end do
-            call new_stack(body, material(:size(medium%thickness)), medium%thickness, material(size(material)), error, &
-                           medium%rigid_base)
-            if (.not. allocated(error)) call new_medium(elastic, body, models%exact, error)
-            if (.not. allocated(error)) call new_contact(resting, contact%equilibrium%profile, elastic, error)
-            if (allocated(error)) return
-            if (given == given_depth) call resting%at_depth(largest, state, error)
-            if (given == given_force) call resting%at_force(largest, state, error)
+            call find_resting(contact, material(:size(medium%thickness)), medium%thickness, material(size(material)), &
+                              medium%rigid_base, options, given, largest, state, error)
             if (allocated(error)) return
             radius = max(radius, margin*state%radius)
         end do
