@@ -18,7 +18,7 @@ from mdrcontact.problem.fit_file import load_fit_file
 from mdrcontact.problem.units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 
 SEPARATOR = b"\n=====\n"
-"""Between the problem file and the table of a fit."""
+"""Between the problem file and the table of a fit or a path."""
 
 _folder = tempfile.mkdtemp()
 atexit.register(shutil.rmtree, _folder, ignore_errors=True)
@@ -37,11 +37,15 @@ def _written(name: str, data: bytes) -> Path:
 
 
 def _read_problem(data: bytes) -> None:
+    text, _, table = data.partition(SEPARATOR)
+    _written("path.csv", table)
     try:
-        problem = load(_written("problem.toml", data))
+        problem = load(_written("problem.toml", text))
     except ProblemError:
         return
-    if not np.all(np.isfinite(problem.control.values)):
+    history, path = problem.history, problem.friction and problem.friction.path
+    columns = [problem.control.values, *(history[1:] if history else ()), *((path.values, path.along_values) if path else ())]
+    if not all(np.all(np.isfinite(column)) for column in columns):
         raise AssertionError("a problem without an error prescribes values that are not finite")
     try:
         state = problem.contact().at_radius(0.0)
