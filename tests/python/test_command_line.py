@@ -150,6 +150,18 @@ def test_sharp_and_flat_indenters_draw_too(problem, shape, compute):
     assert main(["compare", problem, "--plot", "compare.png"]) == 0
 
 
+def test_a_single_state_is_seen(problem, monkeypatch):
+    pytest.importorskip("matplotlib")
+    drawn = []
+    monkeypatch.setattr("mdrcontact.cli.figures._render", lambda figure, _: drawn.append(figure) or b"")
+    Path(problem).write_text(GOOD.replace('max_depth = "100 nm"\npoints = 4', 'forces = ["2 mN"]'), encoding="utf-8")
+    for command in ("curve", "compare"):
+        assert main([command, problem, "--plot", f"{command}.png"]) == 0
+        single = [line for line in drawn.pop().axes[0].lines if len(line.get_xdata()) == 1]
+        assert len(single) >= 3
+        assert all(line.get_marker() in ("o", "s", "^") for line in single)
+
+
 def test_existing_files_are_safe(problem, capsys):
     for name in ("curve.csv", "curve.png"):
         with open(name, "w", encoding="utf-8") as file:

@@ -41,6 +41,13 @@ _LINEAR = 20.0
 """Values that differ by more than this factor are drawn on a logarithmic axis."""
 _COMPARABLE = 10.0
 """A reference curve that ends further away than this factor would only squash the others."""
+_FEW = 12
+"""States that are marked each."""
+
+
+def _marks(values: Array, marker: str = "o") -> dict[str, Any]:
+    """A few states are points, which the line between them only joins; one of them has no line."""
+    return {"marker": marker, "markersize": 3.5} if len(values) <= _FEW else {}
 
 
 def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float, Any, Any]], form: str) -> bytes:
@@ -55,7 +62,7 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
         )
         for axis, (name, values, dimension) in zip(axes.flat[:3], panels, strict=True):
             unit = practical(dimension, values)
-            axis.plot(depth.of(curve.depth), unit.of(values), color=COLOURS[0], label=_model_name(problem))
+            axis.plot(depth.of(curve.depth), unit.of(values), color=COLOURS[0], label=_model_name(problem), **_marks(values))
             if name.startswith("force"):
                 _draw_references(axis, problem, curve, depth, unit)
             _mark_thickness(axis, problem, curve, depth, unit, values)
@@ -87,6 +94,7 @@ def compare_figure(problem: Problem, answers: Sequence[Answer], form: str) -> by
             look: dict[str, Any] = {"color": COLOURS[i % len(COLOURS)], "linestyle": DASHES[i // len(COLOURS) % len(DASHES)]}
             if answer.model == "exact":
                 look = _EXACT
+            look = {**look, **_marks(value, "os^"[i // len(COLOURS) % 3])}
             lines += axes[0].plot(x, unit.of(value), **look)
             axes[1].plot(answer.curve.radius / h if h else radius.of(answer.curve.radius), modulus.of(answer.curve.modulus), **look)
             axes[2].plot(x, value / base, **look)
@@ -146,11 +154,12 @@ def _model_name(problem: Problem) -> str:
 
 
 def _draw_references(axis: Any, problem: Problem, curve: Curve, depth: Unit, force: Unit) -> None:
-    dashes = {"coating": (0, (1, 1.5)), "substrate": (0, (5, 2))}
+    dashes = {"coating": (0, (1, 1.5), "^"), "substrate": (0, (5, 2), "s")}
     for name, values in homogeneous_forces(problem, curve.depth):
         if 1.0 / _COMPARABLE < abs(values[-1] / curve.force[-1]) < _COMPARABLE:
-            line = dashes[name]
-            axis.plot(depth.of(curve.depth), force.of(values), color=_GREY, linewidth=1.0, linestyle=line, label=f"{name} alone")
+            start, lengths, marker = dashes[name]
+            look: dict[str, Any] = {"color": _GREY, "linewidth": 1.0, "linestyle": (start, lengths), **_marks(values, marker)}
+            axis.plot(depth.of(curve.depth), force.of(values), label=f"{name} alone", **look)
 
 
 def homogeneous_forces(problem: Problem, depth: Array) -> Iterator[tuple[str, Array]]:
