@@ -78,10 +78,10 @@ contains
         end if
         if (options%zeta_is_exact) then
             call exact_zeta(profile, medium, zeta, error)
-        else if (allocated(options%zeta)) then
-            zeta = options%zeta
+            if (.not. allocated(error)) call new_equilibrium(self%equilibrium, profile, medium, error, zeta)
+        else
+            call new_equilibrium(self%equilibrium, profile, medium, error, options%zeta)
         end if
-        if (.not. allocated(error)) call new_equilibrium(self%equilibrium, profile, medium, error, zeta)
         if (.not. allocated(error)) call set_adhesion(self, options%work_of_adhesion, options%adhesion_rule, error)
         if (.not. (allocated(error) .or. self%is_adhesive())) call find_falls(self%equilibrium, error)
     end subroutine new_contact

@@ -4,6 +4,7 @@ module mdrcontact_contact_scaled_profile
     use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_edges, merge_breaks
     use mdrcontact_numerics_radius_law, only: radius_law_t
     use mdrcontact_profile, only: profile_t
@@ -31,6 +32,7 @@ module mdrcontact_contact_scaled_profile
         procedure :: mdr_moment
         procedure :: add_breaks
         procedure :: radius_from_mdr
+        procedure :: copy_to
     end type scaled_profile_t
 
 contains
@@ -172,6 +174,26 @@ contains
         call self%profile%add_breaks(radii, error)
         call self%zeta%add_breaks(radii, error)
     end subroutine add_breaks
+
+    recursive subroutine copy_to(self, copy, error)
+        class(scaled_profile_t), intent(in) :: self
+        class(profile_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(scaled_profile_t), allocatable :: own
+
+        allocate (own)
+        own%largest_radius = self%largest_radius
+        own%singular_radius = self%singular_radius
+        own%end_radius = self%end_radius
+        own%has_wall = self%has_wall
+        own%t = self%t
+        own%w = self%w
+        call self%profile%copy_to(own%profile, error)
+        if (.not. allocated(error)) call self%zeta%copy_to(own%zeta, error)
+        call copy_array(self%radii, own%radii, error)
+        call copy_array(self%moments, own%moments, error)
+        call move_alloc(own, copy)
+    end subroutine copy_to
 
     pure function radius_from_mdr(self, depth) result(radius)
         class(scaled_profile_t), intent(in) :: self

@@ -7,7 +7,7 @@
 module mdrcontact_history_relaxation_march
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_values, only: given_depth, given_force, given_radius
-    use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_history_relaxation_memory, only: memory_t
     use mdrcontact_history_relaxation_panels, only: interpolate, new_panels, panels_t, per_panel
     use mdrcontact_history_relaxation_path, only: mean_lag, mean_rise
@@ -237,7 +237,7 @@ contains
         real(wp), allocatable :: z(:, :), q(:, :), held(:), cosines(:, :), matrix(:, :), right(:, :), history(:), local(:), decay(:)
         real(wp), allocatable :: memory(:), factor(:), work(:, :), displacement(:), g(:), edge(:)
         real(wp) :: u, edge_one, edge_g, low, high, force(2)
-        integer :: i, l, m, n, inner, last
+        integer :: i, l, m, n, inner, last, stat
 
         call place(self, radius, trial%panels, inner, error)
         if (allocated(error)) return
@@ -275,7 +275,9 @@ contains
                 end do
             end do
             ! the smooth part
-            allocate (memory(size(k)), factor(size(k)), cosines(n, size(k)))
+            allocate (memory(size(k)), factor(size(k)), cosines(n, size(k)), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
             factor = self%memory%instant
             memory = 0.0_wp
             do m = 1, size(self%memory%time)
@@ -301,7 +303,9 @@ contains
             if (inner > 0) then
                 ! unknowns at all nodes of the contact, but the edge where q = 0
                 last = merge(inner, inner - 1, is_held)
-                allocate (matrix(inner, inner), right(last, 2), work(inner, size(k)), edge(inner))
+                allocate (matrix(inner, inner), right(last, 2), work(inner, size(k)), edge(inner), stat=stat)
+                call check_memory(error, stat)
+                if (stat /= 0) return
                 do i = 1, size(k)
                     work(:, i) = cosines(:inner, i)*(factor(i)*self%memory%weights(i))
                 end do

@@ -6,7 +6,8 @@
 module mdrcontact_lateral_field
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_poisson, check_within, error_callback, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, check_poisson, check_within, error_callback, error_no_convergence, error_t, raise, &
+                                to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_density, only: lateral_density_spheroidal
     use mdrcontact_lateral_structure, only: structure_t
@@ -118,10 +119,12 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(power_mean_t) :: mean
         real(wp), allocatable :: points(:, :), weights(:, :), shear(:), poisson(:)
-        integer :: i, n
+        integer :: i, n, stat
 
         n = space_rule_size(order)
-        allocate (points(3, n), weights(2, n), shear(n), poisson(n))
+        allocate (points(3, n), weights(2, n), shear(n), poisson(n), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         call space_rule(order, self%reference_nu, points, weights, error)
         if (allocated(error)) return
         found = 0.0_wp
@@ -134,7 +137,7 @@ contains
         end do
         call new_power_mean(mean, exponent, shear, error)
         if (allocated(error)) return
-        shear = mean%transformed(shear)
+        shear(:) = mean%transformed(shear)
         ! differences from the first point: a homogeneous structure returns itself exactly
         do i = 1, n
             found = found + weights(:, i)*[shear(i) - shear(1), poisson(i) - poisson(1)]

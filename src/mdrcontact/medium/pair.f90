@@ -120,8 +120,8 @@ contains
         call as_effective(lower, first, error)
         if (.not. allocated(error)) call as_effective(upper, second, error)
         if (allocated(error)) return
-        call new_series(series, first, second)
-        call move_alloc(series, medium)
+        call new_series(series, first, second, error)
+        if (.not. allocated(error)) call move_alloc(series, medium)
     end subroutine add_in_series
 
     !> A body by its effective modulus.
@@ -134,7 +134,7 @@ contains
 
         select type (medium)
         class is (effective_medium_t)
-            allocate (effective, source=medium)
+            call medium%copy_effective(effective, error)
         class is (layered_exact_t)
             if (medium%pressed%first_depth > 0.0_wp) then
                 call new_sampled_exact(sampled, medium, error)

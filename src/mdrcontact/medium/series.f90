@@ -24,6 +24,7 @@ module mdrcontact_medium_series
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: add_breaks
+        procedure :: copy_effective
         procedure :: check_profile
         procedure :: upper_share
         procedure :: upper_depth
@@ -34,12 +35,14 @@ module mdrcontact_medium_series
 contains
 
     !> Two bodies, neither of them a pair.
-    subroutine new_series(self, lower, upper)
+    recursive subroutine new_series(self, lower, upper, error)
         type(series_t), intent(out) :: self
         class(effective_medium_t), intent(in) :: lower, upper
+        type(error_t), allocatable, intent(inout) :: error
 
-        allocate (self%lower, source=lower)
-        allocate (self%upper, source=upper)
+        call lower%copy_effective(self%lower, error)
+        if (.not. allocated(error)) call upper%copy_effective(self%upper, error)
+        if (allocated(error)) return
         self%largest_radius = min(lower%largest_radius, upper%largest_radius)
         self%why_it_ends = upper%why_it_ends
         if (lower%largest_radius <= upper%largest_radius) self%why_it_ends = lower%why_it_ends
@@ -47,6 +50,17 @@ contains
         self%roughness = max(lower%roughness, upper%roughness)
         call self%set_pair(lower, upper)
     end subroutine new_series
+
+    recursive subroutine copy_effective(self, copy, error)
+        class(series_t), intent(in) :: self
+        class(effective_medium_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(series_t), allocatable :: own
+
+        allocate (own)
+        call new_series(own, self%lower, self%upper, error)
+        call move_alloc(own, copy)
+    end subroutine copy_effective
 
     elemental function effective_modulus(self, a) result(value)
         class(series_t), intent(in) :: self
@@ -157,7 +171,7 @@ contains
         class(medium_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
         class(medium_t), allocatable :: lower, upper
-        type(series_t) :: own
+        type(series_t), allocatable :: own
 
         call self%lower%new_tangential(lower, error)
         if (.not. allocated(error)) call self%upper%new_tangential(upper, error)
@@ -166,8 +180,10 @@ contains
         class is (effective_medium_t)
             select type (upper)
             class is (effective_medium_t)
-                call new_series(own, lower, upper)
-                allocate (tangential, source=own)
+                allocate (own)
+                call new_series(own, lower, upper, error)
+                if (allocated(error)) return
+                call move_alloc(own, tangential)
             end select
         end select
         if (.not. allocated(tangential)) call raise(error, error_invalid, "one body of the pair has no tangential modulus")

@@ -3,7 +3,6 @@
 module mdrcontact_medium_tabulated
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_radius_law, only: interpolation_roughness, new_radius_law_from_function, &
                                                 new_radius_law_from_table, radius_law_t
@@ -21,7 +20,7 @@ module mdrcontact_medium_tabulated
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: add_breaks
-        procedure :: copy_to
+        procedure :: copy_effective
     end type tabulated_medium_t
 
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
@@ -67,9 +66,9 @@ contains
         self%roughness = interpolation_roughness
     end subroutine take_range
 
-    recursive subroutine copy_to(self, copy, error)
+    recursive subroutine copy_effective(self, copy, error)
         class(tabulated_medium_t), intent(in) :: self
-        class(medium_t), allocatable, intent(out) :: copy
+        class(effective_medium_t), allocatable, intent(out) :: copy
         type(error_t), allocatable, intent(inout) :: error
         integer :: stat
 
@@ -86,7 +85,7 @@ contains
         end select
         if (allocated(self%pressed)) allocate (copy%pressed, source=self%pressed)
         if (allocated(self%counterbody)) allocate (copy%counterbody, source=self%counterbody)
-    end subroutine copy_to
+    end subroutine copy_effective
 
     elemental function effective_modulus(self, a) result(value)
         class(tabulated_medium_t), intent(in) :: self
