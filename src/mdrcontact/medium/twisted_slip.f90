@@ -150,7 +150,7 @@ contains
             ! a root of b - break behind: panels in proportion to the distance from it
             length = minval(here - self%breaks, mask=self%breaks < here)
             next = min(next, here + max(length, shortest*self%radius))
-            if (next > self%radius/(0.5_wp*(1.0_wp + growth))) next = self%radius
+            if (self%radius - next < 0.5_wp*(next - here)) next = self%radius
             do i = 1, size(self%breaks)
                 if (self%breaks(i) > here) next = min(next, self%breaks(i))
             end do
