@@ -10,17 +10,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native, _slip
+from . import _layout, _native
 from ._boundary import FloatOrArray, Handle, call, number, numbers, whole
+from ._partial_slip import Given, PartialSlip, draw_loop
 from ._value import Value
-from .adhesion import code
 from .contact import Contact, State
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .torsion import Torsion
 
 __all__ = ["Friction", "FrictionHistory", "FrictionLoop", "TangentialState"]
-
-_CONTROLS = {"shift": _layout.GIVEN_SHIFT, "force": _layout.GIVEN_TANGENTIAL_FORCE}
 
 
 class TangentialState(NamedTuple):
@@ -59,7 +57,16 @@ class FrictionLoop(NamedTuple):
 
     def plot(self, axes: Any = None, **look: Any) -> Any:
         """Draws T against s with matplotlib on `axes` (None makes a new figure); `look` is passed on. Returns the axes."""
-        return _slip.draw_loop(self.shift, self.tangential_force, ("shift s", "tangential force T"), axes, look)
+        return draw_loop(self.shift, self.tangential_force, ("shift s", "tangential force T"), axes, look)
+
+
+_SLIP = PartialSlip[TangentialState](
+    "tangential",
+    TangentialState,
+    {"shift": _layout.GIVEN_SHIFT, "tangential_force": _layout.GIVEN_TANGENTIAL_FORCE},
+    {"shift": "shift", "force": "tangential_force"},
+    (_native.friction_states, _native.friction_sliding, _native.friction_loop, _native.friction_field),
+)
 
 
 @dataclass(frozen=True)
@@ -90,16 +97,10 @@ class Friction(Value):
         self._set(_handle=Handle(created, _native.friction_free), contact=contact, coefficient=mu)
 
     def at_shift(
-        self,
-        shift: ArrayLike,
-        state: State | None = None,
-        *,
-        force: ArrayLike | None = None,
-        depth: ArrayLike | None = None,
-        radius: ArrayLike | None = None,
+        self, shift: ArrayLike, state: State | None = None, *, force: Given = None, depth: Given = None, radius: Given = None
     ) -> TangentialState:
         """The states after a displacement s of the indenter along the surface [length], of either sign, any shape."""
-        return self._states("shift", shift, self._normal(state, force, depth, radius))
+        return _SLIP.states(self, "shift", shift, (state, force, depth, radius))
 
     def at_tangential_force(
         self,
@@ -112,19 +113,13 @@ class Friction(Value):
     ) -> TangentialState:
         """The states under a tangential force T [modulus length^2], |T| <= coefficient F, any shape; at the bound the state in
         which sliding begins."""
-        return self._states("tangential_force", tangential_force, self._normal(state, force, depth, radius))
+        return _SLIP.states(self, "tangential_force", tangential_force, (state, force, depth, radius))
 
     def sliding_shift(
-        self,
-        state: State | None = None,
-        *,
-        force: ArrayLike | None = None,
-        depth: ArrayLike | None = None,
-        radius: ArrayLike | None = None,
+        self, state: State | None = None, *, force: Given = None, depth: Given = None, radius: Given = None
     ) -> FloatOrArray:
         """The shift at which the last point begins to slip and the contact slides [length]; T is then coefficient times F."""
-        rows = self._normal(state, force, depth, radius)
-        return _slip.for_each(lambda row: float(call(_native.friction_sliding, self._handle.address, row)[0]), rows)
+        return _SLIP.sliding(self, (state, force, depth, radius))
 
     def loop(
         self,
@@ -142,12 +137,7 @@ class Friction(Value):
         amplitude : > 0, of the "shift" [length] or the tangential "force" [modulus length^2] as `control` says
         points : at least 3; from +amplitude to -amplitude and back
         """
-        given = code("control", control, _CONTROLS)
-        size, count = number("amplitude", amplitude), _slip.point_count(points)
-        row = _slip.one_row(self._normal(state, force, depth, radius))
-        shifts, forces, energy = call(_native.friction_loop, self._handle.address, row, given, size, count)
-        turn = self._states("shift" if control == "shift" else "tangential_force", size, row)
-        return FrictionLoop(shifts, forces, float(energy), turn)
+        return FrictionLoop(*_SLIP.loop(self, control, amplitude, points, (state, force, depth, radius)))
 
     def cycle_energy(
         self,
@@ -161,10 +151,8 @@ class Friction(Value):
     ) -> FloatOrArray:
         """Energy dissipated in a cycle between +amplitude and -amplitude, any shape [modulus length^3], without loss of digits at
         small amplitudes. Arguments as of `loop`."""
-        code("control", control, _CONTROLS)
-        name = "shift" if control == "shift" else "tangential_force"
-        energy = 4.0 * np.asarray(self._states(name, amplitude, self._normal(state, force, depth, radius)).dissipated_energy)
-        return energy if energy.shape else float(energy)
+        turns = _SLIP.states(self, _SLIP.named(control), amplitude, (state, force, depth, radius))
+        return 4.0 * turns.dissipated_energy
 
     def traction(
         self,
@@ -180,7 +168,7 @@ class Friction(Value):
 
         shear : one tangential state of this normal state, as `at_shift` gives
         """
-        return self._field(_layout.FIELD_TRACTION, "r", r, shear, self._normal(state, force, depth, radius))
+        return _SLIP.field(self, _layout.FIELD_TRACTION, ("r", r), ("shear", shear), (state, force, depth, radius))
 
     def line_load(
         self,
@@ -193,7 +181,7 @@ class Friction(Value):
         radius: float | None = None,
     ) -> FloatOrArray:
         """Line load q_t(x) [modulus length] of the springs along the shift, 0 <= x <= a, any shape; arguments as of `traction`."""
-        return self._field(_layout.FIELD_TANGENTIAL_LINE_LOAD, "x", x, shear, self._normal(state, force, depth, radius))
+        return _SLIP.field(self, _layout.FIELD_TANGENTIAL_LINE_LOAD, ("x", x), ("shear", shear), (state, force, depth, radius))
 
     def history(self, largest_depth: float | None = None, rings: int | None = None) -> FrictionHistory:
         """A contact that has not been loaded yet, to be led along any path.
@@ -209,20 +197,6 @@ class Friction(Value):
         """The contact twisted about its axis: `.at_twist`, `.at_torque`, `.sliding_torque`, `.loop`, `.traction`, `.line_load`.
         On homogeneous media."""
         return Torsion(self)
-
-    def _normal(
-        self, state: State | None, force: ArrayLike | None, depth: ArrayLike | None, radius: ArrayLike | None
-    ) -> NDArray[np.float64]:
-        return _slip.normal_rows(self.contact, state, force, depth, radius)
-
-    def _states(self, name: str, values: ArrayLike, rows: NDArray[np.float64]) -> TangentialState:
-        given = _layout.GIVEN_SHIFT if name == "shift" else _layout.GIVEN_TANGENTIAL_FORCE
-        return TangentialState._make(_slip.states(_native.friction_states, self._handle.address, given, name, values, rows))
-
-    def _field(self, field: int, name: str, r: ArrayLike, shear: TangentialState, rows: NDArray[np.float64]) -> FloatOrArray:
-        if not isinstance(shear, TangentialState):
-            raise ArgumentTypeError(f"shear = {shear!r} is not allowed: it must be a TangentialState")
-        return _slip.field(_native.friction_field, self._handle.address, field, name, r, "tangential", shear, rows)
 
 
 class FrictionHistory:

@@ -3,30 +3,18 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native, _slip
-from ._boundary import FloatOrArray, Handle, call, number
-from .adhesion import code
+from . import _layout, _native
+from ._boundary import FloatOrArray
+from ._partial_slip import Given, PartialSlip, Rubbing, draw_loop
 from .contact import Contact, State
 from .errors import ArgumentTypeError
 
 __all__ = ["Torsion", "TorsionLoop", "TorsionalState"]
-
-_CONTROLS = {"twist": _layout.GIVEN_TWIST, "torque": _layout.GIVEN_TORQUE}
-
-
-class _Rubbing(Protocol):
-    """What is needed of a `Friction`, whose module imports this one."""
-
-    @property
-    def contact(self) -> Contact: ...
-
-    @property
-    def _handle(self) -> Handle: ...
 
 
 class TorsionalState(NamedTuple):
@@ -60,7 +48,16 @@ class TorsionLoop(NamedTuple):
 
     def plot(self, axes: Any = None, **look: Any) -> Any:
         """Draws M against phi with matplotlib on `axes` (None makes a new figure); `look` is passed on. Returns the axes."""
-        return _slip.draw_loop(self.twist, self.torque, ("twist phi", "torque M"), axes, look)
+        return draw_loop(self.twist, self.torque, ("twist phi", "torque M"), axes, look)
+
+
+_SLIP = PartialSlip[TorsionalState](
+    "torsional",
+    TorsionalState,
+    {"twist": _layout.GIVEN_TWIST, "torque": _layout.GIVEN_TORQUE},
+    {"twist": "twist", "torque": "torque"},
+    (_native.torsion_states, _native.torsion_sliding, _native.torsion_loop, _native.torsion_field),
+)
 
 
 class Torsion:
@@ -75,47 +72,29 @@ class Torsion:
 
     __slots__ = ("friction",)
 
-    def __init__(self, friction: _Rubbing) -> None:
+    def __init__(self, friction: Rubbing) -> None:
         if not isinstance(getattr(friction, "contact", None), Contact):
             raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
         self.friction = friction
 
     def at_twist(
-        self,
-        twist: ArrayLike,
-        state: State | None = None,
-        *,
-        force: ArrayLike | None = None,
-        depth: ArrayLike | None = None,
-        radius: ArrayLike | None = None,
+        self, twist: ArrayLike, state: State | None = None, *, force: Given = None, depth: Given = None, radius: Given = None
     ) -> TorsionalState:
         """The states after a twist phi of the indenter about the axis [radian], of either sign, any shape."""
-        return self._states("twist", twist, self._rows(state, force, depth, radius))
+        return _SLIP.states(self.friction, "twist", twist, (state, force, depth, radius))
 
     def at_torque(
-        self,
-        torque: ArrayLike,
-        state: State | None = None,
-        *,
-        force: ArrayLike | None = None,
-        depth: ArrayLike | None = None,
-        radius: ArrayLike | None = None,
+        self, torque: ArrayLike, state: State | None = None, *, force: Given = None, depth: Given = None, radius: Given = None
     ) -> TorsionalState:
         """The states under a torque M [modulus length^3], |M| < `sliding_torque`, any shape."""
-        return self._states("torque", torque, self._rows(state, force, depth, radius))
+        return _SLIP.states(self.friction, "torque", torque, (state, force, depth, radius))
 
     def sliding_torque(
-        self,
-        state: State | None = None,
-        *,
-        force: ArrayLike | None = None,
-        depth: ArrayLike | None = None,
-        radius: ArrayLike | None = None,
+        self, state: State | None = None, *, force: Given = None, depth: Given = None, radius: Given = None
     ) -> FloatOrArray:
         """The torque that a growing twist approaches, coefficient int r p dA: (3 pi/16) coefficient F a under a paraboloid
         [modulus length^3]."""
-        rows = self._rows(state, force, depth, radius)
-        return _slip.for_each(lambda row: float(call(_native.torsion_sliding, self._address, row)), rows)
+        return _SLIP.sliding(self.friction, (state, force, depth, radius))
 
     def loop(
         self,
@@ -133,11 +112,7 @@ class Torsion:
         amplitude : > 0, of the "twist" [radian] or the "torque" [modulus length^3] as `control` says
         points : at least 3; from +amplitude to -amplitude and back
         """
-        given = code("control", control, _CONTROLS)
-        size, count = number("amplitude", amplitude), _slip.point_count(points)
-        row = _slip.one_row(self._rows(state, force, depth, radius))
-        twists, torques, energy = call(_native.torsion_loop, self._address, row, given, size, count)
-        return TorsionLoop(twists, torques, float(energy), self._states(control, size, row))
+        return TorsionLoop(*_SLIP.loop(self.friction, control, amplitude, points, (state, force, depth, radius)))
 
     def traction(
         self,
@@ -153,7 +128,7 @@ class Torsion:
 
         twisted : one torsional state of this normal state, as `at_twist` gives
         """
-        return self._field(_layout.FIELD_TRACTION, "r", r, twisted, self._rows(state, force, depth, radius))
+        return _SLIP.field(self.friction, _layout.FIELD_TRACTION, ("r", r), ("twisted", twisted), (state, force, depth, radius))
 
     def line_load(
         self,
@@ -167,25 +142,9 @@ class Torsion:
     ) -> FloatOrArray:
         """Line load q(x) = 2 x int_x^a tau dr/sqrt(r^2 - x^2) [modulus length], 0 <= x <= a, any shape; arguments as of
         `traction`. The torque is 4 int_0^a x q dx."""
-        return self._field(_layout.FIELD_TANGENTIAL_LINE_LOAD, "x", x, twisted, self._rows(state, force, depth, radius))
-
-    @property
-    def _address(self) -> int:
-        return self.friction._handle.address
-
-    def _rows(
-        self, state: State | None, force: ArrayLike | None, depth: ArrayLike | None, radius: ArrayLike | None
-    ) -> NDArray[np.float64]:
-        return _slip.normal_rows(self.friction.contact, state, force, depth, radius)
-
-    def _states(self, name: str, values: ArrayLike, rows: NDArray[np.float64]) -> TorsionalState:
-        found = _slip.states(_native.torsion_states, self._address, _CONTROLS[name], name, values, rows)
-        return TorsionalState._make(found)
-
-    def _field(self, field: int, name: str, r: ArrayLike, twisted: TorsionalState, rows: NDArray[np.float64]) -> FloatOrArray:
-        if not isinstance(twisted, TorsionalState):
-            raise ArgumentTypeError(f"twisted = {twisted!r} is not allowed: it must be a TorsionalState")
-        return _slip.field(_native.torsion_field, self._address, field, name, r, "torsional", twisted, rows)
+        return _SLIP.field(
+            self.friction, _layout.FIELD_TANGENTIAL_LINE_LOAD, ("x", x), ("twisted", twisted), (state, force, depth, radius)
+        )
 
     def __repr__(self) -> str:
         return f"{self.friction!r}.torsion"

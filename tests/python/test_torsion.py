@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.integrate import quad
+from scipy.integrate import quad, trapezoid
 from scipy.special import ellipe, ellipkm1
 
 import mdrcontact as mdr
@@ -82,7 +82,7 @@ def test_all_indenters(indenter):
     kinks = (0.2,) if isinstance(indenter, mdr.FlatEndedCone) else ()
     limit = pair.torsion.sliding_torque(state)
     r = a * np.sqrt(1.0 - np.linspace(0.0, 1.0, 20001) ** 2)
-    rough = np.trapezoid(2.0 * np.pi * MU * pair.contact.pressure(np.maximum(r, 1e-9), state) * r**2, r)
+    rough = trapezoid(2.0 * np.pi * MU * pair.contact.pressure(np.maximum(r, 1e-9), state) * r**2, r)
     assert limit == pytest.approx(-rough, rel=1e-4)
     for share in (0.3, 0.95):
         found = pair.torsion.at_torque(share * limit, state)
