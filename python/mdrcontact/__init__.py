@@ -22,6 +22,7 @@ from . import (
     contact,
     critical,
     errors,
+    failure,
     fitting,
     friction,
     friction_law,
@@ -42,6 +43,7 @@ from .closed_forms import *  # noqa: F403
 from .contact import *  # noqa: F403
 from .critical import *  # noqa: F403
 from .errors import *  # noqa: F403
+from .failure import *  # noqa: F403
 from .fitting import *  # noqa: F403
 from .friction import *  # noqa: F403
 from .friction_law import *  # noqa: F403
@@ -62,6 +64,7 @@ __all__ = [
     *contact.__all__,
     *critical.__all__,
     *errors.__all__,
+    *failure.__all__,
     *fitting.__all__,
     *friction.__all__,
     *friction_law.__all__,

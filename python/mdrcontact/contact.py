@@ -12,12 +12,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native, adhesion, critical, history, interior
+from . import _layout, _native, adhesion, critical, failure, history, interior
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record, row
 from ._value import Value
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code
-from .critical import Critical, Failure
+from .critical import Critical
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, NotOneDiscWarning
+from .failure import Failure
 from .history import History
 from .interior import Interior
 from .medium import Medium
@@ -324,7 +325,7 @@ class Contact(Value):
         A strength that is not reached, or only at the singular edge of a punch or an adhesive contact, has no entry; one that is
         reached at any load, as under a sharp tip, has that of the smallest contact looked at and `at_once`.
         """
-        return critical.first_failure(self, strengths, body, friction, largest_radius)
+        return failure.first_failure(self, strengths, body, friction, largest_radius)
 
     def _one(self, state: State | None) -> list[float]:
         """One state as the library takes it."""

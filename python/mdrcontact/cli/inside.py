@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contact import Contact, State
-from ..critical import Critical, Failure
+from ..critical import Critical
+from ..failure import Failure
 from ..interior import Interior
 
 _POINTS = 121

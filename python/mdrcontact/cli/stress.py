@@ -11,7 +11,8 @@ import numpy as np
 
 from .. import _progress
 from ..contact import Contact, State
-from ..critical import Failure, Maximum, layers_of
+from ..critical import Maximum, layers_of
+from ..failure import Failure
 from ..interior import Interior
 from ..problem import Problem, ProblemError, load
 from ..problem.strength import Strengths
