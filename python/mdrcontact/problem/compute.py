@@ -16,12 +16,12 @@ from .section import ProblemError, Section
 from .units import FORCE, LENGTH, Dimension
 
 _LISTS = {"depth": "depths", "force": "forces", "radius": "radii"}
-_DIMENSIONS = {"depth": LENGTH, "force": FORCE, "radius": LENGTH}
+DIMENSIONS = {"depth": LENGTH, "force": FORCE, "radius": LENGTH}
 
 KNOWN: Mapping[str, Dimension | None] = {
-    **{f"max_{name}": dimension for name, dimension in _DIMENSIONS.items()},
-    **{f"min_{name}": dimension for name, dimension in _DIMENSIONS.items()},
-    **{_LISTS[name]: dimension for name, dimension in _DIMENSIONS.items()},
+    **{f"max_{name}": dimension for name, dimension in DIMENSIONS.items()},
+    **{f"min_{name}": dimension for name, dimension in DIMENSIONS.items()},
+    **{_LISTS[name]: dimension for name, dimension in DIMENSIONS.items()},
     "points": None,
     "spacing": None,
 }
@@ -38,7 +38,7 @@ class Control(NamedTuple):
     @property
     def dimension(self) -> Dimension:
         """Of the prescribed quantity."""
-        return _DIMENSIONS[self.name]
+        return DIMENSIONS[self.name]
 
     def states(self, contact: Contact, part: slice = slice(None)) -> State:
         """The states of a contact at the prescribed values, or at part of them."""
@@ -54,7 +54,7 @@ class Control(NamedTuple):
 
 def read_control(section: Section) -> Control:
     """The values that [compute] prescribes."""
-    starts = [key for name in _DIMENSIONS for key in (f"max_{name}", _LISTS[name]) if key in section]
+    starts = [key for name in DIMENSIONS for key in (f"max_{name}", _LISTS[name]) if key in section]
     if len(starts) != 1:
         said = " and ".join(starts) if starts else "none of them is there"
         raise ProblemError(

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .columns import read_table
+from .compute import DIMENSIONS, MOST_POINTS
 from .roles import ROLES
 from .section import ProblemError, Section
-from .units import FORCE, LENGTH, TIME, Dimension
+from .units import TIME, Dimension
 
-_DIMENSIONS: Mapping[str, Dimension] = {"depth": LENGTH, "force": FORCE, "radius": LENGTH}
 _PATHS: Mapping[str, tuple[str, ...]] = {
     "step": ("hold_time",),
     "ramp": ("rise_time", "hold_time", "fall_time"),
@@ -27,7 +27,7 @@ _PATHS: Mapping[str, tuple[str, ...]] = {
 _TIMES = ("rise_time", "hold_time", "fall_time", "duration")
 
 KNOWN: Mapping[str, Dimension | None] = {
-    **_DIMENSIONS,
+    **DIMENSIONS,
     "path": None,
     **dict.fromkeys(_TIMES, TIME),
     "points": None,
@@ -35,8 +35,6 @@ KNOWN: Mapping[str, Dimension | None] = {
     "time": None,
     "control": None,
 }
-
-MOST_POINTS = 100_000
 
 
 class HistoryPath(NamedTuple):
@@ -53,7 +51,7 @@ def read_history(section: Section, folder: Path) -> HistoryPath:
     if kind == "file":
         section.only(("path", *_PATHS[kind]), 'path = "file"')
         return _from_file(section, folder)
-    given = [name for name in _DIMENSIONS if name in section]
+    given = [name for name in DIMENSIONS if name in section]
     if len(given) != 1:
         raise ProblemError(f'[{section.path}]: give one of depth, force and radius, the largest value, as in depth = "200 nm"')
     name = given[0]
@@ -91,10 +89,10 @@ def _from_file(section: Section, folder: Path) -> HistoryPath:
     if not isinstance(name, str):
         raise ProblemError(f'[{section.path}]: file = {name!r} is not the name of a table: write it as in file = "path.csv"')
     table = read_table(folder / name)
-    control = section.choice("control", _DIMENSIONS, default="depth")
+    control = section.choice("control", DIMENSIONS, default="depth")
     title = section.plain("time") if "time" in section else table.find("time", ROLES["time"][1], TIME)
     time, _ = table.column(title, TIME)
-    values, _ = table.column(table.find(control, ROLES[control][1], _DIMENSIONS[control]), _DIMENSIONS[control])
+    values, _ = table.column(table.find(control, ROLES[control][1], DIMENSIONS[control]), DIMENSIONS[control])
     whole = np.isfinite(time) & np.isfinite(values)
     if not whole.any():
         raise ProblemError(f"{folder / name}: it has no row with both a time and a {control}")
