@@ -3,6 +3,7 @@
 #include "check.h"
 
 #include <limits.h>
+#include <time.h>
 
 static const double pi = 3.14159265358979323846;
 static const double R = 2.0, modulus = 3.0, work = 0.05;
@@ -172,6 +173,21 @@ static void loop_on_a_spring(const mdr_contact *c)
     CHECK_SUCCESS(mdr_loop_free(&l));
 }
 
+/* A loop of sixteen times as many points takes about sixteen times as long, not its square. */
+static void long_loops(const mdr_contact *c, int control, double stiffness)
+{
+    double seconds[2];
+
+    for (int i = 0; i < 2; i++) {
+        mdr_loop *l = NULL;
+        const clock_t start = clock();
+        CHECK_SUCCESS(mdr_loop_new(c, control, 0.5, i ? 32000 : 2000, stiffness, &l));
+        seconds[i] = (double)(clock() - start) / CLOCKS_PER_SEC;
+        CHECK_SUCCESS(mdr_loop_free(&l));
+    }
+    CHECK_TRUE(seconds[1] < 64 * seconds[0] + 0.05);
+}
+
 static void without_adhesion(void)
 {
     double d = 1, a = 1, F = 1, energy = 1;
@@ -200,6 +216,8 @@ int main(void)
     jkr_pull_off(c);
     loop_under_depth_control(c);
     loop_on_a_spring(c);
+    long_loops(c, MDR_CONTROL_DEPTH, 0.0);
+    long_loops(c, MDR_CONTROL_SPRING, 0.7);
     CHECK_SUCCESS(mdr_contact_free(&c));
     without_adhesion();
     return check_report("loop");
