@@ -102,6 +102,16 @@ def test_all_indenters(indenter):
         assert found.dissipated_energy == pytest.approx(work - kept / (2.0 * G), rel=2e-5)
 
 
+@pytest.mark.parametrize("share", [0.6, 0.8, 0.84, 0.9])
+def test_stick_close_to_a_flat_end(share):
+    """In a narrow ring around it the twist has a root: a torque 4 % too small had been given there."""
+    pair = friction(mdr.FlatEndedCone(0.4, 0.1))
+    state = pair.contact.at_radius(0.41)
+    found = pair.torsion.at_torque(share * pair.torsion.sliding_torque(state), state)
+    torque = torque_of(pair, state, found.stick_radius, found.twist, kinks=(0.4,))
+    assert found.torque == pytest.approx(torque, rel=1e-8)
+
+
 def test_tractions():
     pair = friction()
     state = pair.contact.at_depth(0.25)
