@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What states of exactly solved layers cost, in units of one atan + log of the C library measured in the same run, beside the bound
+/* What states of exactly solved layers cost, sheared and not, in units of one atan + log of the C library measured in the same run, beside the bound
  * that each is held to. Prints a section of docs/benchmarks.md; exit status 1 if a bound is missed. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
@@ -10,7 +10,8 @@
 #include "mdrcontact.h"
 #include "measure.h"
 
-enum { ROUNDS = 9, POINTS = 4096, ARRAY = 200, FIT_POINTS = 500, PROFILES = 4, RADII = 3, FILMS = 3, FEW = 16, MANY = 1000 };
+enum { ROUNDS = 9, POINTS = 4096, ARRAY = 200, FIT_POINTS = 500, PROFILES = 4, SHEARED = 5, RADII = 3, FILMS = 3, FEW = 16,
+       MANY = 1000, SHIFTS = 100, RINGS = 100, SEGMENTS = 7, STEPS = 40 };
 
 /* Seconds of one atan + log. */
 static double unit(void)
@@ -24,18 +25,27 @@ static double unit(void)
     return (busy() - start) / (8.0 * POINTS);
 }
 
-/* Units that one call of work takes: the least of some rounds, each of the work and of the unit by turns. */
-static double cost(void (*work)(void *), void *with)
+/* Seconds that one call of work takes: the least of some rounds; by turns the unit. */
+static double time_of(void (*work)(void *), void *with, double *one)
 {
-    double spent = INFINITY, one = INFINITY, start = busy();
+    double spent = INFINITY, start = busy();
     work(with);
     const int calls = 1 + (int)(2e-3 / (busy() - start + 1e-9));
+    *one = INFINITY;
     for (int round = 0; round < ROUNDS; ++round) {
         start = busy();
         for (int call = 0; call < calls; ++call) work(with);
         spent = least(spent, (busy() - start) / calls);
-        one = least(one, unit());
+        *one = least(*one, unit());
     }
+    return spent;
+}
+
+/* The same in units. */
+static double cost(void (*work)(void *), void *with)
+{
+    double one;
+    const double spent = time_of(work, with, &one);
     return spent / one;
 }
 
@@ -45,6 +55,10 @@ static void report(const char *what, const char *under, double figure, double bo
 {
     const int held = figure <= bound;
     if (!held) ++missed;
+    if (isinf(bound)) {
+        printf("| %s | %s | %.2f | - | |\n", what, under, figure);
+        return;
+    }
     printf(bound < 10.0 ? "| %s | %s | %.2f | %.2f | %s |\n" : "| %s | %s | %.0f | %.0f | %s |\n", what, under, figure, bound,
            held ? "held" : "missed");
     fflush(stdout);
@@ -96,7 +110,7 @@ static mdr_medium *fill_layers(layers *body, int count, double contrast)
     return medium;
 }
 
-static const char *const profile_names[PROFILES] = {"paraboloid", "cone", "flat-ended cone", "rounded cone"};
+static const char *const profile_names[SHEARED] = {"paraboloid", "cone", "flat-ended cone", "rounded cone", "r^1.5"};
 
 /* Flat and rounded ends to 0.4 a. */
 static mdr_profile *new_profile(int which, double a)
@@ -105,7 +119,8 @@ static mdr_profile *new_profile(int which, double a)
     check(which == 0   ? mdr_profile_paraboloid(1.0, &profile)
           : which == 1 ? mdr_profile_cone(0.1, &profile)
           : which == 2 ? mdr_profile_flat_cone(0.4 * a, 0.1, &profile)
-                       : mdr_profile_rounded_cone(0.4 * a, 0.1, &profile));
+          : which == 3 ? mdr_profile_rounded_cone(0.4 * a, 0.1, &profile)
+                       : mdr_profile_power(0.5, 1.5, &profile));
     return profile;
 }
 
@@ -140,6 +155,121 @@ static void film_states(double contrast)
             mdr_profile_free(&profile);
         }
     }
+    mdr_medium_free(&film);
+}
+
+/* First shear of a normal state at some shifts. */
+typedef struct shear {
+    const mdr_friction *friction;
+    mdr_state state;
+    int count;
+    double shift[SHIFTS];
+    mdr_tangential_state out[SHIFTS];
+} shear;
+
+static void partial_slip(void *with)
+{
+    shear *s = with;
+    check(mdr_friction_states(s->friction, &s->state, MDR_GIVEN_SHIFT, s->count, s->shift, s->out));
+}
+
+/* Partial slip at a = h, the mean over all shifts below sliding, against a normal state from its depth. */
+static void partial_slip_cost(double contrast)
+{
+    static layers body;
+    mdr_medium *film = fill_layers(&body, 1, contrast);
+
+    for (int which = 0; which < SHEARED; ++which) {
+        char under[80];
+        double sliding, force;
+        states one = {.count = 1, .given = {1.0}};
+        shear first = {.count = 1}, all = {.count = SHIFTS};
+        mdr_profile *profile = new_profile(which, 1.0);
+        mdr_contact *contact = NULL;
+        mdr_friction *friction = NULL;
+        check(mdr_contact_new(profile, film, NULL, &contact));
+        check(mdr_friction_new(contact, 0.3, &friction));
+        one.contact = contact;
+        from_radius(&one);
+        all.friction = friction;
+        check(mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, one.given, &all.state));
+        check(mdr_friction_sliding(friction, &all.state, &sliding, &force));
+        for (int i = 0; i < SHIFTS; ++i) all.shift[i] = sliding * (i + 0.5) / SHIFTS;
+        first.friction = friction;
+        first.state = all.state;
+        first.shift[0] = 0.5 * sliding;
+        one.given[0] = one.depth[0];
+        snprintf(under, sizeof under, "%s, E0/E1 = %g, a/h = 1", profile_names[which], contrast);
+        const double normal = cost(from_depth, &one);
+        report("partial slip, in states from a depth", under, cost(partial_slip, &all) / (SHIFTS * normal), 5.0);
+        report("the first of a normal state, in the same", under, cost(partial_slip, &first) / normal, INFINITY);
+        mdr_friction_free(&friction);
+        mdr_contact_free(&contact);
+        mdr_profile_free(&profile);
+    }
+    mdr_medium_free(&film);
+}
+
+/* A history by rings along a path of straight segments in depth and shift. */
+typedef struct path {
+    const mdr_friction *friction;
+    double depth[SEGMENTS * STEPS], shift[SEGMENTS * STEPS], deepest;
+    mdr_state states[SEGMENTS * STEPS];
+    mdr_tangential_state out[SEGMENTS * STEPS];
+} path;
+
+static void new_history(void *with)
+{
+    path *p = with;
+    mdr_friction_history *history = NULL;
+    check(mdr_friction_history_new(p->friction, p->deepest, RINGS, &history));
+    mdr_friction_history_free(&history);
+}
+
+static void follow(void *with)
+{
+    path *p = with;
+    mdr_friction_history *history = NULL;
+    check(mdr_friction_history_new(p->friction, p->deepest, RINGS, &history));
+    check(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, SEGMENTS * STEPS, p->depth, p->shift, p->states,
+                                       p->out));
+    mdr_friction_history_free(&history);
+}
+
+/* The path of tests/data/friction_history.csv, there and here to 2e-4 of the friction force (ctest -R test_friction_history). */
+static void history_cost(double contrast)
+{
+    static const double radius[SEGMENTS] = {1.2, 1.2, 1.2, 0.8, 0.8, 1.4, 1.0};
+    static const double shift[SEGMENTS] = {0.2, 0.35, -0.2, -0.2, 0.1, 0.3, 0.0};
+    static layers body;
+    static path p;
+    char under[80];
+    mdr_medium *film = fill_layers(&body, 1, contrast);
+    mdr_profile *profile = new_profile(0, 1.0);
+    mdr_contact *contact = NULL;
+    mdr_friction *friction = NULL;
+    double depth[SEGMENTS], last_depth = 0.0, last_shift = 0.0, one;
+    check(mdr_contact_new(profile, film, NULL, &contact));
+    check(mdr_friction_new(contact, 0.3, &friction));
+    check(mdr_contact_from_radius(contact, SEGMENTS, radius, depth, NULL, NULL, NULL));
+    p.friction = friction;
+    p.deepest = 0.0;
+    for (int i = 0; i < SEGMENTS; ++i) {
+        for (int j = 0; j < STEPS; ++j) {
+            const double part = (j + 1.0) / STEPS;
+            p.depth[i * STEPS + j] = last_depth + part * (depth[i] - last_depth);
+            p.shift[i * STEPS + j] = last_shift + part * (shift[i] - last_shift);
+        }
+        last_depth = depth[i];
+        last_shift = shift[i];
+        p.deepest = fmax(p.deepest, 1.000001 * depth[i]);
+    }
+    snprintf(under, sizeof under, "paraboloid, E0/E1 = %g, %d rings, %d steps", contrast, RINGS, SEGMENTS * STEPS);
+    const double made = time_of(new_history, &p, &one), followed = time_of(follow, &p, &one);
+    report("a step of a history with friction, in ms", under, 1e3 * (followed - made) / (SEGMENTS * STEPS), 1.0);
+    mdr_friction_free(&friction);
+    mdr_contact_free(&contact);
+    mdr_profile_free(&profile);
     mdr_medium_free(&film);
 }
 
@@ -232,10 +362,15 @@ int main(void)
     for (int i = 0; i < 100; ++i) one = least(one, unit());
     printf("\n## States of exactly solved layers\n\n"
            "Made by `benchmarks/exact_states.c`, all in one run; processor time of one thread in units of one atan + log of this\n"
-           "run, %.1f ns. Flat and rounded ends reach to 0.4 a.\n\n",
+           "run, %.1f ns, unless the row says otherwise. Flat and rounded ends reach to 0.4 a. Partial slip: the mean over 100\n"
+           "shifts of one normal state, whose line load and lowest pressure they share; a first state has to find those, too.\n"
+           "Histories: by 100 rings, at which T is good to 2e-4 of the friction force.\n\n",
            1e9 * one);
     printf("| what | under what | figure | bound | |\n|---|---|---|---|---|\n");
     for (int i = 0; i < FILMS; ++i) film_states(contrasts[i]);
+    for (int i = 0; i < 2; ++i) partial_slip_cost(contrasts[i]);
+    history_cost(0.1);
+    history_cost(2.0);
     for (int i = 0; i < FILMS; ++i) medium_cost(contrasts[i]);
     layers_cost(FEW, 1500.0);
     layers_cost(MANY, 15000.0);
