@@ -13,7 +13,7 @@
 void *__libc_malloc(size_t size);
 void *__libc_realloc(void *old, size_t size);
 
-enum { LARGE = 65536, POINTS = 8500, ROWS = 100, NUMBERS = 13, SURVIVED = 42 };
+enum { LARGE = 65536, POINTS = 8500, ROWS = 100, GRADES = 400, NUMBERS = 13, SURVIVED = 42 };
 
 /* Large requests so far, and which one is refused; 0: none. */
 static int requests, refused;
@@ -33,16 +33,18 @@ void *realloc(void *old, size_t size)
     return is_refused(size) ? NULL : __libc_realloc(old, size);
 }
 
-static double x[POINTS], y[POINTS], small[POINTS], out[POINTS], other[POINTS];
+static double x[POINTS], y[POINTS], half[POINTS], one[POINTS], small[POINTS], out[POINTS], other[POINTS];
 static int branches[POINTS];
 static int labels[ROWS * ROWS * 10];
 static mdr_profile *ball, *tip;
 static mdr_medium *half_space, *film;
-static mdr_contact *contact, *on_film, *by_tip, *coated;
+static mdr_medium *coating, *soft_film;
+static mdr_contact *contact, *on_film, *by_tip, *coated, *adhesive, *scaled, *on_pair, *relaxing_film;
 static mdr_law *law;
 static mdr_structure *voxels;
-static mdr_contact *relaxing;
-static mdr_friction *rubbed;
+static mdr_contact *relaxing, *scaled_gao;
+static mdr_material *springs;
+static mdr_friction *rubbed, *rubbed_coating, *rubbed_scaled;
 static mdr_state pressed;
 
 static int profile(void) { mdr_profile *p = NULL; return mdr_profile_table(POINTS, x, y, &p); }
@@ -110,6 +112,149 @@ static int rings(void)
     }
     return status == MDR_SUCCESS ? mdr_friction_history_copy(history, &copy) : status;
 }
+
+/* Fields and energies of a state, at some radii within it. */
+static int fields_at(mdr_contact *c, int n)
+{
+    mdr_state state;
+    double lower, lowest;
+    int status = mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, (double[]){0.5}, &state);
+    for (int field = MDR_FIELD_PRESSURE; status == MDR_SUCCESS && field <= MDR_FIELD_DISPLACEMENT_UPPER; field++) {
+        status = mdr_contact_field(c, field, &state, n, half + 99, out);
+    }
+    if (status == MDR_SUCCESS) status = mdr_contact_energy(c, &state, &lower, NULL);
+    if (status == MDR_SUCCESS && c != adhesive) status = mdr_contact_lowest_pressure(c, &state, &lowest, NULL);
+    return status;
+}
+static int fields_of_scaled(void) { return fields_at(scaled, 1); }
+static int fields_on_coating(void) { return fields_at(coated, POINTS - 99); }
+static int fields_of_adhesive(void) { return fields_at(adhesive, POINTS - 99); }
+
+static int layers(void)
+{
+    mdr_medium *m = NULL;
+    return mdr_medium_layered(POINTS - 1, one, small, one, 2.0, 0.3, MDR_MODEL_GAO, NULL, &m);
+}
+static int graded_table(void)
+{
+    mdr_medium *m = NULL;
+    return mdr_medium_graded(GRADES, x, one, small, MDR_MODEL_GAO, NULL, &m);
+}
+static int graded_table_exact(void)
+{
+    mdr_medium *m = NULL;
+    return mdr_medium_graded(GRADES, x, one, small, MDR_MODEL_EXACT, NULL, &m);
+}
+static int pair(void) { mdr_medium *m = NULL; return mdr_medium_pair(film, film, &m); }
+static int contact_on_pair(void)
+{
+    mdr_medium *m = NULL;
+    mdr_contact *c = NULL;
+    int status = mdr_medium_pair(film, coating, &m);
+    return status == MDR_SUCCESS ? mdr_contact_new(ball, m, NULL, &c) : status;
+}
+static int contact_scaled(void)
+{
+    mdr_contact_options options;
+    mdr_contact *c = NULL;
+    mdr_contact_options_init(&options);
+    options.zeta_count = POINTS - 1;
+    options.zeta_radius = x + 1;
+    options.zeta = one;
+    return mdr_contact_new(ball, film, &options, &c);
+}
+static int states_scaled(void) { return mdr_contact_from_depth(scaled, 3, x + 100, NULL, NULL, out, NULL); }
+static int states_on_pair(void) { return mdr_contact_from_depth(on_pair, 3, x + 100, NULL, NULL, out, NULL); }
+static int sum(void)
+{
+    const mdr_profile *terms[2] = {tip, tip};
+    mdr_profile *p = NULL;
+    return mdr_profile_sum(2, terms, &p);
+}
+static int heights(void) { return mdr_profile_mdr(tip, POINTS, x, out); }
+static int moduli(void) { return mdr_medium_modulus(film, POINTS - 1, x + 1, out); }
+static int shear_moduli(void) { return mdr_medium_tangential_modulus(coating, 200, x + 1, out); }
+static int torsional_stiffnesses(void) { return mdr_medium_torsional_stiffness(coating, 200, x + 1, out); }
+static int closed_form(void) { return mdr_coated_paraboloid_adhesive_depth(POINTS - 1, x + 1, 1.0, 2.0, 1.0, 0.1, 1e-3, out); }
+static int loop_path(void)
+{
+    mdr_loop *l = NULL;
+    int status = mdr_loop_new(adhesive, MDR_CONTROL_DEPTH, 0.5, POINTS, 3.0, &l), n = 0, turn, jumps, index[9];
+    if (status == MDR_SUCCESS) status = mdr_loop_size(l, &n, &turn, &jumps);
+    if (status == MDR_SUCCESS && n > POINTS) n = POINTS;
+    if (status == MDR_SUCCESS) status = mdr_loop_path(l, n, out, other, NULL, NULL);
+    return status == MDR_SUCCESS ? mdr_loop_jumps(l, jumps < 9 ? jumps : 9, index) : status;
+}
+static int creep(void) { return mdr_material_creep(springs, POINTS - 1, x + 1, out); }
+static int new_frequencies(void) { return mdr_contact_dynamic_stiffness(relaxing_film, 3, x + 1, one, out, other); }
+static int steps(void) { return mdr_contact_step_response(relaxing_film, MDR_STEP_CREEP, 0.5, 3, x + 1, out); }
+static int march(void)
+{
+    const double t[4] = {0.0, 0.1, 0.2, 0.3}, d[4] = {0.0, 0.1, 0.05, 0.1};
+    return mdr_contact_history(relaxing_film, MDR_GIVEN_DEPTH, 1e-3, 4, t, d, out, NULL, NULL);
+}
+
+static int torsional_states(void)
+{
+    static mdr_torsional_state found[POINTS];
+    return mdr_torsion_states(rubbed, &pressed, MDR_GIVEN_TWIST, 1400, small, found);
+}
+static int shear_fields(const mdr_friction *f, mdr_contact *c, int n)
+{
+    mdr_state state;
+    mdr_tangential_state sheared;
+    int status = mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, (double[]){0.5}, &state);
+    if (status == MDR_SUCCESS) status = mdr_friction_states(f, &state, MDR_GIVEN_SHIFT, 1, (double[]){1e-3}, &sheared);
+    for (int field = MDR_FIELD_TRACTION; status == MDR_SUCCESS && field <= MDR_FIELD_TANGENTIAL_LINE_LOAD; field++) {
+        status = mdr_friction_field(f, &state, &sheared, field, n, half, out);
+    }
+    return status;
+}
+static int tractions(void) { return shear_fields(rubbed, contact, POINTS); }
+static int tractions_on_coating(void) { return shear_fields(rubbed_coating, coated, POINTS); }
+static int tractions_of_scaled(void) { return shear_fields(rubbed_scaled, scaled_gao, 2); }
+
+static int law_of(const mdr_contact *c, double tolerance)
+{
+    mdr_law_options options;
+    mdr_law *made = NULL;
+    mdr_law_options_init(&options);
+    options.tolerance = tolerance;
+    return mdr_law_new(c, 0.3, &options, &made);
+}
+static int law_of_half_space(void) { return law_of(contact, 1e-12); }
+static int law_of_coating(void) { return law_of(coated, 1e-8); }
+static int law_of_adhesive(void) { return law_of(adhesive, 1e-8); }
+static int law_energies(void) { return mdr_law_energy(law, MDR_ON_UNLOADING, POINTS, half, out); }
+static int law_of_friction(void)
+{
+    mdr_friction_law *made = NULL, *again = NULL;
+    static char text[3000000];
+    int length = 0, status = mdr_friction_law_new(rubbed, 0.3, NULL, &made);
+    if (status == MDR_SUCCESS) status = mdr_friction_law_write(made, text, (int)sizeof text, &length);
+    return status == MDR_SUCCESS ? mdr_friction_law_read(text, length, &again) : status;
+}
+static int law_of_friction_on_coating(void)
+{
+    mdr_friction_law *made = NULL;
+    return mdr_friction_law_new(rubbed_coating, 0.1, NULL, &made);
+}
+
+static int map_of(const mdr_structure *s, int n) { return mdr_structure_modulus(s, n, x, x, one, out); }
+static int smooth(double at_x, double at_y, double z, double *E, double *nu, void *context)
+{
+    (void)context;
+    *E = 2.0 + sin(at_x) * sin(at_y) * exp(-z);
+    *nu = 0.3;
+    return 0;
+}
+static int map_of_function(void)
+{
+    mdr_structure *s = NULL;
+    int status = mdr_structure_callback(smooth, NULL, 0.3, NULL, &s);
+    return status == MDR_SUCCESS ? map_of(s, 2) : status;
+}
+static int cells(void) { return mdr_lateral_cells(0.3, 0.1, 0.0, 0.1, 90, x, 90, x, out, other); }
 
 /* What differs from a paraboloid's forces over depths, by least squares of its modulus. */
 typedef struct {
@@ -205,11 +350,13 @@ int main(void)
     const int size[3] = {ROWS, ROWS, 10};
     const double E[2] = {1.0, 2.0}, nu[2] = {0.3, 0.3}, spacing[3] = {0.1, 0.1, 0.1};
     mdr_law_options options;
-    mdr_material *material = NULL;
-    mdr_medium *soft = NULL, *coating = NULL;
+    mdr_material *layer[1] = {NULL};
+    mdr_contact_options chosen;
+    mdr_medium *soft = NULL, *gao = NULL, *two = NULL;
 
     for (int i = 0; i < POINTS; i++) x[i] = i * 1e-4, y[i] = x[i] * x[i] * (1.0 + 0.01 * sin(30.0 * x[i]));
     for (int i = 0; i < POINTS; i++) small[i] = 1e-3 * y[i] * x[i], branches[i] = i % 2 ? MDR_ON_LOADING : MDR_ON_UNLOADING;
+    for (int i = 0; i < POINTS; i++) one[i] = 1.0, half[i] = 0.5 * x[i];
     for (int i = 0; i < ROWS * ROWS * 10; i++) labels[i] = i % 2;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
     CHECK_SUCCESS(mdr_profile_table(POINTS, x, y, &tip));
@@ -223,13 +370,32 @@ int main(void)
     options.tolerance = 1e-12;
     CHECK_SUCCESS(mdr_law_new(contact, 0.5, &options, &law));
 
-    CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, (double[]){2.0}, (double[]){0.5}, 0.0, 0.5, 0.0, &material));
-    CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, material, MDR_MODEL_EXACT, NULL, &soft));
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, (double[]){2.0}, (double[]){0.5}, 0.0, 0.5, 0.0, &springs));
+    CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, springs, MDR_MODEL_EXACT, NULL, &soft));
     CHECK_SUCCESS(mdr_contact_new(ball, soft, NULL, &relaxing));
     CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &coating));
     CHECK_SUCCESS(mdr_contact_new(ball, coating, NULL, &coated));
     CHECK_SUCCESS(mdr_friction_new(contact, 0.3, &rubbed));
     CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, (double[]){0.3}, &pressed));
+
+    CHECK_SUCCESS(mdr_material_elastic(1.0, 0.3, &layer[0]));
+    CHECK_SUCCESS(mdr_medium_viscoelastic(1, (const mdr_material *const *)layer, (double[]){0.4}, springs, MDR_MODEL_EXACT, NULL,
+                                          &soft_film));
+    CHECK_SUCCESS(mdr_contact_new(ball, soft_film, NULL, &relaxing_film));
+    CHECK_SUCCESS(mdr_medium_pair(film, half_space, &two));
+    CHECK_SUCCESS(mdr_contact_new(ball, two, NULL, &on_pair));
+    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, NULL, &gao));
+    mdr_contact_options_init(&chosen);
+    chosen.zeta_count = POINTS - 1;
+    chosen.zeta_radius = x + 1;
+    chosen.zeta = one;
+    CHECK_SUCCESS(mdr_contact_new(ball, film, &chosen, &scaled));
+    CHECK_SUCCESS(mdr_contact_new(ball, gao, &chosen, &scaled_gao));
+    mdr_contact_options_init(&chosen);
+    chosen.work_of_adhesion = 1e-3;
+    CHECK_SUCCESS(mdr_contact_new(ball, coating, &chosen, &adhesive));
+    CHECK_SUCCESS(mdr_friction_new(coated, 0.3, &rubbed_coating));
+    CHECK_SUCCESS(mdr_friction_new(scaled_gao, 0.3, &rubbed_scaled));
 
     refuse_each("table of f", 0, profile);
     refuse_each("table of g", 0, mdr_table);
@@ -259,5 +425,39 @@ int main(void)
     refuse_each("fit of an adhesive curve under a robust loss", 0, solve_adhesive);
     refuse_each("fit of stiffnesses", 0, solve_stiffness);
     refuse_each("interval", 0, interval);
+    refuse_each("fields under zeta", 1, fields_of_scaled);
+    refuse_each("fields on a coating", 8, fields_on_coating);
+    refuse_each("fields of an adhesive contact", 8, fields_of_adhesive);
+    refuse_each("layers", 13, layers);
+    refuse_each("table of depths", 4, graded_table);
+    refuse_each("table of depths, exact", 4, graded_table_exact);
+    refuse_each("pair", 0, pair);
+    refuse_each("contact on a pair", 0, contact_on_pair);
+    refuse_each("contact under zeta", 0, contact_scaled);
+    refuse_each("states under zeta", 0, states_scaled);
+    refuse_each("states on a pair", 0, states_on_pair);
+    refuse_each("sum of tables", 0, sum);
+    refuse_each("values of g", 0, heights);
+    refuse_each("moduli", 0, moduli);
+    refuse_each("shear moduli", 0, shear_moduli);
+    refuse_each("torsional stiffnesses", 0, torsional_stiffnesses);
+    refuse_each("closed form", 0, closed_form);
+    refuse_each("adhesive loop", 0, loop_path);
+    refuse_each("creep", 0, creep);
+    refuse_each("frequencies of a film", 0, new_frequencies);
+    refuse_each("step of a film", 0, steps);
+    refuse_each("path in time on a film", 0, march);
+    refuse_each("torsional states", 0, torsional_states);
+    refuse_each("tractions", 5, tractions);
+    refuse_each("tractions on a coating", 8, tractions_on_coating);
+    refuse_each("tractions under zeta", 0, tractions_of_scaled);
+    refuse_each("law of a half-space", 0, law_of_half_space);
+    refuse_each("law of a coating", 0, law_of_coating);
+    refuse_each("law of an adhesive contact", 0, law_of_adhesive);
+    refuse_each("energies of a law", 1, law_energies);
+    refuse_each("law of friction", 0, law_of_friction);
+    refuse_each("law of friction on a coating", 0, law_of_friction_on_coating);
+    refuse_each("map of a function", 2, map_of_function);
+    refuse_each("cells", 0, cells);
     return check_report("refused memory");
 }
