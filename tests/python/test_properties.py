@@ -280,90 +280,23 @@ def check_superposition(first, second, body, share):
     _close(both.stiffness, one.stiffness, 1e-8)
 
 
-@given(tips, bodies, shares)
-def test_growth(tip, body, share):
-    check_growth(tip, body, share)
+def quick_and_exact(check, before, cheap, after):
+    """The test of a property over cheap bodies, and a slow one over layers that are solved exactly; `before` and `after` are its
+    other arguments."""
+    return given(*before, cheap, *after)(check), pytest.mark.slow(few(given(*before, exact_layers, *after)(check)))
 
 
-@pytest.mark.slow
-@few
-@given(tips, exact_layers, shares)
-def test_growth_exact(tip, body, share):
-    check_growth(tip, body, share)
-
-
-@given(tips, bodies, shares)
-def test_directions(tip, body, share):
-    check_directions(tip, body, share)
-
-
-@pytest.mark.slow
-@few
-@given(tips, exact_layers, shares)
-def test_directions_exact(tip, body, share):
-    check_directions(tip, body, share)
-
-
-@given(tips, bodies, shares, units)
-def test_scaling(tip, body, share, unit):
-    check_scaling(tip, body, share, unit)
-
-
-@pytest.mark.slow
-@few
-@given(tips, exact_layers, shares, units)
-def test_scaling_exact(tip, body, share, unit):
-    check_scaling(tip, body, share, unit)
-
-
-@given(tips, bodies, shares)
-def test_stiffness_is_the_derivative(tip, body, share):
-    check_stiffness(tip, body, share)
-
-
-@pytest.mark.slow
-@few
-@given(tips, exact_layers, shares)
-def test_stiffness_is_the_derivative_exact(tip, body, share):
-    check_stiffness(tip, body, share)
-
-
-@given(st.one_of(simple_tips, flat_ended_tips), bodies, shares)
-def test_integrals(tip, body, share):
-    check_integrals(tip, body, share)
-
-
-@pytest.mark.slow
-@few
-@given(st.one_of(simple_tips, flat_ended_tips), exact_layers, shares)
-def test_integrals_exact(tip, body, share):
-    check_integrals(tip, body, share)
-
-
-@given(tips, st.one_of(homogeneous, formulas), shares)
-def test_surface(tip, body, share):
-    check_surface(tip, body, share)
-
-
-@pytest.mark.slow
-@few
-@given(tips, exact_layers, shares)
-def test_surface_exact(tip, body, share):
-    check_surface(tip, body, share)
-
-
-@given(st.one_of(simple_tips, flat_ended_tips), simple_tips, bodies, shares)
-def test_superposition(first, second, body, share):
-    check_superposition(first, second, body, share)
-
-
-@pytest.mark.slow
-@few
-@given(st.one_of(simple_tips, flat_ended_tips), simple_tips, exact_layers, shares)
-def test_superposition_exact(first, second, body, share):
-    check_superposition(first, second, body, share)
-
-
+test_growth, test_growth_exact = quick_and_exact(check_growth, [tips], bodies, [shares])
+test_directions, test_directions_exact = quick_and_exact(check_directions, [tips], bodies, [shares])
+test_scaling, test_scaling_exact = quick_and_exact(check_scaling, [tips], bodies, [shares, units])
+test_stiffness_is_the_derivative, test_stiffness_is_the_derivative_exact = quick_and_exact(
+    check_stiffness, [tips], bodies, [shares]
+)
+test_integrals, test_integrals_exact = quick_and_exact(check_integrals, [st.one_of(simple_tips, flat_ended_tips)], bodies, [shares])
+test_surface, test_surface_exact = quick_and_exact(check_surface, [tips], st.one_of(homogeneous, formulas), [shares])
+test_superposition, test_superposition_exact = quick_and_exact(
+    check_superposition, [st.one_of(simple_tips, flat_ended_tips), simple_tips], bodies, [shares]
+)
 # ---- adhesion ----
 
 endless_tips = st.one_of(
@@ -450,16 +383,9 @@ def test_adhesive_states_exact(tip, body, work, rule, share):
     check_adhesive_states(tip, body, work, rule, share, n=2)
 
 
-@given(adhesive_tips, st.one_of(homogeneous, analytic_formulas), works, rules, units)
-def test_pull_off(tip, body, work, rule, unit):
-    check_pull_off(tip, body, work, rule, unit)
-
-
-@pytest.mark.slow
-@few
-@given(adhesive_tips, exact_layers, works, rules, units)
-def test_pull_off_exact(tip, body, work, rule, unit):
-    check_pull_off(tip, body, work, rule, unit)
+test_pull_off, test_pull_off_exact = quick_and_exact(
+    check_pull_off, [adhesive_tips], st.one_of(homogeneous, analytic_formulas), [works, rules, units]
+)
 
 
 @given(lengths, materials, works)
