@@ -3,22 +3,14 @@
 
 from .calibration import as_prior
 from .compare import ModelRanking, RankedModel, compare_models
-from .data import (
-    DepthTime,
-    DynamicStiffness,
-    ForceDepth,
-    ForceTime,
-    ModulusRadius,
-    StiffnessDepth,
-    StiffnessRadius,
-    UnloadingPoint,
-)
+from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, UnloadingPoint
 from .depth_profile import DepthProfile, modulus_at_depths
 from .many import FailedFit, fit_many
 from .oliver_pharr import OliverPharr, oliver_pharr
 from .parameters import Free, Instrument, JointPrior
 from .result import FitResult
 from .solve import fit
+from .time_data import DepthTime, DynamicStiffness, ForceTime
 from .unloading import Unloading
 
 __all__ = [

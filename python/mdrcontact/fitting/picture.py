@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from .._files import replace
 from ..errors import MDRError
 from ..problem.units import FORCE, LENGTH, practical
-from .data import Data, DynamicStiffness, StiffnessDepth
+from .data import Data, StiffnessDepth
 from .quantities import dimension_of_data
+from .time_data import DynamicStiffness
 
 Array = NDArray[np.float64]
 

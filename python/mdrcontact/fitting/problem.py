@@ -17,7 +17,7 @@ from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..medium import Pair
 from ..medium.viscoelastic import is_viscoelastic
 from ..profile import AreaFunction
-from .data import Data, DepthTime, DynamicStiffness, ForceTime
+from .data import Data
 from .parameters import (
     Free,
     Instrument,
@@ -32,6 +32,7 @@ from .parameters import (
     read_known,
     with_indenter,
 )
+from .time_data import DepthTime, DynamicStiffness, ForceTime
 
 _LOSSES = {"linear": 0, "huber": 1, "cauchy": 2}
 
