@@ -22,7 +22,7 @@ BODIES = {
     "film on a liquid": mdr.Coated(HARD, 0.2, LIQUID),
     "dashpot below": mdr.Coated(POLYMER, 0.5, KELVIN),
 }
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
 TIMES = np.array([0.0, 0.5, 1.0, 1.2, 1.6])
 DEPTHS = np.array([0.0, 0.5, 0.8, 0.68, 0.44])
 """A kink while the contact grows, and one at the largest depth."""
@@ -39,6 +39,7 @@ def test_a_punch_superposes_its_steps(name):
     punch = mdr.Contact(mdr.FlatPunch(0.7), BODIES[name])
     time = np.array([0.0, 0.1, 1.0, 3.0])
     path = np.array([0.0, 0.2, 0.5, 0.5])
+    slopes = np.diff(path) / np.diff(time)
     for answer, marched in (
         (punch.relaxation, punch.history(time, depth=path, tolerance=1e-4).force),
         (punch.creep, punch.history(time, force=path, tolerance=1e-4).depth),
@@ -46,10 +47,11 @@ def test_a_punch_superposes_its_steps(name):
         wanted = []
         for t in time:
             # u = t - y^3: a power law's step is singular there
-            low, high = (np.maximum(t - ends, 0.0) ** (1.0 / 3.0) for ends in (time[1:], time[:-1]))
+            begun = (time[:-1] < t) & (slopes > 0.0)
+            low, high = (np.maximum(t - ends[begun], 0.0) ** (1.0 / 3.0) for ends in (time[1:], time[:-1]))
             y = low + 0.5 * (high - low) * (1.0 + NODES[:, None])
             steps = np.sum(WEIGHTS[:, None] * answer(np.maximum(y, 0.01) ** 3) * 1.5 * y**2, axis=0) * (high - low)
-            wanted.append(np.sum(np.diff(path) / np.diff(time) * steps))
+            wanted.append(np.sum(slopes[begun] * steps))
         assert largest(marched, np.array(wanted)) < 1e-4
 
 
