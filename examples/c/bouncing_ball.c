@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A steel ball of 1 mm radius bounces on a painted plate: a time-stepping code that takes its contact force from a compiled law, once per
- * step and contact. Printed: depth and force every so often, and the balance of energy, which nothing but the time step can spoil.
+ * A steel ball of 1 mm radius bounces on a painted plate: a time-stepping code that takes its contact force from a compiled law,
+ * once per step and contact. Printed: depth and force every so often, and the balance of energy, which nothing but the time step can spoil.
  *
  * With the name of a file as argument the law is saved there, for impact_of_deck.c and examples/legacy/impact.f.
  *
@@ -24,7 +24,7 @@ static void check(int status)
     }
 }
 
-/* The exact solution of the painted plate, compiled: about a hundred contact states solved here, none in the time loop. */
+/* The exact solution of the painted plate, compiled: some fifty contact states solved here, none in the time loop. */
 static mdr_law *painted_plate(double ball_radius, double largest_depth)
 {
     mdr_profile *ball = NULL;

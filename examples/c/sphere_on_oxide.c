@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A diamond-like sphere of 10 um radius pressed into 500 nm of thermal oxide on silicon: depth, contact radius, stiffness
- * and the force by three models of the coating, for forces that an experimenter sets.
+ * A diamond-like sphere of 10 um radius pressed into 500 nm of thermal oxide on silicon: depth, contact radius, stiffness and
+ * pressure under forces that an experimenter sets, by the exact solution and by three approximate models of the coating.
  *
  * Units of this program: nm, GPa, and hence nN (1 GPa nm^2 = 1 nN). The library takes any consistent set.
  * SiO2: E = 72 GPa, nu = 0.17 (Oliver, Pharr, J. Mater. Res. 7 (1992) 1564, fused silica); Si: isotropic average
@@ -39,15 +39,15 @@ static mdr_contact *sphere_on_oxide(int model)
 
 int main(void)
 {
-    enum { COUNT = 6 };
-    const int models[3] = {MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES, MDR_MODEL_PERRIOT_BARTHEL};
-    const char *names[3] = {"Gao, parallel", "Gao, series", "Perriot-Barthel"};
+    enum { COUNT = 6, MODELS = 4 };
+    const int models[MODELS] = {MDR_MODEL_EXACT, MDR_MODEL_GAO, MDR_MODEL_GAO_SERIES, MDR_MODEL_PERRIOT_BARTHEL};
+    const char *names[MODELS] = {"exact", "Gao, parallel", "Gao, series", "Perriot-Barthel"};
     const double force[COUNT] = {1e3, 1e4, 1e5, 1e6, 2e6, 5e6};
     mdr_state state[COUNT];
     double pressure[1];
     const double middle[1] = {0.0};
 
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < MODELS; i++) {
         mdr_contact *contact = sphere_on_oxide(models[i]);
         check(mdr_contact_states(contact, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, COUNT, force, state));
         printf("%s\n%12s %12s %12s %16s %20s\n", names[i], "force, mN", "depth, nm", "radius, nm", "stiffness, N/m",

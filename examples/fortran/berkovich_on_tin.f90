@@ -6,14 +6,14 @@
 !> the Berkovich pyramid as the cone of the same projected area, half-angle 70.30 degrees.
 program berkovich_on_tin
     use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
-    use mdrcontact, only: contact_state_t, contact_t, error_t, gao_options_t, gao_t, material_t, new_cone, new_contact, new_gao, &
-                          new_material, power_law_t, wp
+    use mdrcontact, only: contact_state_t, contact_t, error_t, layered_exact_t, material_t, new_cone, new_contact, &
+                          new_layered_exact, new_material, power_law_t, wp
     implicit none (type, external)
     real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
     real(wp), parameter :: depths(*) = [0.01_wp, 0.05_wp, 0.1_wp, 0.2_wp, 0.5_wp, 1.0_wp, 2.0_wp]
     type(material_t) :: tin, steel
     type(power_law_t) :: tip
-    type(gao_t) :: coated
+    type(layered_exact_t) :: coated
     type(contact_t) :: contact
     type(contact_state_t) :: state
     type(error_t), allocatable :: error
@@ -26,7 +26,7 @@ program berkovich_on_tin
     call check(error)
     call new_cone(tip, (90.0_wp - 70.30_wp)*degree, error)
     call check(error)
-    call new_gao(coated, tin, 2.0_wp, steel, error, gao_options_t(exponent=-1.0_wp))
+    call new_layered_exact(coated, [tin], [2.0_wp], steel, error)
     call check(error)
     call new_contact(contact, tip, coated, error)
     call check(error)

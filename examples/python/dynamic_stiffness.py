@@ -26,6 +26,7 @@ def main() -> None:
     omega = np.geomspace(1e-2, 1e5, 57)
     medium = mdr.Coated(POLYMER, THICKNESS, STEEL)
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 4.0), layout="constrained")
+    # at a given contact radius the indenter's shape does not matter: any one stands for all three punches
     stiffness = mdr.Contact(mdr.Cone(0.3), medium).dynamic_stiffness(omega[:, None], radius=RADII)
     for k, radius in zip(stiffness.T, RADII, strict=True):
         left.loglog(omega, k.real / 1e3, label=f"a/h = {radius / THICKNESS:g}")
@@ -36,7 +37,7 @@ def main() -> None:
     right.set(xlabel=r"angular frequency $\omega$ [rad/s]", ylabel=r"tan $\delta$ = k''/k'")
     left.legend()
     right.legend()
-    figure.suptitle("2 um of a polymer on steel, flat punches")
+    figure.suptitle("2 µm of a polymer on steel, flat punches")
     figure.savefig("dynamic_stiffness.png", dpi=150)
     print("written: dynamic_stiffness.png")
 

@@ -46,7 +46,7 @@ def main() -> None:
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.0, 4.4), layout="constrained")
     for part, line in zip(SLIPPING, lines, strict=False):
         left.loglog(RATIOS, line / 1e-9, color="0.6", linewidth=1.0)
-        left.annotate(f"{100 * part:.0f} % slips", (RATIOS[0], line[0] / 1e-9), va="bottom", fontsize=8)
+        left.annotate(f"{100 * part:.0f} % slips", (RATIOS[0], line[0] / 1e-9), va="top", fontsize=8)
     left.loglog(RATIOS, lines[-1] / 1e-9, color="#D55E00", label="gross slip above")
     left.set(xlabel="E of the coating over that of the steel", ylabel="amplitude of the shift [nm]")
     left.set_title(f"ball of {BALL / 1e-3:g} mm, {FORCE:g} N, {THICKNESS / 1e-6:g} µm coating, friction {MU:g}")

@@ -28,7 +28,7 @@ def measured_tip() -> mdr.TabulatedProfile:
 
 def main() -> None:
     """Draws tips and force-depth curves."""
-    coated = mdr.Coated(NITRIDE, THICKNESS, STEEL, model="hay-crawford")
+    coated = mdr.Coated(NITRIDE, THICKNESS, STEEL)
     tips = {
         "sharp cone": mdr.Cone(INCLINATION),
         "rounded cone, b = 100 nm": mdr.RoundedCone(100e-9, INCLINATION),
