@@ -313,3 +313,11 @@ def test_a_parameter_without_an_optimum_has_not_converged():
     assert result.warnings
     far = mdr.fit(mdr.ForceDepth(depth, np.asarray(mdr.Contact(BALL, FILM).at_depth(depth).force)), BALL, FILM, ["substrate.E"])
     assert far.estimates["substrate.E"] == pytest.approx(SILICON.E, rel=1e-3) or not far.converged
+
+
+@pytest.mark.parametrize("options", [{"relative_sd": 1e-300}, {"sd": 1e-20}, {"sd": [1.0, 1e-30, 1.0]}])
+def test_errors_finer_than_the_readings_are_refused(options):
+    """The squares of the weights would leave the number range: intervals were (nan, nan)."""
+    with pytest.raises(mdr.InvalidArgumentError, match="is that fine"):
+        mdr.ForceDepth([1.0, 2.0, 3.0], [1.0, 2.8, 5.2], **options)
+    mdr.ForceDepth([1.0, 2.0, 3.0], [0.0, 2.8, 5.2], sd=1e-10)

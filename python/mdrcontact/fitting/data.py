@@ -18,6 +18,8 @@ Self = TypeVar("Self", bound="Data")
 _FEWEST_TO_JUDGE = 20
 _CLIPPED = 0.04
 """Of the readings: so many share their largest value by coarse digits only."""
+_FINEST = 1e-15
+"""Standard deviation over reading: less is less than the rounding of the reading, and leaves intervals that are none."""
 _RETURN = 0.2
 """A curve whose x goes back over this part of its range holds loading and unloading."""
 
@@ -63,6 +65,13 @@ class Data:
         self.x, self.y = columns[self.x_name], columns[self.y_name]
         self.given, self.sd = columns.get(self.given_name), columns.get("sd")
         self.branch: NDArray[np.int32] | None = None
+        if self.sd is not None:
+            fine = np.flatnonzero((self.sd > 0.0) & (self.sd < _FINEST * np.abs(self.y)))
+            if len(fine):
+                raise InvalidArgumentError(
+                    f"entry {fine[0]} of sd = {self.sd[fine[0]]:.3g}, counted from 0, is not allowed: no reading of "
+                    f"{self.y[fine[0]]:.4g} is that fine; check its units"
+                )
         self._check_order()
         for name, values in ((self.x_name, self.x), (self.y_name, self.y)):
             ties = int(np.sum(values == values.max(initial=-np.inf)))
