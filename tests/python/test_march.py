@@ -68,9 +68,17 @@ def test_a_punch_above_a_dashpot_begins_on_a_rigid_base(thickness, nu):
 
 
 @pytest.mark.parametrize(
-    "tip", [mdr.FlatPunch(0.5), mdr.FlatEndedCone(0.3, 0.6), mdr.FlatEndedParaboloid(0.3, 1.0), mdr.RoundedCone(0.2, 0.5)], ids=repr
+    "tip",
+    [
+        mdr.Paraboloid(1.0),
+        mdr.FlatPunch(0.5),
+        mdr.FlatEndedCone(0.3, 0.6),
+        mdr.FlatEndedParaboloid(0.3, 1.0),
+        mdr.RoundedCone(0.2, 0.5),
+    ],
+    ids=repr,
 )
-def test_flat_ends_agree_with_ting(tip):
+def test_marching_agrees_with_ting(tip):
     """A film that relaxes almost, but not quite, as its base."""
     ting, marched = (
         mdr.Contact(

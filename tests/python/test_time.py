@@ -224,17 +224,6 @@ def test_closed_cycles_of_layers_lose_energy(body, duration):
     assert history.work > 0.01 * history.force.max() * 0.8
 
 
-def test_marching_agrees_with_ting():
-    """A film that relaxes almost, but not quite, as its base."""
-    time = np.array([0.0, 0.5, 1.0, 1.2, 1.6])
-    depth = np.array([0.2, 0.5, 0.8, 0.68, 0.44])
-    found = []
-    for base in (mdr.Viscoelastic(0.6, [(1.4, 0.5)], nu=0.3), mdr.Viscoelastic(0.6, [(1.4, 0.5 * (1.0 + 1e-9))], nu=0.3)):
-        history = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(S, 1.0, base)).history(time, depth=depth, tolerance=1e-6)
-        found.append(np.concatenate([history.radius, history.force]))
-    assert found[1] == pytest.approx(found[0], rel=1e-5)
-
-
 def test_a_homogeneous_contact_that_grows_again():
     """The second of two equal cycles, long after the first, is like the first; in between the surface comes back."""
     contact = mdr.Contact(mdr.Paraboloid(1.0), BODIES["A"])
