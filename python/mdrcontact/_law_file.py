@@ -22,17 +22,32 @@ Law = TypeVar("Law", bound="LawFile")
 class LawFile:
     """A compiled law with a file. It never changes."""
 
-    __slots__ = ("_handle",)
+    __slots__ = ("_handle", "_facts")
 
-    _handle: Handle
+    _free: ClassVar[Callable[[int], Any]]
+    _info: ClassVar[Callable[..., Any]]
+    _table: ClassVar[np.dtype[Any]]
+    """of what `_info` tells"""
     _write: ClassVar[Callable[..., Any]]
     _read: ClassVar[Callable[..., Any]]
     _describe: ClassVar[Callable[..., Any]]
 
     def _own(self, created: tuple[int, int]) -> None:
-        raise NotImplementedError
+        kind = type(self)
+        self._handle = Handle(created, kind._free)
+        facts = record(kind._table)
+        call(kind._info, self._handle.address, address(facts))
+        self._facts = facts[0]
 
-    def _description(self, length: int) -> str:
+    @property
+    def tolerance(self) -> float:
+        """The relative tolerance asked for."""
+        return float(self._facts["tolerance"])
+
+    @property
+    def description(self) -> str:
+        """The problem the law was made from."""
+        length = int(self._facts["description_length"])
         buffer = np.zeros(length + 1, np.uint8)
         call(type(self)._describe, self._handle.address, address(buffer), length + 1)
         return str(bytes(buffer[:length]), "utf-8")

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import Handle, address, call, number, numbers, record, whole
+from ._boundary import address, call, number, numbers, whole
 from ._law_file import LawFile, law_options
 from .errors import ArgumentTypeError
 from .friction import Friction
@@ -34,9 +34,10 @@ class FrictionLaw(LawFile):
     third loop inside a second, and where the shift turns aside. See `first_shear_error` and `path_error`.
     """
 
-    __slots__ = ("_facts",)
+    __slots__ = ()
 
     _write, _read, _describe = _native.friction_law_write, _native.friction_law_read, _native.friction_law_description
+    _free, _info, _table = _native.friction_law_free, _native.friction_law_info, _layout.friction_law_facts
 
     def __init__(
         self,
@@ -55,12 +56,6 @@ class FrictionLaw(LawFile):
         self._own(_native.friction_law_new(friction._handle.address, largest, address(options)))
         del text  # the options point to it
 
-    def _own(self, created: tuple[int, int]) -> None:
-        self._handle = Handle(created, _native.friction_law_free)
-        facts = record(_layout.friction_law_facts)
-        call(_native.friction_law_info, self._handle.address, address(facts))
-        self._facts = facts[0]
-
     @property
     def coefficient(self) -> float:
         """Of friction [1]."""
@@ -75,16 +70,6 @@ class FrictionLaw(LawFile):
     def largest_sliding_shift(self) -> float:
         """The shift of first shear at which the contact slides under the largest normal force [length]."""
         return float(self._facts["highest_sliding_shift"])
-
-    @property
-    def tolerance(self) -> float:
-        """The relative tolerance asked for."""
-        return float(self._facts["tolerance"])
-
-    @property
-    def description(self) -> str:
-        """The problem the law was made from."""
-        return self._description(int(self._facts["description_length"]))
 
     @property
     def first_shear_error(self) -> float:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native, adhesion
-from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record
+from ._boundary import FloatOrArray, address, evaluate, evaluate_all, number
 from ._law_file import LawFile, law_options
 from .adhesion import BRANCHES
 from .contact import Contact
@@ -54,9 +54,10 @@ class ContactLaw(LawFile):
     Unlike the contact, the law has an answer for bodies that are apart: zero.
     """
 
-    __slots__ = ("_address", "_facts", "_highest")
+    __slots__ = ("_address", "_highest")
 
     _write, _read, _describe = _native.law_write, _native.law_read, _native.law_description
+    _free, _info, _table = _native.law_free, _native.law_info, _layout.law_facts
 
     def __init__(
         self,
@@ -75,11 +76,8 @@ class ContactLaw(LawFile):
         del text  # the options point to it
 
     def _own(self, created: tuple[int, int]) -> None:
-        self._handle = Handle(created, _native.law_free)
+        super()._own(created)
         self._address = self._handle.address
-        facts = record(_layout.law_facts)
-        call(_native.law_info, self._address, address(facts))
-        self._facts = facts[0]
         self._highest = float(self._facts["highest_depth"])
 
     def force(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
@@ -160,11 +158,6 @@ class ContactLaw(LawFile):
         return float(self._facts["lowest_force"]), float(self._facts["highest_force"])
 
     @property
-    def tolerance(self) -> float:
-        """The relative tolerance asked for."""
-        return float(self._facts["tolerance"])
-
-    @property
     def error(self) -> float:
         """The largest relative error found when the law was verified against the contact."""
         return float(self._facts["error"])
@@ -173,11 +166,6 @@ class ContactLaw(LawFile):
     def solutions(self) -> int:
         """How many contact states were computed to make and verify the law."""
         return int(self._facts["solutions"])
-
-    @property
-    def description(self) -> str:
-        """The problem the law was made from."""
-        return self._description(int(self._facts["description_length"]))
 
     def __repr__(self) -> str:
         low, high = self.depth_range

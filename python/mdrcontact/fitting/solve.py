@@ -50,7 +50,6 @@ def fit(
 
     Bad data raise an exception; a search that does not converge returns its best point, and says so in `converged` and `warnings`.
     """
-    known = tuple(known)
     problem = make_problem(
         data,
         indenter,
