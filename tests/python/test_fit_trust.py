@@ -157,8 +157,9 @@ def test_coefficients_of_an_area_function_are_found_and_carry_their_covariance()
     variances = np.diag(np.square(list(calibrated.standard_errors.values())))
     one = mdr.fit(data(FILM), tip, FILM, {"coating.E": None, **apart}, instrument=instrument)
     joint = mdr.JointPrior(calibrated.names, tuple(calibrated.estimates.values()), variances)
-    other = mdr.fit(data(FILM), tip, FILM, ["coating.E"], instrument=instrument, known=[joint])
+    other = mdr.fit(data(FILM), tip, FILM, ["coating.E"], instrument=instrument, known=iter([joint]))
     assert other.standard_errors["coating.E"] == pytest.approx(one.standard_errors["coating.E"], rel=1e-3)
+    assert other.estimates["indenter.C1"] == pytest.approx(one.estimates["indenter.C1"], rel=1e-3)
 
 
 @pytest.mark.parametrize(

@@ -142,7 +142,7 @@ def make_problem(
     parts = of_indenter(indenter), of_medium(medium), of_instrument(with_indenter(instrument or Instrument(), medium))
     names = parts[0].names + parts[1].numbers.names + parts[2].names
     values = parts[0].values + parts[1].numbers.values + parts[2].values
-    chosen = read_free(free, names)
+    chosen, known = read_free(free, names), tuple(known)
     weights = read_known(known, names, chosen)
     if isinstance(indenter, AreaFunction) and not any(name.startswith("indenter.") for name in chosen):
         # a tip that stays as it is need not be made anew at every step
