@@ -8,7 +8,7 @@
 !> Concrete bodies are made by their `new_...` procedures, keep their materials and never change afterwards.
 module mdrcontact_body
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     implicit none (type, external)
@@ -44,6 +44,10 @@ module mdrcontact_body
         procedure :: ratios => none
         !> the body as homogeneous layers, for stresses inside
         procedure(sublayers_at), deferred :: sublayers
+        !> a copy, or error_memory; those with arrays that grow with a caller's data override it
+        procedure :: copy_to
+        !> makes the numbers that every body has those of another one
+        procedure, non_overridable :: take_numbers
     end type body_t
 
     abstract interface
@@ -90,5 +94,30 @@ contains
         end associate
         values = [real(wp) ::]
     end function none
+
+    subroutine copy_to(self, copy, error)
+        class(body_t), intent(in) :: self
+        class(body_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
+
+        if (allocated(error)) return
+        allocate (copy, source=self, stat=stat)
+        call check_memory(error, stat)
+    end subroutine copy_to
+
+    pure subroutine take_numbers(self, other)
+        class(body_t), intent(inout) :: self
+        class(body_t), intent(in) :: other
+
+        self%surface_material = other%surface_material
+        self%surface_modulus = other%surface_modulus
+        self%long_wave_limit = other%long_wave_limit
+        self%in_plane_limit = other%in_plane_limit
+        self%anti_plane_limit = other%anti_plane_limit
+        self%first_depth = other%first_depth
+        self%last_depth = other%last_depth
+        self%is_graded = other%is_graded
+    end subroutine take_numbers
 
 end module mdrcontact_body

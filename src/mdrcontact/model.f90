@@ -184,7 +184,7 @@ contains
             call raise(error, error_invalid, "this body is not allowed with an approximate model: use exact")
         end select
         if (allocated(error) .or. .not. allocated(medium)) return
-        if (.not. allocated(medium%pressed)) allocate (medium%pressed, source=body)
+        if (.not. allocated(medium%pressed)) call body%copy_to(medium%pressed, error)
     end subroutine new_medium
 
     !> Raises unless the model exists and knows this kind of body.

@@ -14,6 +14,7 @@ module mdrcontact_body_graded
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
+    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_quadrature, only: merge_breaks, new_antiderivative
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t, watched_function_t
@@ -55,6 +56,7 @@ module mdrcontact_body_graded
         procedure :: in_plane_response
         procedure :: anti_plane_response
         procedure :: sublayers
+        procedure :: copy_to
     end type graded_body_t
 
 contains
@@ -242,6 +244,49 @@ contains
             end do
         end do
     end subroutine sublayer_ends
+
+    subroutine copy_to(self, copy, error)
+        class(graded_body_t), intent(in) :: self
+        class(body_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(graded_body_t), allocatable :: own
+        integer :: stat
+
+        allocate (own)
+        call own%take_numbers(self)
+        call copy_array(self%z, own%z, error)
+        call copy_array(self%young, own%young, error)
+        call copy_array(self%poisson, own%poisson, error)
+        call copy_array(self%ends, own%ends, error)
+        if (allocated(self%young_of)) then
+            allocate (own%young_of, own%poisson_of)
+            call self%young_of%copy_to(own%young_of, error)
+            call self%poisson_of%copy_to(own%poisson_of, error)
+        end if
+        call copy_series(self%series, own%series, error)
+        call copy_series(self%from_surface, own%from_surface, error)
+        call copy_series(self%anti_plane, own%anti_plane, error)
+        call copy_series(self%anti_plane_from_surface, own%anti_plane_from_surface, error)
+        if (allocated(error)) return
+        allocate (own%local, mold=self%local, stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        own%local(:, :, :) = self%local
+        own%top = self%top
+        call move_alloc(own, copy)
+    end subroutine copy_to
+
+    pure subroutine copy_series(from, to, error)
+        real(wp), allocatable, intent(in) :: from(:, :, :, :)
+        real(wp), allocatable, intent(out) :: to(:, :, :, :)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
+
+        if (allocated(error)) return
+        allocate (to, mold=from, stat=stat)
+        call check_memory(error, stat)
+        if (stat == 0) to(:, :, :, :) = from
+    end subroutine copy_series
 
     !> Under normal load.
     pure subroutine response(self, k, sigma, chi)

@@ -100,7 +100,8 @@ contains
             if (allocated(error)) return
             self%tolerance = tolerance
         end if
-        allocate (self%pressed, source=body)
+        call body%copy_to(self%pressed, error)
+        if (allocated(error)) return
         self%surface_modulus = body%surface_modulus
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (allocated(error)) return
