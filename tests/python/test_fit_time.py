@@ -187,3 +187,15 @@ def test_command_line(tmp_path):
     found = json.loads(out.read_text())["parameters"]
     assert found["modulus"]["value"] == pytest.approx(1e3, rel=1e-5)
     assert found["exponent"]["value"] == pytest.approx(0.2, rel=1e-5)
+
+
+@pytest.mark.parametrize("force", [1.45e-6, 1.4829e-6, 1.5e-6, 1.6e-6])
+def test_one_reading_does_not_determine_two_moduli(force):
+    """The others are 0 whatever the moduli are: the matrix of the fit is singular, its variances are rounding or negative."""
+    body = mdr.Homogeneous(mdr.Viscoelastic(1e6, [(2e6, 1.0)], nu=0.49))
+    data = mdr.ForceTime([0.0, 1.5, 3.0], [0.0, 1.5e-7, 0.3e-7], [0.0, force, 0.0])
+    try:
+        words = mdr.fit(data, mdr.Paraboloid(5e-6), body, ["terms[0].modulus", "relaxed_shear_modulus"]).warnings[0]
+    except mdr.NoConvergenceError as problem:
+        words = str(problem)
+    assert words.startswith("the data do not determine relaxed_shear_modulus")
