@@ -10,6 +10,7 @@ module mdrcontact_field
     use mdrcontact_field_energy, only: layer_energies
     use mdrcontact_field_load, only: load_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_pick, only: pick
     implicit none (type, external)
     private
     public :: fields_t, check_positions
@@ -78,16 +79,23 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> lower_body or upper_body; without it both together
         integer, intent(in), optional :: body
-        real(wp), allocatable :: outside(:)
+        real(wp), allocatable :: outside(:), found(:)
+        integer, allocatable :: places(:)
+        integer :: i
 
         call check_state(self, state, error)
         call check_positions(error, "r", r)
+        call pick(r, places, outside, found, error, above=state%radius)
         if (allocated(error)) return
-        allocate (outside(count(r > state%radius)))
         call self%equilibrium%medium%displacement_outside(self%equilibrium%profile, state%radius, state%excess, &
-                                                          pack(r, r > state%radius), outside, error)
+                                                          outside, found, error)
         if (allocated(error)) return
-        values = unpack(outside, r > state%radius, state%depth - self%equilibrium%profile%height(min(r, state%radius)))
+        do i = 1, size(r)
+            if (r(i) <= state%radius) values(i) = state%depth - self%equilibrium%profile%height(r(i))
+        end do
+        do i = 1, size(places)
+            values(places(i)) = found(i)
+        end do
         if (.not. present(body)) return
         call self%equilibrium%medium%take_share(self%equilibrium%profile, state%radius, state%excess, body, r, values, error)
     end subroutine displacement

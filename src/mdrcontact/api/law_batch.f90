@@ -42,13 +42,19 @@ contains
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
         type(error_t), allocatable :: error
+        integer :: i
 
         call open_handle(law, "law", inside, error)
         call check_branch(error, int(branch))
         call check_in_out(error, n, "d", present(d), present(u))
         if (.not. allocated(error) .and. n > 0) then
             call check_points(error, inside%by_depth, int(branch), d)
-            if (.not. allocated(error)) u = inside%energy(d, int(branch))
+            if (.not. allocated(error)) then
+                ! in one statement gfortran would copy, for `u` might be `d`
+                do i = 1, n
+                    u(i) = inside%energy(d(i), int(branch))
+                end do
+            end if
         end if
         status = status_of(error)
     end function mdr_law_energy

@@ -8,7 +8,7 @@ module mdrcontact_layered_exact
     use mdrcontact_body, only: body_t
     use mdrcontact_body_sheared, only: new_sheared_body, new_twisted_body, sheared_body_t
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_within, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, check_within, error_invalid, error_t, raise, to_text
     use mdrcontact_field_load, only: load_t
     use mdrcontact_field_profile_load, only: new_profile_load, profile_load_t
     use mdrcontact_field_slip, only: slip_t
@@ -24,6 +24,7 @@ module mdrcontact_layered_exact
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium, only: lower_body, medium_t, upper_body
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
+    use mdrcontact_numerics_pick, only: pick
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -287,7 +288,9 @@ contains
         type(line_load_t) :: load
 
         call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
-        if (.not. allocated(error)) values = self%surface_modulus*load%at(profile, r)
+        if (allocated(error)) return
+        call load%at(profile, r, values)
+        values = self%surface_modulus*values
     end subroutine line_load
 
     !> p(r) by equation (6): the half-space of the surface material under d - g, and what the layers below it add.
@@ -325,12 +328,16 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         type(line_load_t) :: load
-        real(wp) :: added(size(r))
+        real(wp), allocatable :: added(:)
+        integer :: stat
 
         call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
         if (allocated(error)) return
         call self%surface%displacement_outside(profile, a, load%depth - profile%mdr(a), r, values, error)
         if (allocated(error) .or. self%kernel%vanishes) return
+        allocate (added(size(r)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         call load%displacement_beyond(self%kernel, r, added, error)
         values = values + added
     end subroutine displacement_outside
@@ -346,6 +353,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(line_load_t) :: load
         real(wp), allocatable :: v(:), outside(:), difference(:), total(:), added(:)
+        integer, allocatable :: places(:)
+        integer :: i, stat
 
         if (.not. allocated(self%parts)) then
             if (body == upper_body) values = 0.0_wp
@@ -353,9 +362,12 @@ contains
         end if
         call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
         if (allocated(error)) return
-        outside = pack(r, r > a)
+        call pick(r, places, outside, total, error, above=a)
+        if (allocated(error)) return
         allocate (v, mold=load%q)
-        allocate (difference(size(r)), total(size(outside)), added(size(outside)))
+        allocate (difference(size(r)), added(size(outside)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         added = 0.0_wp
         associate (part => self%parts(body))
             call load%part_of(part%kernel, v, error)
@@ -364,7 +376,9 @@ contains
             call self%surface%displacement_outside(profile, a, load%depth - profile%mdr(a), outside, total, error)
             if (allocated(error)) return
             if (.not. part%kernel%vanishes) call load%displacement_beyond(part%kernel, outside, added, error)
-            values = unpack(total + added, r > a, values)
+            do i = 1, size(places)
+                values(places(i)) = total(i) + added(i)
+            end do
             values = part%share*(values + difference)
         end associate
     end subroutine take_share

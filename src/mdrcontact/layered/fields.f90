@@ -6,13 +6,13 @@
 !> sigma = sqrt(1 - r^2/a^2).
 module mdrcontact_layered_fields
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: contact_rule, is_fine, moments_t, new_interaction, normalisation
     use mdrcontact_layered_moments, only: is_smooth
     use mdrcontact_layered_rule, only: new_rule, rule_t
-    use mdrcontact_layered_series, only: even_sum
+    use mdrcontact_layered_series, only: add_even_sum, even_sum
     use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, raise_missed, &
                                        solve_lower, solve_upper
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
@@ -126,15 +126,20 @@ contains
     end subroutine expand
 
     !> q(x)/E0* [length].
-    pure function at(self, profile, x) result(values)
+    pure subroutine at(self, profile, x, values)
         class(line_load_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> 0 <= x <= a [length]
         real(wp), intent(in) :: x(:)
-        real(wp) :: values(size(x))
+        !> same size as x
+        real(wp), intent(out) :: values(:)
+        integer :: i
 
-        values = self%depth - profile%mdr(x) - even_sum(self%v, x/self%a)
-    end function at
+        do i = 1, size(x)
+            values(i) = self%depth - profile%mdr(x(i))
+        end do
+        call add_even_sum(self%v, x, self%a, -1.0_wp, values)
+    end subroutine at
 
     !> The pressure over E0* that v takes from the homogeneous one, without what is singular at the edge:
     !> -(sigma/(pi a)) sum v_j B_j(sigma), B_j = [P_2j(sigma)/P_2j(0) - 1]/sigma^2.
@@ -225,14 +230,20 @@ contains
         real(wp), intent(in) :: v(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: work
-        real(wp), allocatable :: x(:), dx(:), q(:), breaks(:)
+        real(wp), allocatable :: x(:), dx(:), q(:), moved(:), breaks(:)
+        integer :: stat
 
         call profile%add_breaks(breaks, error)
         call graded_rule(smallest_panel_ratio*self%a, self%a, breaks, profile%singular_radius, x, dx, error)
         work = 0.0_wp
         if (allocated(error)) return
-        q = self%at(profile, x)
-        work = sum(dx*q*(q + even_sum(v, x/self%a)))
+        allocate (q(size(x)), moved(size(x)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        call self%at(profile, x, q)
+        moved(:) = q
+        call add_even_sum(v, x, self%a, 1.0_wp, moved)
+        work = sum(dx*q*moved)
     end function work_on
 
     !> Coefficients of P_0, P_1, ... from the nodes of a Gauss rule and values times weights there.

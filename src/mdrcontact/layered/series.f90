@@ -4,7 +4,10 @@ module mdrcontact_layered_series
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: add_projections, even_sum
+    public :: add_even_sum, add_projections, even_sum
+
+    !> Places at a time: room for them is fixed.
+    integer, parameter :: together = 256
 
 contains
 
@@ -28,6 +31,20 @@ contains
             total = total + c(j)*even
         end do
     end function even_sum
+
+    !> Adds factor times the sum of c_j P_2j(x/a), j = 0 ..., at any number of places.
+    pure subroutine add_even_sum(c, x, a, factor, values)
+        real(wp), intent(in) :: c(0:)
+        real(wp), intent(in) :: x(:), a, factor
+        !> same size as x
+        real(wp), intent(inout) :: values(:)
+        integer :: first, last
+
+        do first = 1, size(x), together
+            last = min(first + together - 1, size(x))
+            values(first:last) = values(first:last) + factor*even_sum(c, x(first:last)/a)
+        end do
+    end subroutine add_even_sum
 
     !> Adds sum w P_2j(u), j = 0 ..., to g.
     pure subroutine add_projections(n, u, w, g)

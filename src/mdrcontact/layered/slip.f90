@@ -4,13 +4,15 @@
 !> [R(0) - R(x)]/G0*. Its depth is R(0)/G0* - s, its force F - T.
 module mdrcontact_layered_slip
     use mdrcontact_error, only: check_memory, error_domain, error_t, raise
-    use mdrcontact_field_slip, only: beside, slip_t, thin
+    use mdrcontact_field_slip, only: slip_t, thin
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_slip_profile, only: slip_profile_t
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_superposed_slip, only: traction_between
     use mdrcontact_numerics_quadrature, only: graded_edges, graded_rule, mark_breaks, smallest_panel_ratio
+    use mdrcontact_numerics_pick, only: pick
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -170,7 +172,7 @@ contains
         real(wp), intent(out) :: dissipated
         type(error_t), allocatable, intent(out) :: error
         type(line_load_t) :: stuck
-        real(wp), allocatable, dimension(:) :: breaks, exponents, coefficients, x, dx, distances, added
+        real(wp), allocatable, dimension(:) :: breaks, exponents, coefficients, x, dx, distances, added, q
         real(wp) :: start, length, same_shift, force
         integer :: stat
 
@@ -194,13 +196,14 @@ contains
                          min((self%profile%singular_radius - start) + length, (self%radius - start) + 2.0_wp*length), x, dx, &
                          error, distances, nodes)
         if (allocated(error)) return
-        allocate (added(size(x)), stat=stat)
+        allocate (added(size(x)), q(size(x)), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         call stuck%interaction_beyond(self%kernel, size(x), distances, added, error)
         if (allocated(error)) return
-        x = start + distances
-        dissipated = 2.0_wp*self%modulus*sum(dx*self%springs%at(self%profile%base, x)*(self%profile%mdr(x) + added - stuck%depth))
+        x(:) = start + distances
+        call self%springs%at(self%profile%base, x, q)
+        dissipated = 2.0_wp*self%modulus*sum(dx*q*(self%profile%mdr(x) + added - stuck%depth))
     end subroutine dissipation
 
     subroutine at(self, c, width, shift, force, stiffness, shift_rate, error)
@@ -224,12 +227,19 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: inner(count(r < c))
+        real(wp), allocatable :: inside(:), inner(:)
+        integer, allocatable :: places(:)
+        integer :: i
 
-        values = self%modulus*self%springs%at(self%profile%base, r)
-        if (size(inner) == 0) return
-        call self%tangential%line_load(self%profile, c, 0.0_wp, pack(r, r < c), inner, error)
-        if (.not. allocated(error)) values = values - unpack(inner, r < c, 0.0_wp*r)
+        call self%springs%at(self%profile%base, r, values)
+        values = self%modulus*values
+        call pick(r, places, inside, inner, error, below=c)
+        if (allocated(error) .or. size(places) == 0) return
+        call self%tangential%line_load(self%profile, c, 0.0_wp, inside, inner, error)
+        if (allocated(error)) return
+        do i = 1, size(places)
+            values(places(i)) = values(places(i)) - inner(i)
+        end do
     end subroutine line_load
 
     !> p - p*.
@@ -239,13 +249,8 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: inner(count(r < c)), near(size(r))
-
-        near = beside(r, c, self%profile%base%end_radius)
-        call self%normal%pressure(self%profile%base, self%radius, self%excess, near, values, error)
-        if (allocated(error) .or. size(inner) == 0) return
-        call self%tangential%pressure(self%profile, c, 0.0_wp, pack(near, r < c), inner, error)
-        if (.not. allocated(error)) values = values - unpack(inner, r < c, 0.0_wp*r)
+        call traction_between(self%normal, self%profile%base, self%radius, self%excess, self%tangential, self%profile, c, r, &
+                              values, error)
     end subroutine traction
 
 end module mdrcontact_layered_slip

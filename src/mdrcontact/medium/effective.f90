@@ -295,7 +295,7 @@ contains
         real(wp), intent(out) :: values(2)
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
-        real(wp) :: lowest, depth, force, rise, total, upper
+        real(wp) :: lowest, depth, force, rise, load, work, total, upper
         integer :: i
 
         values = 0.0_wp
@@ -309,11 +309,13 @@ contains
             call self%all_breaks(profile, breaks, error)
             call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
             if (allocated(error)) return
-            ds(:) = 2.0_wp*s*self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds
-            total = total + sum((depth - profile%mdr(s))*ds)
+            work = 0.0_wp
             do i = 1, size(s)
-                upper = upper + (rise - self%upper_depth(profile, s(i), error))*ds(i)
+                load = 2.0_wp*s(i)*self%effective_modulus(s(i))*profile%mdr_slope_beyond(lowest, beyond(i))*ds(i)
+                work = work + (depth - profile%mdr(s(i)))*load
+                upper = upper + (rise - self%upper_depth(profile, s(i), error))*load
             end do
+            total = total + work
         end if
         values = [total - upper, upper]
     end subroutine energies

@@ -6,15 +6,16 @@
 !> (mu = 1). On a homogeneous body these are exact: s = (E*/G*) [d - g(c)] (Ciavarella, Int. J. Solids Struct. 35 (1998) 2349;
 !> Jaeger, Arch. Appl. Mech. 65 (1995) 478).
 module mdrcontact_medium_superposed_slip
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_slip, only: beside, slip_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_numerics_pick, only: pick
     use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: superposed_slip_t, new_superposed_slip
+    public :: superposed_slip_t, new_superposed_slip, traction_between
 
     !> Nodes in a panel: a singularity lies at least a third of its length away, where they give rounding.
     integer, parameter :: nodes = 16
@@ -125,8 +126,14 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: slipping(:)
+        integer :: stat
 
-        call self%normal%line_load(self%profile, self%radius, self%excess, max(r, c), values, error)
+        allocate (slipping(size(r)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        slipping(:) = max(r, c)
+        call self%normal%line_load(self%profile, self%radius, self%excess, slipping, values, error)
     end subroutine line_load
 
     subroutine traction(self, c, r, values, error)
@@ -135,14 +142,37 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: inner(count(r < c)), near(size(r))
-
-        near = beside(r, c, self%smallest_stick)
-        call self%normal%pressure(self%profile, self%radius, self%excess, near, values, error)
-        if (allocated(error) .or. size(inner) == 0) return
-        call self%normal%pressure(self%profile, c, 0.0_wp, pack(near, r < c), inner, error)
-        if (allocated(error)) return
-        values = values - unpack(inner, r < c, 0.0_wp*r)
+        call traction_between(self%normal, self%profile, self%radius, self%excess, self%normal, self%profile, c, r, values, error)
     end subroutine traction
+
+    !> p of a contact of radius a less p of one of radius c without adhesion, at positions up to a.
+    subroutine traction_between(whole, profile, a, excess, stick, of_stick, c, r, values, error)
+        !> the media of both and the profiles on them
+        class(medium_t), intent(in) :: whole, stick
+        class(profile_t), intent(in) :: profile, of_stick
+        !> contact radius, depth beyond the non-adhesive one, and stick radius [length]
+        real(wp), intent(in) :: a, excess, c
+        real(wp), intent(in) :: r(:)
+        !> same size as r [modulus]
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: near(:), inside(:), inner(:)
+        integer, allocatable :: places(:)
+        integer :: i, stat
+
+        allocate (near(size(r)), stat=stat)
+        call check_memory(error, stat)
+        call pick(r, places, inside, inner, error, below=c)
+        if (allocated(error)) return
+        near(:) = beside(r, c, profile%end_radius)
+        call whole%pressure(profile, a, excess, near, values, error)
+        if (allocated(error) .or. size(places) == 0) return
+        inside(:) = beside(inside, c, profile%end_radius)
+        call stick%pressure(of_stick, c, 0.0_wp, inside, inner, error)
+        if (allocated(error)) return
+        do i = 1, size(places)
+            values(places(i)) = values(places(i)) - inner(i)
+        end do
+    end subroutine traction_between
 
 end module mdrcontact_medium_superposed_slip

@@ -32,6 +32,8 @@ module mdrcontact_medium_twisted_slip
     integer, parameter :: most_pieces = 64
     !> Nodes in a panel for tractions.
     integer, parameter :: nodes = 12
+    !> Positions whose turns are computed at a time: room for them is fixed.
+    integer, parameter :: together = 256
 
     !> One normal state.
     type, extends(slip_t) :: twisted_slip_t
@@ -182,9 +184,16 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), dimension(size(r)) :: rate, stiffness, slope
+        real(wp), dimension(together) :: rate, stiffness, slope
+        integer :: first, last, n
 
-        call self%rates(max(r, c, self%smallest_stick), values, rate, stiffness, slope, error)
+        do first = 1, size(r), together
+            last = min(first + together - 1, size(r))
+            n = last - first + 1
+            call self%rates(max(r(first:last), c, self%smallest_stick), values(first:last), rate(:n), stiffness(:n), slope(:n), &
+                            error)
+            if (allocated(error)) return
+        end do
         values = 4.0_wp*self%shear*r*values
     end subroutine line_load
 
