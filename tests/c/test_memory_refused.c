@@ -457,7 +457,7 @@ int main(void)
     refuse_each("energies of a law", 0, law_energies);
     refuse_each("law of friction", 0, law_of_friction);
     refuse_each("law of friction on a coating", 0, law_of_friction_on_coating);
-    refuse_each("map of a function", 2, map_of_function);
+    refuse_each("map of a function", 0, map_of_function);
     refuse_each("cells", 0, cells);
     return check_report("refused memory");
 }

@@ -137,7 +137,10 @@ contains
         end do
         call new_power_mean(mean, exponent, shear, error)
         if (allocated(error)) return
-        shear(:) = mean%transformed(shear)
+        ! in one statement gfortran would copy
+        do i = 1, n
+            shear(i) = mean%transformed(shear(i))
+        end do
         ! differences from the first point: a homogeneous structure returns itself exactly
         do i = 1, n
             found = found + weights(:, i)*[shear(i) - shear(1), poisson(i) - poisson(1)]
