@@ -19,7 +19,8 @@ from .files import OutputError
 __all__ = ["main"]
 
 COMMANDS = (curve, compare, adhesion, stress, friction, history, law, fit, modulus, calibrate, example, map_)
-"""Each command is a module with `add(subparsers)`, which sets its `run(arguments)`."""
+"""Each command is a module of its name with HELP, DESCRIPTION, `add_arguments(parser)` and `run(arguments)`."""
+_FORMAT = argparse.RawDescriptionHelpFormatter
 
 _DESCRIPTION = """\
 Contact of an indenter with a coated, layered or graded body: force, contact radius, stiffness and pressure.
@@ -46,13 +47,14 @@ def _warn(message: Warning | str, *_: Any) -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command; returns its exit status. Faults are told in one line on standard error."""
-    parser = argparse.ArgumentParser(prog="mdrcontact", description=_DESCRIPTION, epilog=_EPILOG)
+    parser = argparse.ArgumentParser(prog="mdrcontact", description=_DESCRIPTION, epilog=_EPILOG, formatter_class=_FORMAT)
     parser.add_argument("--version", action="version", version=f"mdrcontact {__version__}")
     subparsers = parser.add_subparsers(metavar="COMMAND", required=True)
     for command in COMMANDS:
-        command.add(subparsers)
-    for described in (parser, *subparsers.choices.values()):
-        described.formatter_class = argparse.RawDescriptionHelpFormatter
+        name = command.__name__.rpartition(".")[2]
+        added = subparsers.add_parser(name, help=command.HELP, description=command.DESCRIPTION, formatter_class=_FORMAT)
+        command.add_arguments(added)
+        added.set_defaults(run=command.run)
     chosen = parser.parse_args(arguments)
     try:
         with warnings.catch_warnings():

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
 
 import numpy as np
 
@@ -16,7 +15,8 @@ from ..problem.units import ENERGY, FORCE, LENGTH, WORK_OF_ADHESION, practical, 
 from . import figures, files
 from .table import Column, aligned, as_csv, column, number
 
-_DESCRIPTION = """\
+HELP = "pull-off, and a loop of approach and retraction"
+DESCRIPTION = """\
 Computes an adhesive contact: jump-in, pull-off under prescribed force and under prescribed depth, all other ends of
 stability of the branch, and a cycle of approach and retraction with the energy it loses.
 
@@ -36,16 +36,10 @@ The motion turns back at the last depth, force or radius of [compute].
 """
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "adhesion",
-        help="pull-off, and a loop of approach and retraction",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [adhesion]")
     files.add_options(parser, "the loop")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

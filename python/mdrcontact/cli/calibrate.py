@@ -21,7 +21,8 @@ from ..problem.toml import parse_file
 from ..profile import AreaFunction
 from . import files
 
-_DESCRIPTION = """\
+HELP = "area function, tip radius and frame compliance from indents into a known body"
+DESCRIPTION = """\
 Calibrates tip and frame: indents into a body whose moduli are known, such as fused silica, give the area function or the radius of
 the tip and the compliance of the frame, with their covariance, as a file:
 
@@ -105,20 +106,14 @@ def _toml(value: Any) -> str:
     return json.dumps(value)
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "calibrate",
-        help="area function, tip radius and frame compliance from indents into a known body",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("data", type=Path, nargs="+", metavar="DATA", help="tables of one indent each, or folders of them")
     parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="tip, known body, data and fit")
     parser.add_argument("--output", type=Path, required=True, metavar="TIP.toml", help="write the calibrated tip")
     parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the fit (.png, .pdf or .svg)")
     parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it as one HTML file")
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
 
 import numpy as np
 
@@ -15,7 +14,8 @@ from .answers import Answer, ask, reference, response_of, spread_text
 from .solve import Array, columns
 from .table import Column, aligned, as_csv, number, spread_over
 
-_DESCRIPTION = """\
+HELP = "one problem under every medium model, and the spread between them"
+DESCRIPTION = """\
 Computes one problem under every model of the effective modulus that applies to its medium, side by side, and how far the models
 are apart. That is the uncertainty of the result as far as the choice of the model goes.
 
@@ -30,16 +30,10 @@ problem are listed with their reason. The models are measured by the exact one o
 _SHOWN = 5
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "compare",
-        help="one problem under every medium model, and the spread between them",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; its medium is coated, layered or graded")
     files.add_options(parser, "all states of all models")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

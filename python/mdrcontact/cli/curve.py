@@ -18,7 +18,8 @@ from . import figures, files
 from .solve import Curve, columns, crossing, progress, solve, thickness
 from .table import Column, as_csv, as_text, column, spread_over
 
-_DESCRIPTION = """\
+HELP = "force, radius, stiffness and pressure of one problem"
+DESCRIPTION = """\
 Computes one problem: depth, contact radius, force, contact stiffness, effective modulus and mean pressure.
 
     mdrcontact example sio2_on_si > problem.toml
@@ -31,18 +32,12 @@ The table on the screen shows a few rows; the CSV file holds all of them.
 _PRESSURE_POINTS = 400
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "curve",
-        help="force, radius, stiffness and pressure of one problem",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
     files.add_options(parser, "all rows of the table")
     parser.add_argument("--pressure-csv", type=Path, metavar="FILE.csv", help="write the pressure distributions to a CSV file")
     parser.add_argument("--rows", type=_rows, default=10, metavar="N", help="rows of the table on the screen (default: 10)")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import argparse
 from importlib import resources
-from typing import Any
 
 from .._choices import nearest
 from ..problem import ProblemError
 
-_DESCRIPTION = """\
+HELP = "print a commented problem file to begin with"
+DESCRIPTION = """\
 Prints a ready-made problem file, commented, with its material constants and their sources:
 
     mdrcontact example                                  the list of names
@@ -18,15 +18,9 @@ Prints a ready-made problem file, commented, with its material constants and the
 """
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "example",
-        help="print a commented problem file to begin with",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("name", nargs="?", metavar="NAME", help="which one; without a name they are listed")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

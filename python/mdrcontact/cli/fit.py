@@ -6,7 +6,6 @@ from __future__ import annotations
 import argparse
 import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -19,7 +18,8 @@ from ..problem.units import AREA, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, prac
 from . import files, fit_many
 from .table import Column, aligned, as_csv, column, number
 
-_DESCRIPTION = """\
+HELP = "film properties from measured curves, with intervals"
+DESCRIPTION = """\
 Fits indenter, film, substrate and instrument to a measured curve, or to every curve of a folder, and gives intervals.
 
     mdrcontact fit curve.csv --problem problem.toml
@@ -56,13 +56,8 @@ In a folder each file is a curve, in a map each place; one that cannot be fitted
 """
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "fit",
-        help="film properties from measured curves, with intervals",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("data", type=Path, metavar="DATA", help="a table, an AFM file, or a folder of them")
     parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="indenter, medium, data and fit")
     files.add_options(parser, "points and residuals, or for a folder the estimates")
@@ -75,7 +70,6 @@ def add(subparsers: Any) -> None:
         default="normal",
         help="how intervals are found (default: normal, from the standard error)",
     )
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

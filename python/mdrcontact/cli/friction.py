@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -17,7 +16,8 @@ from .friction_figure import friction_figure, path_figure
 from .friction_path import Led, lead
 from .table import Column, as_csv, as_text, column
 
-_DESCRIPTION = """\
+HELP = "fretting loops or any path: partial slip, sliding, dissipated energy"
+DESCRIPTION = """\
 Displaces the indenter to and fro along the surface, at the largest depth, force or radius of the problem: tangential force, stick
 radius and energy dissipated in a cycle for each amplitude, and where sliding begins.
 
@@ -48,16 +48,10 @@ It is exact on homogeneous bodies. On others the error is stated: the difference
 _ROWS = 24
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "friction",
-        help="fretting loops or any path: partial slip, sliding, dissipated energy",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [friction]")
     files.add_options(parser, "forces, stick radii and energies of amplitudes or steps")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -19,7 +19,8 @@ from .table import Column, as_csv, as_text, column
 _FEWEST = 60
 """Steps that a path is cut into at least."""
 
-_DESCRIPTION = """\
+HELP = "a viscoelastic body along a path in time"
+DESCRIPTION = """\
 Computes a contact with a viscoelastic body along a path in time: depth, contact radius and force.
 
     mdrcontact example afm_on_gel > problem.toml
@@ -57,16 +58,10 @@ or a path from a table with columns such as "time [s]" and "depth [nm]":
 """
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "history",
-        help="a viscoelastic body along a path in time",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [history]")
     files.add_options(parser, "the whole path")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

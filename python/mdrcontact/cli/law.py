@@ -5,14 +5,14 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import Any
 
 from ..law import ContactLaw
 from ..problem import ProblemError, load
 from ..problem.units import FORCE, LENGTH, UnitError, parse, told
 from . import files
 
-_DESCRIPTION = """\
+HELP = "compile the contact into a file that other codes read"
+DESCRIPTION = """\
 Compiles the contact of a problem file into a law, F(d) and all that belongs to it, and writes it to a file that a code in C,
 Fortran or Python reads by its name. The code needs to know nothing else of the problem; docs/laws.md.
 
@@ -25,13 +25,8 @@ radius of [compute].
 """
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "law",
-        help="compile the contact into a file that other codes read",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
     parser.add_argument("law", type=Path, metavar="FILE.law", help="the file to write")
     parser.add_argument("--largest-depth", metavar="DEPTH", help='up to which depth, as in "300 nm"')
@@ -39,7 +34,6 @@ def add(subparsers: Any) -> None:
     parser.add_argument("--tolerance", type=float, default=1e-9, help="relative, of F, a and k; %(default)s")
     parser.add_argument("--continue-beyond", action="store_true", help="answer beyond the largest depth too, along the tangent")
     parser.add_argument("--overwrite", action="store_true", help="replace a file that exists")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -25,7 +25,8 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
-_DESCRIPTION = """\
+HELP = "effective modulus at every place of a heterogeneous structure"
+DESCRIPTION = """\
 Computes E_eff(a, x, y), the effective contact modulus that a contact of radius a meets at each place of a structure of voxels.
 
 The map file:
@@ -70,20 +71,14 @@ class MapProblem(NamedTuple):
     radii: np.ndarray[Any, Any]
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "map",
-        help="effective modulus at every place of a heterogeneous structure",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("problem", metavar="MAP.toml", help="the map file")
     parser.add_argument("--npy", type=Path, metavar="FILE.npy", help="write the maps as a NumPy array (radii, ny, nx) [Pa]")
     parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw structure and maps (.png, .pdf or .svg)")
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
     parser.add_argument("--threads", type=int, default=0, metavar="N", help="how many threads (default: 0, one per core)")
     parser.add_argument("--memory", type=float, metavar="GIB", help="refuse to use more memory than this [GiB]")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -20,7 +20,8 @@ from ..problem.units import LENGTH, MODULUS, RATIO, practical
 from . import files
 from .table import Column, as_csv, as_text, column
 
-_DESCRIPTION = """\
+HELP = "film modulus against depth from dynamic (CSM) data, and at zero depth"
+DESCRIPTION = """\
 Takes every point of a dynamic (CSM) measurement alone: the film's modulus under which the exact contact has the measured stiffness,
 and a straight line through these moduli to zero depth, with its interval.
 
@@ -32,19 +33,13 @@ prior and is found at each point; the others have priors, and what moving each b
 """
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "modulus",
-        help="film modulus against depth from dynamic (CSM) data, and at zero depth",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("data", type=Path, metavar="DATA", help="a table of depth, force and stiffness")
     parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="tip, medium, data and fit")
     files.add_options(parser, "the modulus at each depth")
     parser.add_argument("--json", type=Path, metavar="FILE.json", help="write the result as JSON")
     parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it, picture included, as one HTML file")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:

@@ -22,7 +22,8 @@ from .inside import Inside, interface_name, layer_map, layer_name
 from .stress_figure import stress_figure
 from .table import aligned, as_csv, column, number
 
-_DESCRIPTION = """\
+HELP = "stresses inside a coated body, and the load at first failure"
+DESCRIPTION = """\
 Computes stresses and displacements inside the body for the largest depth, force or radius of the problem: the largest von Mises
 stress, shear stress and tension in each layer and at each interface, and where they are.
 
@@ -42,19 +43,13 @@ the loads are found at which the strengths are first reached:
 """
 
 
-def add(subparsers: Any) -> None:
-    """Adds the command to the command line."""
-    parser = subparsers.add_parser(
-        "stress",
-        help="stresses inside a coated body, and the load at first failure",
-        description=_DESCRIPTION,
-    )
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
     parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
     parser.add_argument(
         "--friction", type=_friction, default=0.0, metavar="F", help="coefficient of friction of a sliding indenter"
     )
     files.add_options(parser, "displacements and stresses on a grid")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
