@@ -1,57 +1,80 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes film_extremes.csv: a paraboloid on one or two films at the ends of what is allowed, to 40 digits (needs gmpy2, mpmath).
+"""Makes film_extremes.csv: a paraboloid on one or two films at the ends of what is allowed (needs gmpy2, numpy, python-flint).
 
-Drawn log-uniformly: ratios of the shear moduli of neighbours 1e-12 to 1e12, contact radius 1e-8 to 10 thicknesses of the first
-film and in some more rows 10 to WIDEST (the time grows as a^2 and more), thickness of a second film 1e-6 to 1e6 of them;
-Poisson's ratios uniformly from -0.99 to 0.5. The springs' equation in even
-Legendre polynomials is assembled in k space, as in film_contrast.py; the compliance comes from harmonic potentials in each film
-and what the films below reflect, in as many digits as the longest waves lose.
+Drawn log-uniformly: ratios of the shear moduli of neighbours 1e-12 to 1e12, contact radius 1e-8 to 2600 thicknesses of the
+first film, thickness of a second film 1e-6 to 1e6 of them; Poisson's ratios uniformly from -0.99 to 0.5.
+The springs' equation is solved in even Legendre polynomials, as in the library. The compliance comes from harmonic potentials in
+each film and what the films below reflect, in as many digits as the longest waves lose; the kernel from Legendre series of the
+compliance between wave numbers, each term integrated exactly. Each case is solved twice, the first time with fewer unknowns,
+nodes and digits: the table keeps the digits on which both agree, 40 at most.
 The first film has thickness 1 and shear modulus 1; R = 1.
 """
 
 import random
 import sys
+from typing import NamedTuple
 
 import gmpy2
-import mpmath
-from gmpy2 import cos, exp, log, mpfr, sin, sqrt
+import numpy as np
+from flint import arb, arb_mat, ctx
+from gmpy2 import log10, mpfr, sqrt
 
-gmpy2.get_context().precision = 365
+#: in the table
 DIGITS = 40
-PI = gmpy2.const_pi()
-COUNT, WIDEST = 200, 23
-OCTAVES = range(-110, 8)
+#: radius up to which the resolution is for 40 digits; the largest, where a row takes 50 s
+WIDE, WIDEST = 23, 2600
+OCTAVES = range(-110, 7)
+cosines, sines, exponentials = (np.frompyfunc(function, 1, 1) for function in (gmpy2.cos, gmpy2.sin, gmpy2.exp))
 
 
-with mpmath.workprec(420):
-    NODES, WEIGHTS = ([mpfr(str(v)) for v in values] for values in mpmath.gauss_quadrature(40, "legendre01"))
+class Resolution(NamedTuple):
+    """Of one solution."""
+
+    bits: int
+    #: unknowns per square root of a
+    unknowns: int
+    #: on each panel of wave numbers
+    terms: int
+    #: of the compliance, left out
+    tiny: str
+
+
+MORE = Resolution(360, 16, 60, "1e-60"), Resolution(430, 20, 80, "1e-62")
+LESS = Resolution(300, 10, 40, "1e-42"), Resolution(340, 12, 48, "1e-45")
+
+
+def gauss_rule(n):
+    """Nodes and weights on [-1, 1]."""
+    half = [[mpfr(v.str(120, radius=False)) for v in arb.legendre_p_root(n, k, weight=True)] for k in range((n + 1) // 2)]
+    nodes, weights = np.array(half).T
+    return np.concatenate([nodes, -nodes[: n // 2]]), np.concatenate([weights, weights[: n // 2]])
+
+
+def legendre(x, count):
+    """P_0, P_1, ..., P_(count - 1) at x, one after the other."""
+    below, here = 0 * x, 0 * x + 1
+    for n in range(count):
+        yield here
+        below, here = here, ((2 * n + 1) * x * here - n * below) / (n + 1)
 
 
 def spherical_bessel(x, count):
-    """j_0, j_2, ..., j_(2 count - 2) at x: Miller's recurrence from above, normalised by j_0 or j_1."""
-    above, here = mpfr(0), mpfr("1e-200")
-    values = {}
-    for n in range(2 * count + 60 + int(3 * x), 0, -1):
+    """j_0, j_1, ..., j_(count - 1) at each x > 0: by the recurrence from below, or from far above (Miller) where x < count."""
+    j0 = sines(x) / x
+    j1 = (j0 - cosines(x)) / x
+    values = np.array([j0, j1, *[0 * x] * (count - 2)])
+    large = x >= count
+    for n in range(2, count):
+        values[n, large] = (2 * n - 1) / x[large] * values[n - 1, large] - values[n - 2, large]
+    x, j0, j1 = x[~large], j0[~large], j1[~large]
+    above, here = 0 * x, 0 * x + 1
+    down = values[:, ~large]
+    for n in range(count + 20 + 3 * int(max(x, default=0)), 0, -1):
         above, here = here, (2 * n + 1) / x * here - above
-        values[n - 1] = here
-    j0, j1 = sin(x) / x, sin(x) / x**2 - cos(x) / x
-    scale = j0 / values[0] if abs(j0) > abs(j1) else j1 / values[1]
-    return [values[2 * j] * scale for j in range(count)]
-
-
-def solution(matrix, right):
-    """Of a positive definite system, by Gauss's elimination without pivots."""
-    n = len(right)
-    a = [[*row, value] for row, value in zip(matrix, right, strict=True)]
-    for j in range(n):
-        for i in range(j + 1, n):
-            factor = a[i][j] / a[j][j]
-            if factor:
-                a[i] = [x - factor * y for x, y in zip(a[i], a[j], strict=True)]
-    found = [mpfr(0)] * n
-    for i in reversed(range(n)):
-        found[i] = (a[i][n] - sum(a[i][j] * found[j] for j in range(i + 1, n))) / a[i][i]
-    return found
+        if n <= count:
+            down[n - 1] = here
+    values[:, ~large] = down * np.where(abs(j0) > abs(j1), j0 / down[0], j1 / down[1])
+    return values
 
 
 def draw(seed, count, lowest, highest):
@@ -102,7 +125,7 @@ def chi(k, shear, nu, thickness):
     u, t = parts(modes(k, shear[-1], nu[-1], mpfr(0), -1))
     compliance = product(u, inverse(t))
     for g, n, h in reversed(list(zip(shear[:-1], nu[:-1], thickness, strict=True))):
-        e = exp(-k * h)
+        e = exponentials(-k * h)
         down_u, down_t = parts(modes(k, g, n, mpfr(0), -1))
         far_u, far_t = parts(modes(k, g, n, h, -1), e)
         up_u, up_t = parts(modes(k, g, n, mpfr(0), 1))
@@ -120,57 +143,100 @@ def chi(k, shear, nu, thickness):
     return -compliance[1][1] * k * shear[0] / (1 - nu[0]) - 1
 
 
-def solve(shear, nu, second, a):
-    shear, nu = [mpfr(g) for g in shear], [mpfr(n) for n in nu]
-    thickness = [mpfr(1), mpfr(second)][: len(shear) - 1]
-    a = mpfr(a)
-    n = int(12 * sqrt(a)) + 18
-    s = [sqrt(mpfr(4 * j + 1) / 2) for j in range(n)]
-    h = [[mpfr(0)] * n for _ in range(n)]
-    r = [mpfr(0)] * n
-    tiny = mpfr("1e-60")
+def panels(function, low, high, rule, tiny):
+    """(middle, half width, Legendre coefficients) of the panels on which the last of these are tiny."""
+    middle, half = (low + high) / 2, (high - low) / 2
+    nodes, weights = rule
+    values = weights * function(middle + half * nodes)
+    series = [(j + mpfr(0.5)) * values.dot(p) for j, p in enumerate(legendre(nodes, len(nodes)))]
+    least = tiny * max(mpfr("1e-5"), *map(abs, series))
+    if max(map(abs, series[-4:])) < least:
+        return [(middle, half, [c for j, c in enumerate(series) if j < 2 or max(map(abs, series[j:])) > least / 1000])]
+    return panels(function, low, middle, rule, tiny) + panels(function, middle, high, rule, tiny)
+
+
+def kernel(y, compliance, resolution):
+    """Integral of compliance(k) cos(k y) over all k > 0, from Legendre series on panels of k."""
+    rule, tiny, two = gauss_rule(resolution.terms), mpfr(resolution.tiny), mpfr(2)
+    found = 0 * y + two ** OCTAVES[0] * compliance(two ** OCTAVES[0])
     for octave in OCTAVES:
-        pieces = max(1, int(mpfr(2) ** octave * a / 8))
-        for piece in range(pieces):
-            for t, w in zip(NODES, WEIGHTS, strict=True):
-                k = mpfr(2) ** octave * (1 + (piece + t) / pieces)
-                if k > 75:
-                    continue
-                weight = w * mpfr(2) ** octave / pieces * chi(k, shear, nu, thickness) * 2 * a / PI
-                if abs(weight) < tiny:
-                    continue
-                # j_2j(x) < x^2j: what is left of it below 1e-60
-                few = n
-                if k * a < 0.5:
-                    few = min(n, 2 + int(log(tiny / abs(weight)) / (2 * log(k * a))))
-                bessel = [(-1) ** j * s[j] * v for j, v in enumerate(spherical_bessel(k * a, few))]
-                cosine = cos(k * a)
-                for i in range(few):
-                    scaled = weight * bessel[i]
-                    r[i] += scaled * cosine
-                    scaled *= 2
-                    row = h[i]
-                    for j in range(i + 1):
-                        row[j] += scaled * bessel[j]
-    rest = chi(mpfr(2) ** OCTAVES[0], shear, nu, thickness) * mpfr(2) ** OCTAVES[0] * 2 * a / PI
-    h[0][0] += rest
-    r[0] += rest * s[0]
-    matrix = [[h[max(i, j)][min(i, j)] + (i == j) for j in range(n)] for i in range(n)]
-    one, g = [mpfr(0)] * n, [mpfr(0)] * n
+        for middle, half, series in panels(compliance, two**octave, two ** (octave + 1), rule, tiny):
+            bessel = spherical_bessel(half * y, len(series))
+            terms = [(-1) ** (j // 2) * c * bessel[j] for j, c in enumerate(series)]
+            found = found + 2 * half * (cosines(middle * y) * sum(terms[::2]) - sines(middle * y) * sum(terms[1::2]))
+    return found
+
+
+def moments(edge, n):
+    """Integrals M_kl of P_k(x) P_l(t) X(a |x - t|) over the square, by parts: for l = 2j, k = 2j, 2j + 2, ..., 2n - 2.
+
+    They need those of P_k(u) X(a (1 + u)), k < 4n.
+    """
+    steps = np.concatenate([edge[:1], edge[:-2]]) - edge[1:]
+    before = 2 * steps[::2] / np.arange(1, 8 * n, 4)
+    here = -(2 * steps[1::2] + before[1:] - before[:-1]) / np.arange(3, 8 * n - 1, 4)
+    columns = [before[:n]]
+    for degree in range(1, 2 * n - 2):
+        above = before[1 : len(here)] + (2 * degree + 1) * (here[:-1] - here[1:]) / (2 * degree + 3 + 4 * np.arange(len(here) - 1))
+        before, here = here, above
+        if degree % 2:
+            columns.append(here[: n - len(columns)])
+    return columns
+
+
+def solve(shear, nu, second, a, resolution):
+    """(E_eff/E0*, q_1 at the edge, d, F/E0*)."""
+    gmpy2.get_context().precision = ctx.prec = resolution.bits
+    shear, nu = [mpfr(g) for g in shear], [mpfr(n) for n in nu]
+    thickness, a = [mpfr(1), mpfr(second)][: len(shear) - 1], mpfr(a)
+    n = resolution.unknowns + int(resolution.unknowns * sqrt(a))
+    u, w = gauss_rule(3 * n)
+    w = w * kernel(a * (1 + u), lambda k: chi(k, shear, nu, thickness), resolution)
+    edge = np.array([w.dot(p) for p in legendre(u, 4 * n)])
+    s = np.array([sqrt(mpfr(4 * j + 1) / 2) for j in range(n)])
+    r = a / gmpy2.const_pi() * s * edge[: 2 * n : 2]
+    one, g = 0 * s, 0 * s
     one[0] = sqrt(mpfr(2))
     g[0], g[1] = 2 * s[0] * a**2 / 3, 2 * s[1] * a**2 * 2 / 15
-    c, v = solution(matrix, one), solution(matrix, g)
-    edge = 1 - sum(r[i] * c[i] for i in range(n))
-    depth = (a**2 - sum(r[i] * v[i] for i in range(n))) / edge
-    return c[0] / one[0], edge, depth, a * one[0] * (depth * c[0] - v[0])
+    matrix = np.array([[one[0]] * n] * n)
+    for j, column in enumerate(moments(edge, n)):
+        matrix[j, j:] = matrix[j:, j] = a / gmpy2.const_pi() * s[j] * s[j:] * column
+        matrix[j, j] += 1
+    c, v = solution(matrix, np.array([one, g]).T).T
+    at_edge = 1 - r.dot(c)
+    depth = (a**2 - r.dot(v)) / at_edge
+    return c[0] / one[0], at_edge, depth, a * one[0] * (depth * c[0] - v[0])
+
+
+def solution(matrix, right):
+    """Of matrix x = right."""
+
+    def exact(v):
+        mantissa, exponent = v.as_mantissa_exp()
+        return arb((int(mantissa), int(exponent)))
+
+    found = arb_mat(*matrix.shape, map(exact, matrix.flat)).solve(arb_mat(*right.shape, map(exact, right.flat)), algorithm="approx")
+    return np.array([mpfr(v.str(120, radius=False)) for v in found.entries()]).reshape(right.shape)
+
+
+def common_digits(coarse, fine):
+    """The digits of fine on which both agree."""
+    apart = abs(coarse - fine) / abs(fine)
+    return f"{fine:.{DIGITS if apart < mpfr(10) ** -DIGITS else int(-log10(apart))}g}"
 
 
 def main():
+    cases = [
+        *draw(20, 200, -8, 1),
+        *(case for case in draw(21, 16, 1, 1.6) if float(case[3]) < WIDE),
+        *(case for case in draw(22, 32, 1.36, 4) if float(case[3]) < WIDEST),
+    ]
     out = open(sys.argv[1], "w") if len(sys.argv) > 1 else sys.stdout
     with out:
         print("shear_2,shear_3,nu_1,nu_2,nu_3,thickness_2,a,modulus,edge,depth,force", file=out)
-        for shear, nu, second, a in [*draw(20, COUNT, -8, 1), *(case for case in draw(21, 16, 1, 1.6) if float(case[3]) < WIDEST)]:
-            found = [f"{v:.{DIGITS}g}" for v in solve(shear, nu, second, a)]
+        for shear, nu, second, a in cases:
+            coarse, fine = MORE if float(a) < WIDE else LESS
+            found = map(common_digits, solve(shear, nu, second, a, coarse), solve(shear, nu, second, a, fine))
             print(",".join([*(shear[1:] + ["0"])[:2], *(nu + ["0"])[:3], second, a, *found]), file=out, flush=True)
 
 
