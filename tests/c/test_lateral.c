@@ -2,6 +2,7 @@
 /* Laterally heterogeneous structures: refusals, layers against the layered medium, points, lines, voxels, weights. */
 #include "check.h"
 
+#include <float.h>
 #include <limits.h>
 
 static const double nan_free[3] = {0.1, 1.0, 10.0};
@@ -190,6 +191,11 @@ static void weights(void)
     /* lines so close to the axis that their squares are no numbers */
     CHECK_SUCCESS(mdr_lateral_cells(0.3, 2.5e302, 0.25, 0.26, 2, lines, 2, lines, shear, poisson));
     for (int i = 0; i < 4; i++) CHECK_TRUE(isfinite(shear[i]) && isfinite(poisson[i]));
+    /* lines so far away that they are no numbers in contact radii */
+    CHECK_SUCCESS(mdr_lateral_cells(0.3, 0.34, 0.34, 0.68, 2, (const double[3]){1.0, 1e155, DBL_MAX}, 2,
+                                    (const double[3]){-DBL_MAX, 1.0, 3.0}, shear, poisson));
+    for (int i = 0; i < 4; i++) CHECK_TRUE(isfinite(shear[i]) && isfinite(poisson[i]));
+    CHECK_TRUE(shear[2] > 0.0 && shear[1] == 0.0);
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, falling, 2, lines, shear, poisson), MDR_EINVALID, "must ascend");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, lines, 2, (const double[3]){0.0, 0.5, 0.5}, shear, poisson),
                  MDR_EINVALID, "entry 3 of y = 0.5 is not allowed: y must ascend");

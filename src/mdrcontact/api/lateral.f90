@@ -46,7 +46,7 @@ contains
         real(c_double), intent(inout), optional :: shear(*), poisson(*)
         integer(c_int) :: status
         type(slab_t) :: slab
-        real(wp), allocatable :: weights(:, :, :)
+        real(wp), allocatable :: across(:), along(:), weights(:, :, :)
         type(error_t), allocatable :: error
         integer :: stat
 
@@ -64,16 +64,17 @@ contains
         call check_given(error, "shear", present(shear))
         call check_given(error, "poisson", present(poisson))
         if (.not. allocated(error)) then
-            call new_slab(slab, nu, z_top/a, z_bottom/a, hypot(max(abs(x(1)), abs(x(nx + 1))), &
-                                                               max(abs(y(1)), abs(y(ny + 1))))/a, error)
-        end if
-        if (.not. allocated(error)) then
             allocate (weights(nx, ny, 2), stat=stat)
+            if (stat == 0) allocate (across(nx + 1), along(ny + 1), stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error)) then
-            call cell_weights(slab, x(:nx + 1)/a, y(:ny + 1)/a, weights(:, :, 1), weights(:, :, 2), error)
+            across = in_radii(x(:nx + 1), a)
+            along = in_radii(y(:ny + 1), a)
+            call new_slab(slab, nu, z_top/a, z_bottom/a, hypot(max(abs(across(1)), abs(across(nx + 1))), &
+                                                               max(abs(along(1)), abs(along(ny + 1)))), error)
         end if
+        if (.not. allocated(error)) call cell_weights(slab, across, along, weights(:, :, 1), weights(:, :, 2), error)
         if (.not. allocated(error)) then
             shear(:nx*ny) = reshape(weights(:, :, 1), [nx*ny])
             poisson(:nx*ny) = reshape(weights(:, :, 2), [nx*ny])
@@ -99,6 +100,15 @@ contains
         end if
         status = status_of(error)
     end function mdr_lateral_rule
+
+    !> A length in contact radii, at most so many that all weights are zero there.
+    elemental function in_radii(length, a) result(ratio)
+        real(wp), intent(in) :: length, a
+        real(wp) :: ratio
+        real(wp), parameter :: far = 1.0e200_wp
+
+        ratio = max(-far, min(far, length/a))
+    end function in_radii
 
     subroutine check_lines(error, name, n, lines)
         type(error_t), allocatable, intent(inout) :: error
