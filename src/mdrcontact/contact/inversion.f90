@@ -84,7 +84,8 @@ contains
             call equilibrium%at(equilibrium%last_radius, state, error)
             if (allocated(error)) return
             if (s >= control%of(state%depth, state%force)) then
-                call push_beyond_wall(state, control, s)
+                state%excess = (s - control%of(state%depth, state%force))/control%of(1.0_wp, state%stiffness)
+                call go_on_as_punch(state, control, s)
                 return
             end if
         end if
@@ -105,22 +106,28 @@ contains
             return
         end if
         call equilibrium%at(closest, state, error)
-        if (allocated(error) .or. found) return
+        if (allocated(error)) return
+        if (found) then
+            ! just after touch the radius of a flat end has lost the digits that depth and force need
+            if (equilibrium%profile%end_radius > 0.0_wp) call go_on_as_punch(state, control, s)
+            return
+        end if
         call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
                    ", where the indenter or the medium ends, the "//name//" is "// &
                    to_text(control%of(state%depth, state%force))//trim(equilibrium%why_it_ends()), name)
     end subroutine invert
 
-    !> At a vertical wall the radius stays and the indenter goes on as a flat punch.
-    pure subroutine push_beyond_wall(state, control, s)
+    !> As a flat punch of the radius reached, with dF = k dd.
+    pure subroutine go_on_as_punch(state, control, s)
         type(contact_state_t), intent(inout) :: state
         type(control_t), intent(in) :: control
         real(wp), intent(in) :: s
+        real(wp) :: missing
 
-        state%excess = (s - control%of(state%depth, state%force))/control%of(1.0_wp, state%stiffness)
-        state%depth = state%depth + state%excess
-        state%force = state%force + state%stiffness*state%excess
-    end subroutine push_beyond_wall
+        missing = (s - control%of(state%depth, state%force))/control%of(1.0_wp, state%stiffness)
+        state%depth = state%depth + missing
+        state%force = state%force + state%stiffness*missing
+    end subroutine go_on_as_punch
 
     !> Whether the last state looked at differs from that at `radius` by so little that squares do not show.
     pure function is_close(mismatch, radius) result(answer)
