@@ -288,6 +288,7 @@ contains
 
     pure subroutine no_breaks(self, radii, error)
         class(medium_t), intent(in) :: self
+        !> ascending [length]; not allocated: none yet
         real(wp), allocatable, intent(inout) :: radii(:)
         type(error_t), allocatable, intent(inout) :: error
 

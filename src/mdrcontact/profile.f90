@@ -75,6 +75,7 @@ contains
 
     pure subroutine none(self, radii, error)
         class(profile_t), intent(in) :: self
+        !> ascending [length]; not allocated: none yet
         real(wp), allocatable, intent(inout) :: radii(:)
         type(error_t), allocatable, intent(inout) :: error
 

@@ -129,6 +129,7 @@ contains
     !> Adds to ascending depths those between which the constants are analytic; beyond the last they are constant [length].
     pure subroutine add_knots(self, depths, error)
         class(graded_body_t), intent(in) :: self
+        !> ascending [length]; not allocated: none yet
         real(wp), allocatable, intent(inout) :: depths(:)
         type(error_t), allocatable, intent(inout) :: error
 

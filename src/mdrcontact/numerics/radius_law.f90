@@ -170,6 +170,7 @@ contains
     !> Radii where the law is not analytic: the points of a table.
     pure subroutine add_breaks(self, radii, error)
         class(radius_law_t), intent(in) :: self
+        !> ascending [length]; not allocated: none yet
         real(wp), allocatable, intent(inout) :: radii(:)
         type(error_t), allocatable, intent(inout) :: error
 
