@@ -912,7 +912,9 @@ int mdr_friction_new(const mdr_contact *c, double coefficient, mdr_friction **ou
  *  @param out    [n] tangential states
  *  @return also MDR_EUNREACHABLE beyond the force of sliding, MDR_EDOMAIN if the pressure would be negative somewhere (see
  *          mdr_contact_lowest_pressure()) or slip would begin inside the contact (a flat punch on a stiff coating),
- *          MDR_ENOCONVERGENCE */
+ *          MDR_ENOCONVERGENCE. Slip that begins inside later, under flat ends and r^4 on stiff coatings, is not refused: there
+ *          mdr_friction_field() gives tractions above coefficient times pressure inside the stick radius, and the states are not
+ *          those of the true contact; mdr_friction_history_new() with rings gives these */
 int mdr_friction_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
                         mdr_tangential_state out[]);
 

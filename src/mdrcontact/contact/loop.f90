@@ -80,7 +80,7 @@ contains
         integer, intent(in) :: count
         type(error_t), allocatable, intent(out) :: error
         type(stable_segment_t), allocatable :: list(:)
-        real(wp) :: start
+        real(wp) :: start, pull_off
         integer :: current
 
         call contact%stable_segments(control, list, error)
@@ -100,7 +100,9 @@ contains
         call unload(self, contact, control, list, current, largest, count, error)
         if (allocated(error)) return
         call add_jump(self)
-        call add_apart(self, control, self%position(self%points), error)
+        ! not handed over as it stands in an array that grows
+        pull_off = self%position(self%points)
+        call add_apart(self, control, pull_off, error)
         if (.not. allocated(error)) call add_apart(self, control, start, error)
     end subroutine adhesive_way
 
