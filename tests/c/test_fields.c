@@ -271,6 +271,37 @@ static void other_units(void)
     }
 }
 
+/* Under a stiff film on a soft base d is far greater than q/E0*: the integral of q over the contact is F all the same. */
+static void line_load_of_a_stiff_film(void)
+{
+    enum { STEPS = 1000 };
+    const double bases[2] = {1e-6, 1e-12}, a[3] = {0.03, 1.0, 9.0};
+    static double x[STEPS + 1], q[STEPS + 1];
+    mdr_profile *ball = NULL;
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    for (int b = 0; b < 2; b++) {
+        mdr_medium *film = NULL;
+        mdr_contact *c = NULL;
+
+        CHECK_SUCCESS(mdr_medium_coated(1.0, 0.3, 1.0, bases[b], 0.3, MDR_MODEL_EXACT, NULL, &film));
+        CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &c));
+        for (int k = 0; k < 3; k++) {
+            mdr_state state;
+            double sum = 0.0;
+
+            CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &a[k], &state));
+            for (int i = 0; i <= STEPS; i++) x[i] = a[k] * i / STEPS;
+            CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_LINE_LOAD, &state, STEPS + 1, x, q));
+            for (int i = 0; i <= STEPS; i++) sum += q[i] * (i == 0 || i == STEPS ? 1.0 : i % 2 ? 4.0 : 2.0); /* Simpson */
+            CHECK_CLOSE(2.0 * sum * a[k] / STEPS / 3.0, state.force, 1e-10);
+        }
+        CHECK_SUCCESS(mdr_contact_free(&c));
+        CHECK_SUCCESS(mdr_medium_free(&film));
+    }
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+}
+
 int main(void)
 {
     two_bodies();
@@ -280,5 +311,6 @@ int main(void)
     boussinesq();
     lowest_pressure();
     other_units();
+    line_load_of_a_stiff_film();
     return check_report("fields");
 }

@@ -31,6 +31,8 @@ module mdrcontact_layered_fields
     type :: line_load_t
         !> contact radius [length], d, and q/E0* at its edge [length]
         real(wp) :: a = 0.0_wp, depth = 0.0_wp, edge = 0.0_wp
+        !> d less the mean of v: by itself, for on stiff films both are far greater than q/E0* [length]
+        real(wp) :: level = 0.0_wp
         !> coefficients of P_2j(x/a), j = 0, 1, ..., in q/E0*, and in v [length]
         real(wp), allocatable :: q(:), v(:)
     contains
@@ -120,6 +122,7 @@ contains
         s = normalisation(n)
         self%q = s*(beyond*x(:, 1) - x(:, 3))
         self%v = -s*equation%rhs(:, 3) - self%q
+        self%level = equation%mean - self%v(1)
         self%v(1) = self%v(1) + beyond
         if (kernel%vanishes) return
         reached = maxval(abs(self%v(n - 3:)))*real(2*n, wp)/sqrt(sum((self%q/s)**2) + tiny(1.0_wp))
@@ -136,9 +139,9 @@ contains
         integer :: i
 
         do i = 1, size(x)
-            values(i) = self%depth - profile%mdr(x(i))
+            values(i) = self%level - profile%mdr(x(i))
         end do
-        call add_even_sum(self%v, x, self%a, -1.0_wp, values)
+        call add_even_sum([0.0_wp, self%v(2:)], x, self%a, -1.0_wp, values)
     end subroutine at
 
     !> The pressure over E0* that v takes from the homogeneous one, without what is singular at the edge:
