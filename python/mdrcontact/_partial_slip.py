@@ -53,11 +53,11 @@ class PartialSlip(Generic[S]):
 
     def states(self, rubbing: Rubbing, name: str, values: ArrayLike, normal: Normal) -> S:
         """The states at `values`, which broadcast with the normal states."""
-        return self._states(rubbing, name, values, _rows(rubbing.contact, normal))
+        return self._states(rubbing, name, values, normal_rows(rubbing.contact, normal))
 
     def sliding(self, rubbing: Rubbing, normal: Normal) -> FloatOrArray:
         """Where sliding begins, one number of each normal state."""
-        rows = _rows(rubbing.contact, normal)
+        rows = normal_rows(rubbing.contact, normal)
         found = np.empty(rows.shape[:-1])
         for place in np.ndindex(found.shape):
             found[place] = np.ravel(call(self.native[1], rubbing._handle.address, rows[place]))[0]
@@ -74,7 +74,7 @@ class PartialSlip(Generic[S]):
         """Both quantities along the loop, the energy, and the state at +amplitude."""
         name = self.named(control)
         size, count = number("amplitude", amplitude), whole("points", points, 3, MOST_POINTS)
-        row = _one(_rows(rubbing.contact, normal))
+        row = _one(normal_rows(rubbing.contact, normal))
         along, load, energy = call(self.native[2], rubbing._handle.address, row, self.given[name], size, count)
         return along, load, float(energy), self._states(rubbing, name, size, row)
 
@@ -82,7 +82,7 @@ class PartialSlip(Generic[S]):
         self, rubbing: Rubbing, field: int, r: tuple[str, ArrayLike], slipped: tuple[str, Any], normal: Normal
     ) -> FloatOrArray:
         """A field of one state; `r` and `slipped`, the place and the state, come with their names."""
-        row = _one(_rows(rubbing.contact, normal))
+        row = _one(normal_rows(rubbing.contact, normal))
         name, state = slipped
         if not isinstance(state, self.made):
             raise ArgumentTypeError(f"{name} = {state!r} is not allowed: it must be a {self.made.__name__}")
@@ -110,7 +110,7 @@ class PartialSlip(Generic[S]):
         return slipped
 
 
-def _rows(contact: Contact, normal: Normal) -> NDArray[np.float64]:
+def normal_rows(contact: Contact, normal: Normal) -> NDArray[np.float64]:
     """The normal states that are meant, one row each."""
     state, force, depth, radius = normal
     if sum(value is not None for value in normal) != 1:

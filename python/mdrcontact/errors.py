@@ -15,6 +15,7 @@ __all__ = [
     "FileError",
     "CancelledError",
     "NotOneDiscWarning",
+    "SlipInsideWarning",
     "BeyondRangeWarning",
 ]
 
@@ -63,6 +64,11 @@ class NotOneDiscWarning(UserWarning):
     """The pressure of a contact without adhesion is negative somewhere: on this stiff coating the contact is not one disc. Its
     pressure is not that of the true contact; F(d) is off by at most a few per cent where the coating is up to 200 times stiffer
     than the body, by more beyond. Or the surface beyond the contact would pass through the indenter."""
+
+
+class SlipInsideWarning(UserWarning):
+    """Partial slip as an annulus at the edge would need more than coefficient times pressure inside: slip begins there, too, on
+    this stiff coating. Forces, energies and tractions are not those of the true contact; by rings, `Friction.history`, they are."""
 
 
 class BeyondRangeWarning(UserWarning):

@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import copy
-from dataclasses import dataclass
+import math
+import warnings
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,10 +14,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
 from ._boundary import FloatOrArray, Handle, call, number, numbers, whole
-from ._partial_slip import Given, PartialSlip, draw_loop
+from ._partial_slip import Given, Normal, PartialSlip, draw_loop, normal_rows
 from ._value import Value
 from .contact import Contact, State
-from .errors import ArgumentTypeError, InvalidArgumentError
+from .errors import ArgumentTypeError, InvalidArgumentError, SlipInsideWarning
+from .medium import Homogeneous
 from .torsion import Torsion
 
 __all__ = ["Friction", "FrictionHistory", "FrictionLoop", "TangentialState"]
@@ -69,6 +72,14 @@ _SLIP = PartialSlip[TangentialState](
 )
 
 
+_INSIDE = np.array([0.01, 0.3, 0.6, 0.9])
+"""Radii, in stick radii, at which traction and pressure are compared."""
+_NOTICEABLE = 1e-3
+"""Traction beyond coefficient times pressure by this part of the mean is more than the solver's error."""
+_NEARLY = 0.98
+"""Part of the sliding shift, at which a contact that slides is looked at."""
+
+
 @dataclass(frozen=True)
 class Friction(Value):
     """A contact under Coulomb's law: slip where the traction reaches coefficient times pressure, stick where it is less.
@@ -82,25 +93,26 @@ class Friction(Value):
     media are exact; Gao's weights superpose punches.
 
     The normal state that is sheared is a `State` of the contact, or the one with this force, depth or radius; arrays broadcast with
-    the other arguments. A pressure that would be negative somewhere, and slip that would begin inside the contact (a flat punch on
-    a stiff coating), raise DomainError.
+    the other arguments. A pressure that would be negative somewhere, and slip that would begin inside the contact at once (a flat
+    punch on a stiff coating), raise DomainError; slip that would begin inside later, a SlipInsideWarning.
     """
 
     contact: Contact
     coefficient: float
+    _looked_at: set[tuple[int, ...]] = field(init=False, repr=False, compare=False)
 
     def __init__(self, contact: Contact, coefficient: float) -> None:
         if not isinstance(contact, Contact):
             raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
         mu = number("coefficient", coefficient)
         created = _native.friction_new(contact._handle.address, mu)
-        self._set(_handle=Handle(created, _native.friction_free), contact=contact, coefficient=mu)
+        self._set(_handle=Handle(created, _native.friction_free), contact=contact, coefficient=mu, _looked_at=set())
 
     def at_shift(
         self, shift: ArrayLike, state: State | None = None, *, force: Given = None, depth: Given = None, radius: Given = None
     ) -> TangentialState:
         """The states after a displacement s of the indenter along the surface [length], of either sign, any shape."""
-        return _SLIP.states(self, "shift", shift, (state, force, depth, radius))
+        return self._states("shift", shift, (state, force, depth, radius))
 
     def at_tangential_force(
         self,
@@ -113,7 +125,7 @@ class Friction(Value):
     ) -> TangentialState:
         """The states under a tangential force T [modulus length^2], |T| <= coefficient F, any shape; at the bound the state in
         which sliding begins."""
-        return _SLIP.states(self, "tangential_force", tangential_force, (state, force, depth, radius))
+        return self._states("tangential_force", tangential_force, (state, force, depth, radius))
 
     def sliding_shift(
         self, state: State | None = None, *, force: Given = None, depth: Given = None, radius: Given = None
@@ -137,7 +149,9 @@ class Friction(Value):
         amplitude : > 0, of the "shift" [length] or the tangential "force" [modulus length^2] as `control` says
         points : at least 3; from +amplitude to -amplitude and back
         """
-        return FrictionLoop(*_SLIP.loop(self, control, amplitude, points, (state, force, depth, radius)))
+        loop = FrictionLoop(*_SLIP.loop(self, control, amplitude, points, (state, force, depth, radius)))
+        self._look_at(loop.turn, (state, force, depth, radius))
+        return loop
 
     def cycle_energy(
         self,
@@ -151,7 +165,7 @@ class Friction(Value):
     ) -> FloatOrArray:
         """Energy dissipated in a cycle between +amplitude and -amplitude, any shape [modulus length^3], without loss of digits at
         small amplitudes. Arguments as of `loop`."""
-        turns = _SLIP.states(self, _SLIP.named(control), amplitude, (state, force, depth, radius))
+        turns = self._states(_SLIP.named(control), amplitude, (state, force, depth, radius))
         return 4.0 * turns.dissipated_energy
 
     def traction(
@@ -197,6 +211,41 @@ class Friction(Value):
         """The contact twisted about its axis: `.at_twist`, `.at_torque`, `.sliding_torque`, `.loop`, `.traction`, `.line_load`.
         On homogeneous media."""
         return Torsion(self)
+
+    def _states(self, name: str, values: ArrayLike, normal: Normal) -> TangentialState:
+        found = _SLIP.states(self, name, values, normal)
+        self._look_at(found, normal)
+        return found
+
+    def _look_at(self, found: TangentialState, normal: Normal) -> None:
+        """Warns where the stuck disc would need more than coefficient times pressure: looks at the state with the smallest one,
+        once for states of about the same size."""
+        if isinstance(self.contact.medium, Homogeneous) or not np.size(found.shift):
+            return
+        place = np.unravel_index(np.argmin(found.stick_radius), np.shape(found.stick_radius))
+        shear = found.one(place)
+        size = tuple(round(2.0 * math.log2(abs(float(value)))) for value in shear[:3] if value != 0.0)
+        if not size or size in self._looked_at:
+            return
+        self._looked_at.add(size)
+        rows = normal_rows(self.contact, normal)
+        state = State(*(float(value) for value in np.broadcast_to(rows, (*np.shape(found.shift), rows.shape[-1]))[place]))
+        if shear.sliding:
+            shear = _SLIP.states(self, "shift", _NEARLY * _SLIP.sliding(self, (state, None, None, None)), (state, None, None, None))
+        r = float(shear.stick_radius) * _INSIDE
+        traction = np.abs(self.traction(r, shear, state))
+        limit = self.coefficient * np.asarray(self.contact.pressure(r, state))
+        worst = int(np.argmax(traction - limit))
+        mean = self.coefficient * float(state.force) / (math.pi * float(state.radius) ** 2)
+        if traction[worst] - limit[worst] > _NOTICEABLE * mean:
+            warnings.warn(
+                f"slip would begin inside this contact: at r = {r[worst]:.3g} the traction would be {traction[worst]:.3g}, more "
+                f"than coefficient times pressure, {limit[worst]:.3g} (stick radius {shear.stick_radius:.3g}, contact radius "
+                f"{state.radius:.3g}). Partial slip as an annulus at the edge is not that of the true contact; that by rings, "
+                "friction.history(largest_depth), is",
+                SlipInsideWarning,
+                stacklevel=4,
+            )
 
 
 class FrictionHistory:

@@ -3,6 +3,7 @@
 
 import math
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -405,3 +406,32 @@ def test_place_of_touch():
         stiffness = np.linalg.solve(forces / np.outer(areas, areas), np.ones(n)).sum()
         lacking.append(n * (1.0 - stiffness / 2.0))
     assert 0.5 - (2.0 * lacking[2] - lacking[1]) == pytest.approx(0.384948, abs=2e-6)
+
+
+@pytest.mark.parametrize("force_first", [False, True])
+def test_slip_that_begins_inside_warns(force_first):
+    """A flat end on a stiff film presses the middle little: by rings, which obey |tau| <= mu p everywhere, T is 12 % smaller."""
+    film = mdr.Coated(mdr.Elastic(4.75, 0.3), 0.514, mdr.Elastic(0.818, 0.0))
+    contact = mdr.Contact(mdr.FlatEndedCone(0.608, 0.191), film)
+    friction, state = mdr.Friction(contact, 0.3), contact.at_radius(0.614)
+    slides = friction.sliding_shift(state)
+    with pytest.warns(mdr.SlipInsideWarning, match="at r = .* the traction would be"):
+        if force_first:
+            friction.at_tangential_force(0.3 * state.force * np.array([0.1, 1.0]), force=state.force)
+        else:
+            friction.at_shift(slides, state)
+    rings = friction.history(largest_depth=1.001 * state.depth)
+    rings.advance(depth=state.depth, shift=0.0)
+    assert rings.advance(depth=state.depth, shift=slides).tangential_force < 0.95 * 0.3 * state.force
+
+
+def test_slip_at_the_edge_does_not_warn():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for indenter in (mdr.Paraboloid(1.0), mdr.Cone(0.4)):
+            for base in (0.1, 1.0, 30.0):
+                film = mdr.Coated(mdr.Elastic(1.0, 0.3), 0.5, mdr.Elastic(base, 0.2))
+                friction = mdr.Friction(mdr.Contact(indenter, film), 0.3)
+                for radius in (0.05, 0.5, 2.0):
+                    force = 0.3 * friction.contact.at_radius(radius).force
+                    friction.at_tangential_force(force * np.array([0.01, 0.5, 0.999]), radius=radius)

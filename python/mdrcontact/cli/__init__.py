@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from .. import __version__
-from ..errors import MDRError, NotOneDiscWarning
+from ..errors import MDRError, NotOneDiscWarning, SlipInsideWarning
 from ..problem import ProblemError
 from . import adhesion, calibrate, compare, curve, example, fit, friction, history, law, modulus, stress
 from . import map as map_
@@ -58,7 +58,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     chosen = parser.parse_args(arguments)
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("always", NotOneDiscWarning)
+            for kind in (NotOneDiscWarning, SlipInsideWarning):
+                warnings.simplefilter("always", kind)
             warnings.showwarning = _warn  # type: ignore[assignment]
             chosen.run(chosen)
     except ProblemError as problem:
