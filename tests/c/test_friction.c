@@ -295,7 +295,17 @@ static void laws(void)
     before = memory[0];
     shift[3] = NAN;
     CHECK_STATUS(mdr_friction_law_advance(law, 2, force, shift, memory), MDR_EINVALID, "entry 2 of shift");
+    shift[3] = 1e200;
+    CHECK_STATUS(mdr_friction_law_advance(law, 2, force, shift, memory), MDR_EINVALID, "at most 1e150");
+    /* a foreign memory that slid without a tangential force */
     shift[3] = 0.0;
+    memory[1].force[0] = memory[1].force[1] = memory[1].force[2] = 0.0;
+    memory[1].stick_level[0] = memory[1].stick_force[0] = 0.0;
+    force[1] *= 0.5;
+    memory[0] = before;
+    CHECK_SUCCESS(mdr_friction_law_advance(law, 2, force, shift, memory));
+    CHECK_TRUE(isfinite(memory[1].force[0]) && isfinite(memory[1].force[1]) && isfinite(memory[1].force[2]));
+    memory[0] = before;
     force[1] = 1e9;
     CHECK_STATUS(mdr_friction_law_advance(law, 2, force, shift, memory), MDR_EDOMAIN, "entry 2 of force");
     force[1] = -1.0;

@@ -11,13 +11,12 @@
 !> as it is, where the contact grows without slip (the load is then taken to be in proportion to the pressure), where a loop begins
 !> inside two others, and where the shift turns aside by more than 6 degrees; a shift across n meets the stiffness of full stick.
 module mdrcontact_law_friction
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_contact, only: on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
-    use mdrcontact_error, only: check_finite, error_domain, error_invalid, error_t, raise, raise_at, to_text
+    use mdrcontact_error, only: error_domain, error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_history_friction, only: first_shear_t, friction_t, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, new_friction_history
     use mdrcontact_kinds, only: pi, wp
@@ -76,6 +75,9 @@ module mdrcontact_law_friction
     real(wp), parameter :: aside = 0.1_wp
     !> How far from 1 the square of the length of g may come by rounding.
     real(wp), parameter :: drift = 1.0e-13_wp
+    !> Forces, shifts and memories of larger size are refused: their squares are no numbers.
+    real(wp), parameter :: largest = 1.0e150_wp
+    character(len=*), parameter :: must_be_moderate = " must be finite, at most 1e150 in size"
     !> For verification, parts of the largest depth and of the shift of sliding; and cycles: steps, shifts in units of the
     !> largest mu S, cycles of the shift in one of the depth.
     real(wp), parameter :: depths(*) = [0.01_wp, 0.1_wp, 1.0_wp], parts(*) = [0.05_wp, 0.3_wp, 0.6_wp, 0.9_wp]
@@ -267,7 +269,11 @@ contains
         if (memory%normal_force > 0.0_wp) then
             edge = (memory%force/mu + along(memory%slope, memory%stick_force)*memory%axis)/memory%normal_force
             share = squared(edge)
-            if (abs(share - 1.0_wp) > drift) edge = edge/sqrt(share)
+            if (.not. share > 0.0_wp) then
+                edge = memory%axis
+            else if (abs(share - 1.0_wp) > drift) then
+                edge = edge/sqrt(share)
+            end if
         end if
         share = max(along(edge, memory%axis), 0.0_wp)
         way = along(shift, memory%axis)
@@ -291,18 +297,18 @@ contains
         type(friction_memory_t), intent(in) :: memory
         logical :: plain
 
-        plain = abs(force + (shift(1) + shift(2) + shift(3)) + sum_of(memory)) <= huge(force) &
-                .and. force <= self%law%by_force%highest
+        plain = force <= self%law%by_force%highest &
+                .and. abs(force) + (abs(shift(1)) + abs(shift(2)) + abs(shift(3))) + sum_of(memory) <= largest
     end function is_plain
 
-    !> No finite number if any is not.
+    !> That of the sizes of all numbers: none if any is none.
     pure function sum_of(memory) result(total)
         type(friction_memory_t), intent(in) :: memory
         real(wp) :: total
         real(wp) :: part(3)
 
-        part = ((memory%force + memory%axis) + (memory%slope + memory%stick_level)) + memory%stick_force
-        total = (part(1) + part(2)) + (part(3) + (memory%normal_force + memory%level))
+        part = ((abs(memory%force) + abs(memory%axis)) + (abs(memory%slope) + abs(memory%stick_level))) + abs(memory%stick_force)
+        total = (part(1) + part(2)) + (part(3) + (abs(memory%normal_force) + abs(memory%level)))
     end function sum_of
 
     !> Whether a step is possible.
@@ -316,10 +322,10 @@ contains
         type(friction_memory_t), intent(in) :: memory
         type(error_t), allocatable, intent(inout) :: error
 
-        if (.not. ieee_is_finite(force)) call check_finite(error, "force", force)
-        if (.not. all(ieee_is_finite(shift))) call raise(error, error_invalid, " must be finite", "shift")
-        if (.not. ieee_is_finite(sum_of(memory))) then
-            call raise(error, error_invalid, " must be finite, and all 0 before the first step", "memory")
+        if (.not. abs(force) <= largest) call raise(error, error_invalid, must_be_moderate, "force")
+        if (.not. all(abs(shift) <= largest)) call raise(error, error_invalid, must_be_moderate, "shift")
+        if (.not. sum_of(memory) <= largest) then
+            call raise(error, error_invalid, must_be_moderate//", and all 0 before the first step", "memory")
         end if
         if (force > self%law%by_force%highest .and. .not. self%law%by_force%continued) then
             call raise(error, error_domain, " = "//to_text(force)//" is beyond the law's largest force, "// &
