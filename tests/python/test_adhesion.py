@@ -299,7 +299,7 @@ def test_command(tmp_path, capsys):
     [
         (('control = "spring"', 'control = "force"'), "spring_stiffness belongs to"),
         (('"50 mJ/m^2"', "0.05"), "has no unit"),
-        (('"50 mJ/m^2"', '"-1 J/m^2"'), "work_of_adhesion = -0.1E+1"),
+        (('"50 mJ/m^2"', '"-1 J/m^2"'), "work_of_adhesion = '-1 J/m^2' is not allowed"),
         (('"0.2 N/m"', '"0.2 N"'), "is not a unit of a stiffness"),
         (("[adhesion]", "[adhesive]"), "did you mean 'adhesion'"),
         (("[adhesion]", '[adhesion]\nadhesion_rule = "energi"'), "did you mean 'energy'"),
@@ -308,8 +308,8 @@ def test_command(tmp_path, capsys):
 def test_wrong_problem_files(change, words, tmp_path, capsys):
     path = Path(tmp_path / "problem.toml")
     path.write_text(PROBLEM.read_text(encoding="utf-8").replace(*change), encoding="utf-8")
-    assert main(["adhesion", str(path)]) in (1, 2)
-    assert words.replace("-0.1E+1", "-1") in capsys.readouterr().err
+    assert main(["adhesion", str(path)]) == 2
+    assert words in capsys.readouterr().err
 
 
 def test_the_adhesion_rule_of_a_problem_file(tmp_path):
