@@ -74,6 +74,7 @@ contains
         type(neighbours_t), intent(inout), optional :: neighbours
         type(mismatch_t) :: mismatch
         real(wp) :: closest
+        real(wp) :: missing
         logical :: found
 
         if (s <= 0.0_wp) then
@@ -84,8 +85,7 @@ contains
             call equilibrium%at(equilibrium%last_radius, state, error)
             if (allocated(error)) return
             if (s >= control%of(state%depth, state%force)) then
-                state%excess = (s - control%of(state%depth, state%force))/control%of(1.0_wp, state%stiffness)
-                call go_on_as_punch(state, control, s)
+                call go_on_as_punch(state, control, s, state%excess)
                 return
             end if
         end if
@@ -109,7 +109,7 @@ contains
         if (allocated(error)) return
         if (found) then
             ! just after touch the radius of a flat end has lost the digits that depth and force need
-            if (equilibrium%profile%end_radius > 0.0_wp) call go_on_as_punch(state, control, s)
+            if (equilibrium%profile%end_radius > 0.0_wp) call go_on_as_punch(state, control, s, missing)
             return
         end if
         call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
@@ -118,11 +118,12 @@ contains
     end subroutine invert
 
     !> As a flat punch of the radius reached, with dF = k dd.
-    pure subroutine go_on_as_punch(state, control, s)
+    pure subroutine go_on_as_punch(state, control, s, missing)
         type(contact_state_t), intent(inout) :: state
         type(control_t), intent(in) :: control
         real(wp), intent(in) :: s
-        real(wp) :: missing
+        !> by how much deeper than the state reached [length]
+        real(wp), intent(out) :: missing
 
         missing = (s - control%of(state%depth, state%force))/control%of(1.0_wp, state%stiffness)
         state%depth = state%depth + missing
