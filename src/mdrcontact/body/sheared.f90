@@ -54,14 +54,9 @@ contains
         allocate (self%body, source=body)
         self%in_plane_part = in_plane_part
         self%anti_plane_part = anti_plane_part
-        self%surface_material = body%surface_material
+        call self%take_numbers(body)
         self%surface_modulus = modulus
         self%long_wave_limit = in_plane_part*body%in_plane_limit + anti_plane_part*body%anti_plane_limit
-        self%in_plane_limit = body%in_plane_limit
-        self%anti_plane_limit = body%anti_plane_limit
-        self%first_depth = body%first_depth
-        self%last_depth = body%last_depth
-        self%is_graded = body%is_graded
     end subroutine shear
 
     pure subroutine response(self, k, sigma, chi)
