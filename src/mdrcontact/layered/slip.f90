@@ -249,6 +249,7 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+
         call traction_between(self%normal, self%profile%base, self%radius, self%excess, self%tangential, self%profile, c, r, &
                               values, error)
     end subroutine traction

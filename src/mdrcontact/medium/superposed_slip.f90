@@ -142,6 +142,7 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+
         call traction_between(self%normal, self%profile, self%radius, self%excess, self%normal, self%profile, c, r, values, error)
     end subroutine traction
 
