@@ -11,7 +11,8 @@ module mdrcontact_api_friction_law
     use mdrcontact_history_friction, only: friction_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_from_contact, only: law_options_t
-    use mdrcontact_law_friction, only: friction_law_t, friction_memory_t, new_friction_law, turn_memory
+    use mdrcontact_law_friction, only: friction_law_t, friction_memory_t, turn_memory
+    use mdrcontact_law_friction_from_contact, only: new_friction_law
     implicit none (type, external)
     private
     public :: mdr_friction_law_new, mdr_friction_law_advance, mdr_friction_law_info, mdr_friction_law_description, &
