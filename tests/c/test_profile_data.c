@@ -275,8 +275,39 @@ static void roots_start_at_knots(void)
     CHECK_SUCCESS(mdr_profile_free(&p));
 }
 
+static int step(double r, double *f, void *height)
+{
+    *f = r > 0.0 ? *(double *)height : 0.0;
+    return 0;
+}
+
+/* Where f is level its slope is 0 and not the rounding of samples: all along a step at the axis, and as a table comes level. */
+static void level_places_have_no_negative_slope(void)
+{
+    const double r[4] = {0.0, 1.0, 2.0, 3.0}, f[4] = {0.0, 1.0, 1.0, 1.7};
+    mdr_profile *p = NULL;
+
+    for (int i = 0; i < 200; i++) {
+        double height = 1e-4 * (1.0 + 0.037 * i), x = 1e-4, slope;
+        CHECK_SUCCESS(mdr_profile_callback(step, &height, x, &p));
+        CHECK_SUCCESS(mdr_profile_slope(p, 1, &x, &slope));
+        CHECK_TRUE(slope == 0.0);
+        CHECK_SUCCESS(mdr_profile_free(&p));
+    }
+    CHECK_SUCCESS(mdr_profile_table(4, r, f, &p));
+    for (int i = 0; i < 200; i++) {
+        const double x = 1.0 - 0x1p-53 * i;
+        double slope;
+        CHECK_SUCCESS(mdr_profile_slope(p, 1, &x, &slope));
+        CHECK_TRUE(slope >= 0.0);
+        CHECK_TRUE(slope < 1e-12);
+    }
+    CHECK_SUCCESS(mdr_profile_free(&p));
+}
+
 int main(void)
 {
+    level_places_have_no_negative_slope();
     roots_start_at_knots();
     area_function_refuses();
     table_refuses(mdr_profile_table, "r", "f");

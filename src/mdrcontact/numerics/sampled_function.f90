@@ -146,7 +146,10 @@ contains
         self%edges(count + 1) = edges(size(edges))
         do count = 1, size(self%from_root)
             self%used(count) = leading(self%coefficients(:, count), self%edges(count), self%edges(count + 1))
-            call differentiate(self%coefficients(:, count), self%derivatives(:, count))
+            ! those left out as rounding would come back in the lowest coefficients of the derivative, as a slope of what is level
+            self%derivatives(:, count) = 0.0_wp
+            if (self%used(count) > 1) call differentiate(self%coefficients(:self%used(count), count), &
+                                                         self%derivatives(:self%used(count), count))
         end do
         call integrate_panels(self)
     end subroutine new_sampled_function

@@ -189,7 +189,8 @@ contains
         else if (x < self%f%lower()) then
             y = self%f_exponent*self%f%value(self%f%lower())/self%f%lower()*(x/self%f%lower())**(self%f_exponent - 1.0_wp)
         else
-            y = self%f%slope(x)
+            ! f does not decrease, as was seen when it was sampled: less than 0 is the rounding of a level place
+            y = max(self%f%slope(x), 0.0_wp)
         end if
     end function slope
 
