@@ -1726,8 +1726,9 @@ typedef struct mdr_fit_summary {
     double noise;              /**< Factor of the standard deviations of the data: 1 if they are known, else estimated. */
     double log_likelihood;     /**< Of the data and the priors, at the estimates. */
     double pattern_probability; /**< Probability that random residuals follow each other as smoothly (Bartels 1982); 1 for n < 8. */
-    double weakest;            /**< Smallest eigenvalue of the correlation of the derivatives: 1: the parameters are independent,
-                                    0: a combination of them is not determined. */
+    double weakest;            /**< Smallest eigenvalue of the correlation of the derivatives: 1: the parameters are independent;
+                                    0: the data do not determine a combination of them (below 1e-12: rounding), and its
+                                    variance is beyond all measure: standard errors of about a thousand times the values. */
     double lag_correlation;    /**< Correlation of neighbouring residuals along the curve; standard errors allow for it. */
 } mdr_fit_summary;
 

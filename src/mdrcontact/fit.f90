@@ -36,7 +36,8 @@ module mdrcontact_fit
         real(wp), allocatable :: values(:)
         !> positions of the free ones
         integer, allocatable :: free(:)
-        !> of the free ones; a direction that the data do not determine has a variance beyond all measure
+        !> of the free ones; where the data do not determine a combination of them, `weakest` = 0, its variance is beyond all
+        !> measure: standard errors of about a thousand times the values
         real(wp), allocatable :: covariance(:, :)
         !> of the free ones: -1 or 1 where the estimate lies at its lower or upper bound, whose covariance is then 0
         integer, allocatable :: at_bound(:)
@@ -321,7 +322,7 @@ contains
         type(fit_result_t), intent(inout) :: fit
         type(error_t), allocatable, intent(inout) :: error
         type(spectrum_t) :: spectrum
-        real(wp), allocatable :: jacobian(:, :), inverse(:, :), slope(:), widening(:)
+        real(wp), allocatable :: jacobian(:, :), inverse(:, :), undetermined(:, :), slope(:), widening(:)
         integer, allocatable :: inner(:)
         integer :: i, n, stat
 
@@ -351,11 +352,11 @@ contains
                                allocated(residuals%data%sd) .and. residuals%problem%sd_is_absolute, fit%lag_correlation, widening)
         fit%widening(inner) = widening
         slope = residuals%variables%slope_at([(i, i=1, size(u))], u)
-        slope(inner) = slope(inner)*widening
+        undetermined = spectrum%undetermined_spread()
         do i = 1, size(inner)
-            fit%covariance(inner, inner(i)) = inverse(:, i)*slope(inner)*slope(inner(i))
+            fit%covariance(inner, inner(i)) = (inverse(:, i)*widening*widening(i) + undetermined(:, i))*slope(inner)*slope(inner(i))
         end do
-        fit%weakest = max(spectrum%eigenvalues(1), 0.0_wp)
+        fit%weakest = spectrum%weakest()
         fit%weakest_direction(inner) = spectrum%vectors(:, 1)/spectrum%scale
         fit%weakest_direction = fit%weakest_direction/max(maxval(abs(fit%weakest_direction)), tiny(1.0_wp))
     end subroutine describe_spread
@@ -399,7 +400,11 @@ contains
         do i = 1, size(jacobian, 2)
             scores(:n, i) = jacobian(:n, i)*straight*psi
         end do
-        inverse = matmul(inverse, matmul(products(scores), inverse))
+        ! V is the product of the scores with themselves: so no variance can be less than 0 by rounding
+        do i = 1, size(scores, 1)
+            scores(i, :) = matmul(scores(i, :), inverse)
+        end do
+        inverse = products(scores)
     end subroutine robust_covariance
 
 end module mdrcontact_fit

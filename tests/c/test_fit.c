@@ -181,8 +181,42 @@ static void bad_input_is_refused(void)
     CHECK_CLOSE(lower, 7.0, 0.0);
 }
 
+/* One of three readings is in contact, and F ~ E sqrt(R): neither is known, whatever noise the others show. */
+static void one_reading_does_not_determine_two_numbers(void)
+{
+    static const int losses[3] = { MDR_FIT_LINEAR, MDR_FIT_HUBER, MDR_FIT_CAUCHY };
+    enum { COUNT = 12 };
+    static const double numbers[COUNT] = { 10e-6, 72e9, 0.17, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1 };
+    const double d[3] = { -2e-8, -1e-8, 1e-8 };
+    mdr_fit_problem problem;
+    mdr_fit_parameter parameters[NUMBERS];
+    mdr_fit_summary summary;
+    double values[COUNT], covariance[COUNT * COUNT];
+
+    fill(&problem, parameters);
+    problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;
+    problem.parameter_count = COUNT;
+    for (int i = 0; i < COUNT; i++) parameters[i] = (mdr_fit_parameter){ numbers[i], -INFINITY, INFINITY, 0, 0, i < 2 };
+    for (int i = 0; i < 60; i++) {
+        const double F[3] = { 0.0, 0.0, 3e-4 * (1.0 + 0.01 * i) };
+        problem.loss = losses[i % 3];
+        CHECK_SUCCESS(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, covariance, NULL, NULL, NULL, NULL, NULL, &summary));
+        CHECK_TRUE(summary.weakest == 0.0);
+        CHECK_TRUE(covariance[0] > 1e3 * values[0] * values[0] && covariance[COUNT + 1] > 1e3 * values[1] * values[1]);
+        CHECK_TRUE(covariance[1] < 0.0);
+        CHECK_CLOSE(covariance[1], covariance[COUNT], 1e-12);
+    }
+    /* each alone is */
+    parameters[0].is_free = 0;
+    CHECK_SUCCESS(mdr_fit_solve(&problem, 3, d, (double[]){ 0.0, 0.0, 3e-4 }, NULL, NULL, values, covariance, NULL, NULL, NULL, NULL,
+                                NULL, &summary));
+    CHECK_CLOSE(summary.weakest, 1.0, 1e-12);
+    CHECK_TRUE(covariance[COUNT + 1] >= 0.0 && covariance[COUNT + 1] < 1e-6 * values[1] * values[1]);
+}
+
 int main(void)
 {
+    one_reading_does_not_determine_two_numbers();
     truth_comes_back();
     counterbody();
     bad_input_is_refused();

@@ -15,8 +15,7 @@ from .result import UNLIKELY, FitResult
 
 _LARGE_ERROR = 0.3
 _STRONG_CORRELATION = 0.98
-_UNDETERMINED, _SINGULAR = 1e-9, 1e-12
-"""Smallest eigenvalues of the correlation of derivatives; the second is the rounding of the derivatives."""
+_UNDETERMINED = 1e-9
 _BLUNT = 50e-9
 _STRAYS, _STRAY_SHARE = 3, 0.01
 """Readings about a jump that noise may put on the wrong side of it."""
@@ -79,11 +78,11 @@ def _identifiability(result: FitResult, radius: np.ndarray) -> list[str]:
         words.append(
             f"{name} is hardly determined: its standard error is {100.0 * min(_relative(result, name), 1e6):.3g} % of its value"
         )
-    if len(result.names) > 1 and result.weakest < _SINGULAR:
+    if len(result.names) > 1 and result.weakest == 0.0:
         words.insert(
             0,
-            f"the data do not determine {' and '.join(result.names)} together: some change of them leaves the curve as it is, and "
-            "their standard errors mean nothing",
+            f"the data do not determine {' and '.join(result.names)} together: some change of them leaves the curve as it is; fix one "
+            "of them, give it a prior, or give more points",
         )
     if words:
         regime = _regime(result, radius)

@@ -17,7 +17,7 @@ from .._boundary import call, number, whole
 from .._choices import nearest
 from .._files import replace
 from .._interrupt import workers
-from ..errors import InvalidArgumentError, MDRError, NoConvergenceError
+from ..errors import InvalidArgumentError, MDRError
 from ..problem.units import practical
 from .picture import draw
 from .problem import Problem
@@ -73,13 +73,8 @@ class FitResult:
         self.values = {name: float(value) for name, value in zip(problem.names, values, strict=True) if name}
         self.estimates = {name: self.values[name] for name in self.names}
         self.covariance: Array = np.asarray(covariance)[np.ix_(places, places)]
-        variances = np.diag(self.covariance)
-        if not (variances >= 0.0).all():
-            # of a matrix that rounding has made singular
-            raise NoConvergenceError(
-                f"the data do not determine {', '.join(self.names)} together: fix one of them, give it a prior, or give more points"
-            )
-        self.standard_errors: dict[str, float] = dict(zip(self.names, np.sqrt(variances).tolist(), strict=True))
+        errors = np.sqrt(np.diag(self.covariance))
+        self.standard_errors: dict[str, float] = dict(zip(self.names, errors.tolist(), strict=True))
         self.widening = {name: float(widening[i]) for name, i in zip(self.names, places, strict=True)}
         self.at_bound = {name: int(at_bound[i]) for name, i in zip(self.names, places, strict=True)}
         self.weakest_direction = {name: float(weakest_direction[i]) for name, i in zip(self.names, places, strict=True)}

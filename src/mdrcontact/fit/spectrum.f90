@@ -7,10 +7,10 @@ module mdrcontact_fit_spectrum
     private
     public :: spectrum_t, new_spectrum, newton_decrement, products
 
-    !> Eigenvalues of the scaled matrix below this are rounding: the direction is not determined at all.
-    real(wp), parameter :: smallest_eigenvalue = 1.0e-15_wp
-    !> A step along directions below this one is left out of the gain: the data do not determine them.
-    real(wp), parameter :: undetermined = 1.0e-12_wp
+    !> Eigenvalues of the scaled matrix below this are rounding of the derivatives: the data do not determine that direction.
+    real(wp), parameter :: smallest_eigenvalue = 1.0e-12_wp
+    !> Least variance, of unknowns of order one, in a direction that is not determined.
+    real(wp), parameter :: beyond_measure = 1.0e6_wp
 
     !> A symmetric positive semidefinite matrix, scaled to a unit diagonal, by eigenvalues and eigenvectors.
     type :: spectrum_t
@@ -21,7 +21,9 @@ module mdrcontact_fit_spectrum
         !> columns
         real(wp), allocatable :: vectors(:, :)
     contains
+        procedure :: weakest
         procedure :: inverse
+        procedure :: undetermined_spread
     end type spectrum_t
 
 contains
@@ -46,22 +48,49 @@ contains
         if (info /= 0) self%eigenvalues = 0.0_wp
     end function new_spectrum
 
-    !> The inverse. A direction that is not determined gets a variance beyond all measure instead of none.
+    !> The smallest eigenvalue, 0 where a direction is not determined.
+    pure function weakest(self) result(eigenvalue)
+        class(spectrum_t), intent(in) :: self
+        real(wp) :: eigenvalue
+
+        eigenvalue = merge(self%eigenvalues(1), 0.0_wp, self%eigenvalues(1) > smallest_eigenvalue)
+    end function weakest
+
+    !> The inverse over the directions that are determined.
     pure function inverse(self) result(matrix)
         class(spectrum_t), intent(in) :: self
         real(wp) :: matrix(size(self%scale), size(self%scale))
-        integer :: i, j, k
+        integer :: j, k
 
         matrix = 0.0_wp
         do k = 1, size(self%scale)
-            do j = 1, size(self%scale)
-                do i = 1, size(self%scale)
-                    matrix(i, j) = matrix(i, j) + self%vectors(i, k)*self%vectors(j, k) &
-                                   /(max(self%eigenvalues(k), smallest_eigenvalue)*self%scale(i)*self%scale(j))
+            if (.not. self%eigenvalues(k) > smallest_eigenvalue) cycle
+            associate (direction => self%vectors(:, k)/self%scale)
+                do j = 1, size(self%scale)
+                    matrix(:, j) = matrix(:, j) + direction*direction(j)/self%eigenvalues(k)
                 end do
-            end do
+            end associate
         end do
     end function inverse
+
+    !> A variance beyond all measure, of unknowns of order one, along the directions that are not determined. Their eigenvalues
+    !> tell none: they are rounding, and noise that is estimated from too few data is, too.
+    pure function undetermined_spread(self) result(matrix)
+        class(spectrum_t), intent(in) :: self
+        real(wp) :: matrix(size(self%scale), size(self%scale))
+        integer :: j, k
+
+        matrix = 0.0_wp
+        do k = 1, size(self%scale)
+            if (self%eigenvalues(k) > smallest_eigenvalue) cycle
+            associate (direction => self%vectors(:, k)/self%scale)
+                do j = 1, size(self%scale)
+                    matrix(:, j) = matrix(:, j) + direction*direction(j) &
+                                   *max(1.0_wp/smallest_eigenvalue, beyond_measure/maxval(abs(direction))**2)
+                end do
+            end associate
+        end do
+    end function undetermined_spread
 
     !> J^T J of a tall J. matmul takes memory for a copy of it, without a status.
     pure function products(jacobian) result(matrix)
@@ -77,7 +106,7 @@ contains
         end do
     end function products
 
-    !> g (J^T J)^-1 g with g = J^T r: how much a Newton step lowers |r|^2.
+    !> g (J^T J)^-1 g with g = J^T r: how much a Newton step along the directions that are determined lowers |r|^2.
     function newton_decrement(jacobian, r) result(gain)
         real(wp), intent(in) :: jacobian(:, :), r(:)
         real(wp) :: gain
@@ -90,7 +119,7 @@ contains
             g(i) = dot_product(jacobian(:, i), r)/spectrum%scale(i)
         end do
         g = matmul(transpose(spectrum%vectors), g)
-        gain = sum(g**2/max(spectrum%eigenvalues, smallest_eigenvalue), mask=spectrum%eigenvalues > undetermined)
+        gain = sum(g**2/max(spectrum%eigenvalues, smallest_eigenvalue), mask=spectrum%eigenvalues > smallest_eigenvalue)
     end function newton_decrement
 
 end module mdrcontact_fit_spectrum
