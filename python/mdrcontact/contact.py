@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -15,6 +14,7 @@ from numpy.typing import ArrayLike
 from . import _layout, _native, adhesion, critical, failure, history, interior
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record, row
 from ._value import Value
+from ._warn import warn
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code
 from .critical import Critical
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, NotOneDiscWarning
@@ -354,11 +354,10 @@ class Contact(Value):
             fault = self._fault(State(*(float(value) for value in row)))
             if fault:
                 self._set(_looked_at=None)
-                warnings.warn(
+                warn(
                     f"this contact is not one disc: {fault} (contact radius {row[1]:.3g}). Its pressure is not that of the true "
                     "contact; F(d) is off by at most a few per cent where the coating is up to 200 times stiffer than the body",
                     NotOneDiscWarning,
-                    stacklevel=4,
                 )
                 return
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import copy
 import math
-import warnings
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -16,12 +15,20 @@ from . import _layout, _native
 from ._boundary import FloatOrArray, Handle, call, number, numbers, whole
 from ._partial_slip import Given, Normal, PartialSlip, draw_loop, normal_rows
 from ._value import Value
+from ._warn import warn
 from .contact import Contact, State
-from .errors import ArgumentTypeError, InvalidArgumentError, SlipInsideWarning
+from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, SlipInsideWarning
 from .medium import Homogeneous
 from .torsion import Torsion
 
 __all__ = ["Friction", "FrictionHistory", "FrictionLoop", "TangentialState"]
+
+_INSIDE = np.array([0.01, 0.3, 0.6, 0.9])
+"""Radii, in stick radii, at which traction and pressure are compared."""
+_NOTICEABLE = 1e-3
+"""Traction beyond coefficient times pressure by this part of the mean is more than the solver's error."""
+_NEARLY = 0.98
+"""Part of the sliding shift, at which a contact that slides is looked at."""
 
 
 class TangentialState(NamedTuple):
@@ -72,14 +79,6 @@ _SLIP = PartialSlip[TangentialState](
 )
 
 
-_INSIDE = np.array([0.01, 0.3, 0.6, 0.9])
-"""Radii, in stick radii, at which traction and pressure are compared."""
-_NOTICEABLE = 1e-3
-"""Traction beyond coefficient times pressure by this part of the mean is more than the solver's error."""
-_NEARLY = 0.98
-"""Part of the sliding shift, at which a contact that slides is looked at."""
-
-
 @dataclass(frozen=True)
 class Friction(Value):
     """A contact under Coulomb's law: slip where the traction reaches coefficient times pressure, stick where it is less.
@@ -112,7 +111,8 @@ class Friction(Value):
         self, shift: ArrayLike, state: State | None = None, *, force: Given = None, depth: Given = None, radius: Given = None
     ) -> TangentialState:
         """The states after a displacement s of the indenter along the surface [length], of either sign, any shape."""
-        return self._states("shift", shift, (state, force, depth, radius))
+        normal = state, force, depth, radius
+        return self._looked(_SLIP.states(self, "shift", shift, normal), normal)
 
     def at_tangential_force(
         self,
@@ -125,7 +125,8 @@ class Friction(Value):
     ) -> TangentialState:
         """The states under a tangential force T [modulus length^2], |T| <= coefficient F, any shape; at the bound the state in
         which sliding begins."""
-        return self._states("tangential_force", tangential_force, (state, force, depth, radius))
+        normal = state, force, depth, radius
+        return self._looked(_SLIP.states(self, "tangential_force", tangential_force, normal), normal)
 
     def sliding_shift(
         self, state: State | None = None, *, force: Given = None, depth: Given = None, radius: Given = None
@@ -149,8 +150,9 @@ class Friction(Value):
         amplitude : > 0, of the "shift" [length] or the tangential "force" [modulus length^2] as `control` says
         points : at least 3; from +amplitude to -amplitude and back
         """
-        loop = FrictionLoop(*_SLIP.loop(self, control, amplitude, points, (state, force, depth, radius)))
-        self._look_at(loop.turn, (state, force, depth, radius))
+        normal = state, force, depth, radius
+        loop = FrictionLoop(*_SLIP.loop(self, control, amplitude, points, normal))
+        self._looked(loop.turn, normal)
         return loop
 
     def cycle_energy(
@@ -165,8 +167,9 @@ class Friction(Value):
     ) -> FloatOrArray:
         """Energy dissipated in a cycle between +amplitude and -amplitude, any shape [modulus length^3], without loss of digits at
         small amplitudes. Arguments as of `loop`."""
-        turns = self._states(_SLIP.named(control), amplitude, (state, force, depth, radius))
-        return 4.0 * turns.dissipated_energy
+        normal = state, force, depth, radius
+        turns = _SLIP.states(self, _SLIP.named(control), amplitude, normal)
+        return 4.0 * self._looked(turns, normal).dissipated_energy
 
     def traction(
         self,
@@ -212,40 +215,47 @@ class Friction(Value):
         On homogeneous media."""
         return Torsion(self)
 
-    def _states(self, name: str, values: ArrayLike, normal: Normal) -> TangentialState:
-        found = _SLIP.states(self, name, values, normal)
-        self._look_at(found, normal)
-        return found
-
-    def _look_at(self, found: TangentialState, normal: Normal) -> None:
-        """Warns where the stuck disc would need more than coefficient times pressure: looks at the state with the smallest one,
-        once for states of about the same size."""
+    def _looked(self, found: TangentialState, normal: Normal) -> TangentialState:
+        """`found`, with a warning where the stuck disc would need more than coefficient times pressure: looks at the state with the
+        smallest one, once for states of about the same size."""
         if isinstance(self.contact.medium, Homogeneous) or not np.size(found.shift):
-            return
+            return found
         place = np.unravel_index(np.argmin(found.stick_radius), np.shape(found.stick_radius))
         shear = found.one(place)
         size = tuple(round(2.0 * math.log2(abs(float(value)))) for value in shear[:3] if value != 0.0)
-        if not size or size in self._looked_at:
-            return
-        self._looked_at.add(size)
-        rows = normal_rows(self.contact, normal)
-        state = State(*(float(value) for value in np.broadcast_to(rows, (*np.shape(found.shift), rows.shape[-1]))[place]))
-        if shear.sliding:
-            shear = _SLIP.states(self, "shift", _NEARLY * _SLIP.sliding(self, (state, None, None, None)), (state, None, None, None))
-        r = float(shear.stick_radius) * _INSIDE
-        traction = np.abs(self.traction(r, shear, state))
-        limit = self.coefficient * np.asarray(self.contact.pressure(r, state))
+        if size and size not in self._looked_at:
+            self._looked_at.add(size)
+            rows = normal_rows(self.contact, normal)
+            row = np.broadcast_to(rows, (*np.shape(found.shift), rows.shape[-1]))[place]
+            fault = self._fault(shear, State(*(float(value) for value in row)))
+            if fault:
+                warn(
+                    f"slip would begin inside this contact: {fault}. Partial slip as an annulus at the edge is not that of the "
+                    "true contact; that by rings, friction.history(largest_depth), is",
+                    SlipInsideWarning,
+                )
+        return found
+
+    def _fault(self, shear: TangentialState, state: State) -> str:
+        """Where the stuck disc of a state has more traction than coefficient times pressure; empty if nowhere, or if either is
+        refused."""
+        normal = state, None, None, None
+        try:
+            if shear.sliding:
+                shear = _SLIP.states(self, "shift", _NEARLY * _SLIP.sliding(self, normal), normal)
+            r = float(shear.stick_radius) * _INSIDE
+            traction = np.abs(self.traction(r, shear, state))
+            limit = self.coefficient * np.asarray(self.contact.pressure(r, state))
+        except MDRError:
+            return ""
         worst = int(np.argmax(traction - limit))
         mean = self.coefficient * float(state.force) / (math.pi * float(state.radius) ** 2)
-        if traction[worst] - limit[worst] > _NOTICEABLE * mean:
-            warnings.warn(
-                f"slip would begin inside this contact: at r = {r[worst]:.3g} the traction would be {traction[worst]:.3g}, more "
-                f"than coefficient times pressure, {limit[worst]:.3g} (stick radius {shear.stick_radius:.3g}, contact radius "
-                f"{state.radius:.3g}). Partial slip as an annulus at the edge is not that of the true contact; that by rings, "
-                "friction.history(largest_depth), is",
-                SlipInsideWarning,
-                stacklevel=4,
-            )
+        if traction[worst] - limit[worst] <= _NOTICEABLE * mean:
+            return ""
+        return (
+            f"at r = {r[worst]:.3g} the traction would be {traction[worst]:.3g}, more than coefficient times pressure, "
+            f"{limit[worst]:.3g} (stick radius {shear.stick_radius:.3g}, contact radius {state.radius:.3g})"
+        )
 
 
 class FrictionHistory:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _layout, _native, adhesion
 from ._boundary import FloatOrArray, address, evaluate, evaluate_all, number
 from ._law_file import LawFile, law_options
+from ._warn import warn
 from .adhesion import BRANCHES
 from .contact import Contact
 from .errors import ArgumentTypeError, BeyondRangeWarning
@@ -120,10 +120,9 @@ class ContactLaw(LawFile):
         largest = self._highest if name == "depth" else self.force_range[1]
         if answer[0] == 0 and self._facts["continue_beyond"] and values.max() > largest:
             beyond = np.count_nonzero(values > largest)
-            warnings.warn(
+            warn(
                 f"{beyond} of {values.size} values of {name} lie beyond {largest:.4g}: the law goes on along its tangent",
                 BeyondRangeWarning,
-                stacklevel=5,
             )
         return answer
 

@@ -4,6 +4,7 @@
 import math
 import pickle
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ import mdrcontact as mdr
 STEEL, HARD = mdr.Elastic(210.0, 0.3), mdr.Elastic(700.0, 0.2)
 BALL = mdr.Paraboloid(10.0)
 MU = 0.4
+STIFF_FILM = mdr.Coated(mdr.Elastic(4.75, 0.3), 0.514, mdr.Elastic(0.818, 0.0))
 
 
 def friction(medium=None, indenter=BALL):
@@ -411,8 +413,7 @@ def test_place_of_touch():
 @pytest.mark.parametrize("force_first", [False, True])
 def test_slip_that_begins_inside_warns(force_first):
     """A flat end on a stiff film presses the middle little: by rings, which obey |tau| <= mu p everywhere, T is 12 % smaller."""
-    film = mdr.Coated(mdr.Elastic(4.75, 0.3), 0.514, mdr.Elastic(0.818, 0.0))
-    contact = mdr.Contact(mdr.FlatEndedCone(0.608, 0.191), film)
+    contact = mdr.Contact(mdr.FlatEndedCone(0.608, 0.191), STIFF_FILM)
     friction, state = mdr.Friction(contact, 0.3), contact.at_radius(0.614)
     slides = friction.sliding_shift(state)
     with pytest.warns(mdr.SlipInsideWarning, match="at r = .* the traction would be"):
@@ -423,6 +424,36 @@ def test_slip_that_begins_inside_warns(force_first):
     rings = friction.history(largest_depth=1.001 * state.depth)
     rings.advance(depth=state.depth, shift=0.0)
     assert rings.advance(depth=state.depth, shift=slides).tangential_force < 0.95 * 0.3 * state.force
+
+
+@pytest.mark.parametrize("ask", [
+    lambda friction, state: friction.at_shift(0.4, state),
+    lambda friction, state: friction.at_tangential_force(0.29 * state.force, state),
+    lambda friction, state: friction.at_tangential_force([0.29 * state.force], state),
+    lambda friction, state: friction.loop(0.4, state=state),
+    lambda friction, state: friction.cycle_energy(0.4, state=state),
+])  # fmt: skip
+def test_slip_inside_is_warned_of_at_the_line_that_asks(ask):
+    friction = mdr.Friction(mdr.Contact(mdr.FlatEndedCone(0.608, 0.191), STIFF_FILM), 0.3)
+    state = friction.contact.at_radius(0.614)
+    with pytest.warns(mdr.SlipInsideWarning) as told:
+        ask(friction, state)
+    assert [(Path(one.filename), one.lineno) for one in told] == [(Path(__file__), ask.__code__.co_firstlineno)]
+
+
+def test_states_are_answered_where_the_pressure_is_refused(monkeypatch):
+    """Whether slip would begin inside is then unknown; the states are good all the same."""
+    friction = mdr.Friction(mdr.Contact(mdr.FlatEndedCone(0.608, 0.191), STIFF_FILM), 0.3)
+    state = friction.contact.at_radius(0.614)
+
+    def refuse(*_, **__):
+        raise mdr.NoConvergenceError("a field did not reach its tolerance")
+
+    monkeypatch.setattr(mdr.Contact, "pressure", refuse)
+    found = friction.at_shift(0.005, state)
+    assert 0.0 < found.tangential_force < 0.3 * state.force
+    assert friction.loop(0.005, state=state, points=3).turn == found
+    assert friction.cycle_energy(0.005, state=state) == pytest.approx(4.0 * found.dissipated_energy)
 
 
 def test_slip_at_the_edge_does_not_warn():

@@ -167,6 +167,9 @@ def test_one_hard_collision_does_not_end_a_run():
         assert force[1] == pytest.approx(last.force + 1e-8 * last.slope, rel=1e-12)
         with pytest.warns(mdr.BeyondRangeWarning):
             assert other.force(end + 1e-8) == force[1]
+        with pytest.warns(mdr.BeyondRangeWarning) as told:
+            other.at_depth(end + 1e-8), other.energy([end + 1e-8])
+        assert [one.filename for one in told] == [__file__] * 2
         with pytest.warns(mdr.BeyondRangeWarning, match="force"):
             assert other.at_force(float(force[1])).depth == pytest.approx(end + 1e-8, rel=1e-7)
 

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 
 import numpy as np
 
+from .._warn import warn
 from ..errors import InvalidArgumentError
 from .data import StiffnessDepth
 from .parameters import JointPrior
@@ -58,6 +58,6 @@ def as_prior(result: FitResult) -> JointPrior:
     if vague:
         raise InvalidArgumentError(f"{', '.join(vague)} has no standard error: fix it, and calibrate again")
     if not result.converged:
-        warnings.warn("the calibration did not converge", stacklevel=2)
+        warn("the calibration did not converge", UserWarning)
     values = tuple(result.estimates[name] for name in result.names)
     return JointPrior(result.names, values, tuple(map(tuple, result.covariance.tolist())))
