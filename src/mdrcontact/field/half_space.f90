@@ -44,8 +44,8 @@ module mdrcontact_field_half_space
         real(wp) :: r = 0.0_wp
         !> its ends
         real(wp) :: low = 0.0_wp, high = 0.0_wp
-        !> the last kink up to its beginning and the one before; -huge() if there is none
-        real(wp) :: kink = -huge(1.0_wp), kink_before = -huge(1.0_wp)
+        !> the last kink up to its beginning and the one before; far away if there is none
+        real(wp) :: kink = -0.5_wp*huge(1.0_wp), kink_before = -0.5_wp*huge(1.0_wp)
         !> from where distances are given to the load, that kink or the axis [length], and relative to r
         real(wp) :: start = 0.0_wp, origin = 0.0_wp
         !> the largest distance from there [length]: rounding must not pass a kink at its end, beyond which q' may be infinite
@@ -190,8 +190,10 @@ contains
                                        segment%r <= 0.0_wp .and. z <= 0.0_wp))
         end if
         associate (from_axis => segment%r + high)
-            length = min(length, load%singular_end/load%radius - from_axis)
-            if (length > load%analytic/load%radius) length = min(length, hypot(load%analytic/load%radius, 1.0_wp - from_axis))
+            if (load%singular_end < huge(1.0_wp)) length = min(length, load%singular_end/load%radius - from_axis)
+            if (load%analytic < huge(1.0_wp)) then
+                if (length > load%analytic/load%radius) length = min(length, hypot(load%analytic/load%radius, 1.0_wp - from_axis))
+            end if
         end associate
     end function reach
 

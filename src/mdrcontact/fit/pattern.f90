@@ -30,17 +30,22 @@ contains
         real(wp), intent(out) :: probability
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: rank(:)
-        real(wp) :: n, shape, ratio
+        real(wp) :: n, shape, x
 
         probability = 1.0_wp
         if (size(residuals) < fewest_points .or. maxval(residuals) <= minval(residuals)) return
         n = real(size(residuals), wp)
         call find_ranks(residuals, rank, error)
         if (allocated(error)) return
-        ratio = sum((rank(2:) - rank(:size(rank) - 1))**2)/sum((rank - 0.5_wp*(n + 1.0_wp))**2)
-        ! ratio/4 is distributed like beta(shape, shape)
+        x = 0.25_wp*sum((rank(2:) - rank(:size(rank) - 1))**2)/sum((rank - 0.5_wp*(n + 1.0_wp))**2)
+        ! x is distributed like beta(shape, shape)
         shape = 2.5_wp*n*(n + 1.0_wp)*(n - 1.0_wp)**2/((n - 2.0_wp)*(5.0_wp*n**2 - 2.0_wp*n - 9.0_wp)) - 0.5_wp
-        probability = gsl_cdf_beta_p(min(0.25_wp*ratio, 1.0_wp), shape, shape)
+        if ((4.0_wp*x*max(1.0_wp - x, 0.0_wp))**shape > tiny(x)) then
+            probability = gsl_cdf_beta_p(x, shape, shape)
+        else
+            ! GSL would divide by a density of 0
+            probability = merge(0.0_wp, 1.0_wp, x < 0.5_wp)
+        end if
     end subroutine pattern_test
 
     !> Ranks from 1; equal values share the mean of theirs.

@@ -28,6 +28,7 @@ contains
         real(wp) :: scale, length, value, next
         integer :: step, halving
 
+        if (size(t) == 0) return
         t = min(max(t, -limit), limit)
         scale = maxval(abs(b)) + maxval(abs(matmul(c, limit)))
         do step = 1, most_steps

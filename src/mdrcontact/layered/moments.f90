@@ -124,7 +124,7 @@ contains
                 do k = 1, most_intervals
                     ! no interval longer than three times its distance from a singular end
                     ends = high
-                    if (high - low > 3.0_wp*(profile%singular_radius - high)) then
+                    if ((high - low)/3.0_wp > profile%singular_radius - high) then
                         ends = low + 0.75_wp*(profile%singular_radius - low)
                     end if
                     ends = min(ends, high)
