@@ -81,8 +81,8 @@ def _identifiability(result: FitResult, radius: np.ndarray) -> list[str]:
     if len(result.names) > 1 and result.weakest == 0.0:
         words.insert(
             0,
-            f"the data do not determine {' and '.join(result.names)} together: some change of them leaves the curve as it is; fix one "
-            "of them, give it a prior, or give more points",
+            f"the data do not determine {' and '.join(result.names)} together: some change of them leaves the curve as it is; fix "
+            "one of them, give it a prior, or give more points",
         )
     if words:
         regime = _regime(result, radius)
