@@ -210,10 +210,11 @@ contains
         call load_of(self, state, upper, load, error)
         if (allocated(error)) return
         if (upper) then
-            allocate (body, source=self%equilibrium%medium%counterbody)
+            call self%equilibrium%medium%counterbody%copy_to(body, error)
         else
-            allocate (body, source=self%equilibrium%medium%pressed)
+            call self%equilibrium%medium%pressed%copy_to(body, error)
         end if
+        if (allocated(error)) return
         if (body%is_graded) then
             call raise(error, error_invalid, "a graded body has no layers whose energies could be told apart")
             return

@@ -78,6 +78,8 @@ module mdrcontact_medium
         procedure :: upper_share
         !> makes it the medium of two bodies
         procedure :: set_pair
+        !> makes what every medium has that of another one
+        procedure, non_overridable :: take_common
         !> displacement of one of the surfaces from that of both together
         procedure :: take_share
         !> elastic energy of the lower and of the upper body
@@ -206,14 +208,31 @@ contains
     end function upper_share
 
     !> The bodies are those of two media.
-    subroutine set_pair(self, lower, upper)
+    subroutine set_pair(self, lower, upper, error)
         class(medium_t), intent(inout) :: self
         class(medium_t), intent(in) :: lower, upper
+        type(error_t), allocatable, intent(inout) :: error
 
         self%is_pair = .true.
-        if (allocated(lower%pressed)) allocate (self%pressed, source=lower%pressed)
-        if (allocated(upper%pressed)) allocate (self%counterbody, source=upper%pressed)
+        if (allocated(lower%pressed)) call lower%pressed%copy_to(self%pressed, error)
+        if (allocated(upper%pressed)) call upper%pressed%copy_to(self%counterbody, error)
     end subroutine set_pair
+
+    subroutine take_common(self, other, error)
+        class(medium_t), intent(inout) :: self
+        class(medium_t), intent(in) :: other
+        type(error_t), allocatable, intent(inout) :: error
+
+        self%is_pair = other%is_pair
+        self%share_of_upper = other%share_of_upper
+        self%smallest_radius = other%smallest_radius
+        self%largest_radius = other%largest_radius
+        self%roughness = other%roughness
+        self%surface_contrast = other%surface_contrast
+        self%why_it_ends = other%why_it_ends
+        if (allocated(other%pressed)) call other%pressed%copy_to(self%pressed, error)
+        if (allocated(other%counterbody)) call other%counterbody%copy_to(self%counterbody, error)
+    end subroutine take_common
 
     subroutine nonadhesive_depth(self, profile, a, value, error)
         class(medium_t), intent(in) :: self

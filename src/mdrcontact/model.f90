@@ -265,14 +265,15 @@ contains
         type(model_options_t), intent(in) :: options
         type(error_t), allocatable, intent(inout) :: error
         type(homogeneous_t) :: homogeneous
-        type(gao_t) :: gao
+        type(gao_t), allocatable :: gao
 
         if (size(body%layers) == 0) then
             call new_homogeneous(homogeneous, body%substrate)
             allocate (medium, source=homogeneous)
         else if (any(model == [models%gao, models%gao_series, models%gao_power])) then
+            allocate (gao)
             call new_gao_layered(gao, body%layers, body%thickness, body%substrate, error, gao_options(model, options))
-            allocate (medium, source=gao)
+            call move_alloc(gao, medium)
         else
             call new_coated_medium(medium, body%layers(1), body%thickness(1), body%substrate, model, options, error)
         end if

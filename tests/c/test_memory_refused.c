@@ -38,8 +38,8 @@ static int branches[POINTS];
 static int labels[ROWS * ROWS * 10];
 static mdr_profile *ball, *tip;
 static mdr_medium *half_space, *film;
-static mdr_medium *coating, *soft_film;
-static mdr_contact *contact, *on_film, *by_tip, *coated, *adhesive, *scaled, *on_pair, *relaxing_film;
+static mdr_medium *coating, *soft_film, *multilayer;
+static mdr_contact *contact, *on_film, *by_tip, *coated, *adhesive, *scaled, *on_pair, *relaxing_film, *on_layers;
 static mdr_law *law;
 static mdr_structure *voxels;
 static mdr_contact *relaxing, *scaled_gao;
@@ -134,6 +134,26 @@ static int layers(void)
 {
     mdr_medium *m = NULL;
     return mdr_medium_layered(POINTS - 1, one, small, one, 2.0, 0.3, MDR_MODEL_GAO, NULL, &m);
+}
+static int contact_on_layers(void)
+{
+    mdr_contact *c = NULL;
+    int status = mdr_contact_new(ball, multilayer, NULL, &c);
+    return status == MDR_SUCCESS ? mdr_contact_from_depth(c, 1, x + 100, NULL, NULL, out, NULL) : status;
+}
+static int pair_of_layers(void)
+{
+    mdr_medium *m = NULL;
+    mdr_contact *c = NULL;
+    int status = mdr_medium_pair(multilayer, multilayer, &m);
+    return status == MDR_SUCCESS ? mdr_contact_new(ball, m, NULL, &c) : status;
+}
+static int friction_on_layers(void)
+{
+    mdr_friction *f = NULL;
+    int status = mdr_medium_tangential_modulus(multilayer, 2, x + 100, out);
+    if (status == MDR_SUCCESS) status = mdr_friction_new(on_layers, 0.3, &f);
+    return status == MDR_SUCCESS ? mdr_friction_new(by_tip, 0.3, &f) : status;
 }
 static int graded_table(void)
 {
@@ -397,6 +417,9 @@ int main(void)
     CHECK_SUCCESS(mdr_friction_new(coated, 0.3, &rubbed_coating));
     CHECK_SUCCESS(mdr_friction_new(scaled_gao, 0.3, &rubbed_scaled));
 
+    CHECK_SUCCESS(mdr_medium_layered(POINTS - 1, one, small, one, 2.0, 0.3, MDR_MODEL_GAO, NULL, &multilayer));
+    CHECK_SUCCESS(mdr_contact_new(ball, multilayer, NULL, &on_layers));
+
     refuse_each("table of f", 0, profile);
     refuse_each("table of g", 0, mdr_table);
     refuse_each("table of E_eff", 0, medium);
@@ -428,7 +451,10 @@ int main(void)
     refuse_each("fields under zeta", 0, fields_of_scaled);
     refuse_each("fields on a coating", 0, fields_on_coating);
     refuse_each("fields of an adhesive contact", 0, fields_of_adhesive);
-    refuse_each("layers", 13, layers);
+    refuse_each("layers", 0, layers);
+    refuse_each("contact on layers", 0, contact_on_layers);
+    refuse_each("pair of layers", 0, pair_of_layers);
+    refuse_each("friction on layers and of a table", 0, friction_on_layers);
     refuse_each("table of depths", 0, graded_table);
     refuse_each("table of depths, exact", 0, graded_table_exact);
     refuse_each("pair", 0, pair);

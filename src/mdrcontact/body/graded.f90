@@ -69,7 +69,7 @@ contains
         !> E > 0 [modulus] and -1 < nu <= 1/2, same size as z
         real(wp), intent(in) :: young(:), poisson(:)
         type(error_t), allocatable, intent(out) :: error
-        integer :: i
+        integer :: i, stat
 
         call check_table(error, "z", z, "E", young, 2)
         call check_table(error, "z", z, "nu", poisson, 2)
@@ -81,11 +81,16 @@ contains
             call check_poisson(error, "nu", poisson(i), i)
         end do
         if (allocated(error)) return
-        self%z = z
-        self%young = young
-        self%poisson = poisson
+        allocate (self%z(size(z)), self%young(size(z)), self%poisson(size(z)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        self%z(:) = z
+        self%young(:) = young
+        self%poisson(:) = poisson
         ! a homogeneous top is one sublayer
-        i = count([(all(young(:i) == young(1)) .and. all(poisson(:i) == poisson(1)), i=1, size(z))])
+        do i = 1, size(z) - 1
+            if (young(i + 1) /= young(1) .or. poisson(i + 1) /= poisson(1)) exit
+        end do
         call build(self, merge(z(i), scale(z(2), -table_octaves), i > 1), error)
     end subroutine new_graded_body
 
@@ -176,7 +181,7 @@ contains
         integer :: i, j, n, stat
 
         call self%add_knots(knots, error)
-        call sublayer_ends(self, first, knots, self%ends)
+        if (.not. allocated(error)) call sublayer_ends(self, first, knots, self%ends, error)
         if (allocated(error)) return
         n = size(self%ends) - 1
         allocate (self%series(4, 4, 0:order, n), self%from_surface(4, 4, 0:order, n), self%local(2, 2, n), &
@@ -211,6 +216,7 @@ contains
             call self%constants(self%ends(i + 1), g, v)
             self%local(:, :, i) = real(half_space_compliance(cmplx(v, kind=wp)), wp)*(surface_shear/g)
         end do
+        call self%constants(self%ends(n + 1), g, v)
         self%long_wave_limit = self%surface_modulus*(1.0_wp - v)/(2.0_wp*g)
         self%anti_plane_limit = surface_shear/g
         self%in_plane_limit = self%anti_plane_limit*(1.0_wp - v)/(1.0_wp - surface_nu)
@@ -219,30 +225,39 @@ contains
         self%is_graded = .true.
     end subroutine build
 
-    subroutine sublayer_ends(self, first, knots, ends)
+    subroutine sublayer_ends(self, first, knots, ends, error)
         type(graded_body_t), intent(in) :: self
         real(wp), intent(in) :: first, knots(:)
         real(wp), allocatable, intent(out) :: ends(:)
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: here, next, shear, shear_next, nu
-        integer :: i
+        integer :: i, count, round, stat
 
-        allocate (ends(2))
-        ends(:) = [0.0_wp, first]
-        here = first
-        do i = 1, size(knots)
-            do while (here < knots(i))
-                next = min(here*growth, knots(i))
-                if (knots(i) - next < 0.3_wp*(next - here)) next = knots(i)
-                call self%constants(here, shear, nu)
-                do
-                    call self%constants(next, shear_next, nu)
-                    if (max(shear/shear_next, shear_next/shear) <= largest_ratio) exit
-                    if (next <= here*(1.0_wp + 8.0_wp*epsilon(1.0_wp))) exit
-                    next = here + 0.5_wp*(next - here)
+        ! counted, then set
+        do round = 1, 2
+            count = 2
+            here = first
+            do i = 1, size(knots)
+                do while (here < knots(i))
+                    next = min(here*growth, knots(i))
+                    if (knots(i) - next < 0.3_wp*(next - here)) next = knots(i)
+                    call self%constants(here, shear, nu)
+                    do
+                        call self%constants(next, shear_next, nu)
+                        if (max(shear/shear_next, shear_next/shear) <= largest_ratio) exit
+                        if (next <= here*(1.0_wp + 8.0_wp*epsilon(1.0_wp))) exit
+                        next = here + 0.5_wp*(next - here)
+                    end do
+                    count = count + 1
+                    if (round == 2) ends(count) = next
+                    here = next
                 end do
-                ends = [ends, next]
-                here = next
             end do
+            if (round == 2) exit
+            allocate (ends(count), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
+            ends(:2) = [0.0_wp, first]
         end do
     end subroutine sublayer_ends
 
@@ -388,48 +403,75 @@ contains
         type(layers_t), intent(out) :: layers
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: faces(:), fixed(:)
-        real(wp) :: length
-        integer :: i, j, parts
+        integer :: i, j, n, parts, given, stat
 
-        call fixed_faces(self, unit, ratio, depths, fixed, error)
+        call fixed_faces(self, unit, ratio, depths, fixed, given, error)
         if (allocated(error)) return
-        allocate (faces(1), source=0.0_wp)
-        do i = 2, size(fixed)
-            length = fixed(i) - fixed(i - 1)
-            parts = max(1, ceiling(log((unit + fixed(i))/(unit + fixed(i - 1)))/ratio))
-            if (fixed(i) > self%last_depth) parts = 1
-            faces = [faces, [(fixed(i - 1) + length*real(j, wp)/real(parts, wp), j=1, parts - 1)], fixed(i)]
+        n = 0
+        do i = 2, given
+            n = n + parts_of(fixed(i - 1), fixed(i))
         end do
-        associate (n => size(faces))
-            allocate (layers%thickness(n - 1), layers%shear(n), layers%poisson(n), layers%top_shear(n), layers%top_poisson(n))
-            layers%thickness = faces(2:) - faces(:n - 1)
-            do i = 1, n
-                call self%constants(faces(i), layers%top_shear(i), layers%top_poisson(i))
-                if (i < n) call self%constants(0.5_wp*(faces(i) + faces(i + 1)), layers%shear(i), layers%poisson(i))
+        allocate (faces(n + 1), layers%thickness(n), layers%shear(n + 1), layers%poisson(n + 1), layers%top_shear(n + 1), &
+                  layers%top_poisson(n + 1), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        faces(1) = 0.0_wp
+        n = 1
+        do i = 2, given
+            parts = parts_of(fixed(i - 1), fixed(i))
+            do j = 1, parts - 1
+                faces(n + j) = fixed(i - 1) + (fixed(i) - fixed(i - 1))*real(j, wp)/real(parts, wp)
             end do
-            layers%shear(n) = layers%top_shear(n)
-            layers%poisson(n) = layers%top_poisson(n)
-        end associate
+            n = n + parts
+            faces(n) = fixed(i)
+        end do
+        layers%thickness(:) = faces(2:) - faces(:n - 1)
+        do i = 1, n
+            call self%constants(faces(i), layers%top_shear(i), layers%top_poisson(i))
+            if (i < n) call self%constants(0.5_wp*(faces(i) + faces(i + 1)), layers%shear(i), layers%poisson(i))
+        end do
+        layers%shear(n) = layers%top_shear(n)
+        layers%poisson(n) = layers%top_poisson(n)
+
+    contains
+
+        !> Layers between two fixed faces.
+        pure integer function parts_of(upper, lower)
+            real(wp), intent(in) :: upper, lower
+
+            parts_of = max(1, ceiling(log((unit + lower)/(unit + upper))/ratio))
+            if (lower > self%last_depth) parts_of = 1
+        end function parts_of
+
     end subroutine sublayers
 
     !> Where layers must end: the depths, and those knots that are not closer to each other than a fraction of a layer.
-    pure subroutine fixed_faces(self, unit, ratio, depths, faces, error)
+    pure subroutine fixed_faces(self, unit, ratio, depths, faces, count, error)
         class(graded_body_t), intent(in) :: self
         real(wp), intent(in) :: unit, ratio, depths(:)
+        !> the first `count` are meant
         real(wp), allocatable, intent(out) :: faces(:)
+        integer, intent(out) :: count
         type(error_t), allocatable, intent(inout) :: error
         real(wp), parameter :: fraction = 0.2_wp
         real(wp), allocatable :: knots(:)
         real(wp) :: least
-        integer :: i
+        integer :: i, stat
 
-        allocate (faces(1), source=0.0_wp)
+        count = 1
         call self%add_knots(knots, error)
         call merge_breaks(knots, depths, error)
         if (allocated(error)) return
+        allocate (faces(size(knots) + 1), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        faces(1) = 0.0_wp
         do i = 1, size(knots)
             least = ratio*(unit + knots(i))*merge(0.0_wp, fraction, any(depths == knots(i)) .or. knots(i) >= self%last_depth)
-            if (knots(i) - faces(size(faces)) > least) faces = [faces, knots(i)]
+            if (knots(i) - faces(count) > least) then
+                count = count + 1
+                faces(count) = knots(i)
+            end if
         end do
     end subroutine fixed_faces
 

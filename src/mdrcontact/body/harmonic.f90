@@ -7,6 +7,7 @@
 module mdrcontact_body_harmonic
     use mdrcontact_body_stack, only: stack_t
     use mdrcontact_body_surface, only: new_surface, surface_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -43,7 +44,7 @@ module mdrcontact_body_harmonic
 contains
 
     !> The body whose part take_part() chooses.
-    subroutine new_harmonic(self, memory, shear, poisson, thickness, rigid_base)
+    subroutine new_harmonic(self, memory, shear, poisson, thickness, rigid_base, error)
         type(harmonic_t), intent(out) :: self
         !> lives as long as the body
         type(harmonic_memory_t), intent(inout), target :: memory
@@ -52,10 +53,12 @@ contains
         !> of the layers [length]
         real(wp), intent(in) :: thickness(:)
         logical, intent(in) :: rigid_base
+        type(error_t), allocatable, intent(inout) :: error
         integer :: n
 
         n = size(thickness)
-        self%oscillating = new_surface(shear, poisson, thickness, rigid_base)
+        call new_surface(self%oscillating, shear, poisson, thickness, rigid_base, error)
+        if (allocated(error)) return
         if (.not. rigid_base) self%zero = shear(1)*(1.0_wp - poisson(n + 1))/(shear(n + 1)*(1.0_wp - poisson(1)))
         memory%count = 0
         memory%latest = 0

@@ -24,40 +24,55 @@ module mdrcontact_body_sheared
         procedure :: in_plane_response
         procedure :: anti_plane_response
         procedure :: sublayers
+        procedure :: copy_to
     end type sheared_body_t
 
 contains
 
     !> The body under a traction of one direction along its surface.
-    subroutine new_sheared_body(self, body)
+    subroutine new_sheared_body(self, body, error)
         type(sheared_body_t), intent(out) :: self
         class(body_t), intent(in) :: body
+        type(error_t), allocatable, intent(inout) :: error
 
         associate (nu => body%surface_material%poisson)
-            call shear(self, body, (1.0_wp - nu)/(2.0_wp - nu), 1.0_wp/(2.0_wp - nu), body%surface_material%tangential())
+            call shear(self, body, (1.0_wp - nu)/(2.0_wp - nu), 1.0_wp/(2.0_wp - nu), body%surface_material%tangential(), error)
         end associate
     end subroutine new_sheared_body
 
     !> The body under a traction around an axis: shear across the plane alone, and 4 G0 in place of the modulus.
-    pure subroutine new_twisted_body(self, body)
+    subroutine new_twisted_body(self, body, error)
         type(sheared_body_t), intent(out) :: self
         class(body_t), intent(in) :: body
+        type(error_t), allocatable, intent(inout) :: error
 
-        call shear(self, body, 0.0_wp, 1.0_wp, 4.0_wp*body%surface_material%shear())
+        call shear(self, body, 0.0_wp, 1.0_wp, 4.0_wp*body%surface_material%shear(), error)
     end subroutine new_twisted_body
 
-    pure subroutine shear(self, body, in_plane_part, anti_plane_part, modulus)
+    subroutine shear(self, body, in_plane_part, anti_plane_part, modulus, error)
         type(sheared_body_t), intent(inout) :: self
         class(body_t), intent(in) :: body
         real(wp), intent(in) :: in_plane_part, anti_plane_part, modulus
+        type(error_t), allocatable, intent(inout) :: error
 
-        allocate (self%body, source=body)
+        call body%copy_to(self%body, error)
         self%in_plane_part = in_plane_part
         self%anti_plane_part = anti_plane_part
         call self%take_numbers(body)
         self%surface_modulus = modulus
         self%long_wave_limit = in_plane_part*body%in_plane_limit + anti_plane_part*body%anti_plane_limit
     end subroutine shear
+
+    subroutine copy_to(self, copy, error)
+        class(sheared_body_t), intent(in) :: self
+        class(body_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(sheared_body_t), allocatable :: own
+
+        allocate (own)
+        call shear(own, self%body, self%in_plane_part, self%anti_plane_part, self%surface_modulus, error)
+        call move_alloc(own, copy)
+    end subroutine copy_to
 
     pure subroutine response(self, k, sigma, chi)
         class(sheared_body_t), intent(in) :: self

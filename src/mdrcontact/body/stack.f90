@@ -4,9 +4,10 @@ module mdrcontact_body_stack
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_surface, only: new_surface, surface_t
-    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
+    use mdrcontact_numerics_copy, only: copy_array
     implicit none (type, external)
     private
     public :: stack_t, new_stack
@@ -31,6 +32,7 @@ module mdrcontact_body_stack
         procedure :: anti_plane_response
         procedure :: ratios
         procedure :: sublayers
+        procedure :: copy_to
     end type stack_t
 
 contains
@@ -47,11 +49,12 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> bonded to a rigid base instead of the substrate, which is then ignored; default false. At least one layer then.
         logical, intent(in), optional :: rigid_base
-        type(material_t) :: kept(size(layers)), surface
-        real(wp) :: kept_thickness(size(layers))
+        type(material_t), allocatable :: kept(:)
+        type(material_t) :: surface
+        real(wp), allocatable :: kept_thickness(:)
+        complex(wp), allocatable :: shear(:), poisson(:)
         logical :: rigid
-        complex(wp) :: shear(size(layers) + 1), poisson(size(layers) + 1)
-        integer :: i, count
+        integer :: i, count, stat
 
         rigid = substrate%young > huge(1.0_wp)
         if (present(rigid_base)) rigid = rigid .or. rigid_base
@@ -62,6 +65,11 @@ contains
             call raise(error, error_invalid, "layers is empty: a rigid base must carry at least one layer")
         end if
         if (allocated(error)) return
+        count = size(layers)
+        allocate (kept(count), kept_thickness(count), shear(count + 1), poisson(count + 1), self%layers(count), &
+                  self%thickness(count), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         count = 0
         do i = 1, size(layers)
             call check_positive(error, "thickness", thickness(i))
@@ -85,20 +93,26 @@ contains
             end if
         end if
 
-        self%layers = layers
-        self%thickness = thickness
+        allocate (self%shear(count), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        self%layers(:) = layers
+        self%thickness(:) = thickness
         self%substrate = substrate
         self%rigid_base = rigid
         surface = substrate
         if (count > 0) surface = kept(1)
         self%surface_material = surface
         self%surface_modulus = surface%contact()
-        self%shear = kept(:count)%shear()/surface%shear()
-        shear(:count) = kept(:count)%shear()
-        poisson(:count) = kept(:count)%poisson
+        do i = 1, count
+            self%shear(i) = kept(i)%shear()/surface%shear()
+            shear(i) = kept(i)%shear()
+            poisson(i) = kept(i)%poisson
+        end do
         shear(count + 1) = substrate%shear()
         poisson(count + 1) = substrate%poisson
-        self%surface = new_surface(shear(:count + 1), poisson(:count + 1), kept_thickness(:count), rigid)
+        call new_surface(self%surface, shear(:count + 1), poisson(:count + 1), kept_thickness(:count), rigid, error)
+        if (allocated(error)) return
         if (count > 0) self%first_depth = kept_thickness(1)
         self%last_depth = self%surface%depth
         if (rigid) return
@@ -106,6 +120,28 @@ contains
         self%anti_plane_limit = surface%shear()/substrate%shear()
         self%in_plane_limit = self%anti_plane_limit*(1.0_wp - substrate%poisson)/(1.0_wp - surface%poisson)
     end subroutine new_stack
+
+    subroutine copy_to(self, copy, error)
+        class(stack_t), intent(in) :: self
+        class(body_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(stack_t), allocatable :: own
+        integer :: stat
+
+        allocate (own)
+        call own%take_numbers(self)
+        own%substrate = self%substrate
+        own%rigid_base = self%rigid_base
+        call copy_array(self%thickness, own%thickness, error)
+        call copy_array(self%shear, own%shear, error)
+        call self%surface%copy_to(own%surface, error)
+        if (allocated(error)) return
+        allocate (own%layers(size(self%layers)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        own%layers(:) = self%layers
+        call move_alloc(own, copy)
+    end subroutine copy_to
 
     pure function same(one, other) result(answer)
         type(material_t), intent(in) :: one, other
@@ -177,16 +213,22 @@ contains
         real(wp), intent(in) :: unit, ratio, depths(:)
         type(layers_t), intent(out) :: layers
         type(error_t), allocatable, intent(inout) :: error
+        integer :: i, n, stat
 
-        associate (unused => unit, also_unused => ratio, unused_too => depths, error_unused => error)
+        associate (unused => unit, also_unused => ratio, unused_too => depths)
         end associate
+        n = size(self%layers)
         layers%rigid_base = self%rigid_base
-        allocate (layers%thickness, source=self%thickness)
-        allocate (layers%shear, source=[self%layers%shear(), 1.0_wp])
-        allocate (layers%poisson, source=[self%layers%poisson, 0.0_wp])
-        if (self%rigid_base) return
-        layers%shear(size(layers%shear)) = self%substrate%shear()
-        layers%poisson(size(layers%shear)) = self%substrate%poisson
+        allocate (layers%thickness(n), layers%shear(n + 1), layers%poisson(n + 1), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        layers%thickness(:) = self%thickness
+        do i = 1, n
+            layers%shear(i) = self%layers(i)%shear()
+            layers%poisson(i) = self%layers(i)%poisson
+        end do
+        layers%shear(n + 1) = merge(1.0_wp, self%substrate%shear(), self%rigid_base)
+        layers%poisson(n + 1) = merge(0.0_wp, self%substrate%poisson, self%rigid_base)
     end subroutine sublayers
 
 end module mdrcontact_body_stack

@@ -5,6 +5,7 @@ module mdrcontact_body_surface
     use mdrcontact_body_film, only: film_t, new_film
     use mdrcontact_body_modes, only: compliance_above, half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, &
                                      series_product
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -35,26 +36,31 @@ module mdrcontact_body_surface
         procedure :: normal_response
         procedure :: in_plane_response
         procedure :: layers_seen
+        procedure :: copy_to
     end type surface_t
 
 contains
 
     !> Layers from the surface down.
-    pure function new_surface(shear, poisson, thickness, rigid_base) result(self)
+    pure subroutine new_surface(self, shear, poisson, thickness, rigid_base, error)
+        type(surface_t), intent(out) :: self
         !> of the layers and, one more, of the half-space, which is not used if the base is rigid [modulus]; [1]
         complex(wp), intent(in) :: shear(:), poisson(:)
         !> of the layers [length]
         real(wp), intent(in) :: thickness(:)
         logical, intent(in) :: rigid_base
-        type(surface_t) :: self
+        type(error_t), allocatable, intent(inout) :: error
         complex(wp) :: series(4, 4, 0:series_order), contrast
-        integer :: i, count
+        integer :: i, count, stat
 
+        if (allocated(error)) return
         count = size(thickness)
-        allocate (self%h, source=thickness)
+        allocate (self%h(count), self%shear(count), self%modes(count), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        self%h(:) = thickness
         self%depth = sum(thickness)
-        allocate (self%shear, source=shear(:count)/shear(1))
-        allocate (self%modes(count))
+        self%shear(:) = shear(:count)/shear(1)
         series = 0.0_wp
         do i = 1, 4
             series(i, i, 0) = 1.0_wp
@@ -68,7 +74,27 @@ contains
         if (.not. rigid_base) self%base = half_space_compliance(poisson(count + 1))*contrast
         self%series = with_base(series, self%base)
         if (count == 1) self%film = new_film(poisson(1), poisson(2), contrast)
-    end function new_surface
+    end subroutine new_surface
+
+    pure subroutine copy_to(self, copy, error)
+        class(surface_t), intent(in) :: self
+        type(surface_t), intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: count, stat
+
+        if (allocated(error)) return
+        count = size(self%h)
+        allocate (copy%h(count), copy%shear(count), copy%modes(count), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        copy%h(:) = self%h
+        copy%shear(:) = self%shear
+        copy%modes(:) = self%modes
+        copy%film = self%film
+        copy%depth = self%depth
+        copy%base = self%base
+        copy%series = self%series
+    end subroutine copy_to
 
     !> What the surface compliance takes of a series of transfer matrices above a base.
     pure function with_base(transfer, base) result(series)

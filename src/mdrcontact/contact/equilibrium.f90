@@ -56,6 +56,7 @@ module mdrcontact_contact_equilibrium
         procedure :: radius_of
         procedure :: coordinate_of
         procedure :: why_it_ends
+        procedure :: copy_to
     end type equilibrium_t
 
 contains
@@ -105,6 +106,21 @@ contains
         end if
         call profile%copy_to(self%profile, error)
     end subroutine new_equilibrium
+
+    subroutine copy_to(self, copy, error)
+        class(equilibrium_t), intent(in) :: self
+        type(equilibrium_t), intent(inout) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+
+        call self%profile%copy_to(copy%profile, error)
+        if (.not. allocated(error)) call self%medium%copy_to(copy%medium, error)
+        copy%work_of_adhesion = self%work_of_adhesion
+        copy%rule = self%rule
+        copy%last_radius = self%last_radius
+        copy%is_formula = self%is_formula
+        copy%roughness = self%roughness
+        if (allocated(self%falls)) copy%falls = self%falls
+    end subroutine copy_to
 
     subroutine check_zeta(profile, medium, zeta, error)
         class(profile_t), intent(in) :: profile

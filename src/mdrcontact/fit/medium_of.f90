@@ -135,7 +135,7 @@ contains
         type(layered_shared_t), intent(inout) :: shared
         class(medium_t), allocatable, intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
-        type(viscoelastic_t) :: body
+        type(viscoelastic_t), allocatable :: body
         type(rheology_t), allocatable :: materials(:)
         real(wp), allocatable :: thickness(:)
         integer :: i, first, count
@@ -153,9 +153,10 @@ contains
                 first = first + 1
                 thickness(i) = values(first)
             end do
+            allocate (body)
             call new_viscoelastic_medium(body, materials, thickness, pattern%rigid_base, pattern%model, pattern%options, error, &
                                          shared)
-            if (.not. allocated(error)) allocate (medium, source=body)
+            if (.not. allocated(error)) call move_alloc(body, medium)
         end select
     end subroutine make_viscoelastic
 

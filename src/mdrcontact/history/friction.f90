@@ -94,9 +94,9 @@ contains
                        "rim of an adhesive contact is under tension; set work_of_adhesion = 0")
         end if
         if (allocated(error)) return
-        self%contact = contact
+        call contact%equilibrium%copy_to(self%contact%equilibrium, error)
         self%coefficient = coefficient
-        call contact%equilibrium%medium%new_tangential(self%tangential, error)
+        if (.not. allocated(error)) call contact%equilibrium%medium%new_tangential(self%tangential, error)
     end subroutine new_friction
 
     !> What happens to a normal state as its indenter is displaced along the surface.

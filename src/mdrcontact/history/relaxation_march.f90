@@ -65,13 +65,15 @@ module mdrcontact_history_relaxation_march
 contains
 
     !> A body at rest, no contact.
-    subroutine start_march(self, profile, memory, limit)
+    subroutine start_march(self, profile, memory, limit, error)
         type(march_t), intent(out) :: self
         class(profile_t), intent(in) :: profile
         type(memory_t), intent(in) :: memory
         real(wp), intent(in) :: limit
+        type(error_t), allocatable, intent(inout) :: error
 
-        allocate (self%profile, source=profile)
+        call profile%copy_to(self%profile, error)
+        if (allocated(error)) return
         self%memory = memory
         self%limit = limit
         self%ends_in_wall = profile%has_wall .and. limit >= profile%largest_radius

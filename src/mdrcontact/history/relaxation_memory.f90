@@ -84,10 +84,12 @@ contains
     end subroutine new_memory
 
     !> chi(k)/E0* at real s.
-    pure function compliance(medium, s, k) result(values)
+    pure subroutine find_compliance(medium, s, k, values, error)
         type(viscoelastic_t), intent(in) :: medium
         real(wp), intent(in) :: s, k(:)
-        real(wp) :: values(size(k))
+        !> same size as k
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
         complex(wp), dimension(size(medium%thickness) + 1) :: shear, poisson
         complex(wp) :: sigma, chi
         type(surface_t) :: surface
@@ -98,12 +100,14 @@ contains
         poisson = 0.0_wp
         shear(:n) = medium%materials%complex_shear(cmplx(s, kind=wp))
         poisson(:n) = medium%materials%complex_poisson(cmplx(s, kind=wp))
-        surface = new_surface(shear, poisson, medium%thickness, medium%rigid_base)
+        values = 0.0_wp
+        call new_surface(surface, shear, poisson, medium%thickness, medium%rigid_base, error)
+        if (allocated(error)) return
         do i = 1, size(k)
             call surface%normal_response(cmplx(k(i), kind=wp), sigma, chi)
             values(i) = real(chi*(1.0_wp - poisson(1))/(2.0_wp*shear(1)), wp)
         end do
-    end function compliance
+    end subroutine find_compliance
 
     !> Panels of wavenumbers that grow from where all layers together are seen, and resolve the widest contact.
     subroutine place_waves(self, medium, radius, error)
@@ -118,12 +122,14 @@ contains
         call unit_rule(nodes, weights)
         low = 0.0_wp
         width = min(0.25_wp/sum(medium%thickness), largest_phase/radius)
-        scale = maxval(abs(compliance(medium, 1.0_wp/self%shortest, [width])))
+        call find_compliance(medium, 1.0_wp/self%shortest, [width], last, error)
+        scale = abs(last(1))
         do panel = 1, most_panels
             self%k = [self%k, low + width*nodes]
             self%weights = [self%weights, 2.0_wp/pi*width*weights]
             low = low + width
-            last = compliance(medium, 1.0_wp/self%shortest, [low])
+            call find_compliance(medium, 1.0_wp/self%shortest, [low], last, error)
+            if (allocated(error)) return
             scale = max(scale, abs(last(1)))
             if (low*medium%thickness(1) > 3.0_wp .and. abs(last(1)) <= negligible*scale) exit
             width = min(low, largest_phase/radius, 2.0_wp/medium%thickness(1))
@@ -167,13 +173,16 @@ contains
             part = 0.5_wp*(1.0_wp + cos(pi*(real(i, wp) - 0.5_wp)/real(count, wp)))
             self%time(i) = self%shortest*(last/self%shortest)**part
         end do
-        self%instant = compliance(medium, 1.0e18_wp/self%shortest, self%k)
+        if (allocated(self%instant)) deallocate (self%instant)
+        allocate (self%instant(size(self%k)))
+        call find_compliance(medium, 1.0e18_wp/self%shortest, self%k, self%instant, error)
         allocate (matrix(rows, columns), values(rows, size(self%k)), work(columns + 32*max(columns, size(self%k))))
         lowest = 1.0_wp/(beyond*min(longest, span))
         highest = beyond/self%shortest
         do i = 1, rows
             s = lowest*(highest/lowest)**(real(i - 1, wp)/real(rows - 1, wp))
-            values(i, :) = compliance(medium, s, self%k)
+            call find_compliance(medium, s, self%k, values(i, :), error)
+            if (allocated(error)) return
             part = 1.0_wp/max(maxval(abs(self%instant)), maxval(abs(values(i, :))))
             matrix(i, :) = part/(1.0_wp + s*self%time)
             values(i, :) = part*(values(i, :) - self%instant)

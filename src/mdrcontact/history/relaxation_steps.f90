@@ -261,7 +261,8 @@ contains
         integer :: i, j, cuts
 
         gap = 0.0_wp
-        call start_march(march, contact%equilibrium%profile, memory, limit)
+        call start_march(march, contact%equilibrium%profile, memory, limit, error)
+        if (allocated(error)) return
         cuts = 2**level
         if (values(1) > 0.0_wp) call step_march(march, 0.0_wp, given, values(1), error)
         states(1, :) = [merge(values(1), march%depth, given == given_depth), march%radius, march%force]

@@ -192,7 +192,8 @@ contains
         poisson(:n) = medium%materials%complex_poisson(s)
         at%surface_modulus = contact_modulus(shear(1), poisson(1))
         at%s = 0.0_wp
-        call new_harmonic(body, memory, shear, poisson, medium%thickness, medium%rigid_base)
+        call new_harmonic(body, memory, shear, poisson, medium%thickness, medium%rigid_base, error)
+        if (allocated(error)) return
         do part = 1, 2
             call body%take_part(part == 2)
             call shared_kernel(at%shared, body, at%parts(part), error)

@@ -73,6 +73,7 @@ module mdrcontact_layered_exact
         procedure :: disc_products
         procedure :: torsional_stiffness
         procedure :: new_slip
+        procedure :: copy_to
     end type layered_exact_t
 
     !> The exact medium of a body, or of layers on a substrate.
@@ -157,11 +158,28 @@ contains
         self%parts%share = self%surface_modulus/[lower%surface_modulus, upper%surface_modulus]
         self%largest_radius = min(lower%largest_radius, upper%largest_radius)
         self%tolerance = min(lower%tolerance, upper%tolerance)
-        call self%set_pair(lower, upper)
+        call self%set_pair(lower, upper, error)
+        if (allocated(error)) return
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (.not. allocated(error)) call add_kernels(lower%kernel, upper%kernel, self%parts%share, self%kernel, error)
         self%surface_contrast = contrast_of(self%kernel)
     end subroutine new_exact_pair
+
+    recursive subroutine copy_to(self, copy, error)
+        class(layered_exact_t), intent(in) :: self
+        class(medium_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(layered_exact_t), allocatable :: own
+
+        allocate (own)
+        call own%take_common(self, error)
+        own%kernel = self%kernel
+        if (allocated(self%parts)) own%parts = self%parts
+        own%surface = self%surface
+        own%surface_modulus = self%surface_modulus
+        own%tolerance = self%tolerance
+        call move_alloc(own, copy)
+    end subroutine copy_to
 
     !> E0*/E_eff at large radii, or what it comes to at the unit if the base is stiff again.
     pure function contrast_of(kernel) result(ratio)
@@ -467,11 +485,11 @@ contains
 
         if (allocated(body)) then
             if (twisted) then
-                call new_twisted_body(sheared, body)
+                call new_twisted_body(sheared, body, error)
             else
-                call new_sheared_body(sheared, body)
+                call new_sheared_body(sheared, body, error)
             end if
-            call new_exact_from_body(medium, sheared, error, tolerance)
+            if (.not. allocated(error)) call new_exact_from_body(medium, sheared, error, tolerance)
         else if (share > 0.0_wp) then
             call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
                        "not known: give E and nu")

@@ -48,7 +48,7 @@ contains
         ! contacts begin at 0: below the first sample the modulus is that of the surface
         self%smallest_radius = 0.0_wp
         self%why_it_ends = ", where the sampled modulus of the exact body ends; take the model exact for both bodies"
-        allocate (self%pressed, source=exact%pressed)
+        call exact%pressed%copy_to(self%pressed, error)
     end subroutine new_sampled_exact
 
 end module mdrcontact_layered_sampled

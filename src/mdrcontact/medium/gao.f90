@@ -3,11 +3,12 @@
 !> compliances in series, or by any power mean between -, Poisson's ratios with dI1. Exact to first order in the contrast.
 !> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(16).
 module mdrcontact_medium_gao
-    use mdrcontact_error, only: check_poisson, check_positive, count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_memory, check_poisson, check_positive, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
+    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
     use mdrcontact_weights, only: all_weights, weight_i0_poisson_slope, weight_i0_slope, weight_i0_tangential_poisson_slope, &
                                   weight_i0_tangential_slope, weight_i1_slope
@@ -48,6 +49,7 @@ module mdrcontact_medium_gao
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: new_tangential
+        procedure :: copy_effective
     end type gao_t
 
 contains
@@ -78,7 +80,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> as in new_gao
         type(gao_options_t), intent(in), optional :: options
-        integer :: i
+        integer :: i, n, stat
 
         if (size(layers) == 0 .or. size(layers) /= size(thickness)) then
             call raise(error, error_invalid, "there are "//count_text(size(layers))//" layers and "// &
@@ -89,14 +91,22 @@ contains
             call check_positive(error, "thickness", thickness(i), i)
         end do
         if (present(options)) self%options = options
-        self%shear = [layers%shear(), substrate%shear()]
+        n = size(layers)
+        allocate (self%shear(n + 1), self%poisson(n + 1), self%depth(n), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        self%depth(1) = thickness(1)
+        do i = 1, n
+            self%shear(i) = layers(i)%shear()
+            self%poisson(i) = layers(i)%poisson
+            if (i > 1) self%depth(i) = self%depth(i - 1) + thickness(i)
+        end do
+        self%shear(n + 1) = substrate%shear()
+        self%poisson(n + 1) = substrate%poisson
         call new_power_mean(self%mean, self%options%exponent, self%shear, error)
         if (allocated(error)) return
-        self%shear = self%mean%transformed(self%shear)
-        self%poisson = [layers%poisson, substrate%poisson]
-        self%depth = thickness
-        do i = 2, size(thickness)
-            self%depth(i) = self%depth(i - 1) + thickness(i)
+        do i = 1, n + 1
+            self%shear(i) = self%mean%transformed(self%shear(i))
         end do
         call i0_poisson_choice(self%options, self%poisson(1), substrate%poisson, error)
     end subroutine new_gao_layered
@@ -126,17 +136,41 @@ contains
         class(gao_t), intent(in) :: self
         class(medium_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
-        type(gao_t) :: own
+        type(gao_t), allocatable :: own
 
-        own%shear = self%shear
-        own%poisson = self%poisson
-        own%mean = self%mean
-        own%depth = self%depth
-        own%options = self%options
+        allocate (own)
+        call copy_layers(self, own, error)
         own%under_shear = .true.
         own%p = 2.0_wp
-        if (.not. allocated(error)) allocate (tangential, source=own)
+        if (.not. allocated(error)) call move_alloc(own, tangential)
     end subroutine new_tangential
+
+    recursive subroutine copy_effective(self, copy, error)
+        class(gao_t), intent(in) :: self
+        class(effective_medium_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(gao_t), allocatable :: own
+
+        allocate (own)
+        call own%take_common(self, error)
+        call copy_layers(self, own, error)
+        own%under_shear = self%under_shear
+        own%p = self%p
+        call move_alloc(own, copy)
+    end subroutine copy_effective
+
+    !> Without the direction of the load.
+    subroutine copy_layers(self, copy, error)
+        class(gao_t), intent(in) :: self
+        type(gao_t), intent(inout) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+
+        call copy_array(self%shear, copy%shear, error)
+        call copy_array(self%poisson, copy%poisson, error)
+        call copy_array(self%depth, copy%depth, error)
+        copy%mean = self%mean
+        copy%options = self%options
+    end subroutine copy_layers
 
     !> E_eff = 2 G_eff/(1 - nu_eff), every average a sum of positive weights times values.
     elemental function effective_modulus(self, a) result(value)
@@ -153,15 +187,22 @@ contains
         class(gao_t), intent(in) :: self
         real(wp), intent(in) :: a
         real(wp) :: value
-        real(wp) :: nu, nu_slope, total, shear, shear_slope
-        integer :: n
+        real(wp) :: nu, nu_slope, total, total_slope, shear, shear_slope
+        integer :: i
 
         call averages(self, a, nu, total)
         shear = self%mean%mean(total)
-        n = size(self%depth)
-        nu_slope = -sum((self%poisson(:n) - self%poisson(2:))*weight_i1_slope(self%depth/a)*(self%depth/a))/a
-        shear_slope = self%mean%mean_slope(total) &
-                      *sum((self%shear(:n) - self%shear(2:))*i0_slopes(self, a, i0_poisson(self%options, nu), nu_slope))
+        nu_slope = 0.0_wp
+        do i = 1, size(self%depth)
+            nu_slope = nu_slope - (self%poisson(i) - self%poisson(i + 1))*weight_i1_slope(self%depth(i)/a)*(self%depth(i)/a)
+        end do
+        nu_slope = nu_slope/a
+        total_slope = 0.0_wp
+        do i = 1, size(self%depth)
+            total_slope = total_slope + (self%shear(i) - self%shear(i + 1)) &
+                          *i0_slope(self, a, self%depth(i)/a, i0_poisson(self%options, nu), nu_slope)
+        end do
+        shear_slope = self%mean%mean_slope(total)*total_slope
         value = 2.0_wp*self%p*(shear_slope + shear*nu_slope/(self%p - nu))/(self%p - nu)
     end function effective_modulus_slope
 
@@ -215,23 +256,22 @@ contains
 
     end subroutine average
 
-    !> dI0/da at each interface; nu may vary with a.
-    pure function i0_slopes(self, a, nu, nu_slope) result(slopes)
+    !> dI0/da at an interface at the depth x a; nu may vary with a.
+    pure function i0_slope(self, a, x, nu, nu_slope) result(slope)
         class(gao_t), intent(in) :: self
-        real(wp), intent(in) :: a, nu, nu_slope
-        real(wp) :: slopes(size(self%depth))
-
-        real(wp) :: poisson_slopes(size(self%depth))
+        real(wp), intent(in) :: a, x, nu, nu_slope
+        real(wp) :: slope
+        real(wp) :: poisson_slope
 
         if (self%under_shear) then
-            slopes = -weight_i0_tangential_slope(self%depth/a, nu)*(self%depth/a)/a
-            poisson_slopes = weight_i0_tangential_poisson_slope(self%depth/a, nu)
+            slope = -weight_i0_tangential_slope(x, nu)*x/a
+            poisson_slope = weight_i0_tangential_poisson_slope(x, nu)
         else
-            slopes = -weight_i0_slope(self%depth/a, nu)*(self%depth/a)/a
-            poisson_slopes = weight_i0_poisson_slope(self%depth/a, nu)
+            slope = -weight_i0_slope(x, nu)*x/a
+            poisson_slope = weight_i0_poisson_slope(x, nu)
         end if
-        if (self%options%weight_nu_choice == gao_nu_effective) slopes = slopes + poisson_slopes*nu_slope
-    end function i0_slopes
+        if (self%options%weight_nu_choice == gao_nu_effective) slope = slope + poisson_slope*nu_slope
+    end function i0_slope
 
     pure function i0_poisson(options, effective) result(nu)
         type(gao_options_t), intent(in) :: options

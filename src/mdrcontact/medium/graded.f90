@@ -5,7 +5,7 @@
 !> The integrals are done once, when the medium is made, over a range of contact radii; afterwards E_eff(a) is an interpolation.
 module mdrcontact_medium_graded
     use mdrcontact_body_graded, only: graded_body_t
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
@@ -30,6 +30,7 @@ module mdrcontact_medium_graded
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: new_tangential
+        procedure :: copy_effective
     end type graded_t
 
     !> E_eff(a) by quadrature over depth, z(1) < z < z(n); constant above and below.
@@ -65,14 +66,15 @@ contains
         logical, intent(in), optional :: under_shear
         type(average_t) :: average
         real(wp), allocatable :: knots(:)
-        integer :: i
+        integer :: i, stat
 
         call disable_gsl_abort()
         call body%add_knots(knots, error)
         if (.not. allocated(error)) call depth_nodes(average, knots, error)
         if (allocated(error)) return
-        allocate (average%shear, mold=average%z)
-        allocate (average%poisson, mold=average%z)
+        allocate (average%shear(size(average%z)), average%poisson(size(average%z)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
         do i = 1, size(average%z)
             call body%constants(average%z(i), average%shear(i), average%poisson(i))
         end do
@@ -82,9 +84,13 @@ contains
         if (present(under_shear)) average%under_shear = under_shear
         self%options = average%options
         call i0_poisson_choice(average%options, average%top_poisson, average%bottom_poisson, error)
-        call new_power_mean(average%mean, average%options%exponent, [average%top_shear, average%shear, average%bottom_shear], error)
+        call new_power_mean(average%mean, average%options%exponent, &
+                            [min(average%top_shear, minval(average%shear), average%bottom_shear), &
+                             max(average%top_shear, maxval(average%shear), average%bottom_shear)], error)
         if (allocated(error)) return
-        average%shear = average%mean%transformed(average%shear)
+        do i = 1, size(average%shear)
+            average%shear(i) = average%mean%transformed(average%shear(i))
+        end do
         average%top_shear = average%mean%transformed(average%top_shear)
         average%bottom_shear = average%mean%transformed(average%bottom_shear)
         ! E_eff(a) at all radii at which it varies
@@ -97,16 +103,30 @@ contains
         class(graded_t), intent(in) :: self
         class(medium_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
-        type(graded_t) :: own
+        type(graded_t), allocatable :: own
 
+        allocate (own)
         select type (body => self%pressed)
         class is (graded_body_t)
             call new_graded(own, body, error, self%options, under_shear=.true.)
         class default
             call raise(error, error_invalid, "the tangential stiffness is not known for this medium: its body was not kept")
         end select
-        if (.not. allocated(error)) allocate (tangential, source=own)
+        if (.not. allocated(error)) call move_alloc(own, tangential)
     end subroutine new_tangential
+
+    recursive subroutine copy_effective(self, copy, error)
+        class(graded_t), intent(in) :: self
+        class(effective_medium_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(graded_t), allocatable :: own
+
+        allocate (own)
+        call own%take_common(self, error)
+        if (.not. allocated(error)) call self%law%copy_to(own%law, error)
+        own%options = self%options
+        call move_alloc(own, copy)
+    end subroutine copy_effective
 
     elemental function effective_modulus(self, a) result(value)
         class(graded_t), intent(in) :: self
@@ -130,31 +150,46 @@ contains
         real(wp), intent(in) :: knots(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: t(wide_nodes), w(wide_nodes), t6(narrow_nodes), w6(narrow_nodes), from, to
-        real(wp), allocatable :: nodes(:), weights(:)
-        integer :: i
+        integer :: i, count, round, stat
 
         call gauss_legendre(t, w, error)
         call gauss_legendre(t6, w6, error)
         if (allocated(error)) return
         average%top_depth = knots(1)/range_factor
         average%bottom_depth = knots(size(knots))
-        allocate (nodes(0), weights(0))
-        from = average%top_depth
-        do i = 1, size(knots)
-            do while (from < knots(i))
-                to = min(4.0_wp*from, knots(i))
-                if (to > 1.3_wp*from) then
-                    nodes = [nodes, from + (to - from)*t]
-                    weights = [weights, (to - from)*w]
-                else
-                    nodes = [nodes, from + (to - from)*t6]
-                    weights = [weights, (to - from)*w6]
-                end if
-                from = to
+        ! counted, then set
+        do round = 1, 2
+            count = 0
+            from = average%top_depth
+            do i = 1, size(knots)
+                do while (from < knots(i))
+                    to = min(4.0_wp*from, knots(i))
+                    if (to > 1.3_wp*from) then
+                        call add_panel(t, w)
+                    else
+                        call add_panel(t6, w6)
+                    end if
+                    from = to
+                end do
             end do
+            if (round == 2) exit
+            allocate (average%z(count), average%dz(count), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
         end do
-        call move_alloc(nodes, average%z)
-        call move_alloc(weights, average%dz)
+
+    contains
+
+        subroutine add_panel(places, weights)
+            real(wp), intent(in) :: places(:), weights(:)
+
+            if (round == 2) then
+                average%z(count + 1:count + size(places)) = from + (to - from)*places
+                average%dz(count + 1:count + size(places)) = (to - from)*weights
+            end if
+            count = count + size(places)
+        end subroutine add_panel
+
     end subroutine depth_nodes
 
     function average_at(self, x) result(y)

@@ -58,14 +58,15 @@ contains
     end subroutine new_rigid
 
     !> Two half-spaces pressed together, exactly: 1/E* = 1/E1* + 1/E2*.
-    subroutine new_homogeneous_pair(self, lower, upper)
+    subroutine new_homogeneous_pair(self, lower, upper, error)
         type(homogeneous_t), intent(out) :: self
         !> not pairs, not both rigid
         type(homogeneous_t), intent(in) :: lower, upper
+        type(error_t), allocatable, intent(inout) :: error
 
         self%contact_modulus = in_series(lower%contact_modulus, upper%contact_modulus)
         self%share_of_upper = self%contact_modulus/upper%contact_modulus
-        call self%set_pair(lower, upper)
+        call self%set_pair(lower, upper, error)
     end subroutine new_homogeneous_pair
 
     !> E* [modulus]; infinite for a rigid body.

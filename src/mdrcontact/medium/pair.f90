@@ -49,7 +49,7 @@ contains
         class is (homogeneous_t)
             select type (upper)
             class is (homogeneous_t)
-                call new_homogeneous_pair(homogeneous, lower, upper)
+                call new_homogeneous_pair(homogeneous, lower, upper, error)
                 allocate (medium, source=homogeneous)
                 return
             end select

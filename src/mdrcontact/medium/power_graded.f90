@@ -99,7 +99,7 @@ contains
         self%exponent = lower%exponent
         self%spring = in_series(lower%spring, upper%spring)
         self%share_of_upper = self%spring/upper%spring
-        call self%set_pair(lower, upper)
+        call self%set_pair(lower, upper, error)
     end subroutine new_power_graded_pair
 
     !> H(m, nu), 1 for a homogeneous body.

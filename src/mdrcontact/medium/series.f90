@@ -48,7 +48,7 @@ contains
         if (lower%largest_radius <= upper%largest_radius) self%why_it_ends = lower%why_it_ends
         self%smallest_radius = max(lower%smallest_radius, upper%smallest_radius)
         self%roughness = max(lower%roughness, upper%roughness)
-        call self%set_pair(lower, upper)
+        call self%set_pair(lower, upper, error)
     end subroutine new_series
 
     recursive subroutine copy_effective(self, copy, error)

@@ -75,16 +75,11 @@ contains
         allocate (copy, mold=self, stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        copy%smallest_radius = self%smallest_radius
-        copy%largest_radius = self%largest_radius
-        copy%roughness = self%roughness
-        copy%why_it_ends = self%why_it_ends
+        call copy%take_common(self, error)
         select type (copy)
         class is (tabulated_medium_t)
             call self%law%copy_to(copy%law, error)
         end select
-        if (allocated(self%pressed)) allocate (copy%pressed, source=self%pressed)
-        if (allocated(self%counterbody)) allocate (copy%counterbody, source=self%counterbody)
     end subroutine copy_effective
 
     elemental function effective_modulus(self, a) result(value)

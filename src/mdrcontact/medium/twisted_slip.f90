@@ -11,7 +11,7 @@
 !> The axis sticks at any twist: phi grows as ln(1/c).
 module mdrcontact_medium_twisted_slip
     use, intrinsic :: iso_c_binding, only: c_int
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_field_slip, only: slip_t, thin
     use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -103,14 +103,16 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: b(:), load(:)
         real(wp) :: ratio
-        integer :: i
+        integer :: i, j
 
         stiffness = 16.0_wp/3.0_wp*self%shear*c**3
         stiffness_slope = 16.0_wp*self%shear*c**2
         do i = 1, size(c)
             call graded_rule(c(i), self%radius, self%breaks, self%profile%singular_radius, b, load, error)
             if (allocated(error)) return
-            load = self%modulus*load*self%profile%mdr_slope(b)/b
+            do j = 1, size(b)
+                load(j) = self%modulus*load(j)*self%profile%mdr_slope(b(j))/b(j)
+            end do
             ratio = c(i)/self%radius
             shift(i) = sum(load*complete_k(c(i)/b)) + self%edge/self%radius*complete_k(ratio)
             shift_rate(i) = half_pi*self%modulus*self%profile%mdr_slope(c(i)) + sum(load*complete_b(c(i)/b)) + &
@@ -204,37 +206,38 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        real(wp), allocatable :: edges(:), y(:), b(:), w(:), rate(:), shift(:), stiffness(:), slope(:)
+        real(wp), allocatable :: edges(:), b(:), w(:), rate(:), shift(:), stiffness(:), slope(:)
         logical, allocatable :: has_root(:)
         real(wp) :: t(nodes), weights(nodes), start, length
-        integer :: i, j
+        integer :: i, j, n, stat
 
         call gauss_legendre(t, weights, error)
         if (.not. allocated(error)) call self%normal%pressure(self%profile, self%radius, self%excess, r, values, error)
         if (.not. allocated(error)) call self%panels(max(c, self%smallest_stick), edges, has_root, error)
         if (allocated(error)) return
+        n = nodes*(size(edges) - 1)
+        allocate (b(n), w(n), shift(n), rate(n), stiffness(n), slope(n), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         do i = 1, size(r)
             if (r(i) >= edges(1)) cycle
             ! in y = sqrt(b^2 - r^2): db/sqrt(b^2 - r^2) = dy/b
-            y = sqrt((edges - r(i))*(edges + r(i)))
-            allocate (b(0), w(0))
             do j = 1, size(edges) - 1
-                start = y(j)
-                length = y(j + 1) - start
+                start = sqrt((edges(j) - r(i))*(edges(j) + r(i)))
+                length = sqrt((edges(j + 1) - r(i))*(edges(j + 1) + r(i))) - start
+                n = nodes*(j - 1)
                 if (has_root(j)) then
-                    b = [b, hypot(r(i), start + length*t**2)]
-                    w = [w, 2.0_wp*length*t*weights]
+                    b(n + 1:n + nodes) = hypot(r(i), start + length*t**2)
+                    w(n + 1:n + nodes) = 2.0_wp*length*t*weights
                 else
-                    b = [b, hypot(r(i), start + length*t)]
-                    w = [w, length*weights]
+                    b(n + 1:n + nodes) = hypot(r(i), start + length*t)
+                    w(n + 1:n + nodes) = length*weights
                 end if
             end do
-            allocate (shift(size(b)), rate(size(b)), stiffness(size(b)), slope(size(b)))
             call self%rates(b, shift, rate, stiffness, slope, error)
             if (allocated(error)) return
             values(i) = 4.0_wp*self%shear*r(i)/pi*(sum(w*rate/b) + self%first_shift &
                                                      /sqrt((self%radius - r(i))*(self%radius + r(i))))
-            deallocate (b, w, shift, rate, stiffness, slope)
         end do
     end subroutine traction
 
