@@ -233,6 +233,9 @@ contains
             end if
             ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
             solution%rounding = rounding*(2.0_wp + moments%magnitude*max(1.0_wp, solution%modulus))
+            ! stiff layers bend at waves of so many thicknesses, where their compliance is a difference and loses as much
+            solution%rounding = solution%rounding + epsilon(1.0_wp)*max(1.0_wp, kernel%sigma_zero)**(1.0_wp/3.0_wp) &
+                                *max(0.0_wp, 1.0_wp - solution%modulus)
         end associate
         solution%errors = solution%errors + solution%rounding
     end subroutine solve_with
