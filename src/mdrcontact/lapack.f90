@@ -4,7 +4,7 @@ module mdrcontact_lapack
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: dgels, dgemm, dgemv, dpotrf, dpotrs, dsyev
+    public :: dgels, dgemm, dgemv, dgesv, dpotrf, dpotrs, dsyev
 
     interface
         !> Cholesky factor of a symmetric positive definite matrix.
@@ -44,6 +44,14 @@ module mdrcontact_lapack
             real(wp), intent(inout) :: a(lda, *), b(ldb, *), work(*)
             integer, intent(out) :: info
         end subroutine dgels
+
+        !> Solves a x = b; b becomes x.
+        subroutine dgesv(n, nrhs, a, lda, ipiv, b, ldb, info)
+            import :: wp
+            integer, intent(in) :: n, nrhs, lda, ldb
+            real(wp), intent(inout) :: a(lda, *), b(ldb, *)
+            integer, intent(out) :: ipiv(*), info
+        end subroutine dgesv
 
         !> Product of matrices, alpha A B + beta C.
         subroutine dgemm(transa, transb, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc)

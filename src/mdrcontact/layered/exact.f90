@@ -305,7 +305,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(line_load_t) :: load
 
-        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
+        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error, at_points=.true.)
         if (allocated(error)) return
         call load%at(profile, r, values)
         values = self%surface_modulus*values
@@ -322,7 +322,7 @@ contains
         type(line_load_t) :: load
         integer :: i
 
-        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
+        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error, at_points=.true.)
         if (allocated(error)) return
         call self%surface%pressure(profile, a, 0.0_wp, r, values, error)
         if (allocated(error)) return

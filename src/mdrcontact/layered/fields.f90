@@ -11,10 +11,11 @@ module mdrcontact_layered_fields
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: contact_rule, is_fine, moments_t, new_interaction, normalisation
     use mdrcontact_layered_moments, only: is_smooth
+    use mdrcontact_layered_panels, only: new_panels, panels_t
     use mdrcontact_layered_rule, only: new_rule, rule_t
     use mdrcontact_layered_series, only: add_even_sum, even_sum
-    use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, raise_missed, &
-                                       solve_lower, solve_upper
+    use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, raise_missed, solution_t, &
+                                       solve, solve_lower, solve_upper
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -26,6 +27,8 @@ module mdrcontact_layered_fields
     !> A panel beyond the edge is this long, in units of the kernel, or as long as its distance from the edge.
     real(wp), parameter :: longest_panel = 1.5_wp
     integer, parameter :: panel_nodes = 32
+    !> The constants of a body whose layers are all thinner than this vary from the surface down.
+    real(wp), parameter :: largest_resolved = 0.5_wp*huge(1.0_wp)
 
     !> q/E0* on the contact [length].
     type :: line_load_t
@@ -35,6 +38,8 @@ module mdrcontact_layered_fields
         real(wp) :: level = 0.0_wp
         !> coefficients of P_2j(x/a), j = 0, 1, ..., in q/E0*, and in v [length]
         real(wp), allocatable :: q(:), v(:)
+        !> v where its series falls too slowly for values at points
+        type(panels_t), allocatable :: panels
     contains
         procedure :: at
         procedure :: smooth_pressure
@@ -48,7 +53,7 @@ module mdrcontact_layered_fields
 contains
 
     !> The line load of the state at contact radius a with a depth beyond the non-adhesive one.
-    subroutine new_line_load(self, kernel, tolerance, profile, a, excess, error)
+    subroutine new_line_load(self, kernel, tolerance, profile, a, excess, error, at_points)
         type(line_load_t), intent(out) :: self
         type(kernel_t), intent(in) :: kernel
         !> of values of q and p anywhere, relative to their mean square
@@ -57,11 +62,17 @@ contains
         !> [length]
         real(wp), intent(in) :: a, excess
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: reached
+        !> for q and p alone, not for the series; default false
+        logical, intent(in), optional :: at_points
+        real(wp) :: reached, on_panels
         integer :: n
-        logical :: solved
+        logical :: solved, may_take_panels
 
         reached = huge(reached)
+        may_take_panels = .false.
+        if (present(at_points)) may_take_panels = at_points .and. kernel%resolved > largest_resolved
+        if (may_take_panels) may_take_panels = abs(excess) > 0.0_wp .or. .not. is_smooth(profile)
+        on_panels = huge(on_panels)
         n = min(unknowns_for(kernel, tolerance, a/kernel%unit, is_smooth(profile)), most_unknowns)
         do
             call check_cancelled(error)
@@ -70,12 +81,42 @@ contains
             if (allocated(error)) return
             if (.not. solved) exit
             if (reached <= tolerance) return
+            if (may_take_panels) then
+                call expand_on_panels(self, kernel, tolerance, profile, a, excess, on_panels, error)
+                if (allocated(error) .or. on_panels <= tolerance) return
+                may_take_panels = .false.
+            end if
             if (n >= most_unknowns) exit
             n = min(next_unknowns(n, reached/tolerance), most_unknowns)
         end do
         ! where the profile is not smooth, on films thin against the radius, it would take more unknowns
-        call raise_missed(error, "a field", tolerance, a, reached)
+        call raise_missed(error, "a field", tolerance, a, min(reached, on_panels))
     end subroutine new_line_load
+
+    !> The state by its panels instead of its series.
+    subroutine expand_on_panels(self, kernel, tolerance, profile, a, excess, reached, error)
+        type(line_load_t), intent(inout) :: self
+        type(kernel_t), intent(in) :: kernel
+        real(wp), intent(in) :: tolerance
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        !> estimated error of values of q and p
+        real(wp), intent(out) :: reached
+        type(error_t), allocatable, intent(inout) :: error
+        type(solution_t) :: solution
+        type(error_t), allocatable :: missed
+
+        reached = huge(reached)
+        call solve(kernel, tolerance, a, solution, missed, profile, edge=abs(excess) > 0.0_wp)
+        ! the series may do yet
+        if (allocated(missed)) return
+        self%a = a
+        self%edge = excess*solution%punch_edge
+        allocate (self%panels)
+        call new_panels(self%panels, kernel, profile, a, solution%force + 2.0_wp*a*solution%modulus*excess, self%edge, reached, &
+                        error)
+        if (reached > tolerance) deallocate (self%panels)
+    end subroutine expand_on_panels
 
     !> n such that the series ends at rounding at the first attempt, for films: fitted to what 3 films take.
     pure function unknowns_for(kernel, tolerance, a, smooth) result(n)
@@ -138,6 +179,12 @@ contains
         real(wp), intent(out) :: values(:)
         integer :: i
 
+        if (allocated(self%panels)) then
+            do i = 1, size(x)
+                values(i) = self%panels%level - profile%mdr(x(i)) - self%panels%value(x(i))
+            end do
+            return
+        end if
         do i = 1, size(x)
             values(i) = self%level - profile%mdr(x(i))
         end do
@@ -154,6 +201,10 @@ contains
         real(wp) :: sigma, square, total, even, odd, b, at_zero
         integer :: j
 
+        if (allocated(self%panels)) then
+            pressure = self%panels%smooth_pressure(r)
+            return
+        end if
         square = (1.0_wp - r/self%a)*(1.0_wp + r/self%a)
         sigma = sqrt(max(square, 0.0_wp))
         ! even: P_2j, odd: P_(2j+1)/sigma
