@@ -108,8 +108,11 @@ contains
         call equilibrium%at(closest, state, error)
         if (allocated(error)) return
         if (found) then
-            ! just after touch the radius of a flat end has lost the digits that depth and force need
-            if (equilibrium%profile%end_radius > 0.0_wp) call go_on_as_punch(state, control, s, missing)
+            if (.not. equilibrium%profile%end_radius > 0.0_wp) return
+            ! just after touch the radius of a flat end has lost the digits that depth and force need; even the double next to the
+            ! end may be far too wide
+            if (control%of(state%depth, state%force) > 2.0_wp*s) call equilibrium%at(equilibrium%profile%end_radius, state, error)
+            if (.not. allocated(error)) call go_on_as_punch(state, control, s, missing)
             return
         end if
         call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
