@@ -9,7 +9,7 @@ module mdrcontact_api_lateral
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_cells, only: cell_weights
     use mdrcontact_lateral_field, only: space_rule, space_rule_size
-    use mdrcontact_lateral_slab, only: new_slab, slab_t
+    use mdrcontact_lateral_slab, only: in_radii, new_slab, slab_t
     use mdrcontact_lateral_values, only: density_values
     implicit none (type, external)
     private
@@ -71,8 +71,8 @@ contains
         if (.not. allocated(error)) then
             across = in_radii(x(:nx + 1), a)
             along = in_radii(y(:ny + 1), a)
-            call new_slab(slab, nu, z_top/a, z_bottom/a, hypot(max(abs(across(1)), abs(across(nx + 1))), &
-                                                               max(abs(along(1)), abs(along(ny + 1)))), error)
+            call new_slab(slab, nu, in_radii(z_top, a), in_radii(z_bottom, a), &
+                          hypot(maxval(abs(across)), maxval(abs(along))), error)
         end if
         if (.not. allocated(error)) call cell_weights(slab, across, along, weights(:, :, 1), weights(:, :, 2), error)
         if (.not. allocated(error)) then
@@ -100,15 +100,6 @@ contains
         end if
         status = status_of(error)
     end function mdr_lateral_rule
-
-    !> A length in contact radii, at most so many that all weights are zero there.
-    elemental function in_radii(length, a) result(ratio)
-        real(wp), intent(in) :: length, a
-        real(wp) :: ratio
-        real(wp), parameter :: far = 1.0e200_wp
-
-        ratio = max(-far, min(far, length/a))
-    end function in_radii
 
     subroutine check_lines(error, name, n, lines)
         type(error_t), allocatable, intent(inout) :: error

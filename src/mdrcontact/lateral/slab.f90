@@ -9,7 +9,7 @@ module mdrcontact_lateral_slab
     use mdrcontact_weights, only: weight_i0, weight_i1, weight_j0, weight_j1
     implicit none (type, external)
     private
-    public :: slab_t, new_slab, outside, slab_distance
+    public :: slab_t, in_radii, new_slab, outside, slab_distance
 
     !> nodes of a panel; the running integral is a polynomial of this degree there
     integer, parameter :: order = 8
@@ -29,6 +29,15 @@ module mdrcontact_lateral_slab
     end type slab_t
 
 contains
+
+    !> A length in contact radii, at most so many that all weights are zero there.
+    elemental function in_radii(length, a) result(ratio)
+        real(wp), intent(in) :: length, a
+        real(wp) :: ratio
+        real(wp), parameter :: far = 1.0e200_wp
+
+        ratio = max(-far, min(far, length/a))
+    end function in_radii
 
     !> The slab between two depths 0 <= top < bottom, known up to distance `reach` from the axis.
     subroutine new_slab(self, nu, top, bottom, reach, error)

@@ -5,7 +5,7 @@ module mdrcontact_lateral_voxels
                                 check_positive, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lateral_cells, only: cell_weights
-    use mdrcontact_lateral_slab, only: new_slab, slab_t
+    use mdrcontact_lateral_slab, only: in_radii, new_slab, slab_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_material, only: material_t
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
@@ -131,11 +131,11 @@ contains
         allocate (shear_weights(size(columns), size(rows)), poisson_weights(size(columns), size(rows)), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        lines_x = lines_x/a
-        lines_y = lines_y/a
+        lines_x = in_radii(lines_x, a)
+        lines_y = in_radii(lines_y, a)
         do k = 1, size(self%labels, 3)
-            call new_slab(slab, self%reference_nu, (k - 1)*self%spacing(3)/a, k*self%spacing(3)/a, &
-                          hypot(maxval(abs(lines_x)), maxval(abs(lines_y))), error)
+            call new_slab(slab, self%reference_nu, in_radii((k - 1)*self%spacing(3), a), &
+                          in_radii(k*self%spacing(3), a), hypot(maxval(abs(lines_x)), maxval(abs(lines_y))), error)
             if (allocated(error)) return
             call cell_weights(slab, lines_x, lines_y, shear_weights, poisson_weights, error)
             if (allocated(error)) return
