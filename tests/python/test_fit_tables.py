@@ -95,12 +95,28 @@ def test_sheets_of_a_spreadsheet(tmp_path):
     assert "Test 1" in found.notes[0]
     with pytest.raises(ProblemError, match="Test 1"):
         read_table(path, TableOptions(sheet="Test1"))
+    # numbers kept as words, with a decimal comma
+    for row in sheet.iter_rows(min_row=3):
+        for cell in row:
+            cell.value = str(cell.value).replace(".", ",")
+    book.create_chartsheet("Chart").add_chart(openpyxl.chart.ScatterChart())
+    book.save(path)
+    assert read_table(path).column("Load On Sample", FORCE)[0] == pytest.approx(1e-3 * LOAD)
+    with pytest.raises(ProblemError, match="no sheet 'Chart'"):
+        read_table(path, TableOptions(sheet="Chart"))
+    archive = path.read_bytes()
+    place = archive.index(b"xl/worksheets/sheet2.xml") + 60
+    path.write_bytes(archive[:place] + bytes(len(archive[place : place + 200])) + archive[place + 200 :])
+    with pytest.raises(ProblemError, match="cannot be read as a spreadsheet"):
+        read_table(path)
 
 
 BAD = {
     "only its unit is missing": (table(["depth\tload", *POINT]).encode(), TableOptions(), "does not say its unit"),
     "no header": (table(POINT).encode(), TableOptions(), "columns ="),
     "decimal commas between commas": (b"depth [nm],load [mN]\n1,5,2,5\n2,5,3,5\n", TableOptions(), "decimal signs"),
+    "some decimal commas between commas": (b"depth [nm],load [mN]\n1,2,5\n2,3,5\n", TableOptions(), "decimal signs"),
+    "a cell without end": (b"a" * 200_000 + b"\n1\n2\n", TableOptions(), "no table"),
     "another unit": (b"depth [mN],load [mN]\n1,2\n2,3\n", TableOptions(), "'mN' is no unit of a length"),
     "no numbers": (b"a,b\nc,d\n", TableOptions(), "no table"),
     "empty": (b"", TableOptions(), "no table"),

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import codecs
 import csv
+import io
 import math
 import re
 from collections.abc import Mapping, Sequence
@@ -29,6 +30,8 @@ _MANY_REPEATED, _MANY_OUTSIDE = 0.02, 0.05
 """Of the rows: more that stand twice, or outside of the table, are no accident."""
 _SEPARATORS = {"\t": "tabs", ";": "semicolons", ",": "commas", " ": "spaces"}
 _SHEETS = (".xlsx", ".xlsm")
+_OF_SHEETS = ";"
+"""Numbers that are words in a spreadsheet may have a decimal comma, as between semicolons."""
 _LIKE_ASCII = str.maketrans({"\N{MICRO SIGN}": "u", "\N{GREEK SMALL LETTER MU}": "u", "\N{SUPERSCRIPT TWO}": "^2", "\xa0": " "})
 
 
@@ -123,13 +126,14 @@ def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable
     """Reads a table; lines that begin with # are comments."""
     options = options or TableOptions()
     try:
-        if path.stat().st_size > _LARGEST_FILE:
-            raise ProblemError(f"{path}: it has more than {_LARGEST_FILE // 1_000_000} MB: that is no measured curve")
-        content = path.read_bytes()
-    except OSError as problem:
-        raise ProblemError(f"{path}: it cannot be read: {problem.strerror or problem}") from problem
+        with path.open("rb") as file:
+            content = file.read(_LARGEST_FILE + 1)  # of a device there is no end
+    except (OSError, ValueError) as problem:
+        raise ProblemError(f"{path}: it cannot be read: {getattr(problem, 'strerror', None) or problem}") from problem
+    if len(content) > _LARGEST_FILE:
+        raise ProblemError(f"{path}: it has more than {_LARGEST_FILE // 1_000_000} MB: that is no measured curve")
     if path.suffix.lower() in _SHEETS:
-        return _table_of(path, *_sheet(path, options), options)
+        return _table_of(path, *_sheet(path, content, options), options)
     if path.suffix.lower() == ".xls":
         raise ProblemError(f"{path}: old spreadsheets (.xls) are not read: save it as .xlsx or as .csv")
     text, encoding = decode(path, content)
@@ -141,7 +145,10 @@ def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable
             # a unit in brackets belongs to the word before it
             rows = [re.sub(r"\s+(?=[\[(])", "", line).split() for line in lines]
         else:
-            rows = list(csv.reader(lines, delimiter=separator))
+            try:
+                rows = list(csv.reader(lines, delimiter=separator))
+            except csv.Error:  # a cell without end
+                continue
         first, last = _block(rows, separator)
         cells = [cell for row in rows[first:last] for cell in row if cell.strip()]
         numbers = sum(math.isfinite(_number(cell, separator)) for cell in cells)
@@ -173,28 +180,28 @@ def decode(path: Path, content: bytes) -> tuple[str, str]:
     raise ProblemError(f"{path}: it is not a text file in UTF-8, UTF-16 or Latin-1")
 
 
-def _sheet(path: Path, options: TableOptions) -> tuple[list[list[str]], str, list[str]]:
+def _sheet(path: Path, content: bytes, options: TableOptions) -> tuple[list[list[str]], str, list[str]]:
     """The cells of the chosen sheet of a spreadsheet, or of the first that holds a table."""
     try:
         import openpyxl
     except ImportError as problem:
         raise ProblemError(f'{path}: spreadsheets need openpyxl: pip install "mdrcontact[instruments]"') from problem
     try:
-        book = openpyxl.load_workbook(path, read_only=True, data_only=True)
-    except Exception as problem:  # noqa: BLE001 - a damaged archive raises almost anything
-        raise ProblemError(f"{path}: it is not a spreadsheet: {problem}") from problem
-    try:
-        if options.sheet and options.sheet not in book.sheetnames:
-            raise ProblemError(f"{path}: there is no sheet {options.sheet!r}: {nearest(options.sheet, book.sheetnames)}")
-        for name in [options.sheet] if options.sheet else book.sheetnames:
-            cells = [["" if cell is None else str(cell) for cell in row] for row in book[name].iter_rows(values_only=True)]
+        book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
+        sheets = {sheet.title: sheet for sheet in book.worksheets}
+        if options.sheet and options.sheet not in sheets:
+            raise ProblemError(f"{path}: there is no sheet {options.sheet!r}: {nearest(options.sheet, sheets)}")
+        for name in [options.sheet] if options.sheet else sheets:
+            cells = [["" if cell is None else str(cell) for cell in row] for row in sheets[name].iter_rows(values_only=True)]
             rows = [[cell.translate(_LIKE_ASCII) for cell in row] for row in cells[options.skip :] if any(row)]
-            first, last = _block(rows, ",")
+            first, last = _block(rows, _OF_SHEETS)
             if last - first > 1:
-                return rows, ",", [f"sheet {name!r} of {len(book.sheetnames)}"]
-    finally:
-        book.close()
-    raise ProblemError(f"{path}: no sheet holds a table of numbers; the sheets are {', '.join(map(repr, book.sheetnames))}")
+                return rows, _OF_SHEETS, [f"sheet {name!r} of {len(sheets)}"]
+    except ProblemError:
+        raise
+    except Exception as problem:  # noqa: BLE001 - a damaged archive raises almost anything
+        raise ProblemError(f"{path}: it cannot be read as a spreadsheet: {type(problem).__name__}: {problem}") from problem
+    raise ProblemError(f"{path}: no sheet holds a table of numbers; the sheets are {', '.join(map(repr, sheets))}")
 
 
 def _block(rows: Sequence[Sequence[str]], separator: str) -> tuple[int, int]:
@@ -285,7 +292,7 @@ def _header(path: Path, above: Sequence[Sequence[str]], width: int) -> tuple[lis
     if not rows:
         count = len(words[-1]) if words else 0
         shorter = f", but {count} words" if count > 1 else ""
-        if count > 1 and width == 2 * count:
+        if 1 < count < width <= 2 * count:
             shorter += " (if commas are decimal signs, separate columns by semicolons or tabs)"
         raise ProblemError(
             f"{path}: no line above the numbers has names for the {width} columns{shorter}: write such a line, or, for a fit, name "
