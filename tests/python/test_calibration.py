@@ -134,6 +134,13 @@ def test_the_radius_of_a_ball(folder, capsys):
     radius = float(found["indenter"]["radius"].split()[0])
     sd = float(found["calibration"]["sds"][0].split()[0])
     assert abs(radius - ball.radius) < 3.0 * sd and sd < 0.01 * radius
+    # again from this tip, and with the unit in the key
+    again = (folder / "ball.toml").read_text()
+    for number, indenter in enumerate(('file = "tip.toml"', 'shape = "sphere"\nradius_um = 4')):
+        (folder / "ball.toml").write_text(again.replace('shape = "sphere"\nradius = "4 um"', indenter))
+        assert main([*given[:-1], str(folder / f"tip{number}.toml")]) == 0
+        same = parse_file(folder / f"tip{number}.toml")["indenter"]
+        assert set(same) == {"shape", "radius"} and float(same["radius"].split()[0]) == pytest.approx(radius, rel=1e-3)
 
 
 def test_python_takes_a_calibration_as_a_prior():
@@ -187,6 +194,9 @@ def test_what_cannot_be_calibrated(folder, capsys, change, words, status):
         ("[tip]\n", "no table [indenter]"),
         ('[indenter]\nshape = "sphere"\nradius = "1 um"\n[calibration]\nnames = ["indenter.C9"]\n', "indenter.C9"),
         ('[indenter]\nshape = "sphere"\nradius = "1 um"\n[calibration]\nvalues = []\n', "names"),
+        ('[indenter]\nshape = "sphere"\nradius = "1 um"\n[calibration]\nnames = 5\n', "names must be a list"),
+        ('[indenter]\nshape = "sphere"\nradius = "1 um"\n[calibration]\nnames = ["frame_compliance"]\nvalues = []\n', "1 entries"),
+        ('calibration = 3\n[indenter]\nshape = "sphere"\nradius = "1 um"\n', "must be a table"),
     ],
 )
 def test_bad_tip_files(folder, capsys, text, words):
@@ -194,6 +204,15 @@ def test_bad_tip_files(folder, capsys, text, words):
         (folder / "tip.toml").write_text(text)
     assert main(["fit", str(folder / "film.txt"), "--problem", str(folder / "measure.toml")]) == 2
     assert words in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("given", ["fit = 3", "fit = { joint_prior = 3 }", "instrument = 3"])
+def test_tables_beside_a_tip_that_are_none(folder, capsys, given):
+    (folder / "tip.toml").write_text('[indenter]\nshape = "sphere"\nradius = "1 um"\n[calibration]\nnames = ["indenter.radius"]\n')
+    body = MEASURE.partition("[instrument]")[0] + '[data]\nkind = "unloading"\n'
+    (folder / "measure.toml").write_text(f"{given}\n{body}" + ("" if given.startswith("fit") else "[fit.free]\nE = {}\n"))
+    assert main(["fit", str(folder / "film.txt"), "--problem", str(folder / "measure.toml")]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
 
 
 def test_units_of_an_area_function():

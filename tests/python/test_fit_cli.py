@@ -74,6 +74,11 @@ def test_folder_reports_bad_curves_and_fits_the_rest(tmp_path, capsys):
         (', prior_sd = "10 nm"', "", "prior_sd"),
         ("relative_sd = 0.01", 'force = "P"', "there is no column"),
         ("[data]", "[daten]", "data"),
+        (
+            "[fit.free]",
+            '[fit]\nsd_is_absolute = "no"\n[fit.free]',
+            "sd_is_absolute = 'no' is not allowed: it must be true or false",
+        ),
     ],
 )
 def test_faults_of_the_problem_file_are_told(old, new, words, tmp_path, capsys):

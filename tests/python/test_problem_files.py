@@ -205,6 +205,7 @@ FAULTS = [
     ("points = 4", 'spacing = "lin"', r"did you mean 'linear'\?"),
     ("points = 4", "points = ", r"not valid TOML.*line 17"),
     ("points = 4", "points = 4\npoints = 5", r"not valid TOML"),
+    ("points = 4", 'points = 4\n["at line 99999"]\n["at line 99999"]', r"not valid TOML"),
 ]
 
 

@@ -17,6 +17,7 @@ from ..fitting.parameters import of_indenter
 from ..fitting.quantities import dimension_of
 from ..problem import ProblemError
 from ..problem.fit_file import load_fit_file
+from ..problem.tip_file import with_calibration
 from ..problem.toml import parse_file
 from ..profile import AreaFunction
 from . import files
@@ -62,11 +63,15 @@ def calibration_text(result: FitResult, title: str, indenter: Mapping[str, Any],
         raise ProblemError(
             f"[fit.free]: {foreign[0]!r} is no number of the tip or the frame: a calibration leaves the body as it is known"
         )
-    lines = ["# Tip and frame, calibrated by mdrcontact", f"# {title}", f"# curves: {', '.join(curves)}"]
+    lines = [
+        "# Tip and frame, calibrated by mdrcontact",
+        *(f"# {' '.join(words.split())}" for words in (title, f"curves: {', '.join(curves)}")),
+    ]
     lines += [f"# warning: {words}" for words in result.warnings]
     lines += ["", "[indenter]"]
-    given = {key: value for key, value in indenter.items() if key != "file"}
-    for key, value in {**given, **_numbers(result)}.items():
+    numbers = _numbers(result)
+    kept = {key: value for key, value in indenter.items() if not any(f"{key}_".startswith(f"{name}_") for name in numbers)}
+    for key, value in {**kept, **numbers}.items():
         lines.append(f"{key} = {_toml(value)}")
     sds = np.sqrt(np.diag(np.array(prior.covariance)))
     scale = np.outer(sds, sds)
@@ -134,7 +139,7 @@ def run(arguments: argparse.Namespace) -> None:
     data = together(curves)
     result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
     print(f"\n{result.summary()}")
-    table = parse_file(arguments.problem)["indenter"]
+    table = with_calibration(parse_file(arguments.problem), arguments.problem.parent)["indenter"]
     contents = {arguments.output: calibration_text(result, problem.title, table, names).encode()}
     if arguments.plot:
         contents[arguments.plot] = files.rendered(result.plot(), files.figure_format(arguments.plot))

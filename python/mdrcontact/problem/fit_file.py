@@ -99,7 +99,7 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
     if "max_iterations" in fit:
         options["max_iterations"] = fit.count("max_iterations", 100, 100_000)
     if "sd_is_absolute" in fit:
-        options["sd_is_absolute"] = bool(fit.plain("sd_is_absolute"))
+        options["sd_is_absolute"] = fit.truth("sd_is_absolute")
     if "joint_prior" in fit:
         options["known"] = [_read_joint_prior(section, names) for section in fit.children("joint_prior", _JOINT)]
     data = Section(table["data"], "data", measured.KNOWN)

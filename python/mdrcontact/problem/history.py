@@ -90,7 +90,7 @@ def _from_file(section: Section, folder: Path) -> HistoryPath:
         raise ProblemError(f'[{section.path}]: file = {name!r} is not the name of a table: write it as in file = "path.csv"')
     table = read_table(folder / name)
     control = section.choice("control", DIMENSIONS, default="depth")
-    title = section.plain("time") if "time" in section else table.find("time", ROLES["time"][1], TIME)
+    title = str(section.plain("time")) if "time" in section else table.find("time", ROLES["time"][1], TIME)
     time, _ = table.column(title, TIME)
     values, _ = table.column(table.find(control, ROLES[control][1], DIMENSIONS[control]), DIMENSIONS[control])
     whole = np.isfinite(time) & np.isfinite(values)

@@ -119,6 +119,13 @@ class Section:
             raise ProblemError(f"[{self.path}]: {key} = {value!r} is not allowed: {nearest(str(value), choices)}")
         return value
 
+    def truth(self, key: str) -> bool:
+        """true or false."""
+        value, _ = self._found(key, "true")
+        if not isinstance(value, bool):
+            raise ProblemError(f"[{self.path}]: {key} = {value!r} is not allowed: it must be true or false, without quotes")
+        return value
+
     def plain(self, key: str) -> Any:
         """A value as it stands in the file."""
         return self._found(key)[0]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -31,10 +32,13 @@ def with_calibration(table: dict[str, Any], folder: Path) -> dict[str, Any]:
     prior = found.get("calibration")
     if prior is None or "fit" not in table:
         return changed
-    names = prior.get("names", [])
-    instrument, fit = dict(table.get("instrument", {})), dict(table["fit"])
-    if "frame_compliance" in names and not any(key.startswith("frame_compliance") for key in instrument):
-        instrument["frame_compliance"] = prior["values"][names.index("frame_compliance")]
-    changed["instrument"] = instrument
+    instrument, fit = table.get("instrument", {}), table["fit"]
+    # what is no table or list here is refused by those who read it
+    if not isinstance(fit, dict) or not isinstance(instrument, dict) or not isinstance(fit.get("joint_prior", []), list):
+        return changed
     changed["fit"] = {**fit, "joint_prior": [*fit.get("joint_prior", []), prior]}
+    with suppress(KeyError, TypeError):
+        known = dict(zip(prior["names"], prior["values"], strict=False))
+        if "frame_compliance" in known and not any(key.startswith("frame_compliance") for key in instrument):
+            changed["instrument"] = {**instrument, "frame_compliance": known["frame_compliance"]}
     return changed

@@ -35,7 +35,7 @@ def parse_file(path: Path) -> dict[str, Any]:
 
 def _line(text: str, words: str) -> str:
     """The line that the words of an error point to, and how numbers and quantities are written if it sets one."""
-    place = re.search(r"at line (\d+)", words)
+    place = re.search(r"\(at line (\d+), column \d+\)$", words)
     line = text.split("\n")[int(place[1]) - 1].strip() if place else ""
     rule = "; a number has a decimal point, words and quantities stand in straight quotes" if "=" in line else ""
     return f": {line[:80]}{rule}" if line else ""
