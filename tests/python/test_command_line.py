@@ -179,6 +179,30 @@ def test_existing_files_are_safe(problem, capsys):
     assert os.stat("curve.csv").st_mode & 0o777 == 0o666 & ~_umask()
 
 
+def test_what_a_command_reads_is_not_overwritten(problem, capsys, tmp_path):
+    Path("link.csv").symlink_to(problem)
+    Path("path.csv").write_text("depth [nm];shift [nm]\n10;0\n20;1\n")
+    body = GOOD.partition("[medium]")[0] + '[medium]\ntype = "homogeneous"\nmaterial = { E = "2 GPa", nu = 0.3 }\n'
+    Path("led.toml").write_text(body + '[friction]\ncoefficient = 0.3\npath = "path.csv"\n')
+    before = {name: Path(name).read_bytes() for name in _files()}
+    for command, file, result in (
+        ("curve", problem, problem),
+        ("curve", problem, "link.csv"),
+        ("friction", "led.toml", "path.csv"),
+    ):
+        assert main([command, file, "--csv", result, "--overwrite"]) == 1
+        assert f"{result} is what this command reads: give the result another name" in capsys.readouterr().err
+    assert {name: Path(name).read_bytes() for name in _files()} == before
+    Path("round").symlink_to("round")
+    assert main(["curve", problem, "--csv", "round", "--overwrite"]) == 1
+    assert "circles of links" in capsys.readouterr().err
+
+
+def test_titles_are_words_and_no_formulas(problem):
+    Path(problem).write_text('title = "$\\\\frac$ of 5 $"\n' + GOOD, encoding="utf-8")
+    assert main(["curve", problem, "--plot", "curve.png"]) == 0
+
+
 def _umask():
     mask = os.umask(0)
     os.umask(mask)

@@ -38,6 +38,7 @@ exit status:
   0  done
   1  the problem is well-formed but cannot be solved, or a result cannot be written
   2  the command line or the problem file is wrong
+  130  interrupted by Ctrl-C
 """
 
 

@@ -221,7 +221,7 @@ def _figure(title: str, rows: int, columns: int, size: tuple[float, float]) -> t
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, layout="constrained")
-    figure.suptitle(title)
+    figure.suptitle(title, parse_math=False)
     return figure, figure.subplots(rows, columns)
 
 

@@ -5,18 +5,23 @@ from __future__ import annotations
 
 import argparse
 import io
-from collections.abc import Mapping, Sequence
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from .._files import check_place, replace
 from ..measurement import afm
 from ..problem import ProblemError
+from ..problem.toml import parse_file
 
 DATA_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".xlsx", ".xlsm", *afm.SUFFIXES)
 """Endings of files that hold measurements."""
 _RESULTS = ("csv", "pressure_csv", "plot", "json", "report", "npy", "law", "output")
 """Arguments that name a file to be written."""
+_NAMES = ("file", "path", "labels")
+"""Keys of problem files that name a file to be read."""
 FIGURE_FORMATS = ("png", "pdf", "svg")
 
 
@@ -33,7 +38,11 @@ def add_options(parser: argparse.ArgumentParser, what: str) -> None:
 
 def check(arguments: argparse.Namespace) -> None:
     """Raises before any work is done if a result that is asked for could not be written afterwards."""
-    _check([path for path in (getattr(arguments, name, None) for name in _RESULTS) if path is not None], arguments.overwrite)
+    results = [path for path in (getattr(arguments, name, None) for name in _RESULTS) if path is not None]
+    _check(results, arguments.overwrite)
+    for path in results:
+        if path.exists() and any(path.samefile(read) for read in _read_by(arguments) if read.exists()):
+            raise OutputError(f"{path} is what this command reads: give the result another name")
     if plot := getattr(arguments, "plot", None):
         figure_format(plot)
     if plot or getattr(arguments, "report", None):
@@ -43,8 +52,29 @@ def check(arguments: argparse.Namespace) -> None:
             raise OutputError('figures need matplotlib: pip install "mdrcontact[plot]"') from problem
 
 
+def _read_by(arguments: argparse.Namespace) -> list[Path]:
+    """The files that the command line and the problem file name to be read."""
+    data, problem = getattr(arguments, "data", []), Path(arguments.problem)
+    given = [problem, *(data if isinstance(data, list) else [data])]
+    with suppress(ProblemError):  # told where it is read
+        given += [problem.parent / name for name in _named_in(parse_file(problem))]
+    return [
+        path
+        for one in given
+        for path in ([p for p in one.iterdir() if p.suffix.lower() in DATA_SUFFIXES] if one.is_dir() else [one])
+    ]
+
+
+def _named_in(table: Mapping[str, Any]) -> Iterator[str]:
+    for key, value in table.items():
+        if isinstance(value, dict):
+            yield from _named_in(value)
+        elif key in _NAMES and isinstance(value, str):
+            yield value
+
+
 def _check(paths: Sequence[Path], overwrite: bool) -> None:
-    if len({path.resolve() for path in paths}) < len(paths):
+    if len({os.path.realpath(path) for path in paths}) < len(paths):
         raise OutputError("two results cannot go to the same file")
     for path in paths:
         check_place(path)

@@ -46,7 +46,7 @@ def overview(good: list[tuple[Curve, FitResult]], names: tuple[str, ...]) -> Any
             axis.spines[["top", "right"]].set_visible(False)
     each, histogram = axes[-1]
     if len(good) <= _MOST_NAMES:
-        each.set_xticks(np.arange(1, len(good) + 1), [curve.name for curve, _ in good], rotation=90, fontsize=7)
+        each.set_xticks(np.arange(1, len(good) + 1), [curve.name for curve, _ in good], rotation=90, fontsize=7, parse_math=False)
     else:
         each.set_xlabel("curve")
     histogram.set_xlabel("curves")

@@ -30,7 +30,7 @@ def map_figure(title: str, voxels: lateral.Voxels, radii: Any, maps: Any, form: 
     rows = math.ceil(panels / columns)
     with _style():
         figure = Figure(figsize=(4.0 * columns, 3.7 * rows), layout="constrained")
-        figure.suptitle(title)
+        figure.suptitle(title, parse_math=False)
         axes = np.atleast_1d(figure.subplots(rows, columns)).ravel()
         for axis in axes[panels:]:
             axis.set_axis_off()
