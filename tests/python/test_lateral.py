@@ -329,6 +329,9 @@ def test_command_map(tmp_path, capsys):
         ('"1 um", "3 um"', '"1 um", "-3 um"', "greater than 0"),
         ('"3 GPa"', "3", "has no unit"),
         ("nu = 0.22", "nu = 0.9", "0.9"),
+        ("labels.npy", "empty.npy", "empty.npy"),
+        ("labels.npy", "archive.npy", "archive.npy"),
+        ("[map]\n", f"x = {'[' * 3000}\n[map]\n", "nested too deeply"),
         ("[map]\n", "[map]\nradius = 1\n", "unknown key"),
         ("[structure]", "[structures]", "structures"),
         ('spacing = ["1 um", "1 um", "1 um"]', 'spacing = ["1 um", "0 um", "1 um"]', "spacing"),
@@ -338,6 +341,8 @@ def test_command_map_says_what_is_wrong(tmp_path, capsys, old, new, word):
     from mdrcontact.cli import main
 
     np.save(tmp_path / "labels.npy", np.ones((2, 3, 4), int))
+    (tmp_path / "empty.npy").write_bytes(b"")
+    (tmp_path / "archive.npy").write_bytes(b"PK\3\4 of nothing")
     assert old in MAP
     (tmp_path / "map.toml").write_text(MAP.replace(old, new), encoding="utf-8")
     assert main(["map", str(tmp_path / "map.toml")]) == 2

@@ -15,15 +15,11 @@ from .. import lateral
 from ..material import Elastic
 from ..problem import ProblemError
 from ..problem.section import Section
+from ..problem.toml import parse_file
 from ..problem.units import LENGTH, MODULUS, practical
 from . import files
 from .map_figure import map_figure
 from .table import aligned, number
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
 
 HELP = "effective modulus at every place of a heterogeneous structure"
 DESCRIPTION = """\
@@ -134,13 +130,7 @@ def _table(problem: MapProblem, found: dict[float, Any]) -> str:
 def read(path: Path) -> MapProblem:
     """Reads a map file; a fault in it is a `ProblemError` that names the file."""
     try:
-        return _problem(tomllib.loads(path.read_text(encoding="utf-8")), path)
-    except OSError as problem:
-        raise ProblemError(f"{path}: it cannot be read: {problem.strerror or problem}") from problem
-    except UnicodeDecodeError as problem:
-        raise ProblemError(f"{path}: it is not a text file in UTF-8") from problem
-    except tomllib.TOMLDecodeError as problem:
-        raise ProblemError(f"{path}: it is not valid TOML: {problem}") from problem
+        return _problem(parse_file(path), path)
     except ProblemError as problem:
         raise ProblemError(f"{path}: {problem}") from problem
 
@@ -174,6 +164,6 @@ def _labels(structure: Section, path: Path) -> Any:
         raise ProblemError('[structure]: labels must be the name of a file, as in labels = "labels.npy"')
     try:
         # mapped, not read: slices come from the file when they are needed
-        return np.load(path.parent / name, mmap_mode="r", allow_pickle=False)
-    except (OSError, ValueError) as problem:
+        return np.lib.format.open_memmap(path.parent / name, mode="r")
+    except (OSError, ValueError, EOFError) as problem:
         raise ProblemError(f"[structure]: labels = {name!r} cannot be read as a NumPy array (.npy): {problem}") from problem
