@@ -167,6 +167,18 @@ def test_a_table_of_unloading_alone(raw, capsys):
         assert words in "".join(capsys.readouterr())
 
 
+def test_a_curve_in_contact_from_its_first_reading(raw, capsys):
+    """The remedy that the refusal names is one."""
+    depth = np.linspace(20e-9, 100e-9, 4)
+    force = np.asarray(mdr.Contact(BALL, SOFT).at_depth(depth).force)
+    np.savetxt(raw / "short.txt", np.column_stack([1e9 * depth, 1e9 * force]), header="depth [nm] load [nN]", comments="")
+    problem = PROBLEM.replace("depth_offset = {}\n", "")
+    for given, status in (('baseline = "tilt"', 2), ('contact_point = "given"\nbaseline = "none"', 0)):
+        (raw / "problem.toml").write_text(problem.replace("[fit.free]", f"{given}\n[fit.free]"))
+        assert main(["fit", str(raw / "short.txt"), "--problem", str(raw / "problem.toml")]) == status
+        assert status == 0 or 'say contact_point = "given" and baseline = "none"' in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [

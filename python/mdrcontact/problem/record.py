@@ -153,6 +153,8 @@ def _find_zero(section: Section, record: Record, is_raw: bool) -> None:
     depth, approach = _depth(record), _approach(record)
     method = section.choice("contact_point", (*METHODS, "given"), default=METHODS[0] if is_raw else "given")
     baseline = section.choice("baseline", ("tilt", "offset", "none"), default="tilt" if is_raw else "none")
+    if method == "given" and baseline == "none":
+        return
     try:
         found = {name: find_contact_point(depth[approach], record.force[approach], name) for name in METHODS}
         contact = found[method if method != "given" else METHODS[0]]
@@ -167,8 +169,7 @@ def _find_zero(section: Section, record: Record, is_raw: bool) -> None:
     except MDRError as problem:
         raise ProblemError(
             f'contact point and baseline cannot be found: {problem}; say contact_point = "given" and baseline = "none" for a '
-            "curve that "
-            "begins in contact"
+            "curve that begins in contact"
         ) from problem
     if method == "given":
         return
@@ -183,8 +184,7 @@ def _find_zero(section: Section, record: Record, is_raw: bool) -> None:
     if apart > _FAR_APART * deepest:
         record.warnings.append(
             f"the estimators of the contact point disagree by {told(apart, LENGTH)}, {100.0 * apart / deepest:.0f} % of the "
-            "depth: look "
-            "at the curve, and leave depth_offset free"
+            "depth: look at the curve, and leave depth_offset free"
         )
 
 
@@ -213,8 +213,7 @@ def _mention_pop_in(record: Record) -> None:
     if pop_in is not None:
         record.notes.append(
             f"pop-in of {told(pop_in.jump, LENGTH)} at depth {told(pop_in.depth, LENGTH)}, force "
-            f"{told(pop_in.force, FORCE)}: only "
-            "before it was the contact elastic. [data] before_pop_in = true uses that part alone"
+            f"{told(pop_in.force, FORCE)}: only before it was the contact elastic. [data] before_pop_in = true uses that part alone"
         )
 
 
