@@ -101,8 +101,8 @@ def _wanted(contact: Any, strengths: Mapping[str, Sequence[float | None]], body:
         count = counts[_MODES[mode]]
         if len(values) != count:
             raise InvalidArgumentError(
-                f"strengths: {mode!r} has {len(values)} values: one for each of the {count} {_MODES[mode]} is needed, None where "
-                "no failure is looked for"
+                f"strengths: {mode!r} has {len(values)} values: one for each of the {count} {_MODES[mode]} is needed, from the "
+                "surface down"
             )
         for place, value in enumerate(values):
             if value is None:

@@ -147,12 +147,12 @@ class Viscoelastic(_Rheology):
         stiff, ratio = number("instant_modulus", instant_modulus), number("nu", nu)
         if modulus not in ("young", "shear"):
             raise InvalidArgumentError(f"modulus = {modulus!r} is not allowed: it must be 'young' or 'shear'")
-        shear = stiff if modulus == "shear" else 0.5 * stiff / (1.0 + ratio)
-        Elastic(2.0 * shear * (1.0 + ratio), ratio)  # checks both
+        instant = Elastic(stiff if modulus == "young" else 2.0 * stiff * (1.0 + ratio), ratio)  # checks both
+        shear = stiff if modulus == "shear" else 0.5 * instant.E / (1.0 + ratio)
         relaxed = max(shear * (1.0 - fractions.sum()), 0.0)
         terms = list(zip(shear * fractions, times, strict=True))
         if elastic_bulk and ratio < 0.5:
-            return cls(relaxed, terms, bulk_modulus=2.0 * shear * (1.0 + ratio) / (3.0 * (1.0 - 2.0 * ratio)))
+            return cls(relaxed, terms, bulk_modulus=instant.E / (3.0 * (1.0 - 2.0 * ratio)))
         return cls(relaxed, terms, nu=ratio)
 
     @classmethod

@@ -42,8 +42,7 @@ def run(arguments: argparse.Namespace) -> None:
     problem = load(arguments.problem)
     contact = problem.contact()
     if arguments.largest_depth is None:
-        last = problem.control.values[-1:]
-        largest = float(getattr(contact, f"at_{problem.control.name}")(last).depth[0])
+        largest = float(problem.control.states(contact, slice(-1, None)).one(0).depth)
     else:
         largest = _depth("--largest-depth", arguments.largest_depth)
     smallest = None if arguments.smallest_depth is None else _depth("--smallest-depth", arguments.smallest_depth)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .columns import MeasuredTable, read_table
+from .roles import ROLES
 from .section import ProblemError, Section
 from .units import FORCE, LENGTH, Dimension, told
 
@@ -24,15 +26,12 @@ KNOWN: Mapping[str, Dimension | None] = {
     "rings": None,
 }
 
-_NORMAL = {
-    "depth": (("depth", "d", "indentation", "indentation depth", "penetration", "penetration depth"), LENGTH),
-    "force": (("force", "normal force", "load", "normal load", "f", "fn"), FORCE),
-}
+_NORMAL = {name: ROLES[name] for name in ("depth", "force")}
 _TANGENTIAL = {
-    "shift": (("shift", "s", "tangential displacement", "lateral displacement"), LENGTH),
-    "tangential_force": (("tangential force", "lateral force", "t", "ft"), FORCE),
+    "shift": (LENGTH, ("shift", "s", "tangential displacement", "lateral displacement")),
+    "tangential_force": (FORCE, ("tangential force", "lateral force", "t", "ft")),
 }
-"""Names of columns, and what they hold."""
+"""What columns hold, and their names."""
 _FEWEST_RINGS, _MOST_RINGS = 20, 1000
 
 
@@ -69,8 +68,8 @@ def read_friction(section: Section, folder: Path) -> Sliding:
         raise ProblemError(
             f"[{section.path}]: give amplitudes as shifts or as tangential_forces, or a path, not as both {given[0]} and {given[1]}"
         )
-    if not coefficient > 0.0:
-        raise ProblemError(f"[{section.path}]: coefficient = {coefficient!r} is not allowed: it must be greater than 0")
+    if not 0.0 < coefficient < math.inf:
+        raise ProblemError(f"[{section.path}]: coefficient = {coefficient!r} is not allowed: it must be greater than 0 and finite")
     if given == ["path"]:
         return Sliding(coefficient, "shift", (), _read_path(section, folder))
     section.only(("coefficient", "shifts", "tangential_forces"), "amplitudes of cycles, it goes with path")
@@ -102,7 +101,7 @@ def _read_path(section: Section, folder: Path) -> SlidingPath:
             raise ProblemError(f"{table.path}: row {row + 1} of the numbers has no {what}: each row is a step and needs one")
     for row in np.flatnonzero(values < 0.0)[:1]:
         raise ProblemError(
-            f"{table.path}: {normal} = {told(values[row], _NORMAL[normal][1])} in row {row + 1} of the numbers is not allowed: it "
+            f"{table.path}: {normal} = {told(values[row], _NORMAL[normal][0])} in row {row + 1} of the numbers is not allowed: it "
             "must be 0 or more, 0 where the bodies part"
         )
     if not np.any(values > 0.0):
@@ -111,10 +110,10 @@ def _read_path(section: Section, folder: Path) -> SlidingPath:
 
 
 def _column(
-    section: Section, table: MeasuredTable, key: str, kinds: Mapping[str, tuple[tuple[str, ...], Dimension]]
+    section: Section, table: MeasuredTable, key: str, kinds: Mapping[str, tuple[Dimension, tuple[str, ...]]]
 ) -> tuple[str, NDArray[np.float64]]:
     """Which of two quantities a table prescribes, and its values."""
-    there = {kind: [*_titles(table, aliases, dimension)] for kind, (aliases, dimension) in kinds.items()}
+    there = {kind: [*_titles(table, aliases, dimension)] for kind, (dimension, aliases) in kinds.items()}
     named = [kind for kind in kinds if there[kind]]
     first, second = kinds
     if key not in section and len(named) > 1:
@@ -123,7 +122,7 @@ def _column(
             f'{key} = "{first}"'
         )
     kind = section.choice(key, kinds, default=named[0] if named else first)
-    aliases, dimension = kinds[kind]
+    dimension, aliases = kinds[kind]
     if not there[kind]:
         wanted = kind if key in section else f"{first} or {second}"
         raise ProblemError(

@@ -15,7 +15,7 @@ ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
             *("penetration depth", "penetration"),
         ),
     ),
-    "force": (FORCE, ("force", "load", "f", "p", "load on sample", "fn", "normal force")),
+    "force": (FORCE, ("force", "load", "f", "p", "load on sample", "fn", "normal force", "normal load")),
     "stiffness": (STIFFNESS, ("stiffness", "contact stiffness", "s", "k", "harmonic contact stiffness")),
     "radius": (LENGTH, ("radius", "contact radius", "a")),
     "area": (AREA, ("area", "contact area", "projected area", "projected contact area")),
