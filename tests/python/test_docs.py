@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from code_blocks import Reader, blocks, same_output
 from conftest import ROOT
@@ -59,3 +61,24 @@ def test_what_does_not_run_is_found(page, words, tmp_path):
 )
 def test_outputs_are_compared(said, printed, same):
     assert same_output(said, printed) is same
+
+
+def test_the_readme_has_the_speeds_of_the_benchmarks():
+    """Another run of them changes the page and asks for the README too."""
+    seconds = {"ns": 1e-9, "µs": 1e-6, "ms": 1e-3, "s": 1.0}
+    readme, page = ((ROOT / name).read_text(encoding="utf-8") for name in ("README.md", "docs/benchmarks.md"))
+    for said, measured in (
+        (r"compiled law, in C; from Python \| (\S+) (ns)", r"compiled law, in C \| - \| (\S+)"),
+        (r"compiled law, in C; from Python \| .*; (\S+) (µs)", r"compiled law, from Python \| - \| (\S+)"),
+        (r"contact, from Python \| (\S+) (µs)", r"contact, from Python \| - \| (\S+)"),
+        (r"tamaas, .* \| (\S+) (ms)", r"tamaas \| 64 x 64 \| (\S+)"),
+        (r"tamaas, .* and (\S+) (s)", r"tamaas \| 512 x 512 \| (\S+)"),
+        (r"ContactMechanics, .* \| (\S+) (ms)", r"ContactMechanics \| 64 x 64 \| (\S+)"),
+        (r"state of a film takes (\S+) (µs)", r"\| 0.1 \| (\S+)"),
+        (r"and (\S+) (µs) at a/h = 100", r"\| 100 \| (\S+)"),
+        (r"with the exact medium (\S+) (ms)", r"\| paraboloid \| \d+ ms, .*? \| (\S+) ms"),
+    ):
+        told, found = re.search(said, readme), re.search(measured, page)
+        assert told and found, (said, measured)
+        factor = 1e-3 if measured.endswith(" ms") else 1.0
+        assert float(told[1]) * seconds[told[2]] == pytest.approx(float(found[1]) * factor, rel=0.15), said
