@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ._boundary import number
 from .critical import ZOOMS, Maximum, Search, layers_of, normal, shear, tension, von_mises
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from .profile import FlatPunch
@@ -94,11 +95,19 @@ def _wanted(contact: Any, strengths: Mapping[str, Sequence[float | None]], body:
     thicknesses, rigid = layers_of(contact.medium, body)
     counts = {"layers": len(thicknesses) + (not rigid), "interfaces": len(thicknesses)}
     wanted = []
+    if not isinstance(strengths, Mapping):
+        raise ArgumentTypeError(
+            f"strengths = {strengths!r} is not allowed: it must be a dict of lists, as in {{'yield': [1e9, None]}}"
+        )
     for mode, given in strengths.items():
         if mode not in _MODES:
             raise InvalidArgumentError(f"strengths: {mode!r} is not a way to fail: choose from {', '.join(map(repr, _MODES))}")
-        values = list(given)
         count = counts[_MODES[mode]]
+        if isinstance(given, str) or not isinstance(given, Iterable):
+            raise ArgumentTypeError(
+                f"strengths: {mode!r} = {given!r} is not allowed: it must be a list, one for each of the {count} {_MODES[mode]}"
+            )
+        values = list(given)
         if len(values) != count:
             raise InvalidArgumentError(
                 f"strengths: {mode!r} has {len(values)} values: one for each of the {count} {_MODES[mode]} is needed, from the "
@@ -107,9 +116,12 @@ def _wanted(contact: Any, strengths: Mapping[str, Sequence[float | None]], body:
         for place, value in enumerate(values):
             if value is None:
                 continue
-            if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 < value < math.inf:
-                raise ArgumentTypeError(f"strengths: {mode!r} = {value!r} is not allowed: it must be greater than 0 and finite")
-            wanted.append((mode, place, float(value)))
+            strength = number(f"strengths: {mode!r}", value)
+            if not 0.0 < strength < math.inf:
+                raise InvalidArgumentError(
+                    f"strengths: {mode!r} = {strength!r} is not allowed: it must be greater than 0 and finite"
+                )
+            wanted.append((mode, place, strength))
     if not wanted:
         raise InvalidArgumentError("strengths is not allowed: it names no strength")
     return wanted
@@ -118,7 +130,7 @@ def _wanted(contact: Any, strengths: Mapping[str, Sequence[float | None]], body:
 def _radii(contact: Any, largest: float | None, body: str) -> NDArray[np.float64]:
     """Contact radii to look at, over four decades beyond the smallest one, as far as indenter and medium are defined."""
     total = math.fsum(layers_of(contact.medium, body)[0])
-    last = _WIDEST * total if largest is None else float(largest)
+    last = _WIDEST * total if largest is None else number("largest_radius", largest)
     if not 0.0 < last < math.inf:
         raise InvalidArgumentError("largest_radius must be given, greater than 0: a body without layers has no length of its own")
     ends = [getattr(term, "end_radius", 0.0) for term in _terms(contact.indenter)]

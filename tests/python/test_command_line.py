@@ -245,6 +245,12 @@ def test_faults_in_the_file_are_one_line_and_status_2(problem, capsys, number):
     assert out == "" and err.startswith("mdrcontact: problem.toml: ") and err.count("\n") == 1
 
 
+def test_strengths_of_too_few_layers(problem, capsys):
+    Path(problem).write_text(GOOD + '\n[strength]\nyield = ["1 GPa"]\n', encoding="utf-8")
+    assert main(["stress", problem]) == 2
+    assert "[strength]: strengths: 'yield' has 1 values: one for each of the 2 layers is needed" in capsys.readouterr().err
+
+
 def test_nothing_to_compare(problem, capsys):
     text = '[indenter]\nshape="cone"\ninclination="20 deg"\n[medium]\ntype="homogeneous"\n[medium.material]\nE="1 GPa"\nnu=0.3\n'
     with open(problem, "w", encoding="utf-8") as file:

@@ -279,8 +279,13 @@ def test_first_failure_is_where_a_strength_is_reached():
     again = CONTACT.critical(failures[0].state)
     assert again.layers[1].von_mises.value == pytest.approx(60.0, rel=1e-4)
     assert CONTACT.first_failure({"yield": [1e6, None]}, largest_radius=1.0) == ()
+    numpys = CONTACT.first_failure({"yield": (None, np.float32(60.0))}, largest_radius=np.int64(3))
+    assert numpys[0].state == failures[0].state
     for wrong in ({}, {"yield": [1.0]}, {"melt": [1.0]}, {"yield": [-1.0, None]}, {"yield": [None, None]}):
-        with pytest.raises((mdr.MDRError, TypeError)):
+        with pytest.raises(mdr.InvalidArgumentError, match="strengths"):
+            CONTACT.first_failure(wrong)
+    for wrong in ([1.0], {"yield": 1.0}, {"yield": "60"}, {"yield": ["60", None]}):
+        with pytest.raises(mdr.ArgumentTypeError, match="strengths"):
             CONTACT.first_failure(wrong)
 
 

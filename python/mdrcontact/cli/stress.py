@@ -12,6 +12,7 @@ import numpy as np
 from .. import _progress
 from ..contact import Contact, State
 from ..critical import Maximum, layers_of
+from ..errors import InvalidArgumentError
 from ..failure import Failure
 from ..interior import Interior
 from ..problem import Problem, ProblemError, load
@@ -95,7 +96,10 @@ def _failures(contact: Contact, strengths: Strengths, friction: float, largest: 
     found: list[Failure] = []
     for mode, values in strengths.items():
         if any(value is not None for value in values):
-            found += contact.first_failure({mode: tuple(values)}, friction=friction, largest_radius=largest)
+            try:
+                found += contact.first_failure({mode: tuple(values)}, friction=friction, largest_radius=largest)
+            except InvalidArgumentError as problem:
+                raise ProblemError(f"[strength]: {problem}") from problem
         bar.update()
     if all(value is None for values in strengths.values() for value in values):
         raise ProblemError('[strength]: all strengths are "none"')
