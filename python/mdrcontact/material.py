@@ -133,7 +133,8 @@ class Viscoelastic(_Rheology):
         nu : Poisson's ratio of a sudden load, -1 < nu <= 0.5
         elastic_bulk : where the rows have no k_i: the bulk modulus does not relax; False: it relaxes as the shear modulus does
         """
-        table = [[number("rows", value) for value in row] for row in rows]
+        given = [row if isinstance(row, Iterable) else () for row in (rows if isinstance(rows, Iterable) else ())]
+        table = [[number("rows", value) for value in row] for row in given]
         if not table or {len(row) for row in table} not in ({2}, {3}):
             raise InvalidArgumentError("rows is not allowed: it must hold rows (g, tau), or rows (g, k, tau)")
         fractions, times = np.array([row[0] for row in table]), np.array([row[-1] for row in table])

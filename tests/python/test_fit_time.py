@@ -153,6 +153,9 @@ def test_bad_input():
         mdr.ForceTime(TIME, np.sin(10.0 * TIME), TIME)
     with pytest.raises(mdr.InvalidArgumentError, match="same length"):
         mdr.DynamicStiffness([1.0, 2.0], [1.0 + 1j], 1.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="same length"):
+        mdr.DynamicStiffness([1.0, 2.0], [1.0 + 1j, 2.0 + 1j], 1.0, sd=[0.1, 0.1, 0.1])
+    assert len(mdr.ForceTime([float("nan")], [1.0], [1.0], missing="drop")) == 0  # which fits refuse
     data = mdr.DynamicStiffness([1.0, 2.0], [1.0 + 1j, 2.0 + 1j], [1.0, -1.0])
     refused("radius", data=data)
     with pytest.raises(mdr.InvalidArgumentError, match="not finite"):

@@ -346,6 +346,10 @@ def test_prony_tables():
         mdr.Viscoelastic.from_fractions(1.0, [(0.8, 1.0), (0.3, 2.0)], 0.3)
     with pytest.raises(mdr.InvalidArgumentError, match="fractions k"):
         mdr.Viscoelastic.from_fractions(1.0, [(0.3, 0.1, 1.0)], 0.3)
+    with pytest.raises(mdr.InvalidArgumentError, match="nu = -1"):
+        mdr.Viscoelastic.from_fractions(1.0, [(0.3, 1.0)], -1.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="rows"):
+        mdr.Viscoelastic.from_fractions(1.0, [0.3, 1.0], 0.3)
 
 
 @pytest.mark.parametrize("exponent", [1.0, 1.5, 2.0, 4.0])

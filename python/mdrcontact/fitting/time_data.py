@@ -52,7 +52,7 @@ class ForceTime(_InTime):
         assert self.given is not None
         path = _rise_and_fall(self.x, self.given)
         off = float(np.sqrt(np.mean((path - self.given) ** 2))) if len(path) else 0.0
-        if off > _ROUGH * float(np.ptp(path)):
+        if off > 0.0 and off > _ROUGH * float(np.ptp(path)):
             raise InvalidArgumentError(
                 f"depth is not allowed: it must rise to one largest value and fall; the closest such path is {off:.3g} from the "
                 "readings. Give the path that was prescribed, or a part of the record"
@@ -115,9 +115,11 @@ class DynamicStiffness(Data):
         if relative_sd is not None and sd is None:
             sd, relative_sd = number("relative_sd", relative_sd) * np.abs(k), None
         a = np.broadcast_to(numbers("radius", radius), w.shape) if np.ndim(radius) == 0 else column_of("radius", radius)
-        errors = None if sd is None else np.repeat(np.broadcast_to(numbers("sd", sd), w.shape), 2)
+        if sd is not None:
+            errors = numbers("sd", sd)
+            sd = np.repeat(np.full(w.shape, errors) if errors.ndim == 0 else column_of("sd", errors), 2)
         parts = numbers("stiffness", np.column_stack([k.real, k.imag]).ravel())
-        super().__init__(np.repeat(w, 2), parts, np.repeat(a, 2), errors, None, missing)
+        super().__init__(np.repeat(w, 2), parts, np.repeat(a, 2), sd, None, missing)
         self.branch = np.tile(np.array([_layout.FIT_STORAGE, _layout.FIT_LOSS], np.int32), len(w))[self._kept]
 
     def _check_order(self) -> None:
