@@ -77,6 +77,8 @@ class LawFile:
             return cls.from_bytes(Path(path).read_bytes())
         except FileError as problem:
             raise FileError(f"the file {os.fspath(path)} is refused: {problem}") from problem
+        except OSError as problem:
+            raise FileError(f"the file {os.fspath(path)} cannot be read: {problem.strerror or problem}") from problem
 
     def __reduce__(self) -> tuple[Callable[[bytes], Any], tuple[bytes]]:
         return type(self).from_bytes, (self.to_bytes(),)

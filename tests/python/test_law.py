@@ -65,6 +65,8 @@ def test_damage_is_refused_with_its_reason(law, tmp_path):
     (tmp_path / "law").write_bytes(content)
     with pytest.raises(mdr.FileError, match="law is refused: its checksum"):
         mdr.ContactLaw.load(tmp_path / "law")
+    with pytest.raises(mdr.FileError, match="none cannot be read: No such file"):
+        mdr.ContactLaw.load(tmp_path / "none")
     for wrong, reason in [(b"", "not a compiled"), (b"PK\3\4", "not a compiled"), (law.to_bytes()[:-40], "cut off")]:
         with pytest.raises(mdr.FileError, match=reason):
             mdr.ContactLaw.from_bytes(wrong)
