@@ -86,6 +86,16 @@ def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
     return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
 
 
+def together(**given: ArrayLike) -> tuple[NDArray[np.float64], ...]:
+    """Arrays of the one shape to which all of them broadcast, by name."""
+    arrays = {name: numbers(name, values) for name, values in given.items()}
+    try:
+        return tuple(np.broadcast_arrays(*arrays.values()))
+    except ValueError as problem:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise ArgumentTypeError(f"these shapes do not broadcast: {shapes}") from problem
+
+
 def row(name: str, values: ArrayLike) -> tuple[float, ...]:
     """`values` as a tuple of floats: for tables that belong to an object. They must have one dimension and not be empty."""
     array = numbers(name, values)

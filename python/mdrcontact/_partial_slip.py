@@ -10,7 +10,7 @@ from typing import Any, Generic, Protocol, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._boundary import FloatOrArray, Handle, call, evaluate, evaluate_all, number, numbers, whole
+from ._boundary import FloatOrArray, Handle, call, evaluate, evaluate_all, number, numbers, together, whole
 from .adhesion import code
 from .contact import Contact, State
 from .errors import ArgumentTypeError
@@ -124,7 +124,7 @@ def normal_rows(contact: Contact, normal: Normal) -> NDArray[np.float64]:
     if not isinstance(state, State):
         raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State; a force is given as force=...")
     named = zip(state._fields, state, strict=True)
-    return np.stack(np.broadcast_arrays(*(numbers(f"{member} of the state", value) for member, value in named)), axis=-1)
+    return np.stack(together(**{f"{member} of the state": value for member, value in named}), axis=-1)
 
 
 def _one(rows: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import FloatOrArray, Handle, call, number, numbers, whole
+from ._boundary import FloatOrArray, Handle, call, number, together, whole
 from ._partial_slip import Given, Normal, PartialSlip, draw_loop, normal_rows
 from ._value import Value
 from ._warn import warn
@@ -306,13 +306,7 @@ class FrictionHistory:
         along_given, along = _layout.GIVEN_SHIFT, ("shift", shift)
         if shift is None:
             along_given, along = _layout.GIVEN_TANGENTIAL_FORCE, ("tangential_force", tangential_force)
-        try:
-            columns: Any = [numbers(name, values) for name, values in (normal, along) if values is not None]
-            steps, along_steps = np.broadcast_arrays(*columns)
-        except ValueError as problem:
-            raise ArgumentTypeError(
-                f"the normal and the tangential steps have shapes that do not broadcast: {problem}"
-            ) from problem
+        steps, along_steps = together(**{name: values for name, values in (normal, along) if values is not None})
         if steps.ndim > 1:
             raise ArgumentTypeError("steps are numbers or arrays of one dimension")
         if not steps.size:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, numbers
+from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, numbers, together
 from ._progress import marching
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .material import RIGID, Elastic, PowerLawRheology, Viscoelastic
@@ -78,7 +78,7 @@ def dynamic_stiffness(
         raise ArgumentTypeError(f"a stiffness needs one of radius, depth and force, not {' and '.join(given)}")
     if radius is None:
         radius = _radius(contact, given)
-    w, a = np.broadcast_arrays(numbers("omega", omega), numbers("radius", radius))
+    w, a = together(omega=omega, radius=radius)
     if not w.size:
         return np.empty(w.shape, np.complex128)
     # equal frequencies side by side

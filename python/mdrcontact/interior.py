@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import FloatOrArray, check, number, numbers
+from ._boundary import FloatOrArray, check, number, together
 from .adhesion import code
-from .errors import ArgumentTypeError
 
 __all__ = ["Interior"]
 
@@ -81,12 +80,7 @@ def interior(
     handle: int, r: ArrayLike, z: ArrayLike, state: list[float], body: str, side: str, friction: float, angle: ArrayLike
 ) -> Interior:
     """What `Contact.interior` returns, from the numbers of a state."""
-    points = [numbers(name, values) for name, values in (("r", r), ("z", z), ("angle", angle))]
-    try:
-        radii, depths, angles = np.broadcast_arrays(*points)
-    except ValueError as problem:
-        shapes = ", ".join(str(p.shape) for p in points)
-        raise ArgumentTypeError(f"r, z and angle have the shapes {shapes}: they do not fit together") from problem
+    radii, depths, angles = together(r=r, z=z, angle=angle)
     if not radii.size:
         return Interior(*(np.empty(radii.shape) for _ in Interior._fields))
     flat = [np.ascontiguousarray(values, dtype=np.float64).ravel() for values in (radii, depths, angles)]

@@ -256,6 +256,8 @@ def test_bad_input_is_refused():
     for wrong, word in (
         (lambda: lateral.Voxels(labels + 1, [MATRIX], 1e-6), "labels from 1 to 1"),
         (lambda: lateral.Voxels(labels, [MATRIX], -1e-6), "spacing"),
+        (lambda: lateral.Voxels(labels, [MATRIX], [1e-6, 1e-6]), "spacing"),
+        (lambda: lateral.density([0.1, 0.2], [0.1, 0.2, 0.3]), r"do not broadcast: rho \(2,\), z \(3,\)"),
         (lambda: lateral.Voxels(labels, [MATRIX], 1e-6, images=0), "images"),
         (lambda: lateral.Voxels(labels, [], 1e-6), "phases"),
         (lambda: lateral.Voxels(labels, [MATRIX], 1e-6, reference_nu=0.6), "reference_nu"),

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _native
-from .._boundary import call, number, numbers
+from .._boundary import call, number, together
 from ..errors import CallbackError, InvalidArgumentError, NoConvergenceError
 from .structure import PowerMean, Structure, exponent_of_mean
 
@@ -45,7 +45,7 @@ class Field(Structure):
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
         """E and nu at points, which broadcast."""
-        px, py, pz = np.broadcast_arrays(numbers("x", x), numbers("y", y), numbers("z", z))
+        px, py, pz = together(x=x, y=y, z=z)
         E, nu = (np.broadcast_to(np.asarray(v, dtype=float), px.shape) for v in self.function(px, py, pz))
         if not (np.all(np.isfinite(E)) and np.all(E > 0.0) and np.all((nu > -1.0) & (nu <= 0.5))):
             raise CallbackError("the function of the structure must return finite E > 0 and -1 < nu <= 0.5")

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _layout, _native
-from .._boundary import address, number, numbers, record
+from .._boundary import address, number, numbers, record, together
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from .structure import Structure, elastic, exponent_of_mean
@@ -185,7 +185,7 @@ class Shapes(Structure):
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
         """E and nu at points, which broadcast."""
-        px, py, pz = np.broadcast_arrays(*np.atleast_1d(numbers("x", x), numbers("y", y), numbers("z", z)))
+        px, py, pz = np.atleast_1d(*together(x=x, y=y, z=z))
         E, nu = np.full(px.shape, self.background.E), np.full(px.shape, self.background.nu)
         for body in self.shapes:
             inside = body.holds(px, py, pz)

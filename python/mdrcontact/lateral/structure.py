@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
-from .._boundary import FloatOrArray, Handle, call, number, numbers
+from .._boundary import FloatOrArray, Handle, call, number, together
 from .._value import Value
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
@@ -59,7 +59,7 @@ class Structure(Value):
         G_eff = [sum of w G^p]^(1/p) with the structure's `exponent` p: 1 in parallel, -1 in series.
         The three broadcast: a line is x = array, y = 0; several radii at each of its points are a[:, None].
         """
-        points = np.broadcast_arrays(numbers("x", x), numbers("y", y), numbers("a", a))
+        points = together(x=x, y=y, a=a)
         shape = points[0].shape
         if not points[0].size:
             return np.empty(shape)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _layout, _native
-from .._boundary import address, number, record, row, whole
+from .._boundary import address, number, numbers, record, row, whole
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from .shapes import Shapes
@@ -64,9 +64,7 @@ class Voxels(Structure):
                                     f"of shape {cells.shape}")  # fmt: skip
         materials = tuple(elastic("a phase", phase) for phase in phases)
         counts = _census(cells, len(materials))
-        steps = row("spacing", np.broadcast_to(np.asarray(spacing, dtype=float), (3,)))
-        if not all(np.isfinite(h) and h > 0.0 for h in steps):
-            raise InvalidArgumentError(f"spacing = {spacing!r} is not allowed: edge lengths must be finite and greater than 0")
+        steps = _edges(spacing)
         if beside != "periodic":
             elastic("beside", beside)
         corner: Any = row("origin", origin)
@@ -87,7 +85,7 @@ class Voxels(Structure):
         cls, shapes: Shapes, spacing: ArrayLike, size: Sequence[int], *, origin: Sequence[float] = (0.0, 0.0), **options: Any
     ) -> Voxels:
         """Shapes cut into cells: each cell has the material at its centre. size = (nz, ny, nx); options as of Voxels."""
-        dz, dy, dx = np.broadcast_to(np.asarray(spacing, dtype=float), (3,))
+        dz, dy, dx = _edges(spacing)
         nz, ny, nx = size
         phases = [shapes.background]
         number_of = {shapes.background: 0}
@@ -152,3 +150,14 @@ def _census(cells: Any, phases: int) -> NDArray[np.float64]:
             raise InvalidArgumentError(f"labels from {low} to {high} are not allowed: there are phases 0 to {phases - 1}")
         counts[k] = np.bincount(layer, minlength=phases)
     return counts
+
+
+def _edges(spacing: ArrayLike) -> tuple[float, ...]:
+    """(dz, dy, dx) of a cell."""
+    given = numbers("spacing", spacing)
+    if given.shape not in ((), (3,)) or not np.all(np.isfinite(given) & (given > 0.0)):
+        raise InvalidArgumentError(
+            f"spacing = {spacing!r} is not allowed: it must be three edge lengths (dz, dy, dx), or one for cubes, finite and "
+            "greater than 0"
+        )
+    return row("spacing", np.broadcast_to(given, 3))

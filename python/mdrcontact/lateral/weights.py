@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
-from .._boundary import call, number, numbers
+from .._boundary import call, number, numbers, together
 from ..errors import InvalidArgumentError
 
 
@@ -19,7 +19,7 @@ def density(rho: ArrayLike, z: ArrayLike, nu: float = 0.5) -> tuple[Any, Any]:
     nu : Poisson's ratio of the reference medium. Each weight has the integral 1 over the half-space; over a plane z it is
     dI0/dz and dI1/dz of theory 3. Infinite at the edge of the contact, rho = 1, z = 0.
     """
-    r, d = np.broadcast_arrays(numbers("rho", rho), numbers("z", z))
+    r, d = together(rho=rho, z=z)
     if not r.size:
         return np.empty(r.shape), np.empty(r.shape)
     shear, poisson = call(_native.lateral_density, r.ravel(), d.ravel(), number("nu", nu))
