@@ -339,6 +339,13 @@ def test_a_reader_that_goes_away_is_no_fault(problem):
     assert "Traceback" not in done.stderr
 
 
+def test_output_to_a_full_disk(problem, tmp_path):
+    limited = ["bash", "-c", 'ulimit -f 0; trap "" XFSZ; exec "$0" "$@" > screen', sys.executable, "-m", "mdrcontact"]
+    for arguments in (["example"], ["curve", problem]):
+        failed = subprocess.run([*limited, *arguments], cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert (failed.returncode, failed.stderr) == (1, "mdrcontact: the output cannot be written: File too large\n")
+
+
 def test_plain_import_is_light():
     code = "import sys, mdrcontact; print([m for m in ('pint', 'tqdm', 'matplotlib') if m in sys.modules])"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import warnings
 from collections.abc import Sequence
@@ -63,20 +64,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 warnings.simplefilter("always", kind)
             warnings.showwarning = _warn  # type: ignore[assignment]
             chosen.run(chosen)
+        print(end="", flush=True)
     except ProblemError as problem:
         return _fail(problem, 2)
     except (MDRError, OutputError) as problem:
         return _fail(problem, 1)
-    except BrokenPipeError:
-        # the reader of our output has gone (| head): not our fault, and nothing is left to say
-        sys.stderr.close()
-        return 1
+    except OSError as problem:
+        if problem.filename is not None:
+            return _fail(f"{problem.filename}: {problem.strerror}", 1)
+        # our output goes to a full disk, or its reader has gone (| head), which is not our fault: what is left of it goes nowhere
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1 if isinstance(problem, BrokenPipeError) else _fail(f"the output cannot be written: {problem.strerror}", 1)
     except KeyboardInterrupt:
         return _fail("interrupted; nothing was written", 130)
     return 0
 
 
 def _fail(problem: object, status: int) -> int:
-    sys.stdout.flush()
+    print(end="", flush=True)
     print("mdrcontact: " + " ".join(str(problem).split()), file=sys.stderr)
     return status
