@@ -162,8 +162,9 @@ def test_dask_tiles_are_the_same():
 def test_memory_is_stated_and_refused_beforehand():
     voxels = composite()
     needed = lateral.map_memory(voxels, RADII)
-    with pytest.raises(mdr.OutOfMemoryError, match="memory_limit"):
-        lateral.effective_map(voxels, RADII, memory_limit=needed - 1)
+    for limit in (needed - 1, float("nan")):
+        with pytest.raises(mdr.OutOfMemoryError, match="memory_limit"):
+            lateral.effective_map(voxels, RADII, memory_limit=limit)
     assert lateral.effective_map(voxels, RADII, memory_limit=needed).shape == (3, 12, 15)
 
 

@@ -167,6 +167,8 @@ def test_a_gel_of_a_power_law_rests_on_a_rigid_base():
     below = contact.replace(medium=mdr.Coated(of_shear(1.0, 0.3), 1.0, gel))
     with pytest.raises(mdr.InvalidArgumentError, match="give the contact radius"):
         below.dynamic_stiffness(2.0, depth=0.5)
+    with pytest.raises(mdr.ArgumentTypeError, match=r"omega \(2,\), radius \(3,\)"):
+        below.dynamic_stiffness([1.0, 2.0], radius=[0.1, 0.2, 0.3])
 
 
 MARCHED = {

@@ -49,7 +49,7 @@ def effective_map(
     """
     radii, team = _radii(a), _team(threads)
     needed = map_memory(voxels, radii, threads=team)
-    if memory_limit is not None and needed > memory_limit:
+    if memory_limit is not None and not needed <= memory_limit:
         raise OutOfMemoryError(
             f"the map needs {needed / 2**20:.0f} MiB, more than memory_limit = {memory_limit / 2**20:.0f} MiB: use fewer radii or "
             "threads, or tiled_map"
