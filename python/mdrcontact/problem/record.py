@@ -95,8 +95,8 @@ def prepare(section: Section, cantilever: Cantilever, record: Record) -> None:
         _subtract_drift(section, record)
     if is_raw or "contact_point" in section or "baseline" in section:
         _find_zero(section, record, is_raw)
-    if "before_pop_in" in section:
-        _cut_at_pop_in(section, record)
+    if "before_pop_in" in section and section.truth("before_pop_in"):
+        _cut_at_pop_in(record)
     elif "branch" in section or is_raw:
         _mention_pop_in(record)
     if "branch" in section:
@@ -194,9 +194,7 @@ def _pop_in(record: Record) -> PopIn | None:
     return find_pop_in(_depth(record)[approach], record.force[approach]) if approach.stop > 2 else None
 
 
-def _cut_at_pop_in(section: Section, record: Record) -> None:
-    if section.plain("before_pop_in") is not True:
-        raise ProblemError("[data]: before_pop_in must be true, or left out")
+def _cut_at_pop_in(record: Record) -> None:
     pop_in = _pop_in(record)
     if pop_in is None:
         record.notes.append("no pop-in: the whole curve is used")
