@@ -456,6 +456,19 @@ def test_states_are_answered_where_the_pressure_is_refused(monkeypatch):
     assert friction.cycle_energy(0.005, state=state) == pytest.approx(4.0 * found.dissipated_energy)
 
 
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
+def test_a_thousandth_of_the_mean_pressure_is_noticed(unit):
+    """Under the flat end the traction is more than mu p by 1.5e-3 of the mean on the softer base, less by 7e-4 on the stiffer."""
+    for base, count in ((3.5, 1), (3.57, 0)):
+        film = mdr.Coated(mdr.Elastic(4.75, 0.3), 0.514 * unit, mdr.Elastic(base, 0.0))
+        friction = mdr.Friction(mdr.Contact(mdr.FlatEndedCone(0.608 * unit, 0.191), film), 0.3)
+        state = friction.contact.at_radius(0.614 * unit)
+        with warnings.catch_warnings(record=True) as found:
+            warnings.simplefilter("always")
+            friction.at_shift(0.98 * friction.sliding_shift(state), state)
+        assert [warning.category for warning in found] == count * [mdr.SlipInsideWarning]
+
+
 def test_slip_at_the_edge_does_not_warn():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
