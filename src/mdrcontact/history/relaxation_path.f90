@@ -80,8 +80,8 @@ contains
         allocate (t(0:room), d(0:room), terms(room), self%place(0:n), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        ! below the lowest depth F is proportional to d, as near as it matters
-        low = scale(maxval(depth), -doublings)
+        ! below the lowest depth k is constant between points, as near as it matters
+        low = max(scale(maxval(depth), -doublings), tiny(low))
         t(0) = time(0)
         d(0) = 0.0_wp
         self%place(0) = 0
@@ -89,9 +89,9 @@ contains
         do i = 1, n
             do
                 next = depth(i)
-                if (d(self%count) <= 0.0_wp .and. next > low) then
-                    next = low
-                else if (next > 2.0_wp*d(self%count) .and. d(self%count) > 0.0_wp) then
+                if (d(self%count) < low) then
+                    next = min(next, low)
+                else if (next > 2.0_wp*d(self%count)) then
                     next = 2.0_wp*d(self%count)
                     if (depth(i) < 1.5_wp*next) next = 0.5_wp*(depth(i) + d(self%count))
                 end if
@@ -106,7 +106,7 @@ contains
                 end if
                 if (d(self%count) <= d(self%count - 1)) then
                     terms(self%count) = 0
-                else if (d(self%count - 1) <= 0.0_wp) then
+                else if (d(self%count) <= low) then
                     terms(self%count) = 1
                 else
                     ! k has its singularity at first contact: how fast its Legendre series falls
@@ -163,7 +163,8 @@ contains
         type(elastic_curve_t), intent(inout) :: curve
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: depths(:), values(:)
-        real(wp) :: lowest(1)
+        !> F at the ends of the panels of one term
+        real(wp), dimension(1) :: force, before
         integer :: i, n, first, stat
 
         allocate (depths(sum(self%terms)), values(sum(self%terms)), self%stiffness(most, self%count), stat=stat)
@@ -180,14 +181,16 @@ contains
         if (allocated(error)) return
         self%stiffness(:, :) = 0.0_wp
         first = 0
+        force = 0.0_wp
         do i = 1, self%count
             n = self%terms(i)
             if (n == 0) cycle
             self%stiffness(:n, i) = matmul(self%rules%to_coefficients(:n, :n, n), values(first + 1:first + n))
-            if (self%depth(i - 1) <= 0.0_wp) then
-                call curve%at_depths([self%depth(i)], error, force=lowest)
+            if (n == 1) then
+                before = force
+                call curve%at_depths([self%depth(i)], error, force=force)
                 if (allocated(error)) return
-                self%stiffness(1, i) = lowest(1)/self%depth(i)
+                self%stiffness(1, i) = (force(1) - before(1))/(self%depth(i) - self%depth(i - 1))
             end if
             first = first + n
         end do
