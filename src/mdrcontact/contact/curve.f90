@@ -332,14 +332,17 @@ contains
         point = point_of(self, panel, local(self, panel, x), v)
     end function at
 
-    !> ds/dx at coordinate x.
+    !> ds/dx at coordinate x; at a break that of the panel before it: of a root's it has no digits.
     pure function slope(self, control, x) result(rate)
         class(curve_t), intent(in) :: self
         type(control_t), intent(in) :: control
         real(wp), intent(in) :: x
         real(wp) :: rate
+        integer :: panel
 
-        rate = slope_in(self, interval_of(self%edges, x), control, x)
+        panel = interval_of(self%edges, x)
+        if (panel > 1 .and. .not. x > self%edges(panel)) panel = panel - 1
+        rate = slope_in(self, panel, control, x)
     end function slope
 
     !> ds/dx by the samples of one panel.
@@ -465,8 +468,8 @@ contains
         do panel = 1, size(self%from_root)
             do probe = 1, probes_per_panel
                 x = self%edges(panel) + (self%edges(panel + 1) - self%edges(panel))*(real(probe, wp)/probes_per_panel)
-                ! At a break the slope is that of the panel before it: of a root's it has no digits.
-                rate = slope_in(self, panel, control, x)
+                if (probe == probes_per_panel) x = self%edges(panel + 1)
+                rate = self%slope(control, x)
                 if ((rate < 0.0_wp .and. rate_before > 0.0_wp) .or. (rate > 0.0_wp .and. rate_before < 0.0_wp)) then
                     ends = [ends, x_before, x]
                 end if
