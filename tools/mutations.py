@@ -126,5 +126,16 @@ MUTATIONS = [
     ("python:fitting/depth_profile.py", "sum(float(inverse[0] @ shift[good]) ** 2", "sum(float(inverse[0] @ shift[good]) ** 4",
      "test_dynamic.py"),
     ("api/handles.f90", "if (inside%tag == live_tag)", "if (.true.)", "c_status"),
+    ("contact/inversion.f90", "missing = (s - control%of", "missing = 0.5_wp*(s - control%of", "^test_contact$"),
+    ("contact/falls.f90", "            fall%last = last\n", "            fall%last = fall%first\n", "contact_falls"),
+    ("contact/falls.f90", "least_at_flat_end = 7.0_wp", "least_at_flat_end = 70.0_wp", "contact_falls"),
+    ("layered/fields.f90", "self%level = equation%mean - self%v(1)", "self%level = equation%mean + self%v(1)", "layered_fields"),
+    ("history/relaxation_march.f90", "pieces = max(1, ceiling(", "pieces = min(1, ceiling(", "history_relaxation test_march.py"),
+    ("medium/twisted_slip.f90", "here*merge(growth, far_growth, here > far*self%radius)",
+     "here*merge(8.0_wp, far_growth, here > far*self%radius)", "test_torsion.py"),
+    ("lateral/breaks.f90", "< self%radius(k)**2) return", "> self%radius(k)**2) return", "lateral_structures"),
+    ("lateral/slab.f90", "ratio = max(-far, min(far, length/a))", "ratio = length/a", "c_lateral"),
+    ("law/friction.f90", "largest = 1.0e150_wp", "largest = 1.0e200_wp", "c_friction"),
+    ("python:friction.py", "_NOTICEABLE = 1e-3", "_NOTICEABLE = 1e-1", "test_friction.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
