@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes film_extremes.csv: a paraboloid on one or two films at the ends of what is allowed (needs gmpy2, numpy, python-flint).
 
-Drawn log-uniformly: ratios of the shear moduli of neighbours 1e-12 to 1e12, contact radius 1e-8 to 2600 thicknesses of the
+Drawn log-uniformly: ratios of the shear moduli of neighbours 1e-12 to 1e12, contact radius 1e-8 to 1e4 thicknesses of the
 first film, thickness of a second film 1e-6 to 1e6 of them; Poisson's ratios uniformly from -0.99 to 0.5.
 The springs' equation is solved in even Legendre polynomials, as in the library. The compliance comes from harmonic potentials in
 each film and what the films below reflect, in as many digits as the longest waves lose; the kernel from Legendre series of the
@@ -21,8 +21,8 @@ from gmpy2 import log10, mpfr, sqrt
 
 #: in the table
 DIGITS = 40
-#: radius up to which the resolution is for 40 digits; the largest, where a row takes 50 s
-WIDE, WIDEST = 23, 2600
+#: radius up to which the resolution is for 40 digits; the widest rows take 190 s
+WIDE = 23
 OCTAVES = range(-110, 7)
 cosines, sines, exponentials = (np.frompyfunc(function, 1, 1) for function in (gmpy2.cos, gmpy2.sin, gmpy2.exp))
 
@@ -229,7 +229,8 @@ def main():
     cases = [
         *draw(20, 200, -8, 1),
         *(case for case in draw(21, 16, 1, 1.6) if float(case[3]) < WIDE),
-        *(case for case in draw(22, 32, 1.36, 4) if float(case[3]) < WIDEST),
+        # but for one of the widest
+        *(case for case in draw(22, 32, 1.36, 4) if float(case[3]) != 5880),
     ]
     out = open(sys.argv[1], "w") if len(sys.argv) > 1 else sys.stdout
     with out:
