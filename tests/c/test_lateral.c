@@ -196,6 +196,10 @@ static void weights(void)
                                     (const double[3]){-DBL_MAX, 1.0, 3.0}, shear, poisson));
     for (int i = 0; i < 4; i++) CHECK_TRUE(isfinite(shear[i]) && isfinite(poisson[i]));
     CHECK_TRUE(shear[2] > 0.0 && shear[1] == 0.0);
+    /* and a slab so deep that products of its depths are none */
+    CHECK_SUCCESS(mdr_lateral_cells(-0.7, 1e-156, 0.17, 0.18, 2, (const double[3]){0.1, 0.2, 0.3}, 2, (const double[3]){0.1, 0.2, 0.3},
+                                    shear, poisson));
+    for (int i = 0; i < 4; i++) CHECK_TRUE(isfinite(shear[i]) && isfinite(poisson[i]));
     /* and a face as deep */
     CHECK_SUCCESS(mdr_lateral_cells(0.3, 0.34, 0.0, DBL_MAX, 2, lines, 2, lines, shear, poisson));
     CHECK_CLOSE(shear[0] + shear[1] + shear[2] + shear[3], 1.0, 1e-5);

@@ -30,11 +30,12 @@ module mdrcontact_lateral_slab
 
 contains
 
-    !> A length in contact radii, at most so many that all weights are zero there.
+    !> A length in contact radii, at most so many that weights, which fall as 1/z, are nothing there, and products of three of
+    !> them still numbers.
     elemental function in_radii(length, a) result(ratio)
         real(wp), intent(in) :: length, a
         real(wp) :: ratio
-        real(wp), parameter :: far = 1.0e200_wp
+        real(wp), parameter :: far = 1.0e90_wp
 
         ratio = max(-far, min(far, length/a))
     end function in_radii
