@@ -180,6 +180,8 @@ static void weights(void)
 {
     const double lines[3] = {-1e5, 0.25, 1e5}, falling[3] = {0.0, -1.0, 1.0}, rho[2] = {0.5, 3.0}, z[2] = {0.2, 0.1};
     const double depth = 0.4, top = 0.0;
+    enum { FINE = 60 };
+    double fine_lines[FINE + 1], fine[2][FINE * FINE];
     double shear[4], poisson[4], i0, i1, points[6 * 8 * 3], rule[6 * 8 * 2], total = 0.0;
 
     CHECK_SUCCESS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, lines, 2, lines, shear, poisson));
@@ -196,6 +198,21 @@ static void weights(void)
                                     (const double[3]){-DBL_MAX, 1.0, 3.0}, shear, poisson));
     for (int i = 0; i < 4; i++) CHECK_TRUE(isfinite(shear[i]) && isfinite(poisson[i]));
     CHECK_TRUE(shear[2] > 0.0 && shear[1] == 0.0);
+    /* four cells that meet beside the axis have a quarter each, as near as it is */
+    for (int i = 1; i <= 300; i++) {
+        const double near = pow(10.0, -i), square[3] = {-3.0, near, 3.0};
+        CHECK_SUCCESS(mdr_lateral_cells(0.3, 1.0, 0.0, 0.4, 2, square, 2, square, shear, poisson));
+        for (int k = 0; k < 4; k++) CHECK_CLOSE(shear[k], 0.0585467, 4.0 * near + 3e-6);
+    }
+    /* a cell of 17000 contact radii is the sum of small ones */
+    fine_lines[0] = 0.3;
+    for (int i = 1; i <= FINE; i++) fine_lines[i] = 1.2 * fine_lines[i - 1];
+    CHECK_SUCCESS(mdr_lateral_cells(0.3, 1.0, 0.0, 0.4, FINE, fine_lines, FINE, fine_lines, fine[0], fine[1]));
+    for (int i = 0; i < FINE * FINE; i++) total += fine[0][i];
+    fine_lines[1] = fine_lines[FINE];
+    CHECK_SUCCESS(mdr_lateral_cells(0.3, 1.0, 0.0, 0.4, 1, fine_lines, 1, fine_lines, shear, poisson));
+    CHECK_CLOSE(shear[0], total, 1e-5);
+    total = 0.0;
     /* and a slab so deep that products of its depths are none */
     CHECK_SUCCESS(mdr_lateral_cells(-0.7, 1e-156, 0.17, 0.18, 2, (const double[3]){0.1, 0.2, 0.3}, 2, (const double[3]){0.1, 0.2, 0.3},
                                     shear, poisson));

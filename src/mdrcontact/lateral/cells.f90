@@ -14,7 +14,9 @@ module mdrcontact_lateral_cells
     private
     public :: cell_weights
 
+    !> Edges are halved towards the foot of the axis as far as need be, towards the ring so often, and to this length at least.
     integer, parameter :: deepest = 7
+    real(wp), parameter :: shortest = 1.0_wp/64.0_wp
     real(wp), parameter :: outer2 = 0.5773502691896257645_wp
     real(wp), parameter :: node4(4) = [-0.8611363115940525752_wp, -0.3399810435848562648_wp, &
                                        0.3399810435848562648_wp, 0.8611363115940525752_wp]
@@ -85,7 +87,8 @@ contains
             return
         end if
         far = hypot(c, max(abs(low), abs(high)))
-        if (level < deepest .and. 2.0_wp*length > min(near, ring_distance(slab, near, far))) then
+        if (2.0_wp*length > near .or. (2.0_wp*length > ring_distance(slab, near, far) .and. &
+                                       (level < deepest .or. length > shortest))) then
             call edge_integral(slab, c, low, centre, panel, integral, level + 1)
             call edge_integral(slab, c, centre, high, panel, part, level + 1)
             integral = integral + part
