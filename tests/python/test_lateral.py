@@ -374,3 +374,17 @@ def test_without_scipy_the_words_say_what_to_install(monkeypatch):
     ):
         with pytest.raises(mdr.MDRError, match=r"mdrcontact\[map\]"):
             call()
+
+
+def test_voxels_beside_their_faces_are_those_at_them():
+    """A place that rounding puts next to a face, by 1e-17 or by 1e-6 of the contact radius, sees what the face sees."""
+    labels = np.random.default_rng(1).integers(0, 2, (4, 6, 6))
+    voxels = lateral.Voxels(labels, [mdr.Elastic(1.0, 0.3), mdr.Elastic(5.0, 0.2)], spacing=1.0)
+    for x, y in ((3.0, 4.0), (3.5, 4.0), (3.0, 3.3)):
+        for a in (0.4, 1e-3):
+            there = voxels.modulus(x, y, a)
+            for step in (4.4e-16, 1e-13, 1e-10, 1e-8):
+                for way in (1.0, -1.0):
+                    beside = voxels.modulus(x + way * step, y + 0.7 * way * step, a)
+                    # on the other side of a face the images that are summed are others
+                    assert beside == pytest.approx(there, rel=2e-4)
