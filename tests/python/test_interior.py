@@ -326,3 +326,14 @@ def test_surface_of_a_graded_body(moduli, radius, bound):
     field = contact.interior(r, 0.0, state)
     assert field.u_z == pytest.approx(contact.displacement(r, state), abs=bound * state.depth)
     assert -field.s_zz[:4] == pytest.approx(contact.pressure(r[:4], state), abs=1e-11 * contact.pressure(0.0, state))
+
+
+def test_points_too_far_away_for_layers_are_refused():
+    """Their waves would be gigabytes, and a list of their panels ended the process."""
+    contact = mdr.Contact(mdr.Sphere(10.0), mdr.Coated(mdr.Elastic(3.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3)))
+    state = contact.at_radius(1.0)
+    near, far = (float(contact.interior(r, 2.0, state).u_z) for r in (1e3, 1e4))
+    assert near / far == pytest.approx(10.0, rel=0.01)
+    for r in (1e6, 1e9, 1e12):
+        with pytest.raises(mdr.MDRError, match=r"contact radii away are sums of .* waves, 5e\+06 are allowed"):
+            contact.interior(r, 2.0, state)

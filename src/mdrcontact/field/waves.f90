@@ -5,7 +5,7 @@
 !> that resolves the waves of a contact of radius a = 1 seen at distance r.
 module mdrcontact_field_waves
     use mdrcontact_gsl, only: gsl_sf_bessel_j0, gsl_sf_bessel_j1
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_error, only: check_memory, error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
@@ -17,6 +17,8 @@ module mdrcontact_field_waves
     !> Nodes in a panel; the largest phase of cos(k (a + r)) in one, where 16 nodes integrate to 1e-16.
     integer, parameter :: nodes = 16
     real(wp), parameter :: longest_phase = 15.0_wp
+    !> Nodes at most: some seconds, and some hundred megabytes.
+    real(wp), parameter :: most_waves = 5.0e6_wp
     !> Where the octaves begin, relative to the longest structure.
     real(wp), parameter :: first_panel = 1.0e-3_wp
 
@@ -38,6 +40,12 @@ contains
 
         call gauss_legendre(node, w, error)
         if (allocated(error)) return
+        if (last*farthest > most_waves/nodes*longest_phase) then
+            call raise(error, error_domain, "stresses in layers "//to_text(farthest)//" contact radii away are sums of "// &
+                       to_text(nodes*last*farthest/longest_phase)//" waves, "//to_text(most_waves)//" are allowed: take "// &
+                       "points closer to the contact")
+            return
+        end if
         call panel_ends(farthest, min(first_panel/max(farthest, structure), last), last, ends)
         allocate (k(nodes*(size(ends) - 1)), weight(nodes*(size(ends) - 1)), stat=stat)
         call check_memory(error, stat)
