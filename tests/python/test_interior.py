@@ -337,3 +337,14 @@ def test_points_too_far_away_for_layers_are_refused():
     for r in (1e6, 1e9, 1e12):
         with pytest.raises(mdr.MDRError, match=r"contact radii away are sums of .* waves, 5e\+06 are allowed"):
             contact.interior(r, 2.0, state)
+
+
+def test_displacements_far_away_are_those_of_a_point_load():
+    """At any distance, in little time and memory: u = F/(pi E* r) of the base."""
+    film, base = mdr.Elastic(3.0, 0.3), mdr.Elastic(1.0, 0.3)
+    for medium in (mdr.Coated(film, 1.0, base), mdr.Graded([0.0, 0.5, 1.0], [3.0, 2.0, 1.0], 0.3, model="exact")):
+        contact = mdr.Contact(mdr.Sphere(10.0), medium)
+        state = contact.at_radius(1.0)
+        r = np.array([1e7, 1e14, 1e16, 1e100, 1e300])
+        expected = state.force * (1.0 - 0.3**2) / (np.pi * r)
+        assert contact.displacement(r, state) / expected == pytest.approx(np.ones(5), rel=1e-6)

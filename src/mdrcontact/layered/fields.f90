@@ -27,6 +27,8 @@ module mdrcontact_layered_fields
     !> A panel beyond the edge is this long, in units of the kernel, or as long as its distance from the edge.
     real(wp), parameter :: longest_panel = 1.5_wp
     integer, parameter :: panel_nodes = 32
+    !> From so far on, in units of the contact radius or the kernel, displacements fall as 1/r.
+    real(wp), parameter :: farthest = 1.0e15_wp
     !> The constants of a body whose layers are all thinner than this vary from the surface down.
     real(wp), parameter :: largest_resolved = 0.5_wp*huge(1.0_wp)
 
@@ -357,16 +359,17 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: panel
         real(wp), allocatable :: x(:, :), w(:, :), series(:, :)
-        real(wp) :: a, far, start, length, y(panel_nodes), root(panel_nodes)
+        real(wp) :: a, far, start, length, last, y(panel_nodes), root(panel_nodes)
         integer :: j, k, panels
 
         a = self%a/kernel%unit
         call new_rule(panel, panel_nodes, error)
         values = 0.0_wp
         if (allocated(error) .or. size(r) == 0) return
+        last = farthest*max(self%a, kernel%unit)
         ! panel k begins at a distance longest_panel (2^(k-1) - 1) from the edge [unit] and is longest_panel 2^(k-1) long: w at
         ! the nodes, and as Legendre series
-        panels = panel_at((maxval(r) - self%a)/kernel%unit)
+        panels = panel_at((min(maxval(r), last) - self%a)/kernel%unit)
         allocate (x(panel_nodes, panels), w(panel_nodes, panels), series(0:panel_nodes - 1, panels))
         do k = 1, panels
             call place(k, start, length)
@@ -378,7 +381,7 @@ contains
             series(:, k) = legendre_series(panel%distance - 1.0_wp, panel%weights*w(:, k))
         end do
         do j = 1, size(r)
-            far = (r(j) - self%a)/kernel%unit
+            far = (min(r(j), last) - self%a)/kernel%unit
             start = 0.0_wp
             do k = 1, panels
                 call place(k, start, length)
@@ -390,7 +393,7 @@ contains
             length = far - start
             y = far - 0.25_wp*length*panel%distance**2
             root = sqrt(length/(2.0_wp*a + far + y))
-            values(j) = (2.0_wp/pi)*(values(j) + sum(panel%weights*root*value_at(y)))
+            values(j) = (2.0_wp/pi)*(values(j) + sum(panel%weights*root*value_at(y)))*min(last/r(j), 1.0_wp)
         end do
 
     contains
