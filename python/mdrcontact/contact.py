@@ -365,7 +365,7 @@ class Contact(Value):
         """Where the one disc of a state pulls, or the surface beyond it passes through the indenter; empty if neither."""
         try:
             pressure, r = self.lowest_pressure(state)
-            if pressure < -_NOTICEABLE * float(state.force) / (math.pi * float(state.radius) ** 2):
+            if pressure * math.pi * float(state.radius) ** 2 < -_NOTICEABLE * float(state.force):
                 return f"without adhesion its pressure would be {pressure:.3g} at r = {r:.3g}"
             beyond = float(state.radius) * _BEYOND
             gap = np.asarray(self.displacement(beyond, state) - state.depth + self.indenter.height(beyond))

@@ -249,8 +249,8 @@ class Friction(Value):
         except MDRError:
             return ""
         worst = int(np.argmax(traction - limit))
-        mean = self.coefficient * float(state.force) / (math.pi * float(state.radius) ** 2)
-        if traction[worst] - limit[worst] <= _NOTICEABLE * mean:
+        area = math.pi * float(state.radius) ** 2
+        if (traction[worst] - limit[worst]) * area <= _NOTICEABLE * self.coefficient * float(state.force):
             return ""
         return (
             f"at r = {r[worst]:.3g} the traction would be {traction[worst]:.3g}, more than coefficient times pressure, "

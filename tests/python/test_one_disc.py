@@ -78,3 +78,11 @@ points = 3
 
     assert main(["curve", str(problem)]) == 0
     assert "warning: this contact is not one disc" in capsys.readouterr().err
+
+
+def test_the_look_at_pressures_of_tiny_contacts():
+    """Squares of the radius are 0 there."""
+    contact = mdr.Contact(mdr.Cone(0.3), mdr.Coated(mdr.Elastic(3.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3)))
+    state = contact.at_radius(1e-300)
+    assert state.radius == 1e-300
+    assert mdr.Friction(contact, 0.3).at_shift(1e-305, state).shift == 1e-305
