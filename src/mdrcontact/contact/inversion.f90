@@ -73,8 +73,7 @@ contains
         !> states found for values of s close by
         type(neighbours_t), intent(inout), optional :: neighbours
         type(mismatch_t) :: mismatch
-        real(wp) :: closest
-        real(wp) :: missing
+        real(wp) :: closest, missing
         logical :: found
 
         if (s <= 0.0_wp) then

@@ -31,13 +31,14 @@ module mdrcontact_lateral_slab
 contains
 
     !> A length in contact radii, at most so many that weights, which fall as 1/z, are nothing there, and products of three of
-    !> them still numbers.
+    !> them still numbers; 0 where halves of it would not be.
     elemental function in_radii(length, a) result(ratio)
         real(wp), intent(in) :: length, a
         real(wp) :: ratio
-        real(wp), parameter :: far = 1.0e90_wp
+        real(wp), parameter :: near = 1.0e-300_wp, far = 1.0e90_wp
 
         ratio = max(-far, min(far, length/a))
+        if (abs(ratio) < near) ratio = 0.0_wp
     end function in_radii
 
     !> The slab between two depths 0 <= top < bottom, known up to distance `reach` from the axis.
