@@ -14,7 +14,7 @@ has_library() {
 has_header() { printf '#include <%s>\n' "$1" | gcc -E -x c - > /dev/null 2>&1; }
 
 # CMake asks pkg-config first, which knows folders that compilers do not search by themselves.
-has_gsl() { pkg-config --exists 'gsl >= 2.4' 2> /dev/null || { has_library gsl && has_header gsl/gsl_version.h; }; }
+has_gsl() { pkg-config --exists 'gsl >= 2.5' 2> /dev/null || { has_library gsl && has_header gsl/gsl_version.h; }; }
 
 # macOS always has LAPACK and BLAS, in its framework Accelerate.
 has_lapack() { on_macos || { has_library lapack && has_library blas; }; }

@@ -11,6 +11,8 @@ module mdrcontact_gsl
     public :: gsl_function, gsl_success
     public :: disable_gsl_abort
     public :: gsl_integration_glfixed_table_alloc, gsl_integration_glfixed_table_free, gsl_integration_glfixed_point
+    public :: gsl_integration_fixed_jacobi, gsl_integration_fixed_alloc, gsl_integration_fixed_free, gsl_integration_fixed_nodes, &
+              gsl_integration_fixed_weights
     public :: gsl_root_fsolver_brent, gsl_root_fsolver_alloc, gsl_root_fsolver_free, gsl_root_fsolver_set, &
               gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, &
               gsl_root_test_interval
@@ -28,6 +30,8 @@ module mdrcontact_gsl
         type(c_ptr) :: params
     end type gsl_function
 
+    !> The Gauss-Jacobi rule's type object.
+    type(c_ptr), protected, bind(C, name="gsl_integration_fixed_jacobi") :: gsl_integration_fixed_jacobi
     !> The Brent solver's type object.
     type(c_ptr), protected, bind(C, name="gsl_root_fsolver_brent") :: gsl_root_fsolver_brent
     !> The monotone Steffen interpolation's type object.
@@ -59,6 +63,35 @@ module mdrcontact_gsl
             type(c_ptr), value :: table
             integer(c_int) :: status
         end function gsl_integration_glfixed_point
+
+        !> Rule of n nodes on [a, b] for integrals with the weight (b - x)^alpha (x - a)^beta; null without memory.
+        function gsl_integration_fixed_alloc(kind, n, a, b, alpha, beta) result(rule) bind(C)
+            import :: c_double, c_ptr, c_size_t
+            type(c_ptr), value :: kind
+            integer(c_size_t), value :: n
+            real(c_double), value :: a, b, alpha, beta
+            type(c_ptr) :: rule
+        end function gsl_integration_fixed_alloc
+
+        !> Frees a rule.
+        subroutine gsl_integration_fixed_free(rule) bind(C)
+            import :: c_ptr
+            type(c_ptr), value :: rule
+        end subroutine gsl_integration_fixed_free
+
+        !> The n nodes of a rule.
+        function gsl_integration_fixed_nodes(rule) result(nodes) bind(C)
+            import :: c_ptr
+            type(c_ptr), value :: rule
+            type(c_ptr) :: nodes
+        end function gsl_integration_fixed_nodes
+
+        !> Its n weights.
+        function gsl_integration_fixed_weights(rule) result(weights) bind(C)
+            import :: c_ptr
+            type(c_ptr), value :: rule
+            type(c_ptr) :: weights
+        end function gsl_integration_fixed_weights
 
         !> A solver of the given kind; null without memory.
         function gsl_root_fsolver_alloc(kind) result(solver) bind(C)

@@ -11,12 +11,15 @@ module mdrcontact_medium_power_graded
     use mdrcontact_material, only: in_series
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: gauss_jacobi, gauss_legendre, graded_rule, smallest_panel_ratio
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: power_graded_t, new_power_graded, new_power_graded_pair
+
+    !> Nodes from the edge half of the way to a corner, and from there.
+    integer, parameter :: panel_nodes = 20
 
     !> E(z) = E0 (z/z0)^m by its springs.
     type, extends(medium_t) :: power_graded_t
@@ -25,6 +28,8 @@ module mdrcontact_medium_power_graded
         real(wp) :: exponent = 0.0_wp
         !> c1 [modulus length^-m]
         real(wp) :: spring = 0.0_wp
+        !> nodes and weights of int_0^1 f(t) t^{(m-1)/2} dt, and of int_0^1 f(t) dt for an f that depends on sqrt(t)
+        real(wp), dimension(panel_nodes, 2) :: edge_rule = 0.0_wp, corner_rule = 0.0_wp
     contains
         procedure :: modulus
         procedure :: modulus_slope
@@ -39,11 +44,13 @@ module mdrcontact_medium_power_graded
     !> g(x) of one indenter in this medium.
     type, extends(scalar_function_t) :: transform_t
         class(profile_t), pointer :: profile => null()
-        real(wp) :: exponent = 0.0_wp
+        type(power_graded_t), pointer :: medium => null()
     contains
         procedure :: value => transform_at
     end type transform_t
 
+    !> Radii below this part of the contact radius add f(r) to the depth and nothing to the force, but for a part of 1e-16.
+    real(wp), parameter :: nearest_axis = 1.0e-8_wp
     !> Distance from a singular end, relative to the radius, below which the integrand is its leading power.
     real(wp), parameter :: closest = 1.0e-15_wp
     !> The same behind a rim or kink at b, where g' needs digits of x - b: least and most, relative to b, and a part of the
@@ -70,6 +77,7 @@ contains
         !> nu, the same at all depths
         real(wp), intent(in) :: poisson
         type(error_t), allocatable, intent(out) :: error
+        real(wp), dimension(panel_nodes) :: roots, weights
 
         call disable_gsl_abort()
         call check_positive(error, "E0", young)
@@ -81,6 +89,10 @@ contains
         end if
         if (allocated(error)) return
         self%exponent = exponent
+        call gauss_jacobi(0.5_wp*(exponent - 1.0_wp), self%edge_rule(:, 1), self%edge_rule(:, 2), error)
+        call gauss_legendre(roots, weights, error)
+        self%corner_rule(:, 1) = roots**2
+        self%corner_rule(:, 2) = 2.0_wp*roots*weights
         self%spring = spring_factor(exponent, poisson)*young/((1.0_wp - poisson)*(1.0_wp + poisson))*reference_depth**(-exponent)
     end subroutine new_power_graded
 
@@ -97,6 +109,8 @@ contains
             return
         end if
         self%exponent = lower%exponent
+        self%edge_rule = lower%edge_rule
+        self%corner_rule = lower%corner_rule
         self%spring = in_series(lower%spring, upper%spring)
         self%share_of_upper = self%spring/upper%spring
         call self%set_pair(lower, upper, error)
@@ -141,7 +155,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: moments(2)
 
-        moments = slope_moments(profile, self%exponent, a, error)
+        moments = slope_moments(self, profile, a, error)
         depth = a**(1.0_wp - self%exponent)*moments(1)
         force = 2.0_wp*self%spring/(1.0_wp + self%exponent)*moments(2)
     end subroutine depth_and_force
@@ -157,10 +171,10 @@ contains
         real(wp) :: depth
         integer :: i
 
-        depth = mdr(profile, self%exponent, a, error) + excess
+        depth = mdr(self, profile, a, error) + excess
         if (allocated(error)) return
         do i = 1, size(r)
-            values(i) = depth - mdr(profile, self%exponent, r(i), error)
+            values(i) = depth - mdr(self, profile, r(i), error)
             if (r(i) > 0.0_wp .or. self%exponent >= 0.0_wp) then
                 values(i) = values(i)*self%spring*r(i)**self%exponent
             else
@@ -199,8 +213,8 @@ contains
             else if (a > start) then
                 corners = [start, pack(breaks, breaks > start), a]
                 do k = 1, size(corners) - 1
-                    values(i) = values(i) + pressure_between(profile, g, corners(k), corners(k + 1), r(i), &
-                                                             self%exponent, error)
+                    values(i) = values(i) + pressure_between(self, profile, g, corners(k), corners(k + 1), &
+                                                             r(i), error)
                 end do
             end if
             values(i) = values(i)*self%spring/pi
@@ -223,7 +237,7 @@ contains
         if (size(r) == 0) return
         if (profile%end_radius < a) call sample_transform(self, profile, a, g, error)
         if (allocated(error)) return
-        depth = mdr(profile, self%exponent, a, error) + excess
+        depth = mdr(self, profile, a, error) + excess
         if (allocated(error)) return
         lowest = smallest_panel_ratio*a
         call profile%add_breaks(breaks, error)
@@ -248,54 +262,79 @@ contains
     end function is_exact
 
     !> g(x) = x^{1-m} int_0^x f'(r) (x^2 - r^2)^{(m-1)/2} dr.
-    function mdr(profile, m, x, error) result(g)
+    function mdr(self, profile, x, error) result(g)
+        class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: m, x
+        real(wp), intent(in) :: x
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: g
         real(wp) :: moments(2)
 
         g = 0.0_wp
         if (x <= profile%end_radius) return
-        moments = slope_moments(profile, m, x, error)
-        g = x**(1.0_wp - m)*moments(1)
+        moments = slope_moments(self, profile, x, error)
+        g = x**(1.0_wp - self%exponent)*moments(1)
     end function mdr
 
-    !> int_0^a f'(r) {1, r^2} (a^2 - r^2)^{(m-1)/2} dr. The half next to a is taken in s = a - r, graded towards s = 0, where the
-    !> integrand is a power of s; next to the axis f' is a power of r.
-    function slope_moments(profile, m, a, error) result(moments)
+    !> int_0^a f'(r) {1, r^2} (a^2 - r^2)^{(m-1)/2} dr. Next to a f' is smooth, and a rule of its own has the power of s = a - r as
+    !> its weight; at the corner below, the last break of the profile, f' may begin as a broken power of r - corner. Close to a the
+    !> distance s is what varies, towards the axis r.
+    function slope_moments(self, profile, a, error) result(moments)
+        class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: m, a
+        real(wp), intent(in) :: a
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: moments(2)
-        real(wp), allocatable :: r(:), dr(:), s(:), ds(:), f(:), breaks(:)
-        real(wp) :: lowest, edge, power
-        integer :: i
+        real(wp), allocatable :: r(:), dr(:), s(:), breaks(:)
+        real(wp) :: axis, corner, length, middle, power, reach
+        real(wp), parameter :: no_breaks(0) = [real(wp) ::]
 
-        power = 0.5_wp*(m - 1.0_wp)
-        edge = closest*a
-        moments = profile%slope(a - edge)*(2.0_wp*a)**power*edge**(power + 1.0_wp)/(power + 1.0_wp)*[1.0_wp, a**2]
-        lowest = smallest_panel_ratio*a
+        moments = 0.0_wp
+        power = 0.5_wp*(self%exponent - 1.0_wp)
         call profile%add_breaks(breaks, error)
-        if (profile%end_radius < 0.5_wp*a) then
-            lowest = max(lowest, profile%end_radius)
-            call graded_rule(lowest, 0.5_wp*a, breaks, profile%singular_radius, r, dr, error)
-            if (allocated(error)) return
-            f = profile%slope(r)*((a - r)*(a + r))**power*dr
-            moments = moments + [sum(f) + profile%height(lowest)*a**(m - 1.0_wp), sum(f*r**2)]
-        end if
-        ! A break of the profile is a kink of f', which panel edges resolve; it sits at s = a - break.
-        if (a - profile%end_radius <= edge) return
-        call graded_rule(edge, min(0.5_wp*a, a - profile%end_radius), [(a - breaks(i), i=size(breaks), 1, -1)], huge(1.0_wp), &
-                         s, ds, error)
         if (allocated(error)) return
-        f = profile%slope(a - s)*(s*(2.0_wp*a - s))**power*ds
-        moments = moments + [sum(f), sum(f*(a - s)**2)]
+        axis = max(nearest_axis*a, profile%end_radius)
+        corner = max(axis, maxval(breaks, mask=breaks < a))
+
+        length = max(closest*a, 0.5_wp*min(a - corner, profile%singular_radius - a))
+        s = length*self%edge_rule(:, 1)
+        moments = moments_of(a - s, (2.0_wp*a - s)**power*length**(power + 1.0_wp)*self%edge_rule(:, 2))
+        reach = length
+        if (corner > 0.5_wp*a .and. a - corner > length .and. .not. profile%singular_radius < huge(1.0_wp)) then
+            reach = a - corner
+            s = reach - (reach - length)*self%corner_rule(:, 1)
+            moments = moments + moments_of(a - s, (s*(2.0_wp*a - s))**power*(reach - length)*self%corner_rule(:, 2))
+        end if
+        middle = a - reach
+        if (reach < 0.125_wp*a .and. axis < middle) then
+            middle = 0.5_wp*(middle + max(axis, maxval(breaks, mask=breaks < middle)))
+            call graded_rule(reach, a - middle, no_breaks, huge(1.0_wp), s, dr, error)
+            if (allocated(error)) return
+            moments = moments + moments_of(a - s, (s*(2.0_wp*a - s))**power*dr)
+        end if
+        if (axis < middle) then
+            call graded_rule(axis, middle, breaks, min(a, profile%singular_radius), r, dr, error)
+            if (allocated(error)) return
+            moments = moments + moments_of(r, ((a - r)*(a + r))**power*dr)
+        end if
+        if (axis > profile%end_radius) moments(1) = moments(1) + profile%height(axis)*a**(2.0_wp*power)
+
+    contains
+
+        pure function moments_of(r, weights) result(sums)
+            real(wp), intent(in) :: r(:), weights(:)
+            real(wp) :: sums(2)
+            real(wp) :: f(size(r))
+
+            f = profile%slope(r)*weights
+            sums = [sum(f), sum(f*r**2)]
+        end function moments_of
+
     end function slope_moments
 
     !> g on (0, a], to differentiate and integrate.
     subroutine sample_transform(self, profile, a, g, error)
-        class(power_graded_t), intent(in) :: self
+        type(power_graded_t), intent(in), target :: self
         class(profile_t), intent(in), target :: profile
         real(wp), intent(in) :: a
         type(sampled_function_t), intent(out) :: g
@@ -305,7 +344,7 @@ contains
         integer :: i, k
 
         transform%profile => profile
-        transform%exponent = self%exponent
+        transform%medium => self
         call profile%add_breaks(breaks, error)
         if (allocated(error)) return
         corners = [profile%end_radius, breaks(count(breaks <= profile%end_radius) + 1:count(breaks < a)), a]
@@ -324,22 +363,23 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = mdr(self%profile, self%exponent, x, self%error)
+        y = mdr(self%medium, self%profile, x, self%error)
     end function transform_at
 
     !> int g'(x) (x^2 - r^2)^{(m-1)/2} dx from one corner of the profile to the next, r <= from. Behind a corner g rises as a broken
     !> power of x - from: panels are graded towards it, and what lies within `near` of it is the rise of g there.
-    function pressure_between(profile, g, from, to, r, m, error) result(integral)
+    function pressure_between(self, profile, g, from, to, r, error) result(integral)
+        class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         type(sampled_function_t), intent(in) :: g
-        real(wp), intent(in) :: from, to, r, m
+        real(wp), intent(in) :: from, to, r
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: integral
         real(wp), allocatable :: beyond(:), dx(:)
         real(wp), parameter :: no_breaks(0) = [real(wp) ::]
         real(wp) :: power, near
 
-        power = 0.5_wp*(m - 1.0_wp)
+        power = 0.5_wp*(self%exponent - 1.0_wp)
         near = closest*from
         if (from <= 0.0_wp) near = 4.0_wp*g%lower()
         if (r == from .and. from == profile%end_radius .and. from > 0.0_wp) near = at_edge*from
@@ -350,32 +390,33 @@ contains
         if (allocated(error)) return
         ! in this order powers of the smallest radii stay numbers
         integral = sum(slope_of(profile, g, from + beyond)*dx*(beyond + (from - r))**power*((from + r) + beyond)**power) &
-                   + near_start(profile, g, from, near, r, m, error)
+                   + near_start(self, profile, g, from, near, r, error)
     end function pressure_between
 
     !> The part of the pressure integral within `near` of its singular start, where g' is constant or, at the axis, a power of x.
-    function near_start(profile, g, start, near, r, m, error) result(integral)
+    function near_start(self, profile, g, start, near, r, error) result(integral)
+        class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         type(sampled_function_t), intent(in) :: g
-        real(wp), intent(in) :: start, near, r, m
+        real(wp), intent(in) :: start, near, r
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: integral
         real(wp) :: power, growth
 
-        power = 0.5_wp*(m - 1.0_wp)
+        power = 0.5_wp*(self%exponent - 1.0_wp)
         if (start <= 0.0_wp) then
-            growth = exponent_at(g, 0.5_wp*near) + m
+            growth = exponent_at(g, 0.5_wp*near) + self%exponent
             if (growth > 1.0e-6_wp) then
-                integral = g%slope(near)*near**m/growth
+                integral = g%slope(near)*near**self%exponent/growth
             else
                 integral = ieee_value(integral, ieee_positive_inf)
             end if
         else if (r < start) then
-            integral = (mdr(profile, m, start + near, error) - mdr(profile, m, start, error))*((start - r)*(start + r))**power
+            integral = (mdr(self, profile, start + near, error) - mdr(self, profile, start, error))*((start - r)*(start + r))**power
         else
             integral = slope_of(profile, g, start + near)*(2.0_wp*start)**power*near**(power + 1.0_wp)
             ! at the edge of a flat end, m > 0, g' itself is such a power of x - start
-            integral = integral/merge(m, power + 1.0_wp, start == profile%end_radius .and. start > 0.0_wp)
+            integral = integral/merge(self%exponent, power + 1.0_wp, start == profile%end_radius .and. start > 0.0_wp)
         end if
     end function near_start
 

@@ -7,15 +7,18 @@
 !> from every such radius and a quadratic substitution behind it make the rule converge exponentially, whatever lengths
 !> are involved.
 module mdrcontact_numerics_quadrature
-    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr, c_size_t
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_ptr, c_size_t
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
-    use mdrcontact_gsl, only: disable_gsl_abort, gsl_integration_glfixed_point, gsl_integration_glfixed_table_alloc, &
+    use mdrcontact_gsl, only: disable_gsl_abort, gsl_integration_fixed_alloc, gsl_integration_fixed_free, &
+                              gsl_integration_fixed_jacobi, gsl_integration_fixed_nodes, gsl_integration_fixed_weights, &
+                              gsl_integration_glfixed_point, gsl_integration_glfixed_table_alloc, &
                               gsl_integration_glfixed_table_free
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: gauss_legendre, graded_rule, graded_edges, mark_breaks, merge_breaks, new_antiderivative, smallest_panel_ratio
+    public :: gauss_jacobi, gauss_legendre, graded_rule, graded_edges, mark_breaks, merge_breaks, new_antiderivative, &
+              smallest_panel_ratio
 
     !> Nodes in a panel: a panel's nearest singularity lies at least a third of its length away, where 20 nodes give 1e-16.
     integer, parameter :: nodes_per_panel = 20
@@ -54,6 +57,32 @@ contains
         end do
         call gsl_integration_glfixed_table_free(table)
     end subroutine gauss_legendre
+
+    !> Gauss-Jacobi nodes and weights on [0, 1] for the weight t^power.
+    subroutine gauss_jacobi(power, nodes, weights, error)
+        !> > -1
+        real(wp), intent(in) :: power
+        real(wp), intent(out) :: nodes(:)
+        !> same size as nodes
+        real(wp), intent(out) :: weights(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(c_ptr) :: rule
+        real(c_double), pointer :: values(:)
+
+        call disable_gsl_abort()
+        rule = gsl_integration_fixed_alloc(gsl_integration_fixed_jacobi, int(size(nodes), c_size_t), 0.0_wp, 1.0_wp, 0.0_wp, power)
+        if (.not. c_associated(rule)) then
+            nodes = 0.5_wp
+            weights = 0.0_wp
+            call check_memory(error, 1)
+            return
+        end if
+        call c_f_pointer(gsl_integration_fixed_nodes(rule), values, shape(nodes))
+        nodes = values
+        call c_f_pointer(gsl_integration_fixed_weights(rule), values, shape(weights))
+        weights = values
+        call gsl_integration_fixed_free(rule)
+    end subroutine gauss_jacobi
 
     !> Gauss-Legendre nodes on [0, 1], and the matrix that takes values there to integrals from 0 to each node (rows 1 to n)
     !> and to 1 (row n + 1).
