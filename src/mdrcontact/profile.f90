@@ -32,6 +32,8 @@ module mdrcontact_profile
         procedure(radial_function), deferred :: slope
         !> g(x), equation (3) [length]
         procedure(radial_function), deferred :: mdr
+        !> g at many places, for profiles that are faster at it
+        procedure :: mdr_at
         !> g'(x) [1]
         procedure(radial_function), deferred :: mdr_slope
         !> g' at a distance beyond a radius, with all digits beside the edge of a flat end, where it is infinite
@@ -63,6 +65,14 @@ module mdrcontact_profile
     end interface
 
 contains
+
+    pure function mdr_at(self, x) result(y)
+        class(profile_t), intent(in) :: self
+        real(wp), intent(in) :: x(:)
+        real(wp) :: y(size(x))
+
+        y = self%mdr(x)
+    end function mdr_at
 
     elemental function mdr_slope_beyond(self, start, distance) result(y)
         class(profile_t), intent(in) :: self

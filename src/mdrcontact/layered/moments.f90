@@ -158,7 +158,7 @@ contains
         allocate (near, far, mold=x)
         call kernel%evaluate(max(a - x, 0.0_wp)/kernel%unit, shift, near)
         call kernel%evaluate((a + x)/kernel%unit, shift, far)
-        total = sum(weights*(near + far)*(profile%mdr(x) - mean))/(pi*kernel%unit)
+        total = sum(weights*(near + far)*(profile%mdr_at(x) - mean))/(pi*kernel%unit)
     end subroutine edge_moment
 
     !> Adds 2 int P_2j(x/a) g(x) dx/a over one interval, x = low + (high - low) t^2 where a root starts at its lower end.

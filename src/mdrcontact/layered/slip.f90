@@ -203,7 +203,7 @@ contains
         if (allocated(error)) return
         x(:) = start + distances
         call self%springs%at(self%profile%base, x, q)
-        dissipated = 2.0_wp*self%modulus*sum(dx*q*(self%profile%mdr(x) + added - stuck%depth))
+        dissipated = 2.0_wp*self%modulus*sum(dx*q*(self%profile%mdr_at(x) + added - stuck%depth))
     end subroutine dissipation
 
     subroutine at(self, c, width, shift, force, stiffness, shift_rate, error)

@@ -7,7 +7,7 @@ module mdrcontact_layered_slip_profile
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_legendre, only: normalisation
     use mdrcontact_layered_rule, only: new_rule, rule_t
-    use mdrcontact_layered_series, only: add_projections, even_sum
+    use mdrcontact_layered_series, only: add_even_sum, add_projections, even_sum
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -29,6 +29,7 @@ module mdrcontact_layered_slip_profile
         procedure :: height => no_height
         procedure :: slope => no_height
         procedure :: mdr
+        procedure :: mdr_at
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment => no_height
@@ -53,54 +54,58 @@ contains
         class(slip_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: total, slope
+        real(wp) :: all_of(1)
 
-        call sums(self%c, x/self%radius, total, slope)
-        y = self%ratio*(self%base%mdr(x) + (total - self%at_axis))
+        all_of = self%mdr_at([x])
+        y = all_of(1)
     end function mdr
+
+    !> Its terms are summed at all places together.
+    pure function mdr_at(self, x) result(y)
+        class(slip_profile_t), intent(in) :: self
+        real(wp), intent(in) :: x(:)
+        real(wp) :: y(size(x))
+
+        y = self%base%mdr(x) - self%at_axis
+        call add_even_sum(self%c, x, self%radius, 1.0_wp, y)
+        y = self%ratio*y
+    end function mdr_at
 
     elemental function mdr_slope(self, x) result(y)
         class(slip_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: total, slope
 
-        call sums(self%c, x/self%radius, total, slope)
-        y = self%ratio*(self%base%mdr_slope(x) + slope/self%radius)
+        y = self%ratio*(self%base%mdr_slope(x) + even_slope(self%c, x/self%radius)/self%radius)
     end function mdr_slope
 
     elemental function mdr_slope_beyond(self, start, distance) result(y)
         class(slip_profile_t), intent(in) :: self
         real(wp), intent(in) :: start, distance
         real(wp) :: y
-        real(wp) :: total, slope
 
-        call sums(self%c, (start + distance)/self%radius, total, slope)
-        y = self%ratio*(self%base%mdr_slope_beyond(start, distance) + slope/self%radius)
+        y = self%ratio*(self%base%mdr_slope_beyond(start, distance) &
+                        + even_slope(self%c, (start + distance)/self%radius)/self%radius)
     end function mdr_slope_beyond
 
-    !> sum of c_j P_2j(u), and its derivative.
-    pure subroutine sums(c, u, total, slope)
+    !> The derivative of the sum of c_j P_2j(u).
+    pure function even_slope(c, u) result(slope)
         real(wp), intent(in) :: c(0:), u
-        real(wp), intent(out) :: total, slope
-        real(wp) :: even, odd, even_slope, odd_slope
+        real(wp) :: slope
+        real(wp) :: even, odd, term
         integer :: j
 
         even = 1.0_wp
         odd = u
-        even_slope = 0.0_wp
-        odd_slope = 1.0_wp
-        total = c(0)
+        term = 0.0_wp
         slope = 0.0_wp
         do j = 1, ubound(c, 1)
-            even_slope = even_slope + real(4*j - 1, wp)*odd
+            term = term + real(4*j - 1, wp)*odd
             even = (real(4*j - 1, wp)*u*odd - real(2*j - 1, wp)*even)/real(2*j, wp)
             odd = (real(4*j + 1, wp)*u*even - real(2*j, wp)*odd)/real(2*j + 1, wp)
-            odd_slope = odd_slope + real(4*j + 1, wp)*even
-            total = total + c(j)*even
-            slope = slope + c(j)*even_slope
+            slope = slope + c(j)*term
         end do
-    end subroutine sums
+    end function even_slope
 
     pure subroutine add_breaks(self, radii, error)
         class(slip_profile_t), intent(in) :: self

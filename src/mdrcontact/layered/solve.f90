@@ -70,6 +70,7 @@ contains
         class(profile_t), intent(in), optional :: profile
         !> q_1 at the edge, slower to converge on a graded body, meets the tolerance too; default false
         logical, intent(in), optional :: edge
+        real(wp), allocatable :: edge_load
         real(wp) :: reached
         integer :: n, nodes
         logical :: solved, to_edge, is_kinked
@@ -86,7 +87,7 @@ contains
         do
             call check_cancelled(error)
             if (allocated(error)) return
-            call solve_with(kernel, a, n, max(nodes, 2*n), solution, solved, error, profile)
+            call solve_with(kernel, a, n, max(nodes, 2*n), edge_load, solution, solved, error, profile)
             if (allocated(error)) return
             if (.not. solved) then
                 call raise(error, error_no_convergence, "the springs of this body nearly cancel at contact radius "//to_text(a)// &
@@ -188,11 +189,13 @@ contains
     end subroutine new_equation
 
     !> The solution by n unknowns, with its errors.
-    subroutine solve_with(kernel, a, n, nodes, solution, solved, error, profile)
+    subroutine solve_with(kernel, a, n, nodes, edge_load, solution, solved, error, profile)
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
         !> unknowns, and nodes of the rule that resolves the kernel of a film
         integer, intent(in) :: n, nodes
+        !> edge_moment of the profile, the same for all n; not allocated: not known yet
+        real(wp), allocatable, intent(inout) :: edge_load
         type(solution_t), intent(out) :: solution
         !> the matrix was positive definite
         logical, intent(out) :: solved
@@ -213,10 +216,13 @@ contains
         known = 0.0_wp
         associate (moments => equation%moments, h => equation%h, rhs => equation%rhs)
             if (is_fine(kernel, a/kernel%unit, n) .and. any(abs(rhs(n + 1:, 3)) > 0.0_wp)) then
-                call edge_moment(profile, kernel, a, moments%shift, equation%mean, tail, error)
-                if (allocated(error)) return
+                if (.not. allocated(edge_load)) then
+                    allocate (edge_load)
+                    call edge_moment(profile, kernel, a, moments%shift, equation%mean, edge_load, error)
+                    if (allocated(error)) return
+                end if
                 known = edge_kernel(moments, m)*rhs(:, 3)
-                tail = sum(known(:n)) - tail
+                tail = sum(known(:n)) - edge_load
             end if
             forward = rhs(:n, :)
             call solve_lower(n, m, sides, h, forward)
