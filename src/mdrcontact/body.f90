@@ -86,14 +86,15 @@ contains
         end do
     end subroutine responses
 
-    pure function none(self) result(values)
+    pure subroutine none(self, values, error)
         class(body_t), intent(in) :: self
-        real(wp), allocatable :: values(:)
+        real(wp), allocatable, intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        associate (unused => self)
+        associate (unused => self, also_unused => error)
         end associate
-        values = [real(wp) ::]
-    end function none
+        allocate (values(0))
+    end subroutine none
 
     subroutine copy_to(self, copy, error)
         class(body_t), intent(in) :: self

@@ -13,7 +13,7 @@
 void *__libc_malloc(size_t size);
 void *__libc_realloc(void *old, size_t size);
 
-enum { LARGE = 65536, POINTS = 8500, ROWS = 100, GRADES = 400, NUMBERS = 13, SURVIVED = 42 };
+enum { LARGE = 65536, POINTS = 8500, ROWS = 100, GRADES = 400, LAYERS = 3000, NUMBERS = 13, SURVIVED = 42 };
 
 /* Large requests so far, and which one is refused; 0: none. */
 static int requests, refused;
@@ -38,7 +38,7 @@ static int branches[POINTS];
 static int labels[ROWS * ROWS * 10];
 static mdr_profile *ball, *tip;
 static mdr_medium *half_space, *film;
-static mdr_medium *coating, *soft_film, *multilayer;
+static mdr_medium *coating, *soft_film, *multilayer, *exact_layers, *exact_grades;
 static mdr_contact *contact, *on_film, *by_tip, *coated, *adhesive, *scaled, *on_pair, *relaxing_film, *on_layers;
 static mdr_law *law;
 static mdr_structure *voxels;
@@ -164,6 +164,31 @@ static int graded_table_exact(void)
 {
     mdr_medium *m = NULL;
     return mdr_medium_graded(GRADES, x, one, small, MDR_MODEL_EXACT, NULL, &m);
+}
+/* Thousands of layers and depths, solved exactly. */
+static int layers_exact(void)
+{
+    mdr_medium *m = NULL;
+    return mdr_medium_layered(LAYERS, x + 5000, half + 1, one, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &m);
+}
+static int sheared(mdr_medium *m)
+{
+    int status = mdr_medium_tangential_modulus(m, 1, x + 1000, out);
+    return status == MDR_SUCCESS ? mdr_medium_torsional_stiffness(m, 1, x + 1000, out) : status;
+}
+static int sheared_layers(void) { return sheared(exact_layers); }
+static int sheared_grades(void) { return sheared(exact_grades); }
+static int pair_of_exact(void) { mdr_medium *m = NULL; return mdr_medium_pair(exact_layers, exact_grades, &m); }
+static int stress_in_layers(void)
+{
+    mdr_contact *c = NULL;
+    mdr_state state;
+    mdr_interior found;
+    const double radius = 0.5, r = 0.1, z = 0.2;
+    int status = mdr_contact_new(ball, exact_layers, NULL, &c);
+    if (status == MDR_SUCCESS) status = mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &radius, &state);
+    if (status != MDR_SUCCESS) return status;
+    return mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 1, &r, &z, NULL, &found);
 }
 static int pair(void) { mdr_medium *m = NULL; return mdr_medium_pair(film, film, &m); }
 static int contact_on_pair(void)
@@ -419,6 +444,8 @@ int main(void)
 
     CHECK_SUCCESS(mdr_medium_layered(POINTS - 1, one, small, one, 2.0, 0.3, MDR_MODEL_GAO, NULL, &multilayer));
     CHECK_SUCCESS(mdr_contact_new(ball, multilayer, NULL, &on_layers));
+    CHECK_SUCCESS(mdr_medium_layered(LAYERS, x + 5000, half + 1, one, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &exact_layers));
+    CHECK_SUCCESS(mdr_medium_graded(LAYERS, x, x + 5000, half, MDR_MODEL_EXACT, NULL, &exact_grades));
 
     refuse_each("table of f", 0, profile);
     refuse_each("table of g", 0, mdr_table);
@@ -457,6 +484,11 @@ int main(void)
     refuse_each("friction on layers and of a table", 0, friction_on_layers);
     refuse_each("table of depths", 0, graded_table);
     refuse_each("table of depths, exact", 0, graded_table_exact);
+    refuse_each("thousands of layers, exact", 0, layers_exact);
+    refuse_each("layers under shear", 0, sheared_layers);
+    refuse_each("depths under shear", 0, sheared_grades);
+    refuse_each("pair of layers and depths, exact", 0, pair_of_exact);
+    refuse_each("stresses in layers", 0, stress_in_layers);
     refuse_each("pair", 0, pair);
     refuse_each("contact on a pair", 0, contact_on_pair);
     refuse_each("contact under zeta", 0, contact_scaled);

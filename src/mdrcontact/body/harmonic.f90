@@ -136,13 +136,14 @@ contains
     end function both_parts
 
     !> None: no two frequencies have the same kernel.
-    pure function ratios(self) result(values)
+    pure subroutine ratios(self, values, error)
         class(harmonic_t), intent(in) :: self
-        real(wp), allocatable :: values(:)
+        real(wp), allocatable, intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
 
-        associate (unused => self)
+        associate (unused => self, also_unused => error)
         end associate
-        values = [real(wp) ::]
-    end function ratios
+        allocate (values(0))
+    end subroutine ratios
 
 end module mdrcontact_body_harmonic

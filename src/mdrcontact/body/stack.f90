@@ -193,11 +193,15 @@ contains
         end do
     end subroutine anti_plane_response
 
-    pure function ratios(self) result(values)
+    pure subroutine ratios(self, values, error)
         class(stack_t), intent(in) :: self
-        real(wp), allocatable :: values(:)
+        real(wp), allocatable, intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
 
-        allocate (values(3*size(self%surface%h) + 5))
+        allocate (values(3*size(self%surface%h) + 5), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         associate (n => size(self%surface%h))
             if (n > 0) values(:n) = self%surface%h/self%surface%h(1)
             values(n + 1:2*n) = self%shear
@@ -205,7 +209,7 @@ contains
             values(3*n + 1:3*n + 4) = real([self%surface%base(:, 1), self%surface%base(:, 2)], wp)
             values(3*n + 5) = self%long_wave_limit
         end associate
-    end function ratios
+    end subroutine ratios
 
     !> The layers as they were given.
     pure subroutine sublayers(self, unit, ratio, depths, layers, error)

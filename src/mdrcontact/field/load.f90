@@ -4,7 +4,7 @@
 !> p(r) follows from q by equation (6), and its Hankel transform is p_hat(k) = int_0^a p J0(kr) r dr = (1/pi) int_0^a q cos kx dx.
 module mdrcontact_field_load
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemv
     use mdrcontact_numerics_quadrature, only: gauss_legendre
@@ -14,6 +14,8 @@ module mdrcontact_field_load
 
     !> How many wavenumbers share sines, that of the panels of wave_rule.
     integer, parameter :: panel = 16
+    !> Positions at which q' is asked for together.
+    integer, parameter :: together = 1024
     !> Nodes of a panel of positions, and the largest k times its length.
     integer, parameter :: nodes = 16
     real(wp), parameter :: longest_phase = 15.0_wp
@@ -68,12 +70,17 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: x(:), weight(:), cosine(:, :), sine(:, :), here(:)
         real(wp) :: distance(panel)
-        integer :: i, j, last
+        integer :: i, j, last, stat
 
         call self%rule(maxval(k), x, weight, error)
         if (allocated(error)) return
-        weight = -weight*self%slope(0.0_wp, x)
-        allocate (cosine(size(x), panel), sine(size(x), panel), here(size(x)))
+        allocate (cosine(size(x), panel), sine(size(x), panel), here(size(x)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        do i = 1, size(x), together
+            last = min(i + together - 1, size(x))
+            weight(i:last) = -weight(i:last)*self%slope(0.0_wp, x(i:last))
+        end do
         distance = -1.0_wp
         do i = 1, size(k), panel
             call check_cancelled(error)
@@ -101,13 +108,15 @@ contains
         real(wp) :: total
         real(wp), allocatable :: x(:), weight(:), q(:)
         real(wp) :: node(nodes), w(nodes), inner(nodes), before
-        integer :: first, i
+        integer :: first, i, stat
 
         total = 0.0_wp
         call gauss_legendre(node, w, error)
         call self%rule(0.0_wp, x, weight, error)
         if (allocated(error)) return
-        allocate (q(size(x)))
+        allocate (q(size(x)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         before = self%edge
         ! panel by panel from the edge inwards; in a panel q' dx is as smooth in the rule's variable as its nodes say
         do first = size(x) - nodes + 1, 1, -nodes
@@ -152,7 +161,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: ends(:)
         real(wp) :: node(nodes), w(nodes), low, length
-        integer :: i, j, from
+        integer :: i, j, from, stat
         integer, allocatable :: panels(:)
         logical :: from_zero
 
@@ -160,15 +169,20 @@ contains
         if (allocated(error)) return
         from_zero = size(self%kinks) > 0
         if (from_zero) from_zero = self%kinks(1) <= 0.0_wp
-        allocate (ends(size(self%kinks) + merge(1, 2, from_zero)))
+        i = size(self%kinks) + merge(1, 2, from_zero)
+        allocate (ends(i), panels(i - 1), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         ends(1) = 0.0_wp
         ends(size(ends) - size(self%kinks):) = [self%kinks, self%radius]
-        panels = 1 + int((k/longest_phase + 1.0_wp/self%analytic)*(ends(2:) - ends(:size(ends) - 1)))
+        panels(:) = 1 + int((k/longest_phase + 1.0_wp/self%analytic)*(ends(2:) - ends(:size(ends) - 1)))
         ! s^2 spreads the last panel to twice its length
         do i = 1, size(panels)
             if (any(self%kinks == ends(i))) panels(i) = 2*panels(i)
         end do
-        allocate (x(nodes*sum(panels)), weight(nodes*sum(panels)))
+        allocate (x(nodes*sum(panels)), weight(nodes*sum(panels)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         from = 0
         do i = 1, size(panels)
             length = ends(i + 1) - ends(i)

@@ -36,31 +36,35 @@ contains
         real(wp), intent(in) :: k(:)
         logical, intent(in) :: along_surface
         type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: reflection(:, :, :), to_amplitude(:, :, :)
         integer :: i, n, stat
 
         n = size(layers%thickness)
-        allocate (self%k(size(k)), self%plane(4, n + 1, size(k)), self%plane_less(2, size(k)), stat=stat)
+        allocate (self%k(size(k)), self%plane(4, n + 1, size(k)), self%plane_less(2, size(k)), reflection(2, 2, n), &
+                  to_amplitude(2, 2, n), stat=stat)
         if (stat == 0 .and. along_surface) allocate (self%along(2, n + 1, size(k)), self%along_less(size(k)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         self%k(:) = k
         do i = 1, size(k)
             call plane_amplitudes(layers, k(i), merge([1.0_wp, 0.0_wp], [0.0_wp, -1.0_wp], along_surface), &
-                                  self%plane(:, :, i), self%plane_less(:, i))
+                                  reflection, to_amplitude, self%plane(:, :, i), self%plane_less(:, i))
         end do
         if (.not. along_surface) return
         do i = 1, size(k)
-            call along_amplitudes(layers, k(i), self%along(:, :, i), self%along_less(i))
+            call along_amplitudes(layers, k(i), reflection(1, 1, :), self%along(:, :, i), self%along_less(i))
         end do
     end subroutine new_sweep
 
     !> Up: the compliance M, k (U, W) = M (T, S), and R, B = R A. Down: the amplitudes under the traction `load` = (T, S).
-    pure subroutine plane_amplitudes(layers, k, load, amplitudes, less)
+    pure subroutine plane_amplitudes(layers, k, load, reflection, to_amplitude, amplitudes, less)
         type(layers_t), intent(in) :: layers
         real(wp), intent(in) :: k, load(2)
+        !> R of each layer, and what makes A of the traction on it
+        real(wp), intent(out) :: reflection(:, :, :), to_amplitude(:, :, :)
         real(wp), intent(out) :: amplitudes(:, :), less(2)
         real(wp), dimension(2, 2) :: compliance, m
-        real(wp) :: reflection(2, 2, size(layers%thickness)), to_amplitude(2, 2, size(layers%thickness)), traction(2), t
+        real(wp) :: traction(2), t
         integer :: i, n
 
         n = size(layers%thickness)
@@ -104,11 +108,13 @@ contains
     end subroutine plane_amplitudes
 
     !> The same for V and N, k V = M N, under N = -1.
-    pure subroutine along_amplitudes(layers, k, amplitudes, less)
+    pure subroutine along_amplitudes(layers, k, reflection, amplitudes, less)
         type(layers_t), intent(in) :: layers
         real(wp), intent(in) :: k
+        !> R of each layer
+        real(wp), intent(out) :: reflection(:)
         real(wp), intent(out) :: amplitudes(:, :), less
-        real(wp) :: compliance, reflection(size(layers%thickness)), fade, traction
+        real(wp) :: compliance, fade, traction
         integer :: i, n
 
         n = size(layers%thickness)

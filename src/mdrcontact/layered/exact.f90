@@ -148,7 +148,7 @@ contains
     subroutine new_exact_pair(self, lower, upper, error)
         type(layered_exact_t), intent(out) :: self
         !> not pairs, not both rigid
-        type(layered_exact_t), intent(in) :: lower, upper
+        class(layered_exact_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
 
         self%surface_modulus = in_series(lower%surface_modulus, upper%surface_modulus)
@@ -450,10 +450,11 @@ contains
         class(layered_exact_t), intent(in) :: self
         class(medium_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
-        type(layered_exact_t) :: own
+        type(layered_exact_t), allocatable :: own
 
+        allocate (own)
         call new_under_shear(own, self, .false., error)
-        if (.not. allocated(error)) allocate (tangential, source=own)
+        if (.not. allocated(error)) call move_alloc(own, tangential)
     end subroutine new_tangential
 
     !> The medium under shear in one direction, or around the axis.

@@ -92,7 +92,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: panel
         real(wp) :: ends(2)
-        integer :: i, nodes, panels, first
+        integer :: i, nodes, panels, first, stat
 
         nodes = count
         if (fine) nodes = max(ceiling(1.5_wp/trusted*real(order, wp)), min(24 + nint(16.0_wp*sqrt(sqrt(a))), 256))
@@ -107,7 +107,9 @@ contains
             return
         end if
         nodes = size(panel%weights)
-        allocate (rule%distance(panels*nodes), rule%weights(panels*nodes))
+        allocate (rule%distance(panels*nodes), rule%weights(panels*nodes), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         do i = 1, panels
             first = (i - 1)*nodes + 1
             ends = 2.0_wp*sin(half_pi*[real(i - 1, wp), real(i, wp)]/real(panels, wp))**2
@@ -130,9 +132,9 @@ contains
         logical, intent(in) :: fine
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
-        real(wp), allocatable :: x(:), even(:), odd(:)
+        real(wp), allocatable :: x(:), even(:), odd(:), work(:, :)
         real(wp) :: base(1)
-        integer :: n, half, highest
+        integer :: n, half, highest, stat
 
         self%a = a
         call contact_rule(rule, a, count, order, fine, error)
@@ -140,7 +142,10 @@ contains
         n = size(rule%weights)
         highest = n - 1
         if (fine) highest = floor(trusted/1.5_wp*n)
-        allocate (x(n))
+        half = n/2
+        allocate (x(n), even(half), odd(half), work(n, 4), self%t(0:last), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         if (kernel%sigma_zero > 1.0_wp .and. 2.0_wp*a <= scale(1.0_wp, kernel%plateau)) self%shift = kernel%origin
         call kernel%evaluate(a*rule%distance, self%shift, x)
         call kernel%evaluate([2.0_wp*a], kernel%origin, base)
@@ -155,36 +160,34 @@ contains
             ! the sum of X is exact here: what is left are its first moments
             self%magnitude = 2.0_wp*a/pi*sum(abs(x)*rule%distance)
         end if
-        allocate (self%t(0:last))
         if (fine) then
-            call sum_moments(n, rule%distance, x, x, base(1), 0.0_wp, min(highest, last), self%t)
+            call sum_moments(n, rule%distance, x, x, base(1), 0.0_wp, min(highest, last), work, self%t)
         else
             ! the rule is symmetric, and P_k(-u) = (-1)^k P_k(u)
-            half = n/2
-            allocate (even, source=x(:half) + x(n:half + 1:-1))
-            allocate (odd, source=x(:half) - x(n:half + 1:-1))
-            call sum_moments(half, rule%distance, even, odd, base(1), 2.0_wp*sum(x(half + 1:)), min(highest, last), self%t)
+            even(:) = x(:half) + x(n:half + 1:-1)
+            odd(:) = x(:half) - x(n:half + 1:-1)
+            call sum_moments(half, rule%distance, even, odd, base(1), 2.0_wp*sum(x(half + 1:)), min(highest, last), work, self%t)
         end if
         if (highest < last) self%t(highest + 1:) = base(1) - sum(x)
         self%t(1::2) = -self%t(1::2)
     end subroutine new_moments
 
     !> t_k = base + sum of x r_k with P_k(v - 1) = (-1)^k (1 + r_k(v)), k = 0 ... count: r_k keeps its digits towards v = 0.
-    pure subroutine sum_moments(n, v, even, odd, base, less, count, t)
+    pure subroutine sum_moments(n, v, even, odd, base, less, count, work, t)
         !> a multiple of 2
         integer, intent(in) :: n
         !> nodes, x for even k and for odd k, and what is taken off `base` for odd k
         real(wp), intent(in) :: v(n), even(n), odd(n), base, less
         integer, intent(in) :: count
+        real(wp), intent(out) :: work(n, 4)
         real(wp), intent(inout) :: t(0:)
-        real(wp) :: difference(n), r(n), parts(2)
+        real(wp) :: parts(2)
         integer :: k
 
-        difference = 0.0_wp
-        r = 0.0_wp
+        work(:, :2) = 0.0_wp
         t(0) = base
         do k = 1, count, 2
-            call add_orders(n, k, v, odd, even, difference, r, parts)
+            call add_orders(n, k, v, odd, even, work(:, 1), work(:, 2), work(:, 3), work(:, 4), parts)
             t(k) = (base - less) + parts(1)
             if (k < count) t(k + 1) = base + parts(2)
         end do
@@ -192,12 +195,14 @@ contains
 
     !> From r_(k-1) and its difference from the one before to r_(k+1), and the sums of x r_k and of y r_(k+1): first the products,
     !> then the sums, two at a time, which compilers take as vectors.
-    pure subroutine add_orders(n, k, v, x, y, difference, r, totals)
+    pure subroutine add_orders(n, k, v, x, y, difference, r, of_x, of_y, totals)
         integer, intent(in) :: n, k
         real(wp), intent(in) :: v(n), x(n), y(n)
         real(wp), intent(inout) :: difference(n), r(n)
+        !> the products
+        real(wp), intent(out) :: of_x(n), of_y(n)
         real(wp), intent(out) :: totals(2)
-        real(wp) :: keep(2), turn(2), of_x(n), of_y(n), part(2), d, s
+        real(wp) :: keep(2), turn(2), part(2), d, s
         integer :: i
 
         keep = [real(k - 1, wp)/real(k, wp), real(k, wp)/real(k + 1, wp)]

@@ -41,7 +41,8 @@ contains
         real(wp), allocatable :: ratios(:)
         integer :: i
 
-        allocate (ratios, source=surface%ratios())
+        call surface%ratios(ratios, error)
+        if (allocated(error)) return
         do i = 1, most_kernels
             if (is_same(shared%kernels(i), ratios)) exit
         end do

@@ -67,9 +67,10 @@ contains
         real(wp) :: even, effective, rise, depth, force
         integer :: j
 
-        allocate (self%normal, source=normal)
-        allocate (self%tangential, source=tangential)
-        allocate (self%profile%base, source=profile)
+        call normal%copy_to(self%normal, error)
+        if (.not. allocated(error)) call tangential%copy_to(self%tangential, error)
+        if (.not. allocated(error)) call profile%copy_to(self%profile%base, error)
+        if (allocated(error)) return
         self%radius = springs%a
         call normal%response(profile, springs%a, depth, force, effective, rise, error)
         if (allocated(error)) return

@@ -7,7 +7,7 @@
 !> product with g is taken whole, as an integral.
 module mdrcontact_layered_solve
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_lapack, only: dpotrf
     use mdrcontact_layered_kernel, only: kernel_t
@@ -165,12 +165,14 @@ contains
         logical, intent(out) :: solved
         type(error_t), allocatable, intent(inout) :: error
         class(profile_t), intent(in), optional :: profile
-        integer :: i
+        integer :: i, stat
 
         solved = .false.
         call new_interaction(self%moments, self%h, kernel, a, rows, n, count, order, error)
         if (allocated(error)) return
-        allocate (self%rhs(rows, 3))
+        allocate (self%rhs(rows, 3), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         self%rhs(:, 1) = 0.0_wp
         self%rhs(1, 1) = sqrt(2.0_wp)
         call edge_row(self%moments, self%h(:, 1), self%rhs(:, 2))

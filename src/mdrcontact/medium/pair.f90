@@ -85,27 +85,31 @@ contains
     subroutine add_exactly(medium, lower, upper, error)
         class(medium_t), allocatable, intent(out) :: medium
         !> solved
-        class(medium_t), intent(in) :: lower, upper
+        class(medium_t), intent(in), target :: lower, upper
         type(error_t), allocatable, intent(out) :: error
-        type(layered_exact_t) :: first, second
+        type(layered_exact_t), target :: bare(2)
+        class(layered_exact_t), pointer :: first, second
         type(layered_exact_t), allocatable :: exact
 
         allocate (exact)
-        call as_exact(lower, first)
-        call as_exact(upper, second)
+        call as_exact(lower, bare(1), first)
+        call as_exact(upper, bare(2), second)
         call new_exact_pair(exact, first, second, error)
         if (.not. allocated(error)) call move_alloc(exact, medium)
     end subroutine add_exactly
 
-    subroutine as_exact(medium, exact)
-        class(medium_t), intent(in) :: medium
-        type(layered_exact_t), intent(out) :: exact
+    !> The medium itself, or a half-space in the same form.
+    subroutine as_exact(medium, bare, exact)
+        class(medium_t), intent(in), target :: medium
+        type(layered_exact_t), intent(inout), target :: bare
+        class(layered_exact_t), pointer, intent(out) :: exact
 
+        exact => bare
         select type (medium)
         class is (homogeneous_t)
-            call new_layered_exact(exact, medium)
+            call new_layered_exact(bare, medium)
         class is (layered_exact_t)
-            exact = medium
+            exact => medium
         end select
     end subroutine as_exact
 
@@ -129,7 +133,7 @@ contains
         class(medium_t), intent(in) :: medium
         class(effective_medium_t), allocatable, intent(out) :: effective
         type(error_t), allocatable, intent(out) :: error
-        type(tabulated_medium_t) :: sampled
+        type(tabulated_medium_t), allocatable :: sampled
         type(homogeneous_t) :: homogeneous
 
         select type (medium)
@@ -137,8 +141,9 @@ contains
             call medium%copy_effective(effective, error)
         class is (layered_exact_t)
             if (medium%pressed%first_depth > 0.0_wp) then
+                allocate (sampled)
                 call new_sampled_exact(sampled, medium, error)
-                if (.not. allocated(error)) allocate (effective, source=sampled)
+                if (.not. allocated(error)) call move_alloc(sampled, effective)
             else
                 ! layers of one material
                 call new_homogeneous_from_modulus(homogeneous, medium%pressed%surface_modulus, error)
