@@ -12,6 +12,7 @@ module mdrcontact_field_hankel
     use mdrcontact_field_waves, only: bessel_012, faded, wave_rule
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dgemm
+    use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
     private
     public :: hankel_t, new_hankel, depth_t, add_point, add_grid
@@ -97,7 +98,9 @@ contains
         type(depth_t), intent(in) :: depth
         integer :: number
 
-        number = count(self%k <= depth%last)
+        number = 0
+        if (self%k(1) <= depth%last) number = interval_of(self%k, depth%last)
+        if (self%k(size(self%k)) <= depth%last) number = size(self%k)
     end function wave_count
 
     !> How many of the sums have J0, J1/r and J2/r^2, in this order.
