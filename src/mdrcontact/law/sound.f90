@@ -32,8 +32,10 @@ contains
 
         sound = table%end_radius >= 0.0_wp .and. table%lowest < table%highest
         if (.not. table%adhesive) then
-            ! below the range: end_values (s/lowest)^powers
-            sound = sound .and. table%lowest > 0.0_wp .and. all(table%end_values >= 0.0_wp) .and. all(table%powers >= -rounding)
+            ! below the range: end_values (s/lowest)^powers, with k = dF/dd, which may fall
+            sound = sound .and. table%lowest > 0.0_wp .and. all(table%end_values >= 0.0_wp) .and. all(table%powers(:2) >= -rounding)
+            sound = sound .and. abs(table%powers(3) - merge(table%powers(1) - 1.0_wp, 1.0_wp - table%powers(1), table%by_depth)) &
+                    <= rounding
         end if
         do i = 1, size(table%segments)
             if (sound) sound = is_sound_segment(table, table%segments(i))
