@@ -68,6 +68,7 @@ contains
 
     pure function mdr_at(self, x) result(y)
         class(profile_t), intent(in) :: self
+        !> 0 <= x <= largest_radius [length]
         real(wp), intent(in) :: x(:)
         real(wp) :: y(size(x))
 
