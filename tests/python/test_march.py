@@ -237,3 +237,14 @@ def test_under_no_force_the_indenter_rests_on_what_is_left():
     time = np.array([0.0, 0.5, 9.0, 9.1])
     none, hardly = (contact.history(time, force=[0.0, 0.1, 0.03, last], tolerance=1e-4).depth for last in (0.0, 1e-12))
     assert none == pytest.approx(hardly, rel=1e-3)
+
+
+def test_an_indenter_may_come_from_anywhere():
+    """The start of its way is neither a length to extrapolate nor one that a gap beside the contact is compared with."""
+    contact = mdr.Contact(mdr.Paraboloid(1.0), BODIES["polymers"])
+    time = [0.0, 1.0, 1.5, 2.0]
+    near, *far = (
+        contact.history(time, depth=[start, 0.3, 0.2, 0.4], tolerance=1e-3).force for start in (-1e6, -1e15, -1e17, -1.7e308)
+    )
+    for found in far:
+        np.testing.assert_allclose(found, near, rtol=2e-3)

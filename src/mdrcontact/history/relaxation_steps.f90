@@ -160,11 +160,12 @@ contains
         do level = 0, most_levels
             call march_once(contact, memory, limit, shortest, given, time, values, level, now, gap, error)
             if (allocated(error)) return
-            best = (4.0_wp*now - before)/3.0_wp
+            best = now + (now - before)/3.0_wp
             if (level == 1) change = largest_change(now, best)
             ! the error of `best` falls at most as fast as the fourth power of the step: what falls faster falls by chance
             if (level > 1) change = max(change/16.0_wp, largest_change(best, best_before))
-            nearest = max(tolerance, 1.0e-6_wp)*maxval(abs(now(:, 1)))
+            ! how far an indenter was away before does not count
+            nearest = max(tolerance, 1.0e-6_wp)*max(maxval(now(:, 1)), 0.0_wp)
             if (level > 0 .and. change <= tolerance) then
                 if (gap < -nearest) exit
                 depth = best(:, 1)
@@ -257,7 +258,7 @@ contains
         real(wp), intent(out) :: gap
         type(error_t), allocatable, intent(inout) :: error
         type(march_t) :: march
-        real(wp) :: length, done, h, next, part, slope, slope_before, steepest
+        real(wp) :: length, done, end, h, next, part, slope, slope_before, steepest, value
         integer :: i, j, cuts
 
         gap = 0.0_wp
@@ -284,17 +285,27 @@ contains
                 if (values(i - 1) < 0.0_wp) done = -values(i - 1)/slope
                 if (done > 0.0_wp) call step_march(march, done, given, 0.0_wp, error)
                 next = min(shortest, first_touch*(length - done))
+                ! from so far away that no double lies between touch and the sample
+                if (.not. done < length) call step_march(march, 0.0_wp, given, values(i), error)
+                if (allocated(error)) return
             end if
             do while (done < length)
                 h = next
                 next = growth*next
-                if (length - done < 1.3_wp*h) h = length - done
+                end = done + h
+                if (length - done < 1.3_wp*h) then
+                    h = length - done
+                    end = length
+                end if
                 do j = 1, cuts
-                    part = done + h*real(j, wp)/real(cuts, wp)
-                    call step_march(march, h/real(cuts, wp), given, values(i - 1) + slope*part, error)
+                    part = merge(end, done + h*real(j, wp)/real(cuts, wp), j == cuts)
+                    ! from the nearer end of the interval: the other may lie far away
+                    value = values(i - 1) + slope*part
+                    if (part > 0.5_wp*length) value = values(i) - slope*(length - part)
+                    call step_march(march, h/real(cuts, wp), given, value, error)
                     if (allocated(error)) return
                 end do
-                done = done + h
+                done = end
             end do
             if (given == given_depth) march%depth = values(i)
             states(i, :) = [march%depth, march%radius, march%force]
