@@ -20,6 +20,7 @@ module mdrcontact_law_file
     character(len=*), parameter :: kinds(2) = ["contact ", "friction"]
     integer, parameter :: of_contact = 1, of_friction = 2
     character(len=*), parameter :: version = "2"
+    character(len=*), parameter :: of_description = " characters of description, then ", of_numbers = " numbers"
     character(len=*), parameter :: checksum_name = "crc32 "
     integer, parameter :: word_length = 17, checksum_line = len(checksum_name) + 8 + 1
 
@@ -156,7 +157,7 @@ contains
         words(count - size(more) + 1:) = transfer(more, [0_int64], size(more))
         call make_title(kind, title)
         first_line = title//version//new_line_character//count_text(len(law%description))// &
-                     " characters of description, then "//count_text(size(words))//" numbers"//new_line_character
+                     of_description//count_text(size(words))//of_numbers//new_line_character
         start = len(first_line) + len(law%description) + 1
         allocate (character(len=start + word_length*size(words) + 1 + checksum_line) :: text, stat=stat)
         call check_memory(error, stat)
@@ -266,13 +267,21 @@ contains
         integer(int64), allocatable, intent(out) :: words(:)
         integer, intent(out) :: start
         type(error_t), allocatable, intent(inout) :: error
-        character(len=40) :: filler(4)
-        integer :: length, count, i, stat
+        integer :: length, count, middle, line_end, i, stat
 
         start = index(text, new_line_character) + 1
-        read (text(start:), *, iostat=stat) length, filler, count
+        line_end = start + index(text(start:), new_line_character) - 1
+        middle = start + index(text(start:line_end), of_description) - 1
+        stat = 1
+        if (middle > start) call read_count(text(start:middle - 1), length, stat)
         if (stat == 0) then
-            start = start + index(text(start:), new_line_character)
+            start = middle + len(of_description)
+            middle = line_end - len(of_numbers)
+            call read_count(text(start:middle - 1), count, stat)
+            if (text(middle:line_end - 1) /= of_numbers) stat = 1
+        end if
+        if (stat == 0) then
+            start = line_end + 1
             if (length < 0 .or. count < 1 .or. length > len(text) - start .or. count > len(text)/word_length) stat = 1
         end if
         if (stat == 0) then
@@ -293,5 +302,17 @@ contains
         end if
         if (stat /= 0) call raise(error, error_file, "its numbers cannot be read")
     end subroutine read_words
+
+    !> A whole number of digits alone: a list-directed read takes more than these, and gfortran's leaks memory where it fails.
+    pure subroutine read_count(digits, count, stat)
+        character(len=*), intent(in) :: digits
+        integer, intent(out) :: count, stat
+
+        count = 0
+        stat = 1
+        if (len(digits) == 0 .or. len(digits) > 9 .or. verify(digits, "0123456789") > 0) return
+        read (digits, "(i9)", iostat=stat) count
+        if (stat /= 0) count = 0
+    end subroutine read_count
 
 end module mdrcontact_law_file
