@@ -88,7 +88,7 @@ contains
 
     pure subroutine none(self, values, error)
         class(body_t), intent(in) :: self
-        !> the numbers
+        !> numbers without a unit, or none
         real(wp), allocatable, intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
 

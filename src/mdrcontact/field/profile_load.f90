@@ -5,6 +5,7 @@ module mdrcontact_field_profile_load
     use mdrcontact_field_load, only: load_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_series, only: even_slope
     use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -61,27 +62,5 @@ contains
         y = -self%modulus*(self%profile%mdr_slope_beyond(start, distance) &
                            + even_slope(self%v, (start + distance)/self%radius)/self%radius)
     end function slope
-
-    !> sum of c_j P'_2j(u): P'_(n+1) = P'_(n-1) + (2 n + 1) P_n.
-    pure function even_slope(c, u) result(total)
-        real(wp), intent(in) :: c(0:), u(:)
-        real(wp) :: total(size(u))
-        real(wp), dimension(size(u)) :: even, odd, rise
-        real(wp) :: over
-        integer :: j
-
-        total = 0.0_wp
-        even = 1.0_wp
-        odd = u
-        rise = 0.0_wp
-        do j = 0, ubound(c, 1)
-            total = total + c(j)*rise
-            rise = rise + real(4*j + 3, wp)*odd
-            over = 1.0_wp/real(2*j + 2, wp)
-            even = (over*real(4*j + 3, wp))*u*odd - (over*real(2*j + 1, wp))*even
-            over = 1.0_wp/real(2*j + 3, wp)
-            odd = (over*real(4*j + 5, wp))*u*even - (over*real(2*j + 2, wp))*odd
-        end do
-    end function even_slope
 
 end module mdrcontact_field_profile_load

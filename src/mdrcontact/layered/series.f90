@@ -4,7 +4,7 @@ module mdrcontact_layered_series
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: add_even_sum, add_projections, even_sum
+    public :: add_even_sum, add_projections, even_slope, even_sum
 
     !> Places at a time: room for them is fixed.
     integer, parameter :: together = 256
@@ -31,6 +31,28 @@ contains
             total = total + c(j)*even
         end do
     end function even_sum
+
+    !> sum of c_j P'_2j(u): P'_(n+1) = P'_(n-1) + (2 n + 1) P_n.
+    pure function even_slope(c, u) result(total)
+        real(wp), intent(in) :: c(0:), u(:)
+        real(wp) :: total(size(u))
+        real(wp), dimension(size(u)) :: even, odd, rise
+        real(wp) :: over
+        integer :: j
+
+        total = 0.0_wp
+        even = 1.0_wp
+        odd = u
+        rise = 0.0_wp
+        do j = 0, ubound(c, 1)
+            total = total + c(j)*rise
+            rise = rise + real(4*j + 3, wp)*odd
+            over = 1.0_wp/real(2*j + 2, wp)
+            even = (over*real(4*j + 3, wp))*u*odd - (over*real(2*j + 1, wp))*even
+            over = 1.0_wp/real(2*j + 3, wp)
+            odd = (over*real(4*j + 5, wp))*u*even - (over*real(2*j + 2, wp))*odd
+        end do
+    end function even_slope
 
     !> Adds factor times the sum of c_j P_2j(x/a), j = 0 ..., at any number of places.
     pure subroutine add_even_sum(c, x, a, factor, values)

@@ -7,7 +7,7 @@ module mdrcontact_layered_slip_profile
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_legendre, only: normalisation
     use mdrcontact_layered_rule, only: new_rule, rule_t
-    use mdrcontact_layered_series, only: add_even_sum, add_projections, even_sum
+    use mdrcontact_layered_series, only: add_even_sum, add_projections, even_slope, even_sum
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -75,37 +75,21 @@ contains
         class(slip_profile_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
+        real(wp) :: series(1)
 
-        y = self%ratio*(self%base%mdr_slope(x) + even_slope(self%c, x/self%radius)/self%radius)
+        series = even_slope(self%c, [x/self%radius])
+        y = self%ratio*(self%base%mdr_slope(x) + series(1)/self%radius)
     end function mdr_slope
 
     elemental function mdr_slope_beyond(self, start, distance) result(y)
         class(slip_profile_t), intent(in) :: self
         real(wp), intent(in) :: start, distance
         real(wp) :: y
+        real(wp) :: series(1)
 
-        y = self%ratio*(self%base%mdr_slope_beyond(start, distance) &
-                        + even_slope(self%c, (start + distance)/self%radius)/self%radius)
+        series = even_slope(self%c, [(start + distance)/self%radius])
+        y = self%ratio*(self%base%mdr_slope_beyond(start, distance) + series(1)/self%radius)
     end function mdr_slope_beyond
-
-    !> The derivative of the sum of c_j P_2j(u).
-    pure function even_slope(c, u) result(slope)
-        real(wp), intent(in) :: c(0:), u
-        real(wp) :: slope
-        real(wp) :: even, odd, term
-        integer :: j
-
-        even = 1.0_wp
-        odd = u
-        term = 0.0_wp
-        slope = 0.0_wp
-        do j = 1, ubound(c, 1)
-            term = term + real(4*j - 1, wp)*odd
-            even = (real(4*j - 1, wp)*u*odd - real(2*j - 1, wp)*even)/real(2*j, wp)
-            odd = (real(4*j + 1, wp)*u*even - real(2*j, wp)*odd)/real(2*j + 1, wp)
-            slope = slope + c(j)*term
-        end do
-    end function even_slope
 
     pure subroutine add_breaks(self, radii, error)
         class(slip_profile_t), intent(in) :: self
