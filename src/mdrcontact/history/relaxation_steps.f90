@@ -29,6 +29,8 @@ module mdrcontact_history_relaxation_steps
     !> The same after a kink of a power law in units of the shortest interval, and what is a kink, of the steepest slope.
     real(wp), parameter :: first_part = 1.0e-3_wp, kink = 0.1_wp
     integer, parameter :: most_levels = 9
+    !> The change by a halving falls at most by this factor from one halving to the next.
+    real(wp), parameter :: fastest = 16.0_wp
     !> What the common times may add to the error of the transform, which is up to 1000 times smaller than that in time.
     real(wp), parameter :: memory_part = 1.0e-3_wp
 
@@ -156,16 +158,16 @@ contains
         shortest = max(first_step*memory%shortest, shortest_interval)
         best_before = 0.0_wp
         before = 0.0_wp
-        change = huge(1.0_wp)
+        change = 0.0_wp
         do level = 0, most_levels
             call march_once(contact, memory, limit, shortest, given, time, values, level, now, gap, error)
             if (allocated(error)) return
             best = now + (now - before)/3.0_wp
             if (level == 1) change = largest_change(now, best)
             ! the error of `best` falls at most as fast as the fourth power of the step: what falls faster falls by chance
-            if (level > 1) change = max(change/16.0_wp, largest_change(best, best_before))
+            if (level > 1) change = max(change/fastest, largest_change(best, best_before))
             ! how far an indenter was away before does not count
-            nearest = max(tolerance, 1.0e-6_wp)*max(maxval(now(:, 1)), 0.0_wp)
+            nearest = max(tolerance, 1.0e-6_wp, change)*max(maxval(now(:, 1)), 0.0_wp)
             if (level > 0 .and. change <= tolerance) then
                 if (gap < -nearest) exit
                 depth = best(:, 1)
@@ -179,6 +181,8 @@ contains
                 end where
                 return
             end if
+            ! not even the fastest fall over the levels that are left reaches it
+            if (level > 0 .and. .not. change <= tolerance*fastest**(most_levels - level)) exit
             best_before = best
             before = now
         end do
