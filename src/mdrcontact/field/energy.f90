@@ -23,59 +23,67 @@ contains
         type(layers_t), intent(in) :: layers
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: energies(size(layers%thickness) + 1)
-        real(wp) :: below(size(layers%thickness) + 2)
-        integer :: i, n
+        type(layers_t) :: scaled
+        type(sweep_t) :: sweep
+        real(wp), allocatable :: k(:), weight(:), transform(:)
+        real(wp) :: below(size(layers%thickness) + 2), contrast
+        integer :: i, n, stat
 
-        n = size(layers%thickness)
+        energies = 0.0_wp
+        below = 0.0_wp
         associate (modulus => 2.0_wp*layers%shear(1)/(1.0_wp - layers%poisson(1)))
             below(1) = load%square_integral(error)/modulus
         end associate
-        if (n > 0) below(1) = below(1) + energy_below(load, layers, 1, error)
-        do i = 2, n + 1
-            below(i) = energy_below(load, layers, i, error)
-        end do
-        below(n + 2) = 0.0_wp
-        energies = below(:n + 1) - below(2:)
+        if (allocated(error)) return
+        if (size(layers%thickness) > 0) then
+            n = size(layers%thickness) + merge(0, 1, layers%rigid_base)
+            scaled = layers
+            scaled%thickness = layers%thickness/load%radius
+            contrast = maxval(layers%shear(:n))/minval(layers%shear(:n))
+            ! p_hat^2 holds waves up to 2 a, and the states e^(-2 k z)
+            call wave_rule(2.0_wp, sum(scaled%thickness)*contrast, faded/(2.0_wp*scaled%top(2)), k, weight, error)
+            if (allocated(error)) return
+            allocate (transform(size(k)), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
+            call load%transform(k/load%radius, transform, error)
+            if (allocated(error)) return
+            call new_sweep(sweep, scaled, k, .false., error)
+            if (allocated(error)) return
+            weight(:) = pi/(2.0_wp*load%radius)*weight*transform**2
+            do i = 1, n
+                below(i) = below(i) + energy_below(sweep, scaled, i, k, weight, error)
+                if (allocated(error)) return
+            end do
+        end if
+        energies = below(:size(energies)) - below(2:)
     end function layer_energies
 
     !> W at the upper face of a layer; for the first one what the layers below add to a half-space of its material.
-    function energy_below(load, layers, layer, error) result(energy)
-        class(load_t), intent(in) :: load
+    function energy_below(sweep, layers, layer, k, weight, error) result(energy)
+        type(sweep_t), intent(in) :: sweep
+        !> thicknesses in units of the contact radius
         type(layers_t), intent(in) :: layers
         integer, intent(in) :: layer
+        !> waves, and pi p_hat^2 dk/(2 a)
+        real(wp), intent(in) :: k(:), weight(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: energy
-        type(layers_t) :: scaled
-        type(sweep_t) :: sweep
-        real(wp), allocatable :: k(:), weight(:), transform(:), y(:, :)
-        real(wp) :: total, contrast
-        integer :: n, stat
+        real(wp), allocatable :: y(:, :)
+        integer :: last, stat
 
         energy = 0.0_wp
-        n = size(layers%thickness) + 1
-        if (layers%rigid_base) n = n - 1
-        if (layer > n) return
-        scaled = layers
-        scaled%thickness = layers%thickness/load%radius
-        total = sum(scaled%thickness)
-        contrast = maxval(layers%shear(:n))/minval(layers%shear(:n))
-        ! p_hat^2 holds waves up to 2 a, and the states e^(-2 k z)
-        call wave_rule(2.0_wp, total*contrast, faded/(2.0_wp*scaled%top(max(layer, 2))), k, weight, error)
-        if (allocated(error)) return
-        allocate (transform(size(k)), y(size(k), normal_rows), stat=stat)
+        last = count(k*layers%top(max(layer, 2)) <= 0.5_wp*faded)
+        allocate (y(last, normal_rows), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        call load%transform(k/load%radius, transform, error)
-        if (allocated(error)) return
-        call new_sweep(sweep, scaled, k, .false., error)
-        if (allocated(error)) return
-        call layer_state(sweep, scaled, layer, scaled%top(layer), scaled%top(layer), layer == 1, 1, size(k), y)
+        call layer_state(sweep, layers, layer, layers%top(layer), layers%top(layer), layer == 1, 1, last, y)
         if (layer == 1) then
-            energy = sum(weight*transform**2*y(:, 2))
+            energy = sum(weight(:last)*y(:, 2))
         else
-            energy = -sum(weight*transform**2*(y(:, 1)*y(:, 3) + y(:, 2)*y(:, 4)))
+            energy = -sum(weight(:last)*(y(:, 1)*y(:, 3) + y(:, 2)*y(:, 4)))
         end if
-        energy = pi*energy/(2.0_wp*layers%shear(layer)*load%radius)
+        energy = energy/layers%shear(layer)
     end function energy_below
 
 end module mdrcontact_field_energy
