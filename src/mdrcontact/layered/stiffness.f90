@@ -4,7 +4,7 @@
 !>
 !> The matrix 1 + K is symmetric, also where it is complex and made of those of the kernel's two parts. Its real part is positive
 !> definite where energy is stored, so that it has a factorization L D L^T without pivoting. As for elastic states, n unknowns are
-!> solved for and as many more coefficients taken from one iteration.
+!> solved for and as many more coefficients taken from one iteration, and the factorization holds those of fewer unknowns.
 module mdrcontact_layered_stiffness
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
@@ -34,40 +34,37 @@ contains
         logical, intent(in) :: twisted
         complex(wp), intent(out) :: ratio
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: before
+        complex(wp) :: ratios(2)
         real(wp) :: reached
         integer :: i, n
 
         ratio = 1.0_wp
-        reached = huge(reached)
         if (parts(1)%vanishes) return
         n = maxval([(first_unknowns(parts(i), tolerance, a/parts(i)%unit, .false., .false.), i=1, size(parts))])
-        call solve_with(parts, a, n, twisted, before, error)
         do
+            call solve_with(parts, a, n, n - max(2, n/5), twisted, ratios, error)
             if (allocated(error)) return
+            ratio = ratios(2)
+            reached = abs(ratio - ratios(1))/(merge(on_films, on_gradings, all(parts%resolved <= 1.0_wp))*abs(ratio))
+            if (reached <= tolerance) return
             n = n + max(2, n/4)
             if (n > most_unknowns) exit
-            call solve_with(parts, a, n, twisted, ratio, error)
-            if (allocated(error)) return
-            reached = abs(ratio - before)/(merge(on_films, on_gradings, all(parts%resolved <= 1.0_wp))*abs(ratio))
-            if (reached <= tolerance) return
-            before = ratio
         end do
         call raise_missed(error, "a stiffness", tolerance, a, reached)
     end subroutine relative_stiffness
 
-    !> With n unknowns: the first coefficient of the solution of (1 + H) c = (1, 0, ...).
-    subroutine solve_with(parts, a, n, twisted, first, error)
+    !> With fewer and with n unknowns: the first coefficient of the solution of (1 + H) c = (1, 0, ...).
+    subroutine solve_with(parts, a, n, fewer, twisted, first, error)
         type(kernel_t), intent(in) :: parts(:)
         real(wp), intent(in) :: a
-        integer, intent(in) :: n
+        integer, intent(in) :: n, fewer
         logical, intent(in) :: twisted
-        complex(wp), intent(out) :: first
+        complex(wp), intent(out) :: first(2)
         type(error_t), allocatable, intent(inout) :: error
         type(moments_t) :: moments
         real(wp), allocatable :: h(:, :)
         complex(wp), allocatable :: matrix(:, :)
-        complex(wp) :: y(n), rest(2*n), diagonal
+        complex(wp) :: y(n), before(n), diagonal
         integer :: part, i, j, stat
 
         first = 0.0_wp
@@ -96,6 +93,7 @@ contains
         y = 0.0_wp
         y(1) = 1.0_wp
         do j = 1, n
+            if (j == fewer + 1) before = y
             if (.not. real(matrix(j, j), wp) > 0.0_wp) then
                 call raise(error, error_no_convergence, "the springs of this body nearly cancel at contact radius "//to_text(a))
                 return
@@ -105,16 +103,30 @@ contains
                 matrix(i:n, i) = matrix(i:n, i) - matrix(i, j)/matrix(j, j)*matrix(i:n, j)
             end do
         end do
-        do j = 1, n
-            first = first + y(j)**2/matrix(j, j)
-        end do
-        ! back, and what the equation's other rows say
+        first = [first_coefficient(n, fewer, matrix, before), first_coefficient(n, n, matrix, y)]
+    end subroutine solve_with
+
+    !> From the first m steps of the elimination: their part, back substitution, and what the equation's other rows say.
+    pure function first_coefficient(n, m, matrix, eliminated) result(first)
+        integer, intent(in) :: n, m
+        !> the factor L D in the first n rows
+        complex(wp), intent(in) :: matrix(2*n, n)
+        !> the right-hand side after m steps
+        complex(wp), intent(in) :: eliminated(n)
+        complex(wp) :: first
+        complex(wp) :: y(m), rest(m + 1:2*n)
+        integer :: j
+
+        y = eliminated(:m)
         rest = 0.0_wp
-        do j = n, 1, -1
-            y(j) = (y(j) - sum(matrix(j + 1:n, j)*y(j + 1:)))/matrix(j, j)
+        rest(m + 1:n) = eliminated(m + 1:)
+        first = 0.0_wp
+        do j = m, 1, -1
+            first = first + y(j)**2/matrix(j, j)
+            y(j) = (y(j) - sum(matrix(j + 1:m, j)*y(j + 1:)))/matrix(j, j)
             rest(n + 1:) = rest(n + 1:) - matrix(n + 1:, j)*y(j)
         end do
-        first = first + sum(rest(n + 1:)**2)
-    end subroutine solve_with
+        first = first + sum(rest(m + 1:2*m)**2)
+    end function first_coefficient
 
 end module mdrcontact_layered_stiffness
