@@ -11,7 +11,7 @@ module mdrcontact_layered_stiffness
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: moments_t, new_interaction
-    use mdrcontact_layered_solve, only: first_unknowns, raise_missed
+    use mdrcontact_layered_solve, only: first_unknowns, next_unknowns, raise_missed
     implicit none (type, external)
     private
     public :: relative_stiffness
@@ -47,8 +47,8 @@ contains
             ratio = ratios(2)
             reached = abs(ratio - ratios(1))/(merge(on_films, on_gradings, all(parts%resolved <= 1.0_wp))*abs(ratio))
             if (reached <= tolerance) return
-            n = n + max(2, n/4)
-            if (n > most_unknowns) exit
+            if (n >= most_unknowns) exit
+            n = min(next_unknowns(n, reached/tolerance), most_unknowns)
         end do
         call raise_missed(error, "a stiffness", tolerance, a, reached)
     end subroutine relative_stiffness
