@@ -168,6 +168,7 @@ static void bad_input_is_refused(void)
     /* where GSL finds none, or infinity, and would end the process unless told otherwise */
     upper = 7.0;
     CHECK_INT(mdr_fit_quantile(1e-3, 1e-300, &upper), MDR_ENOCONVERGENCE);
+    CHECK_INT(mdr_fit_quantile(1e-150, 1e-4, &upper), MDR_ENOCONVERGENCE); /* -4e-15 */
     CHECK_INT(mdr_fit_quantile(1.0 - 0x1p-53, INFINITY, &upper), MDR_ENOCONVERGENCE);
     CHECK_CLOSE(upper, 7.0, 0.0);
     CHECK_INT(mdr_fit_interval(&problem, 3, d, F, NULL, NULL, 0, 0.95, &lower, &upper), MDR_EINVALID); /* fixed */

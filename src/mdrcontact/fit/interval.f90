@@ -60,7 +60,8 @@ contains
             call disable_gsl_abort()
             factor = gsl_cdf_tdist_pinv(0.5_wp*(1.0_wp + level), degrees_of_freedom)
         end if
-        if (.not. ieee_is_finite(factor)) then
+        ! at p = 1/2 and few degrees of freedom GSL's is below 0
+        if (.not. (ieee_is_finite(factor) .and. factor >= 0.0_wp)) then
             call raise(error, error_no_convergence, "the quantile at level = "//to_text(level)//" for degrees_of_freedom = "// &
                        to_text(degrees_of_freedom)//" is not found or not finite")
         end if
