@@ -31,6 +31,8 @@ module mdrcontact_history_relaxation_steps
     integer, parameter :: most_levels = 9
     !> The change by a halving falls at most by this factor from one halving to the next.
     real(wp), parameter :: fastest = 16.0_wp
+    !> Halvings one after the other without any fall, after which none is expected.
+    integer, parameter :: most_rises = 2
     !> What the common times may add to the error of the transform, which is up to 1000 times smaller than that in time.
     real(wp), parameter :: memory_part = 1.0e-3_wp
 
@@ -150,8 +152,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(memory_t) :: memory
         real(wp), dimension(size(time), 3) :: now, before, best, best_before
-        real(wp) :: change, shortest, gap, nearest
-        integer :: level
+        real(wp) :: change, last_change, shortest, gap, nearest
+        integer :: level, rises
 
         call new_memory(memory, solid, limit, span, memory_part*tolerance, error)
         if (allocated(error)) return
@@ -159,7 +161,9 @@ contains
         best_before = 0.0_wp
         before = 0.0_wp
         change = 0.0_wp
+        rises = 0
         do level = 0, most_levels
+            last_change = change
             call march_once(contact, memory, limit, shortest, given, time, values, level, now, gap, error)
             if (allocated(error)) return
             best = now + (now - before)/3.0_wp
@@ -181,8 +185,10 @@ contains
                 end where
                 return
             end if
-            ! not even the fastest fall over the levels that are left reaches it
+            ! not even the fastest fall over the levels that are left reaches it, or it does not fall
             if (level > 0 .and. .not. change <= tolerance*fastest**(most_levels - level)) exit
+            rises = merge(rises + 1, 0, level > 2 .and. change >= last_change)
+            if (rises == most_rises) exit
             best_before = best
             before = now
         end do
