@@ -2,7 +2,7 @@
 !> The inversion of measured data, for C.
 module mdrcontact_api_fit
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: make_room
+    use mdrcontact_api_arrays, only: check_results, make_room
     use mdrcontact_api_fit_problem, only: read_data, read_problem
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
@@ -52,6 +52,8 @@ contains
         call read_problem(problem, chosen, branch, error)
         if (.not. allocated(error)) call read_data(branch, n, x, y, given, sd, data, error)
         if (.not. allocated(error)) call solve_fit(chosen, data, fit, error)
+        if (.not. allocated(error)) call check_results(error, fit%fitted)
+        if (.not. allocated(error)) call check_results(error, fit%residuals)
         status = status_of(error)
         if (allocated(error)) return
         m = size(fit%values)
@@ -104,6 +106,8 @@ contains
         call make_room(error, n, model)
         call make_room(error, n, radii)
         if (.not. allocated(error)) call predict(chosen, chosen%parameters%value, data, model, error, radius=radii)
+        if (.not. allocated(error)) call check_results(error, model)
+        if (.not. allocated(error)) call check_results(error, radii)
         status = status_of(error)
         if (allocated(error)) return
         fitted(:n) = model
