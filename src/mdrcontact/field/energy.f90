@@ -9,6 +9,7 @@ module mdrcontact_field_energy
     use mdrcontact_field_load, only: load_t
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, sweep_t
+    use mdrcontact_field_transform, only: hankel_transform
     use mdrcontact_field_waves, only: faded, wave_rule
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
@@ -46,7 +47,7 @@ contains
             allocate (transform(size(k)), stat=stat)
             call check_memory(error, stat)
             if (stat /= 0) return
-            call load%transform(k/load%radius, transform, error)
+            call hankel_transform(load, k/load%radius, transform, error)
             if (allocated(error)) return
             call new_sweep(sweep, scaled, k, .false., error)
             if (allocated(error)) return

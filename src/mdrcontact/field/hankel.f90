@@ -9,6 +9,7 @@ module mdrcontact_field_hankel
     use mdrcontact_field_half_space, only: shear_sums
     use mdrcontact_field_load, only: load_t
     use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, shear_rows, sweep_t
+    use mdrcontact_field_transform, only: hankel_transform
     use mdrcontact_field_waves, only: bessel_012, faded, wave_rule
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dgemm
@@ -86,7 +87,7 @@ contains
         call check_memory(error, stat)
         if (stat /= 0) return
         scaled(:) = self%k/load%radius
-        call load%transform(scaled, self%load, error)
+        call hankel_transform(load, scaled, self%load, error)
         if (allocated(error)) return
         self%load(:) = self%load*weight/load%radius**2
         call new_sweep(self%sweep, layers, self%k, along_surface, error)

@@ -1,24 +1,32 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The load on a surface as stresses inside need it: an axisymmetric pressure given by its line load q(x), 0 <= x <= a.
 !>
-!> p(r) follows from q by equation (6), and its Hankel transform is p_hat(k) = int_0^a p J0(kr) r dr = (1/pi) int_0^a q cos kx dx.
+!> p(r) follows from q by equation (6).
 module mdrcontact_field_load
-    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
-    use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dgemv
+    use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: load_t
+    public :: load_t, panel_t
 
-    !> How many wavenumbers share sines, that of the panels of wave_rule.
-    integer, parameter :: panel = 16
-    !> Positions at which q' is asked for together.
-    integer, parameter :: together = 1024
-    !> Nodes of a panel of positions, and the largest k times its length.
+    !> Nodes of a panel of positions.
     integer, parameter :: nodes = 16
-    real(wp), parameter :: longest_phase = 15.0_wp
+    !> Length of the panel beside the axis at most, where q' may be a broken power or vary as thin layers do [a].
+    real(wp), parameter :: first_beside_axis = 2.0_wp**(-14)
+    !> How much of its angle times its degree a polynomial may go through in a panel.
+    real(wp), parameter :: longest_turn = 5.0_wp
+    !> A panel is not made shorter than this [a].
+    real(wp), parameter :: shortest_panel = 1.0e-12_wp
+
+    !> The positions start + low to start + low + length, with start the axis or the last kink.
+    type :: panel_t
+        real(wp) :: start = 0.0_wp, low = 0.0_wp, length = 0.0_wp
+        !> q' goes with the root of the distance from start
+        logical :: beside_kink = .false.
+    contains
+        procedure :: place_nodes
+    end type panel_t
 
     !> A line load. Extensions hold its parameters; it never changes once made.
     type, abstract :: load_t
@@ -32,14 +40,14 @@ module mdrcontact_field_load
         real(wp) :: singular_end = huge(1.0_wp)
         !> how far from +-a in the complex plane q is analytic [length]
         real(wp) :: analytic = huge(1.0_wp)
+        !> degree of the polynomial of x/a that is a part of q
+        integer :: degree = 0
     contains
         !> q' [modulus] at distances beyond a position: all digits beside a kink, and +-infinity where it is infinite there
         procedure(slope_beyond), deferred :: slope
-        !> p_hat(k) [modulus length^2]
-        procedure :: transform
         procedure :: square_integral
-        !> positions and weights for integrals over the contact
-        procedure :: rule
+        !> panels for integrals over the contact
+        procedure :: panels
         !> makes the axis a kink where q' behaves as a broken power there; for constructors
         procedure :: mark_axis
         !> e of q' ~ x^e beside the axis
@@ -58,77 +66,30 @@ module mdrcontact_field_load
 
 contains
 
-    !> p_hat(k) by parts: (1/pi) [q(a) sin(ka)/k - int_0^a q' sin(kx)/k dx].
-    !>
-    !> Wavenumbers in equal panels, one after the other, share the sines of their distances from the panel's first.
-    subroutine transform(self, k, values, error)
-        class(load_t), intent(in) :: self
-        !> wavenumbers > 0, ascending [1/length]
-        real(wp), intent(in) :: k(:)
-        !> same size as k
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: x(:), weight(:), cosine(:, :), sine(:, :), here(:)
-        real(wp) :: distance(panel)
-        integer :: i, j, last, stat
-
-        call self%rule(maxval(k), x, weight, error)
-        if (allocated(error)) return
-        allocate (cosine(size(x), panel), sine(size(x), panel), here(size(x)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        do i = 1, size(x), together
-            last = min(i + together - 1, size(x))
-            weight(i:last) = -weight(i:last)*self%slope(0.0_wp, x(i:last))
-        end do
-        distance = -1.0_wp
-        do i = 1, size(k), panel
-            call check_cancelled(error)
-            if (allocated(error)) return
-            last = min(i + panel - 1, size(k))
-            if (any(abs(k(i:last) - k(i) - distance(:last - i + 1)) > 8.0_wp*epsilon(1.0_wp)*k(last))) then
-                distance(:last - i + 1) = k(i:last) - k(i)
-                do j = 1, last - i + 1
-                    cosine(:, j) = cos(distance(j)*x)
-                    sine(:, j) = sin(distance(j)*x)
-                end do
-            end if
-            here = weight*sin(k(i)*x)
-            call dgemv("T", size(x), last - i + 1, 1.0_wp, cosine, size(x), here, 1, 0.0_wp, values(i:last), 1)
-            here = weight*cos(k(i)*x)
-            call dgemv("T", size(x), last - i + 1, 1.0_wp, sine, size(x), here, 1, 1.0_wp, values(i:last), 1)
-        end do
-        values = (self%edge*sin(k*self%radius) + values)/(pi*k)
-    end subroutine transform
-
     !> int_0^a q^2 dx [modulus^2 length^3], with q(x) = q(a) - int_x^a q' dx.
     function square_integral(self, error) result(total)
         class(load_t), intent(in) :: self
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: total
-        real(wp), allocatable :: x(:), weight(:), q(:)
-        real(wp) :: node(nodes), w(nodes), inner(nodes), before
-        integer :: first, i, stat
+        type(panel_t), allocatable :: list(:)
+        real(wp) :: node(nodes), w(nodes), distance(nodes), dx(nodes), inner(nodes), q(nodes), before
+        integer :: i, j
 
         total = 0.0_wp
         call gauss_legendre(node, w, error)
-        call self%rule(0.0_wp, x, weight, error)
+        call self%panels(self%radius, list, error)
         if (allocated(error)) return
-        allocate (q(size(x)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
         before = self%edge
         ! panel by panel from the edge inwards; in a panel q' dx is as smooth in the rule's variable as its nodes say
-        do first = size(x) - nodes + 1, 1, -nodes
-            associate (here => weight(first:first + nodes - 1), t => x(first:first + nodes - 1))
-                inner = here*self%slope(0.0_wp, t)/w
-                do i = 1, nodes
-                    q(first + i - 1) = before - integral_beyond(node, w, inner, node(i))
-                end do
-                before = before - sum(w*inner)
-            end associate
+        do i = size(list), 1, -1
+            call list(i)%place_nodes(node, w, distance, dx)
+            inner = dx*self%slope(list(i)%start, distance)/w
+            do j = 1, nodes
+                q(j) = before - integral_beyond(node, w, inner, node(j))
+            end do
+            before = before - sum(w*inner)
+            total = total + sum(dx*q**2)
         end do
-        total = sum(weight*q**2)
     end function square_integral
 
     !> Integral over [from, 1] of the polynomial through values at the Gauss nodes.
@@ -151,56 +112,81 @@ contains
         end do
     end function integral_beyond
 
-    !> Positions and weights for integrals over [0, a] with q and waves up to k: Gauss-Legendre panels, none longer than the
-    !> shortest wave allows, and x = b + s^2 beyond a kink b.
-    subroutine rule(self, k, x, weight, error)
+    !> Panels for integrals over [0, a] with q', ascending: each at most as long as its distance from the axis or kink before it, and
+    !> from a singular place beyond a. A polynomial of degree 15 follows q' in them to 1e-14, in s of x = b + s^2 beside a kink b.
+    subroutine panels(self, first, list, error)
         class(load_t), intent(in) :: self
-        !> [1/length]
-        real(wp), intent(in) :: k
-        real(wp), allocatable, intent(out) :: x(:), weight(:)
+        !> the longest panel beside the axis or a kink [length]
+        real(wp), intent(in) :: first
+        type(panel_t), allocatable, intent(out) :: list(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: ends(:)
-        real(wp) :: node(nodes), w(nodes), low, length
-        integer :: i, j, from, stat
-        integer, allocatable :: panels(:)
-        logical :: from_zero
+        type(panel_t) :: panel
+        integer :: kink, n, pass, stat
+        real(wp) :: end
 
-        call gauss_legendre(node, w, error)
-        if (allocated(error)) return
-        from_zero = size(self%kinks) > 0
-        if (from_zero) from_zero = self%kinks(1) <= 0.0_wp
-        i = size(self%kinks) + merge(1, 2, from_zero)
-        allocate (ends(i), panels(i - 1), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        ends(1) = 0.0_wp
-        ends(size(ends) - size(self%kinks):) = [self%kinks, self%radius]
-        panels(:) = 1 + int((k/longest_phase + 1.0_wp/self%analytic)*(ends(2:) - ends(:size(ends) - 1)))
-        ! s^2 spreads the last panel to twice its length
-        do i = 1, size(panels)
-            if (any(self%kinks == ends(i))) panels(i) = 2*panels(i)
-        end do
-        allocate (x(nodes*sum(panels)), weight(nodes*sum(panels)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        from = 0
-        do i = 1, size(panels)
-            length = ends(i + 1) - ends(i)
-            do j = 1, panels(i)
-                associate (t => x(from + 1:from + nodes), dt => weight(from + 1:from + nodes))
-                    low = real(j - 1, wp)/real(panels(i), wp)
-                    t = low + node/real(panels(i), wp)
-                    dt = w*length/real(panels(i), wp)
-                    if (any(self%kinks == ends(i))) then
-                        dt = 2.0_wp*t*dt
-                        t = t**2
-                    end if
-                    t = ends(i) + length*t
-                end associate
-                from = from + nodes
+        do pass = 1, 2
+            n = 0
+            do kink = 0, size(self%kinks)
+                panel = panel_t()
+                if (kink > 0) panel%start = self%kinks(kink)
+                panel%beside_kink = kink > 0
+                end = self%radius
+                if (kink < size(self%kinks)) end = self%kinks(kink + 1)
+                do while (panel%start + panel%low < end)
+                    panel%length = min(longest_panel(self, panel, first), end - panel%start - panel%low)
+                    n = n + 1
+                    if (pass == 2) list(n) = panel
+                    panel%low = panel%low + panel%length
+                    panel%beside_kink = .false.
+                end do
             end do
+            if (pass == 2) return
+            allocate (list(n), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
         end do
-    end subroutine rule
+    end subroutine panels
+
+    !> How long a panel may be that begins at panel%low.
+    pure function longest_panel(self, panel, first) result(length)
+        class(load_t), intent(in) :: self
+        type(panel_t), intent(in) :: panel
+        real(wp), intent(in) :: first
+        real(wp) :: length
+        real(wp) :: here, turn
+
+        here = panel%start + panel%low
+        length = panel%low
+        if (.not. panel%low > 0.0_wp) then
+            length = first
+            if (.not. panel%start > 0.0_wp) length = min(length, first_beside_axis*self%radius)
+        end if
+        length = min(length, 0.5_wp*(self%singular_end - here))
+        if (self%degree > 0) then
+            ! a polynomial of x/a turns in steps of 1/degree of the angle whose cosine is x/a
+            turn = (longest_turn/real(self%degree, wp))**2
+            here = (self%radius - here)/self%radius
+            length = min(length, max(0.5_wp*self%analytic, &
+                                     self%radius*2.0_wp*turn*here/(turn + sqrt(turn*(turn + 2.0_wp*here)))))
+        end if
+        length = max(length, shortest_panel*self%radius)
+    end function longest_panel
+
+    !> Positions beyond panel%start, and weights, of a Gauss rule for [0, 1] in a panel.
+    pure subroutine place_nodes(self, node, weight, distance, dx)
+        class(panel_t), intent(in) :: self
+        real(wp), intent(in) :: node(:), weight(:)
+        !> same size as node [length]
+        real(wp), intent(out) :: distance(:), dx(:)
+
+        if (self%beside_kink) then
+            distance = self%low + self%length*node**2
+            dx = 2.0_wp*self%length*node*weight
+        else
+            distance = self%low + self%length*node
+            dx = self%length*weight
+        end if
+    end subroutine place_nodes
 
     !> Makes the axis a kink where q' is a broken power there; constructors call it.
     subroutine mark_axis(self)

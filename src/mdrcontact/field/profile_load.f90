@@ -51,6 +51,7 @@ contains
         self%singular_end = profile%singular_radius
         ! so many coefficients resolve no more than this
         if (size(v) > 1) self%analytic = max(first_depth, 27.0_wp*radius/real(size(v), wp)**2)
+        self%degree = 2*max(size(v) - 1, 0)
         call self%mark_axis()
     end subroutine new_profile_load
 
