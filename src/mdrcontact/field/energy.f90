@@ -6,11 +6,12 @@
 !> integral that converges exponentially.
 module mdrcontact_field_energy
     use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_field_load, only: load_t
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, sweep_t
     use mdrcontact_field_transform, only: hankel_transform
-    use mdrcontact_field_waves, only: faded, wave_rule
+    use mdrcontact_field_waves, only: faded, part_of_waves, wave_rule
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
     private
@@ -28,7 +29,7 @@ contains
         type(sweep_t) :: sweep
         real(wp), allocatable :: k(:), weight(:), transform(:)
         real(wp) :: below(size(layers%thickness) + 2), contrast
-        integer :: i, n, stat
+        integer :: i, n, waves, first, last, stat
 
         energies = 0.0_wp
         below = 0.0_wp
@@ -49,12 +50,17 @@ contains
             if (stat /= 0) return
             call hankel_transform(load, k/load%radius, transform, error)
             if (allocated(error)) return
-            call new_sweep(sweep, scaled, k, .false., error)
-            if (allocated(error)) return
             weight(:) = pi/(2.0_wp*load%radius)*weight*transform**2
-            do i = 1, n
-                below(i) = below(i) + energy_below(sweep, scaled, i, k, weight, error)
+            waves = part_of_waves(size(scaled%thickness) + 1)
+            do first = 1, size(k), waves
+                last = min(first + waves - 1, size(k))
+                call check_cancelled(error)
+                if (.not. allocated(error)) call new_sweep(sweep, scaled, k(first:last), .false., error)
                 if (allocated(error)) return
+                do i = 1, n
+                    below(i) = below(i) + energy_below(sweep, scaled, i, k(first:last), weight(first:last), error)
+                    if (allocated(error)) return
+                end do
             end do
         end if
         energies = below(:size(energies)) - below(2:)

@@ -5,12 +5,13 @@
 module mdrcontact_field_hankel
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_half_space, only: shear_sums
     use mdrcontact_field_load, only: load_t
     use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, shear_rows, sweep_t
     use mdrcontact_field_transform, only: hankel_transform
-    use mdrcontact_field_waves, only: bessel_012, faded, wave_rule
+    use mdrcontact_field_waves, only: bessel_012, faded, part_of_waves, wave_rule
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dgemm
     use mdrcontact_numerics_search, only: interval_of
@@ -32,14 +33,20 @@ module mdrcontact_field_hankel
         real(wp) :: last = 0.0_wp
     end type depth_t
 
-    !> Layers (lengths in units of a) under a load, ready to be integrated for r <= farthest - 1 and k <= last.
+    !> Layers (lengths in units of a) under a load, ready to be integrated for r <= farthest - 1 and k <= last: part after part of
+    !> the wavenumbers, so that no more memory is needed for many layers.
     type :: hankel_t
         type(layers_t) :: layers
         real(wp), allocatable :: tops(:)
         logical :: along_surface = .false.
         type(sweep_t) :: sweep
-        !> wavenumbers and p_hat dk
+        !> wavenumbers and p_hat dk of the part
         real(wp), allocatable :: k(:), load(:)
+        !> of all parts, and how many of them were had
+        real(wp), allocatable :: all_k(:), all_load(:)
+        integer :: done = 0
+    contains
+        procedure :: next_part
     end type hankel_t
 
     !> A slab of wavenumbers of a grid: first the states at all depths, then their products with the Bessel functions.
@@ -81,17 +88,39 @@ contains
         if (.not. layers%rigid_base) n = n + 1
         stiffest = maxval(layers%shear(:n))
         softest = minval(layers%shear(:n))
-        call wave_rule(farthest, total*stiffest/softest, last, self%k, weight, error)
+        call wave_rule(farthest, total*stiffest/softest, last, self%all_k, weight, error)
         if (allocated(error)) return
-        allocate (self%load(size(self%k)), scaled(size(self%k)), stat=stat)
+        allocate (self%all_load(size(self%all_k)), scaled(size(self%all_k)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        scaled(:) = self%k/load%radius
-        call hankel_transform(load, scaled, self%load, error)
+        scaled(:) = self%all_k/load%radius
+        call hankel_transform(load, scaled, self%all_load, error)
         if (allocated(error)) return
-        self%load(:) = self%load*weight/load%radius**2
-        call new_sweep(self%sweep, layers, self%k, along_surface, error)
+        self%all_load(:) = self%all_load*weight/load%radius**2
     end subroutine new_hankel
+
+    !> Goes to the next part of the wavenumbers; false where there is none, or an error.
+    function next_part(self, error) result(found)
+        class(hankel_t), intent(inout) :: self
+        type(error_t), allocatable, intent(inout) :: error
+        logical :: found
+        integer :: n, stat
+
+        found = self%done < size(self%all_k) .and. .not. allocated(error)
+        if (.not. found) return
+        call check_cancelled(error)
+        n = min(size(self%all_k) - self%done, part_of_waves(size(self%tops)))
+        if (allocated(self%k)) deallocate (self%k, self%load)
+        allocate (self%k(n), self%load(n), stat=stat)
+        call check_memory(error, stat)
+        found = .not. allocated(error)
+        if (.not. found) return
+        self%k(:) = self%all_k(self%done + 1:self%done + n)
+        self%load(:) = self%all_load(self%done + 1:self%done + n)
+        self%done = self%done + n
+        call new_sweep(self%sweep, self%layers, self%k, self%along_surface, error)
+        found = .not. allocated(error)
+    end function next_part
 
     !> How many nodes a depth needs.
     pure function wave_count(self, depth) result(number)

@@ -206,11 +206,13 @@ contains
             if (allocated(error)) return
             points%hankel => hankel
             call list_chosen(chosen, points%order, n)
-            if (lattice%is_grid) then
-                call add_on_grid(hankel, lattice, depths, r, points%order(:n), sums, threads, error)
-            else
-                call run_batch(points, n, 16, 32, threads, error)
-            end if
+            do while (hankel%next_part(error))
+                if (lattice%is_grid) then
+                    call add_on_grid(hankel, lattice, depths, r, points%order(:n), sums, threads, error)
+                else
+                    call run_batch(points, n, 16, 32, threads, error)
+                end if
+            end do
             if (allocated(error)) return
         end do
     end subroutine find_sums

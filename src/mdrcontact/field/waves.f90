@@ -10,7 +10,7 @@ module mdrcontact_field_waves
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: faded, wave_rule, bessel_012
+    public :: faded, wave_rule, part_of_waves, bessel_012
 
     !> exp(-faded) is nothing.
     real(wp), parameter :: faded = 42.0_wp
@@ -19,6 +19,8 @@ module mdrcontact_field_waves
     real(wp), parameter :: longest_phase = 15.0_wp
     !> Nodes at most: some seconds, and some hundred megabytes.
     real(wp), parameter :: most_waves = 5.0e6_wp
+    !> Nodes times layers that are worked on together, of 50 bytes each, and nodes at least.
+    integer, parameter :: most_amplitudes = 2000000, least_part = 256
     !> Where the octaves begin, relative to the longest structure.
     real(wp), parameter :: first_panel = 1.0e-3_wp
 
@@ -55,6 +57,14 @@ contains
             weight(nodes*(i - 1) + 1:nodes*i) = (ends(i + 1) - ends(i))*w
         end do
     end subroutine wave_rule
+
+    !> How many nodes to work on together in a body of so many layers: memory for all of them would grow with both.
+    pure function part_of_waves(layers) result(number)
+        integer, intent(in) :: layers
+        integer :: number
+
+        number = max(least_part, most_amplitudes/layers)
+    end function part_of_waves
 
     pure subroutine panel_ends(farthest, first, last, ends)
         real(wp), intent(in) :: farthest, first, last
