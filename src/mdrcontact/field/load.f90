@@ -112,7 +112,7 @@ contains
         end do
     end function integral_beyond
 
-    !> Panels for integrals over [0, a] with q', ascending: each at most as long as its distance from the axis or kink before it, and
+    !> Panels for integrals over [0, a] with q', ascending: each at most as long as its distance from the axis or kink before it and
     !> from a singular place beyond a. A polynomial of degree 15 follows q' in them to 1e-14, in s of x = b + s^2 beside a kink b.
     subroutine panels(self, first, list, error)
         class(load_t), intent(in) :: self
