@@ -17,8 +17,8 @@ module mdrcontact_field_waves
     !> Nodes in a panel; the largest phase of cos(k (a + r)) in one, where 16 nodes integrate to 1e-16.
     integer, parameter :: nodes = 16
     real(wp), parameter :: longest_phase = 15.0_wp
-    !> Nodes at most: some seconds, and some hundred megabytes.
-    real(wp), parameter :: most_waves = 5.0e6_wp
+    !> Nodes at most: some seconds.
+    real(wp), parameter :: most_waves = 1.0e6_wp
     !> Nodes times layers that are worked on together, of 50 bytes each, and nodes at least.
     integer, parameter :: most_amplitudes = 2000000, least_part = 256
     !> Where the octaves begin, relative to the longest structure.
