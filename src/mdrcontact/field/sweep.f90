@@ -27,6 +27,11 @@ module mdrcontact_field_sweep
         real(wp), allocatable :: plane_less(:, :), along_less(:)
     end type sweep_t
 
+    !> Products of 2 x 2 matrices and vectors: matmul allocates memory for each.
+    interface times
+        module procedure times_matrix, times_vector
+    end interface times
+
 contains
 
     !> Amplitudes at wavenumbers k > 0 under a normal load, or under a load along the surface.
@@ -71,7 +76,7 @@ contains
         compliance = 0.0_wp
         if (.not. layers%rigid_base) then
             associate (mu => layers%shear(n + 1), nu => layers%poisson(n + 1))
-                compliance = matmul(displaced_down(0.0_wp, nu), inverse(traction_down(0.0_wp, nu)))/(2.0_wp*mu)
+                compliance = times(displaced_down(0.0_wp, nu), inverse(traction_down(0.0_wp, nu)))/(2.0_wp*mu)
             end associate
         end if
         do i = n, 1, -1
@@ -79,11 +84,11 @@ contains
                 t = k*layers%thickness(i)
                 ! in units of 1/(2 mu)
                 m = 2.0_wp*mu*compliance
-                reflection(:, :, i) = -exp(-t)*matmul(inverse(displaced_up(0.0_wp, nu) - matmul(m, traction_up(0.0_wp, nu))), &
-                                                      displaced_down(t, nu) - matmul(m, traction_down(t, nu)))
+                reflection(:, :, i) = -exp(-t)*times(inverse(displaced_up(0.0_wp, nu) - times(m, traction_up(0.0_wp, nu))), &
+                                                      displaced_down(t, nu) - times(m, traction_down(t, nu)))
                 m = exp(-t)*reflection(:, :, i)
-                to_amplitude(:, :, i) = inverse(traction_down(0.0_wp, nu) + matmul(traction_up(-t, nu), m))
-                compliance = matmul(displaced_down(0.0_wp, nu) + matmul(displaced_up(-t, nu), m), to_amplitude(:, :, i)) &
+                to_amplitude(:, :, i) = inverse(traction_down(0.0_wp, nu) + times(traction_up(-t, nu), m))
+                compliance = times(displaced_down(0.0_wp, nu) + times(displaced_up(-t, nu), m), to_amplitude(:, :, i)) &
                              /(2.0_wp*mu)
             end associate
         end do
@@ -91,20 +96,20 @@ contains
         do i = 1, n
             associate (a => amplitudes(1:2, i), b => amplitudes(3:4, i), nu => layers%poisson(i))
                 t = k*layers%thickness(i)
-                a = matmul(to_amplitude(:, :, i), traction)
-                b = matmul(reflection(:, :, i), a)
-                traction = exp(-t)*matmul(traction_down(t, nu), a) + matmul(traction_up(0.0_wp, nu), b)
+                a = times(to_amplitude(:, :, i), traction)
+                b = times(reflection(:, :, i), a)
+                traction = exp(-t)*times(traction_down(t, nu), a) + times(traction_up(0.0_wp, nu), b)
             end associate
         end do
         amplitudes(:, n + 1) = 0.0_wp
         if (.not. layers%rigid_base) then
-            amplitudes(1:2, n + 1) = matmul(inverse(traction_down(0.0_wp, layers%poisson(n + 1))), traction)
+            amplitudes(1:2, n + 1) = times(inverse(traction_down(0.0_wp, layers%poisson(n + 1))), traction)
         end if
         less = 0.0_wp
         if (n == 0) return
         t = k*layers%thickness(1)
-        less = -exp(-t)*matmul(inverse(traction_down(0.0_wp, layers%poisson(1))), &
-                               matmul(traction_up(-t, layers%poisson(1)), amplitudes(3:4, 1)))
+        less = -exp(-t)*times(inverse(traction_down(0.0_wp, layers%poisson(1))), &
+                               times(traction_up(-t, layers%poisson(1)), amplitudes(3:4, 1)))
     end subroutine plane_amplitudes
 
     !> The same for V and N, k V = M N, under N = -1.
@@ -223,6 +228,21 @@ contains
         m(:, 1) = [1.0_wp, -1.0_wp]
         m(:, 2) = [t - (1.0_wp - 2.0_wp*nu), 2.0_wp*(1.0_wp - nu) - t]
     end function traction_up
+
+    pure function times_matrix(a, b) result(c)
+        real(wp), intent(in) :: a(2, 2), b(2, 2)
+        real(wp) :: c(2, 2)
+
+        c(:, 1) = a(:, 1)*b(1, 1) + a(:, 2)*b(2, 1)
+        c(:, 2) = a(:, 1)*b(1, 2) + a(:, 2)*b(2, 2)
+    end function times_matrix
+
+    pure function times_vector(a, b) result(c)
+        real(wp), intent(in) :: a(2, 2), b(2)
+        real(wp) :: c(2)
+
+        c = a(:, 1)*b(1) + a(:, 2)*b(2)
+    end function times_vector
 
     pure function inverse(m) result(other)
         real(wp), intent(in) :: m(2, 2)

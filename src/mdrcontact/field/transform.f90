@@ -72,7 +72,7 @@ contains
                 if (slopes%length(short)*k(last) <= longest_phase) exit
                 short = short - 1
             end do
-            call move(waves, slopes%x, k(i:last))
+            call move(waves, slopes%x, nodes*short, nodes*slopes%panels, k(i:last))
             values(i:last) = load%edge*sin(k(i:last)*load%radius)
             call add_short(waves, slopes%part(:nodes*short), values(i:last))
             call add_long(waves, slopes, short, k(i:last), values(i:last))
@@ -146,14 +146,17 @@ contains
         call check_memory(error, stat)
     end subroutine new_waves
 
-    !> To the next wavenumbers: their distances mostly are those of the ones before.
-    pure subroutine move(self, x, k)
+    !> To the next wavenumbers, at positions up to `before` and beyond `after`: their distances mostly are those of the ones before.
+    pure subroutine move(self, x, before, after, k)
         type(waves_t), intent(inout) :: self
         real(wp), intent(in) :: x(size(self%first_sine)), k(:)
+        integer, intent(in) :: before, after
         integer :: j
 
-        self%first_cosine = cos(k(1)*x)
-        self%first_sine = sin(k(1)*x)
+        self%first_cosine(:before) = cos(k(1)*x(:before))
+        self%first_sine(:before) = sin(k(1)*x(:before))
+        self%first_cosine(after + 1:) = cos(k(1)*x(after + 1:))
+        self%first_sine(after + 1:) = sin(k(1)*x(after + 1:))
         associate (distance => self%distance(:size(k)))
             if (all(abs(k - k(1) - distance) <= 8.0_wp*epsilon(1.0_wp)*k(size(k)))) return
             distance = k - k(1)
