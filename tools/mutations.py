@@ -142,5 +142,12 @@ MUTATIONS = [
     ("medium/power_graded.f90", "nearest_axis = 1.0e-8_wp", "nearest_axis = 1.0e-2_wp", "power_graded|^test_contact$"),
     ("layered/slip_profile.f90", "y = self%base%mdr(x) - self%at_axis", "y = self%base%mdr(x)", "friction"),
     ("layered/solve.f90", "tail = sum(known(:n)) - edge_load", "tail = sum(known(:n)) + edge_load", "layered|^test_contact$"),
+    ("field/transform.f90", "real((2*n + 1)*(1 - 2*mod(n/2, 2)), wp)", "real((2*n + 1)*(1 - 2*mod((n + 1)/2, 2)), wp)",
+     "test_field_transform"),
+    ("field/transform.f90", "next = real(2*n - 1, wp)*over*here - below", "next = real(2*n + 1, wp)*over*here - below",
+     "test_field_transform"),
+    ("field/hankel.f90", "self%all_load(self%done + 1:self%done + n)", "self%all_load(1:n)", "test_field_layers"),
+    ("field/energy.f90", "weight(first:last), error)", "weight(:last - first + 1), error)", "test_field_layers"),
+    ("field/load.f90", "length = panel%low", "length = 4.0_wp*panel%low", "test_field_transform"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
