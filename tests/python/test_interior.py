@@ -328,6 +328,15 @@ def test_surface_of_a_graded_body(moduli, radius, bound):
     assert -field.s_zz[:4] == pytest.approx(contact.pressure(r[:4], state), abs=1e-11 * contact.pressure(0.0, state))
 
 
+@pytest.mark.parametrize("gap", [1e-3, 1e-5, 1e-7])
+def test_energies_under_a_ball_hardly_larger_than_its_contact(gap):
+    """The line load varies as the logarithm of the distance from the radius of the ball."""
+    contact = mdr.Contact(mdr.Sphere(1.0), mdr.Coated(mdr.Elastic(3.0, 0.3), 0.1, mdr.Elastic(1.0, 0.3)))
+    state = contact.at_radius(1.0 - gap)
+    energy = sum(layer.energy for layer in contact.critical(state).layers)
+    assert energy == pytest.approx(contact.elastic_energy(state=state), rel=1e-10)
+
+
 def test_points_too_far_away_for_layers_are_refused():
     """Their waves would be gigabytes, and a list of their panels ended the process."""
     contact = mdr.Contact(mdr.Sphere(10.0), mdr.Coated(mdr.Elastic(3.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3)))
