@@ -122,7 +122,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(panel_t) :: panel
         integer :: kink, n, pass, stat
-        real(wp) :: end
+        real(wp) :: width
 
         do pass = 1, 2
             n = 0
@@ -130,10 +130,11 @@ contains
                 panel = panel_t()
                 if (kink > 0) panel%start = self%kinks(kink)
                 panel%beside_kink = kink > 0
-                end = self%radius
-                if (kink < size(self%kinks)) end = self%kinks(kink + 1)
-                do while (panel%start + panel%low < end)
-                    panel%length = min(longest_panel(self, panel, first), end - panel%start - panel%low)
+                width = self%radius - panel%start
+                if (kink < size(self%kinks)) width = self%kinks(kink + 1) - panel%start
+                ! distances from start: a sum with it may be rounded below the end for good
+                do while (panel%low < width)
+                    panel%length = min(longest_panel(self, panel, first), width - panel%low)
                     n = n + 1
                     if (pass == 2) list(n) = panel
                     panel%low = panel%low + panel%length
