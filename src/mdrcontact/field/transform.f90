@@ -9,16 +9,15 @@ module mdrcontact_field_transform
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_load, only: load_t, panel_t
+    use mdrcontact_field_waves, only: block => panel_nodes
     use mdrcontact_gsl, only: gsl_sort_index
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemv
-    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     implicit none (type, external)
     private
     public :: hankel_transform
 
-    !> How many wavenumbers share sines, that of the panels of wave_rule.
-    integer, parameter :: block = 16
     !> Nodes of a panel of positions, and the largest k times its length for which they hold q' sin kx.
     integer, parameter :: nodes = 16
     real(wp), parameter :: longest_phase = 15.0_wp
@@ -35,7 +34,7 @@ module mdrcontact_field_transform
         real(wp), allocatable :: x(:)
     end type slopes_t
 
-    !> cos and sin of x times a few wavenumbers, from those of the first one and of the distances from it.
+    !> cos and sin of x times the wavenumbers of a panel of wave_rule, from those of the first one and of the distances from it.
     type :: waves_t
         !> distances from the first wavenumber
         real(wp) :: distance(block) = -1.0_wp
@@ -88,7 +87,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(panel_t), allocatable :: panels(:)
         integer(c_size_t), allocatable :: order(:)
-        real(wp) :: node(nodes), weight(nodes), legendre(nodes, 0:nodes - 1), distance(nodes), dx(nodes), slope(nodes)
+        real(wp) :: node(nodes), weight(nodes), polynomials(nodes, 0:nodes - 1), distance(nodes), dx(nodes), slope(nodes)
         integer :: i, n, stat
 
         call gauss_legendre(node, weight, error)
@@ -103,7 +102,7 @@ contains
         call check_memory(error, stat)
         if (stat /= 0) return
         call gsl_sort_index(order, panels%length, 1_c_size_t, int(self%panels, c_size_t))
-        call set_legendre(2.0_wp*node - 1.0_wp, legendre)
+        polynomials = legendre(nodes, 2.0_wp*node - 1.0_wp)
         do i = 1, self%panels
             associate (panel => panels(order(i) + 1))
                 call panel%place_nodes(node, weight, distance, dx)
@@ -116,24 +115,11 @@ contains
                 ! (2 n + 1) times the mean of slope P_n, times the length and i^n
                 do n = 0, nodes - 1
                     self%series(n, i) = real((2*n + 1)*(1 - 2*mod(n/2, 2)), wp)*panel%length &
-                                        *sum(weight*slope*legendre(:, n))
+                                        *sum(weight*slope*polynomials(:, n))
                 end do
             end associate
         end do
     end subroutine new_slopes
-
-    !> P_n(t) for n = 0 ...
-    pure subroutine set_legendre(t, values)
-        real(wp), intent(in) :: t(:)
-        real(wp), intent(out) :: values(:, 0:)
-        integer :: n
-
-        values(:, 0) = 1.0_wp
-        values(:, 1) = t
-        do n = 2, ubound(values, 2)
-            values(:, n) = (real(2*n - 1, wp)*t*values(:, n - 1) - real(n - 1, wp)*values(:, n - 2))/real(n, wp)
-        end do
-    end subroutine set_legendre
 
     subroutine new_waves(self, positions, error)
         type(waves_t), intent(out) :: self

@@ -10,12 +10,12 @@ module mdrcontact_field_waves
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: faded, wave_rule, part_of_waves, bessel_012
+    public :: faded, panel_nodes, wave_rule, part_of_waves, bessel_012
 
     !> exp(-faded) is nothing.
     real(wp), parameter :: faded = 42.0_wp
     !> Nodes in a panel; the largest phase of cos(k (a + r)) in one, where 16 nodes integrate to 1e-16.
-    integer, parameter :: nodes = 16
+    integer, parameter :: panel_nodes = 16
     real(wp), parameter :: longest_phase = 15.0_wp
     !> Nodes at most: some seconds.
     real(wp), parameter :: most_waves = 1.0e6_wp
@@ -37,24 +37,24 @@ contains
         real(wp), allocatable, intent(out) :: k(:), weight(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: ends(:)
-        real(wp) :: node(nodes), w(nodes)
+        real(wp) :: node(panel_nodes), w(panel_nodes)
         integer :: i, stat
 
         call gauss_legendre(node, w, error)
         if (allocated(error)) return
-        if (last*farthest > most_waves/nodes*longest_phase) then
+        if (last*farthest > most_waves/panel_nodes*longest_phase) then
             call raise(error, error_domain, "stresses in layers "//to_text(farthest)//" contact radii away are sums of "// &
-                       to_text(nodes*last*farthest/longest_phase)//" waves, "//to_text(most_waves)//" are allowed: take "// &
+                       to_text(panel_nodes*last*farthest/longest_phase)//" waves, "//to_text(most_waves)//" are allowed: take "// &
                        "points closer to the contact")
             return
         end if
         call panel_ends(farthest, min(first_panel/max(farthest, structure), last), last, ends)
-        allocate (k(nodes*(size(ends) - 1)), weight(nodes*(size(ends) - 1)), stat=stat)
+        allocate (k(panel_nodes*(size(ends) - 1)), weight(panel_nodes*(size(ends) - 1)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         do i = 1, size(ends) - 1
-            k(nodes*(i - 1) + 1:nodes*i) = ends(i) + (ends(i + 1) - ends(i))*node
-            weight(nodes*(i - 1) + 1:nodes*i) = (ends(i + 1) - ends(i))*w
+            k(panel_nodes*(i - 1) + 1:panel_nodes*i) = ends(i) + (ends(i + 1) - ends(i))*node
+            weight(panel_nodes*(i - 1) + 1:panel_nodes*i) = (ends(i + 1) - ends(i))*w
         end do
     end subroutine wave_rule
 

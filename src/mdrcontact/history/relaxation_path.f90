@@ -7,7 +7,7 @@ module mdrcontact_history_relaxation_path
     use mdrcontact_gsl, only: gsl_sf_bessel_il_scaled_array, gsl_success
     use mdrcontact_history_relaxation_curve, only: elastic_curve_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     implicit none (type, external)
     private
     public :: path_t, new_path, mean_decay, mean_rise, mean_lag, partial_integrals
@@ -130,32 +130,18 @@ contains
         type(rules_t), intent(inout) :: rules
         integer, intent(in) :: largest
         type(error_t), allocatable, intent(out) :: error
-        integer :: n
+        integer :: l, n
 
         do n = 1, largest
             call gauss_legendre(rules%nodes(:n, n), rules%weights(:n, n), error)
             if (allocated(error)) return
-            rules%to_coefficients(:n, :n, n) = legendre(2.0_wp*rules%nodes(:n, n) - 1.0_wp, rules%weights(:n, n), n)
+            ! the coefficient of P_l is 2 l + 1 times the mean of P_l times the function
+            rules%to_coefficients(:n, :n, n) = transpose(legendre(n, 2.0_wp*rules%nodes(:n, n) - 1.0_wp))
+            do l = 1, n
+                rules%to_coefficients(l, :n, n) = real(2*l - 1, wp)*rules%to_coefficients(l, :n, n)*rules%weights(:n, n)
+            end do
         end do
     end subroutine make_rules
-
-    !> (l, node): (2 l + 1) P_l times weights, l < n.
-    pure function legendre(x, weights, n) result(table)
-        real(wp), intent(in) :: x(:), weights(:)
-        integer, intent(in) :: n
-        real(wp) :: table(n, size(x))
-        real(wp) :: before(size(x)), here(size(x)), next(size(x))
-        integer :: l
-
-        before = 0.0_wp
-        here = 1.0_wp
-        do l = 0, n - 1
-            table(l + 1, :) = real(2*l + 1, wp)*here*weights
-            next = (real(2*l + 1, wp)*x*here - real(l, wp)*before)/real(l + 1, wp)
-            before = here
-            here = next
-        end do
-    end function legendre
 
     !> k(d) at the nodes of all panels.
     subroutine sample(self, curve, error)

@@ -11,7 +11,7 @@ module mdrcontact_layered_panels
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgesv
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_numerics_quadrature, only: gauss_legendre, merge_breaks
+    use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre, merge_breaks
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -237,20 +237,6 @@ contains
         u = 2.0_wp*(x - self%edges(panel))/(self%edges(panel + 1) - self%edges(panel)) - 1.0_wp
         u = max(min(u, 1.0_wp), -1.0_wp)
     end function local
-
-    !> P_0 ... at places u, one a row.
-    pure function legendre(count, u) result(p)
-        integer, intent(in) :: count
-        real(wp), intent(in) :: u(:)
-        real(wp) :: p(size(u), count)
-        integer :: k
-
-        p(:, 1) = 1.0_wp
-        p(:, 2) = u
-        do k = 3, count
-            p(:, k) = (real(2*k - 3, wp)*u*p(:, k - 1) - real(k - 2, wp)*p(:, k - 2))/real(k - 1, wp)
-        end do
-    end function legendre
 
     !> v(x) [length].
     pure function value(self, x) result(v)

@@ -17,7 +17,7 @@ module mdrcontact_numerics_quadrature
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: gauss_jacobi, gauss_legendre, graded_rule, graded_edges, mark_breaks, merge_breaks, new_antiderivative, &
+    public :: gauss_jacobi, gauss_legendre, legendre, graded_rule, graded_edges, mark_breaks, merge_breaks, new_antiderivative, &
               smallest_panel_ratio
 
     !> Nodes in a panel: a panel's nearest singularity lies at least a third of its length away, where 20 nodes give 1e-16.
@@ -57,6 +57,21 @@ contains
         end do
         call gsl_integration_glfixed_table_free(table)
     end subroutine gauss_legendre
+
+    !> Legendre polynomials P_0(u), P_1(u), ...: (place, polynomial). GSL refuses places that rounding puts beyond +-1.
+    pure function legendre(number, u) result(p)
+        !> how many, > 0
+        integer, intent(in) :: number
+        real(wp), intent(in) :: u(:)
+        real(wp) :: p(size(u), number)
+        integer :: k
+
+        p(:, 1) = 1.0_wp
+        if (number > 1) p(:, 2) = u
+        do k = 3, number
+            p(:, k) = (real(2*k - 3, wp)*u*p(:, k - 1) - real(k - 2, wp)*p(:, k - 2))/real(k - 1, wp)
+        end do
+    end function legendre
 
     !> Gauss-Jacobi nodes and weights on [0, 1] for the weight t^power.
     subroutine gauss_jacobi(power, nodes, weights, error)
