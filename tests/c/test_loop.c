@@ -154,6 +154,46 @@ static void loop_under_depth_control(const mdr_contact *c)
     CHECK_SUCCESS(mdr_loop_free(&l));
 }
 
+/* The way up to `largest` and down again loses nothing, however large the load: a flat punch loses the work of its jump out,
+ * 2 pi a^2 gamma, and on a spring the energy F^2/(2 k) of the spring with it; a paraboloid what it loses after a small load. */
+static void loss_does_not_depend_on_the_load(const mdr_contact *paraboloid)
+{
+    const double radius = 0.6, stiffness = 0.7, loads[] = {0.5, 1e3, 1e8, 1e150, 1e300};
+    const double pull_off = sqrt(8 * pi * work * modulus * pow(radius, 3)), out = 2 * pi * radius * radius * work;
+    double energy = 0, small = 0;
+    mdr_contact_options options;
+    mdr_profile *p = NULL;
+    mdr_medium *m = NULL;
+    mdr_contact *punch = NULL;
+    mdr_loop *l = NULL;
+
+    mdr_contact_options_init(&options);
+    options.work_of_adhesion = work;
+    CHECK_SUCCESS(mdr_profile_flat_punch(radius, &p));
+    CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
+    CHECK_SUCCESS(mdr_contact_new(p, m, &options, &punch));
+    for (int i = 0; i < 5; i++) {
+        CHECK_SUCCESS(mdr_loop_new(punch, MDR_CONTROL_DEPTH, loads[i], 3, 0.0, &l));
+        CHECK_SUCCESS(mdr_loop_dissipated_energy(l, &energy));
+        CHECK_CLOSE(energy, out, 1e-12);
+        CHECK_SUCCESS(mdr_loop_free(&l));
+        CHECK_SUCCESS(mdr_loop_new(punch, MDR_CONTROL_SPRING, loads[i], 3, stiffness, &l));
+        CHECK_SUCCESS(mdr_loop_dissipated_energy(l, &energy));
+        CHECK_CLOSE(energy, out + pull_off * pull_off / (2 * stiffness), 1e-12);
+        CHECK_SUCCESS(mdr_loop_free(&l));
+    }
+    for (int i = 0; i < 3; i++) {
+        CHECK_SUCCESS(mdr_loop_new(paraboloid, MDR_CONTROL_SPRING, loads[i], 3, stiffness, &l));
+        CHECK_SUCCESS(mdr_loop_dissipated_energy(l, &energy));
+        if (i == 0) small = energy;
+        CHECK_CLOSE(energy, small, 1e-12);
+        CHECK_SUCCESS(mdr_loop_free(&l));
+    }
+    CHECK_SUCCESS(mdr_contact_free(&punch));
+    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+}
+
 /* A soft spring: the area under F over the position of the machine, by the path itself. */
 static void loop_on_a_spring(const mdr_contact *c)
 {
@@ -216,6 +256,7 @@ int main(void)
     jkr_pull_off(c);
     loop_under_depth_control(c);
     loop_on_a_spring(c);
+    loss_does_not_depend_on_the_load(c);
     long_loops(c, MDR_CONTROL_DEPTH, 0.0);
     long_loops(c, MDR_CONTROL_SPRING, 0.7);
     CHECK_SUCCESS(mdr_contact_free(&c));

@@ -2,7 +2,7 @@
 !> Pull-off and loops of adhesive contacts, for C.
 module mdrcontact_api_adhesion
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count
+    use mdrcontact_api_arrays, only: check_array, check_count, check_results
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
@@ -129,6 +129,7 @@ contains
 
         call open_handle(l, "l", loop, error)
         call check_given(error, "energy", present(energy))
+        if (.not. allocated(error)) call check_results(error, [loop%dissipated_energy])
         status = status_of(error)
         if (allocated(error)) return
         energy = loop%dissipated_energy

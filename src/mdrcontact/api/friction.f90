@@ -88,7 +88,8 @@ contains
         if (.not. allocated(error)) then
             do i = 1, n
                 call solve(shear, given, in(i), states(i), error)
-                if (.not. allocated(error)) call check_results(error, [states(i)%tangential_force, states(i)%shift])
+                if (.not. allocated(error)) call check_results(error, [states(i)%tangential_force, states(i)%shift, &
+                                                                       states(i)%dissipated_energy])
                 if (.not. allocated(error)) cycle
                 call raise_at(error, i)
                 exit
@@ -170,6 +171,7 @@ contains
         if (.not. allocated(error)) call shear%loop(turn, shifts, forces, error)
         if (.not. allocated(error)) call check_results(error, shifts)
         if (.not. allocated(error)) call check_results(error, forces)
+        if (.not. allocated(error)) call check_results(error, [4.0_c_double*turn%dissipated_energy])
         status = status_of(error)
         if (allocated(error)) return
         shift(:n) = shifts
@@ -241,7 +243,8 @@ contains
         past = history%past
         do i = 1, n
             call history%advance(int(normal_given), normal(i), int(tangential_given), tangential(i), error)
-            if (.not. allocated(error)) call check_results(error, [history%past%tangential%tangential_force])
+            if (.not. allocated(error)) call check_results(error, [history%past%tangential%tangential_force, &
+                                                                   history%past%tangential%dissipated_energy])
             if (allocated(error)) then
                 call raise_at(error, i)
                 history%past = past

@@ -76,6 +76,7 @@ contains
         if (.not. allocated(error) .and. n > 0) then
             call check_results(error, states%torque)
             call check_results(error, states%twist)
+            call check_results(error, states%dissipated_energy)
             if (.not. allocated(error)) out(:n) = states
         end if
         status = status_of(error)
@@ -147,7 +148,7 @@ contains
         call make_room(error, n, twists)
         call make_room(error, n, torques)
         if (.not. allocated(error)) call torsion%loop(turn, twists, torques, error)
-        if (.not. allocated(error)) call check_results(error, [twists, torques])
+        if (.not. allocated(error)) call check_results(error, [twists, torques, 4.0_c_double*turn%dissipated_energy])
         status = status_of(error)
         if (allocated(error)) return
         twist(:n) = twists

@@ -80,6 +80,7 @@ contains
         integer, intent(in) :: count
         type(error_t), allocatable, intent(out) :: error
         type(stable_segment_t), allocatable :: list(:)
+        type(contact_state_t) :: entered
         real(wp) :: start, pull_off
         integer :: current
 
@@ -94,10 +95,10 @@ contains
         start = margin*min(minval(list%lowest), 0.0_wp)
         call add_apart(self, control, start, error)
         if (.not. allocated(error)) call add_apart(self, control, 0.0_wp, error)
-        if (.not. allocated(error)) call load(self, contact, control, list, current, largest, count, error)
+        if (.not. allocated(error)) call load(self, contact, control, list, current, largest, count, entered, error)
         if (allocated(error)) return
         self%turning_point = self%points
-        call unload(self, contact, control, list, current, largest, count, error)
+        call unload(self, contact, control, list, current, largest, count, entered, error)
         if (allocated(error)) return
         call add_jump(self)
         ! not handed over as it stands in an array that grows
@@ -106,7 +107,7 @@ contains
         if (.not. allocated(error)) call add_apart(self, control, start, error)
     end subroutine adhesive_way
 
-    subroutine load(self, contact, control, list, current, largest, count, error)
+    subroutine load(self, contact, control, list, current, largest, count, entered, error)
         type(loop_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
         type(control_t), intent(in) :: control
@@ -114,7 +115,10 @@ contains
         integer, intent(inout) :: current
         real(wp), intent(in) :: largest
         integer, intent(in) :: count
+        !> the state in which the contact enters the segment where the motion turns back
+        type(contact_state_t), intent(out) :: entered
         type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: left
         real(wp) :: from, to
         integer :: step
 
@@ -122,8 +126,10 @@ contains
         do
             call add_jump(self)
             to = min(largest, list(current)%highest)
-            call follow(self, contact, control, list(current), from, to, share(from, to, largest, count), error)
+            call follow(self, contact, control, list(current), from, to, share(from, to, largest, count), entered, left, &
+                        error)
             if (allocated(error) .or. to >= largest) return
+            call add_work(self, contact, control, entered, left)
             from = to
             step = findloc(list(current + 1:)%lowest <= from .and. from <= list(current + 1:)%highest, .true., dim=1)
             if (step == 0) then
@@ -135,7 +141,7 @@ contains
         end do
     end subroutine load
 
-    subroutine unload(self, contact, control, list, current, largest, count, error)
+    subroutine unload(self, contact, control, list, current, largest, count, entered, error)
         type(loop_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
         type(control_t), intent(in) :: control
@@ -143,15 +149,21 @@ contains
         integer, intent(inout) :: current
         real(wp), intent(in) :: largest
         integer, intent(in) :: count
+        !> the state in which the contact entered the segment where the motion turns back
+        type(contact_state_t), intent(in) :: entered
         type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: first, left
         real(wp) :: from, to
         integer :: next
 
         from = largest
         do
             to = list(current)%lowest
-            call follow(self, contact, control, list(current), from, to, share(from, to, largest, count), error)
+            call follow(self, contact, control, list(current), from, to, share(from, to, largest, count), first, left, error)
             if (allocated(error)) return
+            ! The way up to `largest` and down again does no work: under a large load it would leave its rounding only.
+            if (from >= largest) first = entered
+            call add_work(self, contact, control, first, left)
             next = findloc(list(:current - 1)%lowest <= to .and. to <= list(:current - 1)%highest, .true., dim=1, back=.true.)
             if (next == 0) return
             call add_jump(self)
@@ -160,16 +172,17 @@ contains
         end do
     end subroutine unload
 
-    !> Points along one stable segment, and the work done on the way.
-    subroutine follow(self, contact, control, segment, from, to, count, error)
+    !> Points along one stable segment.
+    subroutine follow(self, contact, control, segment, from, to, count, first, state, error)
         type(loop_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
         type(control_t), intent(in) :: control
         type(stable_segment_t), intent(in) :: segment
         real(wp), intent(in) :: from, to
         integer, intent(in) :: count
+        !> the states at `from` and `to`
+        type(contact_state_t), intent(out) :: first, state
         type(error_t), allocatable, intent(out) :: error
-        type(contact_state_t) :: first, state
         real(wp) :: s
         integer :: i
 
@@ -187,10 +200,19 @@ contains
             call add(self, s, state, error)
             if (allocated(error)) return
         end do
-        self%dissipated_energy = self%dissipated_energy + contact%work_between(first, state)
-        if (control%depth_weight > 0.0_wp) self%dissipated_energy = self%dissipated_energy &
-            + 0.5_wp*control%force_weight*(state%force**2 - first%force**2)
     end subroutine follow
+
+    !> The work of contact and spring between two states of one stable segment.
+    subroutine add_work(self, contact, control, first, last)
+        type(loop_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        type(control_t), intent(in) :: control
+        type(contact_state_t), intent(in) :: first, last
+
+        self%dissipated_energy = self%dissipated_energy + contact%work_between(first, last)
+        if (control%depth_weight > 0.0_wp) self%dissipated_energy = self%dissipated_energy &
+            + 0.5_wp*control%force_weight*(last%force**2 - first%force**2)
+    end subroutine add_work
 
     !> Without adhesion the way back is the way in, and nothing is lost.
     subroutine elastic_way(self, contact, control, largest, count, error)
