@@ -84,6 +84,9 @@ contains
         centre = local_centre(self)
         select case (self%kind)
         case (ellipse)
+            ! most circles meet none: roots are dear
+            if (rho >= norm2(centre) + maxval(self%extent)) return
+            if (rho <= max(norm2(centre) - maxval(self%extent), minval(self%extent) - norm2(centre))) return
             inverse = 1.0_wp/self%extent**2
             call trigonometric_roots(dot_product(centre**2, inverse) - 1.0_wp + 0.5_wp*rho**2*sum(inverse), &
                                      -2.0_wp*rho*centre(1)*inverse(1), -2.0_wp*rho*centre(2)*inverse(2), &
