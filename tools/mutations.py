@@ -150,5 +150,6 @@ MUTATIONS = [
     ("field/energy.f90", "weight(first:last), error)", "weight(:last - first + 1), error)", "test_field_layers"),
     ("field/load.f90", "length = panel%low", "length = 4.0_wp*panel%low", "test_field_transform"),
     ("contact/loop.f90", "            if (from >= largest) first = entered\n", "", "c_loop"),
+    ("lateral/section.f90", "rho >= norm2(centre) + maxval", "rho >= norm2(centre) + minval", "lateral_structures"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
