@@ -798,6 +798,26 @@ int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, i
  *  @return also MDR_EINVALID with adhesion, MDR_ENOCONVERGENCE */
 int mdr_contact_lowest_pressure(const mdr_contact *c, const mdr_state *state, double *pressure, double *r);
 
+/** What speaks against the numbers of a state; bits of a sum. Linear elasticity answers beyond its range too. */
+enum mdr_warning {
+    MDR_WARNING_SLOPE = 1,       /**< The indenter's surface has a slope f'(a) of more than 1.2 at the edge of the contact: 50 degrees,
+                                      or a = 1.2 R of a paraboloid, which stands for a sphere at a well below R only. */
+    MDR_WARNING_PRESSURE = 2,    /**< The mean pressure is more than 0.6 of E_eff(a) and of the contact modulus of the surface, as under a flat
+                                      punch at depths beyond 0.94 a; where the slope is not the reason. */
+    MDR_WARNING_COMPRESSION = 4, /**< Layers are compressed by more than half of their thickness: a depth beyond that on a rigid base, and
+                                      on an elastic one the depth less F/(a E1*), the most by which the base gives way. */
+    MDR_WARNING_CONTRAST = 8     /**< Young's moduli of one contact are 1e9 apart or more, as GPa beside Pa. */
+};
+
+/** What speaks against the numbers of a state.
+ *  @param c         contact
+ *  @param state     a state of this contact
+ *  @param buffer    receives a line of text for each warning, in the order of the codes; may be NULL if length < 1
+ *  @param length    size of buffer, 1000 for all of it; what does not fit is cut off
+ *  @param warnings  or NULL: the sum of codes of enum mdr_warning, 0 if there are none
+ *  @return also MDR_EINVALID for a state that cannot be one of this contact */
+int mdr_contact_warnings(const mdr_contact *c, const mdr_state *state, char *buffer, int length, int *warnings);
+
 /** Which body of a contact. */
 enum mdr_body {
     MDR_BODY_LOWER = 1, /**< The medium, or the lower one of two. */

@@ -12,6 +12,7 @@ module mdrcontact
     use mdrcontact_contact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
                                                coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
     use mdrcontact_cancel, only: cancel_function, set_cancel, set_progress
+    use mdrcontact_contact_warnings, only: contact_warning_t, warning_compression, warning_contrast, warning_pressure, warning_slope
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_field, contact_states, field_displacement, field_line_load, &

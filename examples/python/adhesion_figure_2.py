@@ -17,7 +17,7 @@ import mdrcontact as mdr
 TAU = 2.0
 THICKNESSES = (4.0, 2.0, 1.0, 0.5, 0.25)
 COLOURS = ("#0072B2", "#56B4E9", "#009E73", "#E69F00", "#D55E00")
-RADIUS, SHEAR, WORK = 1.0, 1.0, 1.0  # R, G1, gamma: the reduced curves do not depend on them
+RADIUS, SHEAR, WORK = 1.0, 1.0, 1e-6  # R, G1, gamma: the reduced curves do not depend on them
 
 
 def contact(reduced_thickness: float, model: str, rule: str) -> mdr.Contact:

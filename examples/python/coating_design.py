@@ -18,6 +18,7 @@ import numpy as np
 import mdrcontact as mdr
 
 BALL = 100e-6
+SHALLOW = 1e3  # radius of the paraboloid of the sweep, in thicknesses: slopes stay small
 STEEL, STEEL_YIELD = mdr.Elastic(210e9, 0.30), 2.0e9  # hardened tool steel
 COATINGS = {
     # E, nu; tensile strength, yield strength and shear strength of the interface: orders of magnitude, they depend on the process
@@ -30,7 +31,7 @@ MODES = ("ring crack in the coating", "yield of the coating", "yield of the subs
 
 def failure_loads(coating, strengths):
     """Thickness and force at which each mode is reached, for every a/h; NaN where its stress is not tensile."""
-    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(coating, 1.0, STEEL))
+    contact = mdr.Contact(mdr.Paraboloid(SHALLOW), mdr.Coated(coating, 1.0, STEEL))
     curves = np.full((len(strengths), len(A_OVER_H), 2), np.nan)
     for i, a in enumerate(A_OVER_H):
         state = contact.at_radius(a)
@@ -39,8 +40,8 @@ def failure_loads(coating, strengths):
         stresses = found.surface.value, film.von_mises.value, substrate.von_mises.value, found.interfaces[0].shear.value
         for j, (stress, strength) in enumerate(zip(stresses, strengths, strict=True)):
             if stress > 0.0:
-                radius = strength / (stress / a) * BALL
-                curves[j, i] = radius / a, state.force / a**3 * radius**3 / BALL
+                radius = strength / (stress * SHALLOW / a) * BALL
+                curves[j, i] = radius / a, state.force * SHALLOW / a**3 * radius**3 / BALL
     return curves
 
 

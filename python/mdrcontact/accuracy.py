@@ -67,9 +67,9 @@ def accuracy_map(
     force_error = np.empty_like(modulus_error)
     for i, ratio in enumerate(ratios):
         exact = Coated(Elastic(float(ratio), nu), 1.0, substrate, "exact")
-        modulus, force = exact.modulus(a), Contact(shape, exact).at_radius(a).force
+        modulus, force = exact.modulus(a), Contact(shape, exact)._silent().at_radius(a).force
         for j, name in enumerate(chosen):
             body = exact.with_model(name)
             modulus_error[j, i] = body.modulus(a) / modulus - 1.0
-            force_error[j, i] = Contact(shape, body).at_radius(a).force / force - 1.0
+            force_error[j, i] = Contact(shape, body)._silent().at_radius(a).force / force - 1.0
     return AccuracyMap(chosen, ratios, a, modulus_error, force_error)

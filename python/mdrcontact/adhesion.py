@@ -124,4 +124,5 @@ def loop(contact: Any, control: str, largest: Any, points: Any, spring_stiffness
     indices = call(_native.loop_jumps, handle.address, max(jumps, 1))
     energy = call(_native.loop_dissipated_energy, handle.address)
     where = np.asarray(indices[:jumps], dtype=np.int64)
+    contact._warn_at(float(d.max()))
     return Loop(position, d, a, F, int(turning_point), where, float(energy), control)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -17,7 +18,7 @@ from ._value import Value
 from ._warn import warn
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code
 from .critical import Critical
-from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, NotOneDiscWarning
+from .errors import ArgumentTypeError, InvalidArgumentError, LargeStrainWarning, MDRError, NotOneDiscWarning, UnitsWarning
 from .failure import Failure
 from .history import History
 from .interior import Interior
@@ -28,11 +29,14 @@ __all__ = ["Contact", "State"]
 
 _NOTICEABLE = 1e-4
 """A negative pressure of this part of the mean pressure is more than the solver's error; of the depth, an overlap."""
+_DEEPER = 1.2
+"""States this much deeper than those looked at before are looked at for what speaks against them."""
 _BEYOND = np.geomspace(1.1, 60.0, 30)
 """Radii, in contact radii, at which the surface beyond the contact is looked at."""
 
 Table = tuple[tuple[float, ...], tuple[float, ...]]
 
+_WARNINGS = (_layout.WARNING_SLOPE, _layout.WARNING_PRESSURE, _layout.WARNING_COMPRESSION, _layout.WARNING_CONTRAST)
 _BODIES = {"lower": 0, "upper": 1}
 
 
@@ -79,6 +83,8 @@ class Contact(Value):
     adhesion_rule: str
     zeta: Table | str | None
     _looked_at: set[int] | None = field(init=False, repr=False, compare=False)
+    _warned: list[Any] = field(init=False, repr=False, compare=False)
+    """up to which depth no state needs to be looked at, then the kinds of warnings that were given"""
 
     def __init__(
         self,
@@ -103,7 +109,7 @@ class Contact(Value):
         self._set(_handle=Handle(created, _native.contact_free), indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given)
         may_open = gamma == 0.0 and getattr(medium, "model", None) == "exact" and not isinstance(indenter, Paraboloid)
-        self._set(_looked_at=set() if may_open else None)
+        self._set(_looked_at=set() if may_open else None, _warned=[-math.inf])
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
         """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.
@@ -275,6 +281,12 @@ class Contact(Value):
         pressure, r = call(_native.contact_lowest_pressure, self._handle.address, self._one(state))
         return float(pressure), float(r)
 
+    def warnings(self, state: State) -> tuple[str, ...]:
+        """What speaks against the numbers of one state: slopes and strains that are not small, moduli in two units; empty where
+        nothing does. States are looked at as they are made, and a `LargeStrainWarning` and a `UnitsWarning` are given once for each
+        contact."""
+        return tuple(self._cautions(state)[1])
+
     def interior(
         self,
         r: ArrayLike,
@@ -334,11 +346,48 @@ class Contact(Value):
         return [number(f"{member} of the state", value) for member, value in zip(state._fields, state, strict=True)]
 
     def _states(self, name: str, given: int, values: ArrayLike, branch: str) -> State:
+        states = self._solve(name, given, values, branch)
+        depth = states.depth
+        deepest = depth if isinstance(depth, float) else depth.max(initial=-math.inf)
+        if deepest > self._warned[0]:
+            self._warn_of(states)
+        return states
+
+    def _solve(self, name: str, given: int, values: ArrayLike, branch: str = "unloading") -> State:
+        """States without a warning of large strains, as a search needs them."""
         chosen = adhesion.code("branch", branch, BRANCHES)
         states = State(*evaluate_all(name, values, lambda v: _native.contact_states(self._handle.address, given, chosen, v)))
         if self._looked_at is not None:
             self._look_at(states)
         return states
+
+    def _silent(self) -> Contact:
+        """Itself, which gives no such warnings any more: a contact in units of its own, that no user sees."""
+        self._warned[0] = math.inf
+        return self
+
+    def _warn_of(self, states: State) -> None:
+        """Gives a warning of each kind that was not given yet, of the deepest of the states."""
+        one = isinstance(states.depth, float)
+        deepest = states if one else states.one(np.unravel_index(np.argmax(states.depth), np.shape(states.depth)))
+        self._warned[0] = max(_DEEPER * float(deepest.depth), 0.0)
+        codes, texts = self._cautions(deepest)
+        for code_of, text in zip(codes, texts, strict=True):
+            kind = UnitsWarning if code_of == _layout.WARNING_CONTRAST else LargeStrainWarning
+            if kind not in self._warned:
+                self._warned.append(kind)
+                warn(text, kind)
+
+    def _warn_at(self, depth: float) -> None:
+        """Looks at the state of a depth that the library reached without a state of Python's."""
+        with contextlib.suppress(MDRError):
+            self._states("depth", _layout.GIVEN_DEPTH, depth, "unloading")
+
+    def _cautions(self, state: State) -> tuple[list[int], list[str]]:
+        """Codes and texts of what speaks against one state."""
+        buffer = np.zeros(1000, np.uint8)
+        found = call(_native.contact_warnings, self._handle.address, self._one(state), address(buffer), buffer.size)
+        return [code for code in _WARNINGS if found & code], bytes(buffer).rstrip(b"\0").decode().splitlines()
 
     def _look_at(self, states: State) -> None:
         """Warns where the contact is not one disc: looks at the largest of the states and at some smaller ones, at a radius of

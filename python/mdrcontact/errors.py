@@ -14,9 +14,12 @@ __all__ = [
     "CallbackError",
     "FileError",
     "CancelledError",
+    "MDRWarning",
     "NotOneDiscWarning",
     "SlipInsideWarning",
     "BeyondRangeWarning",
+    "LargeStrainWarning",
+    "UnitsWarning",
 ]
 
 
@@ -60,19 +63,32 @@ class CancelledError(MDRError):
     """A call in another thread was ended because the one that waits for it was interrupted."""
 
 
-class NotOneDiscWarning(UserWarning):
+class MDRWarning(UserWarning):
+    """A number that comes with a doubt; the base of all warnings below."""
+
+
+class NotOneDiscWarning(MDRWarning):
     """The pressure of a contact without adhesion is negative somewhere: on this stiff coating the contact is not one disc. Its
     pressure is not that of the true contact; F(d) is off by at most a few per cent where the coating is up to 200 times stiffer
     than the body, by more beyond. Or the surface beyond the contact would pass through the indenter."""
 
 
-class SlipInsideWarning(UserWarning):
+class SlipInsideWarning(MDRWarning):
     """Partial slip as an annulus at the edge would need more than coefficient times pressure inside: slip begins there, too, on
     this stiff coating. Forces, energies and tractions are not those of the true contact; by rings, `Friction.history`, they are."""
 
 
-class BeyondRangeWarning(UserWarning):
+class BeyondRangeWarning(MDRWarning):
     """A compiled law that continues beyond its range was asked there: the numbers are those of its tangent."""
+
+
+class LargeStrainWarning(MDRWarning):
+    """A state beyond linear elasticity, which holds for small slopes and strains: the indenter's slope at the edge of the contact
+    is above 1.2, the mean pressure above 0.6 contact moduli, or layers are compressed by more than half of their thickness."""
+
+
+class UnitsWarning(MDRWarning):
+    """Young's moduli of one contact are 1e9 apart or more: one of them may be in another unit, as GPa beside Pa."""
 
 
 _BY_STATUS: dict[int, type[MDRError]] = {

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _layout
 from ._boundary import number
 from .critical import ZOOMS, Maximum, Search, layers_of, normal, shear, tension, von_mises
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError
@@ -63,7 +64,7 @@ def first_failure(
             radius: float, known: dict[float, Search], mode: str = mode, place: int = place, strength: float = strength
         ) -> float:
             if radius not in known:
-                state = contact.at_radius(radius)
+                state = contact._solve("radius", _layout.GIVEN_RADIUS, radius)
                 known[radius] = Search(contact, state, body, friction, 0 if known is coarse else ZOOMS)
             top = _measure(known[radius], mode, place)
             return 0.0 if known[radius].is_beside_edge(top) else top.value / strength
@@ -73,6 +74,7 @@ def first_failure(
             radius = _root(lambda radius: ratio(radius, fine), *bracket) if bracket[1] > bracket[0] else bracket[0]
             ratio(radius, fine)
             search = fine[radius]
+            contact._warn_of(search.state)
             found.append(Failure(mode, place, strength, search.state, _measure(search, mode, place)))
     return tuple(sorted(found, key=lambda failure: float(failure.state.force)))
 
@@ -141,7 +143,7 @@ def _radii(contact: Any, largest: float | None, body: str) -> NDArray[np.float64
         last = 3.0 * flat
     while last > flat:
         try:
-            contact.at_radius(last)
+            contact._solve("radius", _layout.GIVEN_RADIUS, last)
             break
         except MDRError:
             last = flat + 0.9 * (last - flat)

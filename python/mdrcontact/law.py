@@ -74,6 +74,7 @@ class ContactLaw(LawFile):
         options, text = law_options(description, repr(contact), smallest_depth, tolerance, continue_beyond)
         self._own(_native.law_new(contact._handle.address, number("largest_depth", largest_depth), address(options)))
         del text  # the options point to it
+        contact._warn_at(self._highest)
 
     def _own(self, created: tuple[int, int]) -> None:
         super()._own(created)

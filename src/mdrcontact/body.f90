@@ -27,6 +27,8 @@ module mdrcontact_body
         real(wp) :: in_plane_limit = 0.0_wp, anti_plane_limit = 0.0_wp
         !> depth of the first interface, 0 if the body is homogeneous, and that below which it is homogeneous, or rigid [length]
         real(wp) :: first_depth = 0.0_wp, last_depth = 0.0_wp
+        !> the smallest and the largest Young's modulus in it, 0 where they are not known [modulus]
+        real(wp) :: softest = 0.0_wp, stiffest = 0.0_wp
         !> whether the layers of sublayers() only stand for constants that vary with depth
         logical :: is_graded = .false.
     contains
@@ -119,6 +121,8 @@ contains
         self%anti_plane_limit = other%anti_plane_limit
         self%first_depth = other%first_depth
         self%last_depth = other%last_depth
+        self%softest = other%softest
+        self%stiffest = other%stiffest
         self%is_graded = other%is_graded
     end subroutine take_numbers
 

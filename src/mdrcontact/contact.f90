@@ -9,9 +9,10 @@ module mdrcontact_contact
     use mdrcontact_contact_falls, only: find_falls
     use mdrcontact_error, only: check_choice, check_finite, check_not_negative, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
-    use mdrcontact_field, only: fields_t
+    use mdrcontact_field, only: check_state, fields_t
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_contact_inversion, only: invert, neighbours_t
+    use mdrcontact_contact_warnings, only: contact_warning_t, find_warnings
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
@@ -54,6 +55,7 @@ module mdrcontact_contact
         procedure :: is_adhesive
         procedure :: is_formula
         procedure :: radius_range
+        procedure :: warnings
     end type contact_t
 
 contains
@@ -141,6 +143,19 @@ contains
         call self%equilibrium%add_breaks(all_breaks, error)
         call merge_breaks(breaks, all_breaks(count(all_breaks <= smallest) + 1:count(all_breaks < largest)), error)
     end subroutine radius_range
+
+    !> What speaks against the numbers of a state: slopes and strains that are not small, moduli in two units.
+    subroutine warnings(self, state, found, error)
+        class(contact_t), intent(in) :: self
+        !> a state of this contact
+        type(contact_state_t), intent(in) :: state
+        !> none where nothing does
+        type(contact_warning_t), allocatable, intent(out) :: found(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        if (state%radius /= 0.0_wp) call check_state(self, state, error)
+        if (.not. allocated(error)) call find_warnings(self%equilibrium, state, found)
+    end subroutine warnings
 
     !> The state of equilibrium at contact radius a, stable or not.
     subroutine at_radius(self, radius, state, error)

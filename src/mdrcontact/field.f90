@@ -13,7 +13,7 @@ module mdrcontact_field
     use mdrcontact_numerics_pick, only: pick
     implicit none (type, external)
     private
-    public :: fields_t, check_positions
+    public :: fields_t, check_positions, check_state
 
     !> Where the lowest pressure is looked for: so many radii, and again as many between the neighbours of the lowest.
     integer, parameter :: pressure_probes = 32, pressure_rounds = 3

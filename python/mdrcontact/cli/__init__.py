@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from .. import __version__
-from ..errors import MDRError, NotOneDiscWarning, SlipInsideWarning
+from ..errors import MDRError, MDRWarning
 from ..problem import ProblemError
 from . import adhesion, calibrate, compare, curve, example, fit, friction, history, law, modulus, stress
 from . import map as map_
@@ -43,8 +43,16 @@ exit status:
 """
 
 
-def _warn(message: Warning | str, *_: Any) -> None:
-    print(f"mdrcontact: warning: {message}", file=sys.stderr)
+class _Warnings:
+    """Prints each warning of a command once, whichever of its contacts gave it."""
+
+    def __init__(self) -> None:
+        self._printed: set[str] = set()
+
+    def __call__(self, message: Warning | str, *_: Any) -> None:
+        if str(message) not in self._printed:
+            self._printed.add(str(message))
+            print(f"mdrcontact: warning: {message}", file=sys.stderr)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -60,9 +68,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     chosen = parser.parse_args(arguments)
     try:
         with warnings.catch_warnings():
-            for kind in (NotOneDiscWarning, SlipInsideWarning):
-                warnings.simplefilter("always", kind)
-            warnings.showwarning = _warn  # type: ignore[assignment]
+            warnings.simplefilter("always", MDRWarning)
+            warnings.showwarning = _Warnings()  # type: ignore[assignment]
             chosen.run(chosen)
         print(end="", flush=True)
     except ProblemError as problem:

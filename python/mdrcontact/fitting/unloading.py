@@ -91,7 +91,7 @@ def _power_law(h: Array, p: Array, largest: float) -> _Law:
     steepness, height = np.polyfit(x, np.maximum(y, 0.0) ** (1.0 / 1.5), 1)
     begins = min(-height / steepness, -0.01)
     body = Homogeneous(Elastic(1.0, 0.0))
-    modulus = 1.0 / float(Contact(PowerLaw(2.0, 1.0), body).at_depth(1.0 - begins).force)
+    modulus = 1.0 / float(Contact(PowerLaw(2.0, 1.0), body)._silent().at_depth(1.0 - begins).force)
     found = fit(
         ForceDepth(x, y, branch="unloading"),
         PowerLaw(2.0, 1.0),
@@ -103,7 +103,8 @@ def _power_law(h: Array, p: Array, largest: float) -> _Law:
     def top(values: Array) -> tuple[float, float]:
         """Depth and stiffness at the largest force."""
         by_name = dict(zip(found.names, values, strict=True))
-        state = Contact(PowerLaw(by_name["indenter.exponent"], 1.0), Homogeneous(Elastic(by_name["E"], 0.0))).at_force(1.0)
+        indenter = PowerLaw(by_name["indenter.exponent"], 1.0)
+        state = Contact(indenter, Homogeneous(Elastic(by_name["E"], 0.0)))._silent().at_force(1.0)
         return float(state.depth) + by_name["depth_offset"], float(state.stiffness)
 
     best = np.array([found.estimates[name] for name in found.names])

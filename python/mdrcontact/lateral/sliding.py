@@ -66,7 +66,7 @@ def indentation_map(
     d = number("depth", depth)
     if not 0.0 < d < np.inf:
         raise InvalidArgumentError(f"depth = {d!r} is not allowed: it must be finite and greater than 0")
-    ideal = Contact(indenter, _UNIT)
+    ideal = Contact(indenter, _UNIT)._silent()
     state = ideal.at_depth(d)
     a, first = float(state.radius), float(ideal.at_depth(0.0).radius)
     u, w = np.polynomial.legendre.leggauss(whole("nodes", nodes, 1))
@@ -144,11 +144,12 @@ def _state(indenter: Profile, medium: TabulatedMedium, depth: float | None, forc
 def _largest_radius(structure: Structure, indenter: Profile, x: Array, y: float, depth: float | None, force: float | None) -> float:
     """A contact radius that no place on the line exceeds."""
     if depth is not None:
-        return 1.0001 * float(Contact(indenter, _UNIT).at_depth(depth).radius)
+        return 1.0001 * float(Contact(indenter, _UNIT)._silent().at_depth(depth).radius)
     assert force is not None
     # the softest material along the line, at the scale of the contact itself, and a margin: the radius follows
     modulus = float(np.min(_sampled_moduli(structure, x, y)))
-    return 1.0001 * float(Contact(indenter, TabulatedMedium([1e-300, 1.0, 1e300], [modulus] * 3)).at_force(force).radius)
+    widest = Contact(indenter, TabulatedMedium([1e-300, 1.0, 1e300], [modulus] * 3))._silent()
+    return 1.0001 * float(widest.at_force(force).radius)
 
 
 def _sampled_moduli(structure: Structure, x: Array, y: float) -> Any:

@@ -7,8 +7,10 @@ module mdrcontact_api_contact
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
+    use mdrcontact_api_text, only: write_text
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_warnings, only: contact_warning_t
     use mdrcontact_contact_values, only: contact_field, contact_states, given_depth, given_force, given_radius
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_count_from, check_memory, check_table, count_text, error_invalid, error_t, raise
@@ -19,7 +21,7 @@ module mdrcontact_api_contact
     private
     public :: mdr_contact_options_init, mdr_contact_new
     public :: mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius
-    public :: mdr_contact_states, mdr_contact_field, mdr_contact_lowest_pressure, mdr_contact_energy
+    public :: mdr_contact_states, mdr_contact_field, mdr_contact_lowest_pressure, mdr_contact_energy, mdr_contact_warnings
 
     !> struct mdr_contact_options
     type, bind(C) :: c_contact_options_t
@@ -237,5 +239,32 @@ contains
         if (present(lower)) lower = values(1)
         if (present(upper)) upper = values(2)
     end function mdr_contact_energy
+
+    function mdr_contact_warnings(c, state, buffer, length, warnings) result(status) bind(C)
+        type(c_ptr), value :: c, buffer
+        type(contact_state_t), intent(in), optional :: state
+        integer(c_int), value :: length
+        integer(c_int), intent(inout), optional :: warnings
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        type(contact_warning_t), allocatable :: found(:)
+        type(error_t), allocatable :: error
+        character(len=:), allocatable :: text
+        integer :: i
+
+        call open_handle(c, "c", contact, error)
+        call check_given(error, "state", present(state))
+        call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
+        if (.not. allocated(error)) call contact%warnings(state, found, error)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(warnings)) warnings = int(sum(found%code), c_int)
+        if (length < 1) return
+        text = ""
+        do i = 1, size(found)
+            text = text//trim(found(i)%text)//new_line("")
+        end do
+        call write_text(text, int(length), buffer)
+    end function mdr_contact_warnings
 
 end module mdrcontact_api_contact

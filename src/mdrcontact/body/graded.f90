@@ -193,12 +193,16 @@ contains
         self%top = new_layer_modes(cmplx(surface_nu, kind=wp))
         self%surface_material = material_t(2.0_wp*surface_shear*(1.0_wp + surface_nu), surface_nu)
         self%surface_modulus = 2.0_wp*surface_shear/(1.0_wp - surface_nu)
+        self%softest = self%surface_material%young
+        self%stiffest = self%softest
         do i = 1, n
             do j = 1, nodes
                 call self%constants(self%ends(i) + (self%ends(i + 1) - self%ends(i))*t(j), shear(j), nu(j))
             end do
             if (i == 1) shear = surface_shear
             if (i == 1) nu = surface_nu
+            self%softest = min(self%softest, minval(2.0_wp*shear*(1.0_wp + nu)))
+            self%stiffest = max(self%stiffest, maxval(2.0_wp*shear*(1.0_wp + nu)))
             do j = 1, nodes
                 in_plane(:, :, j) = in_plane_rate(shear(j)/surface_shear, nu(j))
                 anti_plane(:, :, j) = anti_plane_rate(shear(j)/surface_shear)

@@ -115,7 +115,11 @@ contains
         if (allocated(error)) return
         if (count > 0) self%first_depth = kept_thickness(1)
         self%last_depth = self%surface%depth
+        self%softest = minval(layers%young)
+        self%stiffest = maxval(layers%young)
         if (rigid) return
+        self%softest = min(self%softest, substrate%young)
+        self%stiffest = max(self%stiffest, substrate%young)
         self%long_wave_limit = surface%contact()/substrate%contact()
         self%anti_plane_limit = surface%shear()/substrate%shear()
         self%in_plane_limit = self%anti_plane_limit*(1.0_wp - substrate%poisson)/(1.0_wp - surface%poisson)

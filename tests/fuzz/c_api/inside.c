@@ -14,6 +14,7 @@ void fuzz_inside(world *w)
     double r[MOST_POINTS], z[MOST_POINTS], angle[MOST_POINTS], out[MOST_POINTS];
     double pressure[MOST_POINTS], place[MOST_POINTS];
     mdr_interior inside[MOST_POINTS];
+    char words[100];
     int slot, status, count = 0;
     const mdr_contact *contact = some_contact(w, &slot);
     mdr_state state;
@@ -43,6 +44,7 @@ void fuzz_inside(world *w)
     status = mdr_contact_lowest_pressure(contact, &state, pressure, place);
     judge("mdr_contact_lowest_pressure", status, 1, pressure, FINITE);
     judge("mdr_contact_lowest_pressure", status, 1, place, NOT_NEGATIVE);
+    judge_status("mdr_contact_warnings", mdr_contact_warnings(contact, &state, words, (int)sizeof words, &count));
 }
 
 /* Partial slip: states, a loop, a path. */

@@ -1,0 +1,163 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What a state says of its own validity: linear elasticity holds for small slopes and strains, and answers beyond them too.
+module mdrcontact_contact_warnings
+    use mdrcontact_body, only: body_t
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: error_t, to_text
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_medium, only: lower_body, upper_body
+    implicit none (type, external)
+    private
+    public :: contact_warning_t, find_warnings
+    public :: warning_slope, warning_pressure, warning_compression, warning_contrast
+
+    !> enum mdr_warning of the C header; bits of a sum.
+    integer, parameter :: warning_slope = 1, warning_pressure = 2, warning_compression = 4, warning_contrast = 8
+
+    !> The largest slope of the indenter in the contact: 50 degrees, a little more than the cone of a cube corner has.
+    real(wp), parameter :: largest_slope = 1.2_wp
+    !> The largest mean pressure over E_eff(a), and over the contact modulus of the surface: that under a cone of the largest
+    !> slope, F/(pi a^2 E*) = f'/2.
+    real(wp), parameter :: largest_pressure = 0.5_wp*largest_slope
+    !> The largest part of their thickness by which layers are compressed.
+    real(wp), parameter :: largest_compression = 0.5_wp
+    !> The largest ratio of two Young's moduli: a gel of 1 kPa on glass has 7e7, GPa beside Pa 1e9.
+    real(wp), parameter :: largest_contrast = 1.0e9_wp
+
+    !> One warning: its code and what it means, as a sentence without a full stop.
+    type :: contact_warning_t
+        integer :: code = 0
+        character(len=240) :: text = ""
+    end type contact_warning_t
+
+contains
+
+    !> What speaks against the numbers of a state, in the order of the codes.
+    subroutine find_warnings(equilibrium, state, found)
+        type(equilibrium_t), intent(in) :: equilibrium
+        !> a state of this contact; none is found without a contact, a = 0
+        type(contact_state_t), intent(in) :: state
+        type(contact_warning_t), allocatable, intent(out) :: found(:)
+
+        allocate (found(0))
+        if (state%radius > 0.0_wp) then
+            call look_at_slope(equilibrium, state, found)
+            if (size(found) == 0) call look_at_pressure(equilibrium, state, found)
+            call look_at_layers(equilibrium, state, found)
+        end if
+        call look_at_moduli(equilibrium, found)
+    end subroutine find_warnings
+
+    pure subroutine look_at_slope(equilibrium, state, found)
+        type(equilibrium_t), intent(in) :: equilibrium
+        type(contact_state_t), intent(in) :: state
+        type(contact_warning_t), allocatable, intent(inout) :: found(:)
+        real(wp) :: slope
+
+        if (equilibrium%profile%has_wall .and. state%radius >= equilibrium%profile%largest_radius) return
+        slope = equilibrium%profile%slope(state%radius)
+        if (slope <= largest_slope) return
+        call add(found, warning_slope, "the indenter's surface has a slope of "//to_text(slope)//" at the edge of the contact "// &
+                 "(contact radius "//to_text(state%radius)//"): linear elasticity is for small slopes, and a paraboloid stands "// &
+                 "for a sphere at radii well below R only")
+    end subroutine look_at_slope
+
+    pure subroutine look_at_pressure(equilibrium, state, found)
+        type(equilibrium_t), intent(in) :: equilibrium
+        type(contact_state_t), intent(in) :: state
+        type(contact_warning_t), allocatable, intent(inout) :: found(:)
+        real(wp) :: ratio
+
+        ! a stiff film on a soft body is bent by a pressure that strains it little
+        ratio = state%force/(pi*state%radius**2*max(0.5_wp*state%stiffness/state%radius, surface_modulus(equilibrium)))
+        if (ratio <= largest_pressure) return
+        call add(found, warning_pressure, "the mean pressure is "//to_text(ratio)//" times the contact modulus (depth "// &
+                 to_text(state%depth)//", contact radius "//to_text(state%radius)//"): strains are not small, and linear "// &
+                 "elasticity does not hold")
+    end subroutine look_at_pressure
+
+    !> That of the surface of one body or two, 0 where it is not known [modulus].
+    pure function surface_modulus(equilibrium) result(modulus)
+        type(equilibrium_t), intent(in) :: equilibrium
+        real(wp) :: modulus
+
+        modulus = 0.0_wp
+        if (.not. allocated(equilibrium%medium%pressed)) return
+        modulus = equilibrium%medium%pressed%surface_modulus
+        if (allocated(equilibrium%medium%counterbody)) then
+            modulus = modulus/(1.0_wp + modulus/equilibrium%medium%counterbody%surface_modulus)
+        else if (equilibrium%medium%is_pair) then
+            modulus = 0.0_wp
+        end if
+    end function surface_modulus
+
+    subroutine look_at_layers(equilibrium, state, found)
+        type(equilibrium_t), intent(in) :: equilibrium
+        type(contact_state_t), intent(in) :: state
+        type(contact_warning_t), allocatable, intent(inout) :: found(:)
+
+        associate (medium => equilibrium%medium)
+            if (allocated(medium%pressed)) call look_at_body(equilibrium, lower_body, medium%pressed, state, found)
+            if (allocated(medium%counterbody)) call look_at_body(equilibrium, upper_body, medium%counterbody, state, found)
+        end associate
+    end subroutine look_at_layers
+
+    subroutine look_at_body(equilibrium, which, body, state, found)
+        type(equilibrium_t), intent(in) :: equilibrium
+        !> lower_body or upper_body, and that body
+        integer, intent(in) :: which
+        class(body_t), intent(in) :: body
+        type(contact_state_t), intent(in) :: state
+        type(contact_warning_t), allocatable, intent(inout) :: found(:)
+        type(error_t), allocatable :: error
+        real(wp) :: force, base, depth(1)
+
+        if (.not. body%last_depth > 0.0_wp) return
+        ! what lies below the layers gives way by at most F/(a E1*), as a half-space does under a cone; F without adhesion
+        force = state%force - min(state%excess, 0.0_wp)*state%stiffness
+        base = force*body%long_wave_limit/(state%radius*body%surface_modulus)
+        depth = state%depth
+        if (depth(1) - base <= largest_compression*body%last_depth) return
+        if (equilibrium%medium%is_pair) call equilibrium%medium%take_share(equilibrium%profile, state%radius, state%excess, &
+                                                                           which, [0.0_wp], depth, error)
+        if (allocated(error)) return
+        if (depth(1) - base <= largest_compression*body%last_depth) return
+        call add(found, warning_compression, "layers of thickness "//to_text(body%last_depth)//" would be compressed by "// &
+                 to_text(depth(1) - base)//" or more (depth "//to_text(state%depth)//"): linear elasticity is for small parts "// &
+                 "of the thickness")
+    end subroutine look_at_body
+
+    pure subroutine look_at_moduli(equilibrium, found)
+        type(equilibrium_t), intent(in) :: equilibrium
+        type(contact_warning_t), allocatable, intent(inout) :: found(:)
+        real(wp) :: softest, stiffest
+
+        softest = huge(1.0_wp)
+        stiffest = 0.0_wp
+        if (allocated(equilibrium%medium%pressed)) call widen(equilibrium%medium%pressed, softest, stiffest)
+        if (allocated(equilibrium%medium%counterbody)) call widen(equilibrium%medium%counterbody, softest, stiffest)
+        if (stiffest < largest_contrast*softest) return
+        call add(found, warning_contrast, "Young's moduli from "//to_text(softest)//" to "//to_text(stiffest)//" stand beside "// &
+                 "each other: are all of them given in one unit?")
+    end subroutine look_at_moduli
+
+    pure subroutine widen(body, softest, stiffest)
+        class(body_t), intent(in) :: body
+        real(wp), intent(inout) :: softest, stiffest
+
+        if (.not. body%softest > 0.0_wp) return
+        softest = min(softest, body%softest)
+        stiffest = max(stiffest, body%stiffest)
+    end subroutine widen
+
+    !> A warning more, unless the other body gave it already.
+    pure subroutine add(found, code, text)
+        type(contact_warning_t), allocatable, intent(inout) :: found(:)
+        integer, intent(in) :: code
+        character(len=*), intent(in) :: text
+
+        if (all(found%code /= code)) found = [found, contact_warning_t(code, text)]
+    end subroutine add
+
+end module mdrcontact_contact_warnings
