@@ -1668,8 +1668,10 @@ enum mdr_fit_instrument {
     MDR_FIT_FRAME_COMPLIANCE = 3,     /**< Of the instrument's frame [1/(modulus length)]. */
     MDR_FIT_INDENTER_MODULUS = 4,     /**< Contact modulus E*_i of the indenter > 0; INFINITY: rigid. Homogeneous, and paired
                                            with the medium as by mdr_medium_pair() [modulus]. */
-    MDR_FIT_CONTACT_DEPTH_FACTOR = 5, /**< epsilon of the contact depth h_c = h - epsilon P/S (Oliver, Pharr 1992); usually 0.75,
-                                           0 or less where the surface piles up [1]. */
+    MDR_FIT_CONTACT_DEPTH_FACTOR = 5, /**< epsilon of the contact depth h_c = h - epsilon P/S on a half-space (Oliver, Pharr 1992);
+                                           usually 0.75, that of a paraboloid; 0 or less where the surface piles up. On any other body
+                                           the surface sinks in as under the same indenter c r^n: by (d - f(a)) k/F of the exact
+                                           contact in place of epsilon [1]. */
     MDR_FIT_STIFFNESS_FACTOR = 6,     /**< beta of S = 2 beta a E_r; usually 1 [1]. */
     MDR_FIT_CONTACT_DEPTH_SCALE = 7,  /**< Factor of h_c, usually 1; 1.2 with epsilon = 1: Loubet's contact depth [1]. */
     MDR_FIT_AREA_FACTOR = 8,          /**< True over assumed projected contact area, for all data but force against depth; usually
@@ -1730,6 +1732,9 @@ typedef struct mdr_fit_problem {
     int counterbody_model;               /**< As `model`. */
     int counterbody_layers;              /**< As `layers`. */
     const mdr_medium_options *counterbody_options; /**< As `options`. */
+    int is_elastic;                      /**< Of MDR_FIT_STIFFNESS_DEPTH: 1: nothing has yielded, loading and unloading are one curve,
+                                              and the surface sinks in as under the indenter itself; 0 (default): it sinks in as
+                                              under the smooth indenter that MDR_FIT_CONTACT_DEPTH_FACTOR stands for. */
 } mdr_fit_problem;
 
 /** Sets everything to its default. problem = NULL is allowed. Never fails. */
@@ -1789,7 +1794,7 @@ int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const
  *  @param given    [n] or NULL, as for mdr_fit_solve()
  *  @param fitted   [n] the model, in the unit of y
  *  @param radius   [n] or NULL: the contact radii, 0 out of contact; for MDR_FIT_STIFFNESS_DEPTH those of the tip at the contact
- *                  depth of Oliver and Pharr, h_c = h - epsilon P/S, J. Mater. Res. 7 (1992) 1564, with the area factor [length]
+ *                  depth, see MDR_FIT_CONTACT_DEPTH_FACTOR and `is_elastic`, with the area factor [length]
  *  @return also what the model answers: MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
                     double fitted[], double radius[]);

@@ -21,6 +21,12 @@ def write(name: str, header: str, *columns: np.ndarray) -> None:
     np.savetxt(HERE / name, np.column_stack(columns), fmt="%.5g", delimiter=delimiter, header=header, comments="")
 
 
+def sink_in(body: mdr.Medium, a: np.ndarray | float) -> np.ndarray:
+    """h_s = sigma P/S at the edge of a contact, sigma that of a paraboloid on this body: 0.75 on a half-space."""
+    state = mdr.Contact(mdr.Paraboloid(1.0), body).at_radius(a)
+    return np.asarray((np.asarray(state.depth) - 0.5 * np.asarray(a) ** 2) * state.stiffness / state.force)
+
+
 def main() -> None:
     """Writes all files."""
     random = np.random.default_rng(2014)
@@ -43,14 +49,14 @@ def main() -> None:
     force = np.interp(depth, d[start:], f[start:]) + 0.3e-9 * random.standard_normal(depth.size)
     write("afm_on_rubber.csv", "indentation (nm),force (nN)", depth[::-1] * 1e9, force[::-1] * 1e9)
 
-    # dynamic nanoindentation of the oxide: an elastic-plastic contact with h_c = h - 0.75 P/S and a hardness of 9 GPa
+    # dynamic nanoindentation of the oxide: an elastic-plastic contact with h_c = h - sigma P/S and a hardness of 9 GPa
     film = mdr.Coated(OXIDE, 500e-9, SILICON, "exact")
     contact_depth = np.linspace(15e-9, 250e-9, 80)
     a = contact_depth / np.tan(mdr.Berkovich().inclination)
-    reduced = 1.0 / (1.0 / np.asarray(film.modulus(a)) + 1.0 / DIAMOND.contact_modulus)
+    pair = mdr.Pair(film, DIAMOND)
     load = 9e9 * np.pi * a**2
-    stiffness = 2.0 * a * reduced
-    h = contact_depth + 0.75 * load / stiffness
+    stiffness = 2.0 * a * np.asarray(pair.modulus(a))
+    h = contact_depth + sink_in(pair, a) * load / stiffness
     noisy = stiffness * (1.0 + 0.01 * random.standard_normal(a.size))
     write("csm_on_oxide.csv", "h_nm,P_mN,S_N_per_m", h * 1e9, load * 1e3, noisy)
 
@@ -67,9 +73,9 @@ def main() -> None:
     # the record of one indent into the oxide: loading, hold, unloading to 10 %, hold, unloading; with thermal drift of 0.04 nm/s
     p_max, m = 8e-3, 1.35
     a = np.sqrt(p_max / (np.pi * 9e9))
-    stiffness = 2.0 * a * float(mdr.Pair(film, DIAMOND).modulus(a))
+    stiffness = 2.0 * a * float(pair.modulus(a))
     contact_depth = a / np.sqrt(24.5 / np.pi)
-    deepest = contact_depth + 0.75 * p_max / stiffness
+    deepest = contact_depth + float(sink_in(pair, a)) * p_max / stiffness
     final = deepest - m * p_max / stiffness
     loads = [np.linspace(0.0, 1.0, 100), np.ones(40), np.linspace(1.0, 0.1, 120), np.full(60, 0.1), np.linspace(0.1, 0.0, 15)]
     depths = [(deepest - 1.5e-9) * np.sqrt(loads[0]), deepest - 1.5e-9 * np.exp(-np.linspace(0.0, 5.0, 40))]

@@ -210,6 +210,7 @@ fit_problem = np.dtype(
         ("counterbody_model", np.intc),
         ("counterbody_layers", np.intc),
         ("counterbody_options", np.uintp),
+        ("is_elastic", np.intc),
     ],
     align=True,
 )

@@ -5,7 +5,15 @@ from __future__ import annotations
 
 import numpy as np
 
+import mdrcontact as mdr
+
 HARDNESS, REDUCED, EPSILON, C0 = 9e9, 70e9, 0.75, 24.5
+
+
+def sink_in(body, a):
+    """(d - f(a)) k/F at the edge of a contact of a paraboloid with a body, from the contact itself: 0.75 on a half-space."""
+    state = mdr.Contact(mdr.Paraboloid(1.0), body).at_radius(a)
+    return (np.asarray(state.depth) - 0.5 * np.asarray(a) ** 2) * state.stiffness / np.asarray(state.force)
 
 
 def indentation(

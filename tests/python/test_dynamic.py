@@ -8,6 +8,7 @@ import json
 import numpy as np
 import pytest
 from conftest import OXIDE, ROOT, SILICON
+from records import sink_in
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
@@ -25,7 +26,8 @@ def dynamic(noise, seed=0, points=30, area=1.0, drop=0.0):
     films = [START.replace(coating=mdr.Elastic(OXIDE.E * (1.0 - drop * r), OXIDE.nu)) for r in a]
     stiffness = np.array([2.0 * r * float(mdr.Pair(f, DIAMOND).modulus(r)) for r, f in zip(a, films, strict=True)])
     force = 9e9 * np.pi * a**2
-    depth = np.sqrt(np.pi * a**2 / area / 24.5) + 0.75 * force / stiffness
+    sigma = np.array([float(sink_in(mdr.Pair(f, DIAMOND), r)) for r, f in zip(a, films, strict=True)])
+    depth = np.sqrt(np.pi * a**2 / area / 24.5) + sigma * force / stiffness
     noisy = stiffness * (1.0 + noise * np.random.default_rng(seed).standard_normal(points))
     return mdr.StiffnessDepth(depth, force, noisy, relative_sd=noise or 1e-3)
 

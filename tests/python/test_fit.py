@@ -9,6 +9,7 @@ import math
 import numpy as np
 import pytest
 from conftest import OXIDE, ROOT, SILICON
+from records import sink_in
 
 import mdrcontact as mdr
 
@@ -151,7 +152,7 @@ def test_stiffness_data(kind):
     data = {
         "modulus": mdr.ModulusRadius(a, reduced),
         "stiffness": mdr.StiffnessRadius(a, stiffness),
-        "depth": mdr.StiffnessDepth(h_c + 0.75 * load / stiffness, load, stiffness),
+        "depth": mdr.StiffnessDepth(h_c + sink_in(mdr.Pair(FILM, diamond), a) * load / stiffness, load, stiffness),
     }[kind]
     result = mdr.fit(data, tip, START, ["coating.E", "substrate.E"], instrument=mdr.Instrument(indenter=diamond))
     assert result.converged
@@ -167,7 +168,7 @@ def test_noise_of_stiffness_enters_the_contact_depth_too():
     load = 9e9 * math.pi * a**2
     random = np.random.default_rng(5)
     noisy_stiffness = stiffness * (1.0 + 0.01 * random.standard_normal(a.size))
-    data = mdr.StiffnessDepth(h_c + 0.75 * load / stiffness, load, noisy_stiffness, relative_sd=0.01)
+    data = mdr.StiffnessDepth(h_c + sink_in(FILM, a) * load / stiffness, load, noisy_stiffness, relative_sd=0.01)
     result = mdr.fit(data, mdr.Berkovich(), START, ["coating.E"])
     assert result.chi_square / result.degrees_of_freedom == pytest.approx(1.0, abs=4.0 * math.sqrt(2.0 / 400))
 

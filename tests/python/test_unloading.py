@@ -8,7 +8,7 @@ import json
 import numpy as np
 import pytest
 from conftest import OXIDE, SILICON
-from records import HARDNESS, REDUCED, indentation
+from records import HARDNESS, REDUCED, indentation, sink_in
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
@@ -88,7 +88,7 @@ def test_film_modulus_by_the_exact_pair():
     a = np.array([1e-7, 2e-7, 4e-7])
     stiffness = 2.0 * a * np.asarray(mdr.Pair(film, DIAMOND).modulus(a))
     force = 9e9 * np.pi * a**2
-    depth = np.sqrt(np.pi * a**2 / 24.5) + 0.75 * force / stiffness
+    depth = np.sqrt(np.pi * a**2 / 24.5) + sink_in(mdr.Pair(film, DIAMOND), a) * force / stiffness
     start = film.replace(coating=mdr.Elastic(60e9, OXIDE.nu))
     tool = mdr.Instrument(indenter=DIAMOND)
     for part in (slice(0, 1), slice(0, 3)):

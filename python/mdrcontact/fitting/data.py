@@ -20,6 +20,8 @@ _CLIPPED = 0.04
 """Of the readings: so many share their largest value by coarse digits only."""
 _FINEST = 1e-15
 """Standard deviation over reading: less is less than the rounding of the reading, and leaves intervals that are none."""
+_REVERSIBLE, _FEWEST_FOR_SLOPE = 0.05, 5
+"""How near to 1 the rise of the force over the integral of the stiffness must be, and from how many points on it says something."""
 _RETURN = 0.2
 """A curve whose x goes back over this part of its range holds loading and unloading."""
 
@@ -228,17 +230,22 @@ class UnloadingPoint(NamedTuple):
 
 
 class StiffnessDepth(Data):
-    """Contact stiffness against depth: dynamic (CSM) nanoindentation. The contact radius of each point is that of the tip at Oliver
-    and Pharr's contact depth h - epsilon P/S, so plastic contacts are fine as long as they do not pile up.
+    """Contact stiffness against depth: dynamic (CSM) nanoindentation. The contact radius of each point is that of the tip at the
+    contact depth h - sigma P/S, where sigma P/S is how far the surface sinks in at the edge of the exact contact: plastic contacts
+    are fine as long as they do not pile up.
 
     depth, force, stiffness : h [length], P [modulus length^2], S [modulus length]; n numbers each
     sd, relative_sd : of the stiffness, as in ForceDepth
+    elastic : True: nothing has yielded, and the surface sinks in as under the indenter itself; False: it sinks in as under the
+        smooth indenter that `Instrument(contact_depth_factor=...)` stands for; None: True where the force rises along the curve as
+        the stiffness says, dP/dh = S to 5 %, unless the instrument's contact depth is changed
     """
 
     code, x_name, y_name, given_name = 2, "depth", "stiffness", "force"
     unloadings: tuple[UnloadingPoint, ...] = ()
     record: tuple[Array, Array] | None = None
     """depth and force of the whole test, where the stiffness is that of unloading curves"""
+    elastic: bool | None = None
 
     def __init__(
         self,
@@ -249,8 +256,22 @@ class StiffnessDepth(Data):
         sd: ArrayLike | None = None,
         relative_sd: float | None = None,
         missing: str = "raise",
+        elastic: bool | None = None,
     ) -> None:
         super().__init__(depth, stiffness, force, sd, relative_sd, missing)
+        if elastic is not None and not isinstance(elastic, bool):
+            raise ArgumentTypeError(f"elastic = {elastic!r} is not allowed: it must be True, False or None")
+        self.elastic = elastic
+        self.seems_elastic = abs(self._reversibility() - 1.0) < _REVERSIBLE
+
+    def _reversibility(self) -> float:
+        """The rise of the force over the integral of the stiffness, 1 where the contact is elastic, whatever body, tip, frame and
+        offsets are; 0 where the points are too few to say."""
+        order = np.argsort(self.x)
+        h, s = self.x[order], self.y[order]
+        p = np.zeros_like(h) if self.given is None else self.given[order]
+        work = float(0.5 * (s[1:] + s[:-1]) @ np.diff(h))
+        return float(p[-1] - p[0]) / work if len(h) >= _FEWEST_FOR_SLOPE and work > 0.0 else 0.0
 
     @property
     def force(self) -> Array | None:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,7 +17,7 @@ from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..medium import Pair
 from ..medium.viscoelastic import is_viscoelastic
 from ..profile import AreaFunction
-from .data import Data
+from .data import Data, StiffnessDepth
 from .parameters import (
     Free,
     Instrument,
@@ -34,6 +34,7 @@ from .parameters import (
 )
 from .time_data import DepthTime, DynamicStiffness, ForceTime
 
+_OF_CONTACT_DEPTH = ("contact_depth_factor", "contact_depth_scale")
 _LOSSES = {"linear": 0, "huber": 1, "cauchy": 2}
 
 
@@ -144,6 +145,7 @@ def make_problem(
     values = parts[0].values + parts[1].numbers.values + parts[2].values
     chosen, known = read_free(free, names), tuple(known)
     weights = read_known(known, names, chosen)
+    is_elastic = _is_elastic(data, parts[2], chosen)
     if isinstance(indenter, AreaFunction) and not any(name.startswith("indenter.") for name in chosen):
         # a tip that stays as it is need not be made anew at every step
         count = len(parts[0].names)
@@ -180,8 +182,25 @@ def make_problem(
         sd_is_absolute=bool(sd_is_absolute),
         max_iterations=whole("max_iterations", max_iterations, 1),
         check_units=bool(check_units),
+        is_elastic=is_elastic,
     )
     return Problem(data, *parts, names, chosen, problem, table, weights, is_paired)
+
+
+def _is_elastic(data: Data, instrument: Numbers, free: Mapping[str, Free]) -> bool:
+    """Whether the surface sinks in as under the indenter itself: as the data say, or look where the contact depth is left alone."""
+    if not isinstance(data, StiffnessDepth):
+        return False
+    usual = dict(zip(*of_instrument(Instrument())[1:3], strict=True))
+    given = dict(zip(instrument.names, instrument.values, strict=True))
+    changed = [name for name in _OF_CONTACT_DEPTH if name in free or given[name] != usual[name]]
+    if data.elastic is None:
+        return data.seems_elastic and not changed
+    if data.elastic and changed:
+        raise InvalidArgumentError(
+            f"{changed[0]} is not allowed with elastic = True: the indenter itself says how far the surface sinks in; leave one out"
+        )
+    return data.elastic
 
 
 def _counterbody(upper: MediumNumbers | None) -> dict[str, Any]:

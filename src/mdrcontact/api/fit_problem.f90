@@ -58,6 +58,7 @@ module mdrcontact_api_fit_problem
         integer(c_int) :: counterbody_model = int(models%exact, c_int)
         integer(c_int) :: counterbody_layers = 1_c_int
         type(c_ptr) :: counterbody_options = c_null_ptr
+        integer(c_int) :: is_elastic = 0_c_int
     end type c_fit_problem_t
 
     !> More are no layers whose parameters can be counted.
@@ -118,6 +119,7 @@ contains
         problem%sd_is_absolute = given%sd_is_absolute /= 0
         problem%max_iterations = int(given%max_iterations)
         problem%check_units = given%check_units /= 0
+        problem%is_elastic = given%is_elastic /= 0
     end subroutine read_kinds
 
     subroutine read_choice(kind, model, name, layers, options, choice, error)

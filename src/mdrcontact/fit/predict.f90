@@ -7,6 +7,7 @@ module mdrcontact_fit_predict
     use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_fit_branches, only: separate
     use mdrcontact_fit_body, only: body_count, make_body
+    use mdrcontact_fit_contact_radius, only: contact_radii
     use mdrcontact_fit_force_curve, only: force_curve_t, new_force_curve
     use mdrcontact_fit_problem, only: at_area_factor, at_contact_depth_factor, at_contact_depth_scale, at_depth_offset, &
                                       at_force_offset, at_frame_compliance, at_indenter_modulus, at_stiffness_factor, &
@@ -28,7 +29,6 @@ module mdrcontact_fit_predict
     !> So many radii are worth the sampling of E_eff(a) where each value is a solution of its own.
     integer, parameter :: worth_sampling = 400
     real(wp), parameter :: sampling_tolerance = 1.0e-9_wp
-    integer, parameter :: most_steps = 200
 
 contains
 
@@ -46,7 +46,7 @@ contains
         !> that of ascending_points: the readings y of the data then say which points of an adhesive curve are in contact; without
         !> it the model does: from first touch on approach, until pull-off on retract
         integer, intent(in), optional, target :: order(:)
-        !> same size as data%x: the contact radii, 0 out of contact; of data of stiffness and depth Oliver and Pharr's [length]
+        !> same size as data%x: the contact radii, 0 out of contact [length]
         real(wp), intent(out), optional :: radius(:)
         type(layered_shared_t) :: own
         real(wp), allocatable :: a(:)
@@ -98,14 +98,12 @@ contains
                 return
             end if
             if (problem%data_kind == data_stiffness_depth) then
-                call contact_radii(profile, instrument, data, a, error)
-                if (allocated(error)) return
+                call contact_radii(profile, medium, instrument, problem%is_elastic, data, a, modulus, error)
             else
                 call copy_array(data%x, a, error)
-                if (allocated(error)) return
+                if (.not. allocated(error)) a(:) = a*sqrt(instrument(at_area_factor))
             end if
-            a(:) = a*sqrt(instrument(at_area_factor))
-            call sampled_moduli(medium, a, modulus, error)
+            if (.not. (allocated(error) .or. allocated(modulus))) call sampled_moduli(medium, a, modulus, error)
             if (allocated(error)) return
             ! an instrument that takes the area as too small finds S/(2a) too large
             y = modulus*sqrt(instrument(at_area_factor))
@@ -222,69 +220,6 @@ contains
         equilibrium%work_of_adhesion = instrument(at_work_of_adhesion)
         equilibrium%rule = problem%adhesion_rule
     end subroutine make_equilibrium
-
-    !> Oliver and Pharr's contact radius of each point: that of the tip at height h - epsilon P/S, S freed of the frame.
-    subroutine contact_radii(profile, instrument, data, a, error)
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: instrument(:)
-        type(fit_data_t), intent(in) :: data
-        real(wp), allocatable, intent(out) :: a(:)
-        type(error_t), allocatable, intent(out) :: error
-        real(wp) :: load, compliance, height
-        integer :: i, stat
-
-        allocate (a(size(data%x)), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        do i = 1, size(a)
-            load = data%given(i) - instrument(at_force_offset)
-            compliance = 1.0_wp/data%y(i) - instrument(at_frame_compliance)
-            height = data%x(i) - instrument(at_depth_offset) - instrument(at_frame_compliance)*load &
-                     - instrument(at_contact_depth_factor)*load*compliance
-            height = instrument(at_contact_depth_scale)*height
-            if (.not. (height > 0.0_wp .and. compliance > 0.0_wp)) then
-                call raise(error, error_domain, "the contact depth at depth "//to_text(data%x(i))//" is "//to_text(height)// &
-                           ": it must be greater than 0; leave out the first points, or check units, offset and frame compliance")
-                return
-            end if
-            a(i) = radius_at_height(profile, height)
-            if (.not. a(i) > 0.0_wp .or. a(i) >= profile%largest_radius) then
-                call raise(error, error_domain, "the contact depth "//to_text(height)//" is beyond the end of the indenter")
-                return
-            end if
-        end do
-    end subroutine contact_radii
-
-    !> The radius at which f(r) has a value: bisection in ln r, then Newton.
-    function radius_at_height(profile, height) result(radius)
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: height
-        real(wp) :: radius
-        real(wp) :: low, high, middle, excess, step
-        integer :: i
-
-        low = profile%end_radius
-        high = min(profile%largest_radius, max(10.0_wp*low, height))
-        do i = 1, most_steps
-            if (high >= profile%largest_radius .or. profile%height(high) >= height) exit
-            low = high
-            high = min(2.0_wp*high, profile%largest_radius)
-        end do
-        radius = high
-        do i = 1, most_steps
-            excess = profile%height(radius) - height
-            if (excess > 0.0_wp) then
-                high = radius
-            else
-                low = radius
-            end if
-            step = -excess/max(profile%slope(radius), tiny(1.0_wp))
-            middle = radius + step
-            if (.not. (middle > low .and. middle < high)) middle = 0.5_wp*(low + high)
-            if (abs(middle - radius) <= 4.0_wp*epsilon(1.0_wp)*radius) exit
-            radius = middle
-        end do
-    end function radius_at_height
 
     !> E_eff(a) of medium and indenter.
     subroutine sampled_moduli(medium, a, modulus, error)

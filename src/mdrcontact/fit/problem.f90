@@ -33,8 +33,8 @@ module mdrcontact_fit_problem
     !> Positions of the instrument's parameters behind those of indenter and medium:
     !> gamma [modulus length]; depth and force at which the instrument reads first contact [length], [force]; compliance of the
     !> frame [length/force]; contact modulus E*_i of the indenter, infinite for a rigid one [modulus]; epsilon of Oliver and
-    !> Pharr's contact depth h - epsilon P/S; beta of S = 2 beta a E_r; factor of the contact depth, 1.2 with epsilon = 1 for
-    !> Loubet's (N. X. Randall et al., J. Mater. Res. 24 (2009) 679); true over assumed projected contact area.
+    !> Pharr's contact depth h - epsilon P/S on a half-space; beta of S = 2 beta a E_r; factor of the contact depth, 1.2 with
+    !> epsilon = 1 for Loubet's (N. X. Randall et al., J. Mater. Res. 24 (2009) 679); true over assumed projected contact area.
     integer, parameter :: at_work_of_adhesion = 1, at_depth_offset = 2, at_force_offset = 3, at_frame_compliance = 4, &
                           at_indenter_modulus = 5, at_contact_depth_factor = 6, at_stiffness_factor = 7, &
                           at_contact_depth_scale = 8, at_area_factor = 9, instrument_numbers = 9
@@ -64,6 +64,9 @@ module mdrcontact_fit_problem
         real(wp), allocatable :: prior_weights(:, :)
         !> one of adhesion_...
         integer :: adhesion_rule = adhesion_automatic
+        !> of data_stiffness_depth: whether nothing has yielded, so that the indenter itself lies in the indent; else one does that
+        !> sinks in by epsilon on a half-space
+        logical :: is_elastic = .false.
         !> one of loss_...
         integer :: loss = loss_linear
         !> beyond how many standard deviations a residual counts less

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact depths of coated bodies: the surface sinks in as far as the exact contact says, not as that of a half-space."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from conftest import OXIDE, SILICON
+from records import sink_in
+
+import mdrcontact as mdr
+
+GLASS, STEEL, POLYMER = mdr.Elastic(70e9, 0.22), mdr.Elastic(210e9, 0.3), mdr.Elastic(3e9, 0.4)
+DIAMOND = mdr.Elastic(1141e9, 0.07)
+THICKNESS = 500e-9
+FILMS = {
+    "oxide on Si": mdr.Coated(OXIDE, THICKNESS, SILICON),
+    "polymer on Si": mdr.Coated(POLYMER, THICKNESS, SILICON),
+    "W on glass": mdr.Coated(mdr.Elastic(410e9, 0.28), THICKNESS, GLASS),
+    "TiN on steel": mdr.Coated(mdr.Elastic(450e9, 0.25), THICKNESS, STEEL),
+    "polymer on glass": mdr.Coated(POLYMER, THICKNESS, GLASS),
+    "Al on Si": mdr.Coated(mdr.Elastic(70e9, 0.35), THICKNESS, SILICON),
+}
+TIPS = {
+    "paraboloid": mdr.Paraboloid(5e-6),
+    "sphere": mdr.Sphere(1e-6),
+    "Berkovich": mdr.Berkovich(),
+    "area function": mdr.AreaFunction([24.5, 3e-7], max_height=1e-6),
+    "rounded cone": mdr.RoundedCone(1e-7, mdr.Berkovich().inclination),
+}
+DEPTHS = np.linspace(0.04, 0.3, 30) * THICKNESS
+
+
+def elastic(film, tip, noise=0.0, seed=0, **options):
+    """What the library's own contact reads at depths of 0.04 to 0.3 h."""
+    states = mdr.Contact(tip, film).at_depth(DEPTHS)
+    read = np.asarray(states.stiffness) * (1.0 + noise * np.random.default_rng(seed).standard_normal(len(DEPTHS)))
+    return mdr.StiffnessDepth(DEPTHS, states.force, read, relative_sd=noise or 0.01, **options)
+
+
+def yielded(film, tip, hardness=9e9, body=None):
+    """Readings of an indent that has yielded: f(a) is the contact depth, and a paraboloid's sink-in comes on top."""
+    body = body or film
+    a = np.geomspace(60e-9, 500e-9, 30)
+    load, stiffness = hardness * np.pi * a**2, 2.0 * a * np.asarray(body.modulus(a))
+    depth = tip.height(a) + sink_in(body, a) * load / stiffness
+    return a, mdr.StiffnessDepth(depth, load, stiffness, relative_sd=0.01, elastic=False)
+
+
+def start(film):
+    return {"coating.E": 0.8 * film.coating.E}
+
+
+@pytest.mark.parametrize("tip", TIPS)
+@pytest.mark.parametrize("film", FILMS)
+def test_moduli_of_the_library_s_own_curves(film, tip):
+    body = FILMS[film]
+    data = elastic(body, TIPS[tip])
+    result = mdr.fit(data, TIPS[tip], body, start(body))
+    assert result.estimates["coating.E"] == pytest.approx(body.coating.E, rel=1e-6)
+    radius = result.problem.predict(result._values)[1]
+    assert radius == pytest.approx(mdr.Contact(TIPS[tip], body).at_depth(DEPTHS).radius, rel=1e-6)
+
+
+@pytest.mark.parametrize("film", FILMS)
+def test_intervals_hold_the_modulus(film):
+    """Of 20 intervals of 95 % fewer than 16 would hold it with a probability of 3e-3."""
+    body, tip = FILMS[film], TIPS["area function"]
+    inside = 0
+    for seed in range(20):
+        lower, upper = mdr.fit(elastic(body, tip, 0.01, seed), tip, body, start(body)).interval("coating.E")
+        inside += lower <= body.coating.E <= upper
+    assert inside >= 16
+
+
+@pytest.mark.parametrize("tip", TIPS)
+@pytest.mark.parametrize("film", FILMS)
+def test_moduli_of_indents_that_have_yielded(film, tip):
+    body = FILMS[film]
+    pair = mdr.Pair(body, DIAMOND)
+    a, data = yielded(body, TIPS[tip], 0.02 * body.coating.E, pair)
+    result = mdr.fit(data, TIPS[tip], pair, start(body))
+    assert result.estimates["coating.E"] == pytest.approx(body.coating.E, rel=1e-6)
+    assert result.problem.predict(result._values)[1] == pytest.approx(a, rel=1e-6)
+
+
+@pytest.mark.parametrize("factor", [-0.3, 0.0, 0.5, 0.7268, 0.75, 0.8, 0.87, 0.95, 1.0])
+def test_a_film_of_its_substrate_is_oliver_and_pharr(factor):
+    """The half-space: h_c = h - epsilon P/S for any epsilon, whichever way it is computed."""
+    same = mdr.Coated(OXIDE, THICKNESS, OXIDE)
+    tip, a = TIPS["Berkovich"], np.linspace(50e-9, 600e-9, 20)
+    load, stiffness = 5e9 * np.pi * a**2, 2.0 * a * OXIDE.contact_modulus
+    data = mdr.StiffnessDepth(tip.height(a) + factor * load / stiffness, load, stiffness)
+    tool = mdr.Instrument(contact_depth_factor=factor)
+    for body in (same, mdr.Homogeneous(OXIDE)):
+        result = mdr.fit(data, tip, body, ["area_factor"], instrument=tool)
+        assert result.estimates["area_factor"] == pytest.approx(1.0, rel=1e-7)
+
+
+@pytest.mark.parametrize("exponent", [1.0, 2.0, 5.0, math.inf])
+def test_epsilon_is_an_indenter(exponent):
+    """The contact radius under the epsilon of c r^n is where the sink-in of c r^n leaves the depth; a punch's is the tangent's."""
+    body, tip = FILMS["polymer on Si"], TIPS["Berkovich"]
+    a = np.array([1e-7, 3e-7, 8e-7])
+    factor = sigma = 1.0
+    if exponent < math.inf:
+        shape = mdr.PowerLaw(exponent, 1e-9 / 1e-6**exponent)
+        factor, sigma = (
+            (state.depth - shape.height(a)) * state.stiffness / state.force
+            for state in (mdr.Contact(shape, m).at_radius(a) for m in (mdr.Homogeneous(POLYMER), body))
+        )
+        factor = float(factor[0])
+    load, stiffness = 1e8 * np.pi * a**2, np.asarray(body.stiffness(a))
+    data = mdr.StiffnessDepth(tip.height(a) + sigma * load / stiffness, load, stiffness, sd=1.0)
+    result = mdr.fit(data, tip, body, start(body), instrument=mdr.Instrument(contact_depth_factor=factor))
+    assert result.estimates["coating.E"] == pytest.approx(POLYMER.E, rel=1e-6)
+
+
+def test_models_have_their_own_contact():
+    """Curves of an approximate model give its modulus back: the sink-in is that of the model's contact."""
+    for model in ("gao", "doerner-nix"):
+        body = FILMS["oxide on Si"].with_model(model)
+        result = mdr.fit(elastic(body, TIPS["sphere"]), TIPS["sphere"], body, start(body))
+        assert result.estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-5)
+
+
+def test_whether_a_contact_is_elastic_is_seen_whatever_frame_and_offsets_are():
+    body, tip = FILMS["oxide on Si"], TIPS["Berkovich"]
+    states = mdr.Contact(tip, body).at_depth(DEPTHS)
+    load, frame = np.asarray(states.force), 1e-7
+    read = 1.0 / (1.0 / np.asarray(states.stiffness) + frame)
+    data = mdr.StiffnessDepth(DEPTHS + frame * load + 3e-9, load + 1e-6, read, relative_sd=0.01)
+    assert data.seems_elastic
+    tool = mdr.Instrument(frame_compliance=frame, depth_offset=3e-9, force_offset=1e-6)
+    assert mdr.fit(data, tip, body, start(body), instrument=tool).estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-6)
+
+
+def test_what_the_caller_says_of_the_contact_counts():
+    body, tip = FILMS["oxide on Si"], TIPS["Berkovich"]
+    free = start(body)
+    found = {e: mdr.fit(elastic(body, tip, elastic=e), tip, body, free).estimates["coating.E"] for e in (None, True, False)}
+    assert found[None] == found[True] == pytest.approx(OXIDE.E, rel=1e-6)
+    assert 1.01 < found[False] / OXIDE.E < 1.04, "a paraboloid's epsilon for the cone's"
+    cone = mdr.Instrument(contact_depth_factor=2.0 * (math.pi - 2.0) / math.pi)
+    assert mdr.fit(elastic(body, tip), tip, body, free, instrument=cone).estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-6)
+    with pytest.raises(mdr.InvalidArgumentError, match="contact_depth_factor is not allowed with elastic = True"):
+        mdr.fit(elastic(body, tip, elastic=True), tip, body, free, instrument=cone)
+    with pytest.raises(mdr.ArgumentTypeError, match="elastic = 1 is not allowed"):
+        elastic(body, tip, elastic=1)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda h, p, s: (h, 30.0 * p, s), "must be greater than 0"),
+        (lambda h, p, s: (8.0 * h, p, s), "beyond the end of the indenter"),
+    ],
+)
+def test_readings_without_a_contact_radius_are_refused(change, words):
+    body, tip = FILMS["oxide on Si"], mdr.AreaFunction([24.5], max_height=600e-9)
+    _, data = yielded(body, tip)
+    with pytest.raises(mdr.DomainError, match=words):
+        mdr.fit(mdr.StiffnessDepth(*change(data.x, data.force, data.y)), tip, body, ["coating.E"], check_units=False)
