@@ -125,7 +125,7 @@ def _rows_of(curves: list[Curve], results: list[Any], names: tuple[str, ...]) ->
             continue
         told = [result.told(name) for name in names]
         can_say = result.describes_data is not None
-        ratio = f"{result.chi_square / result.degrees_of_freedom:.3g}" if result.noise_is_known and can_say else "-"
+        ratio = f"{result.reduced_chi_square:.3g}" if result.noise_is_known and can_say else "-"
         random = f"{result.pattern_probability:.2g}" if can_say else "-"
         verdict = {True: "yes", False: "NO", None: "too few points"}[result.describes_data]
         rows.append([curve.name, *told, ratio, random, verdict if result.converged else "not converged"])
@@ -161,7 +161,7 @@ def _estimates(curves: list[Curve], results: list[Any], names: tuple[str, ...]) 
             writer.writerow([curve.name, *(len(titles) + 4) * [""], f"not fitted: {r.error}"])
             continue
         values = [float(v) / units[n].factor for n in names for v in (r.estimates[n], r.standard_errors[n])]
-        ratio = repr(r.chi_square / r.degrees_of_freedom) if r.noise_is_known else ""
+        ratio = repr(r.reduced_chi_square) if r.noise_is_known and r.degrees_of_freedom >= 1.0 else ""
         marks = [int(r.converged), "" if r.describes_data is None else int(r.describes_data)]
         writer.writerow([curve.name, *map(repr, values), *marks, ratio, repr(r.pattern_probability), "; ".join(r.warnings)])
     return text.getvalue().encode()

@@ -139,22 +139,27 @@ def _ratio_range(result: FitResult, radius: np.ndarray) -> tuple[float, float] |
 
 def _pattern(result: FitResult) -> list[str]:
     words = []
-    if result.pattern_probability < UNLIKELY:
+    if result.is_without_noise and not result.noise_is_known:
+        words.append(
+            "the residuals are no larger than the rounding of data and model: standard errors that are estimated from them say "
+            "nothing about those of real readings"
+        )
+    elif result.pattern_probability < UNLIKELY and not result.is_without_noise:
         widest = max(result.widening.values(), default=1.0)
         words.append(
             f"the residuals are not random along the curve (Bartels' test: p = {result.pattern_probability:.1g}; correlation of "
-            f"neighbours {result.lag_correlation:.2f}): the model misses something, or neighbouring readings share their errors. "
-            f"Standard errors are widened for the correlation (up to {widest:.2g} times); what a wrong model does to the estimates "
-            "is not in them"
+            f"neighbours {result.lag_correlation:.2f}): the model misses something, or neighbouring readings share their errors"
+            f"{', all of it within the errors given' if result.scatter < 0 else ''}. Standard errors are widened for the "
+            f"correlation (up to {widest:.2g} times); what a wrong model does to the estimates is not in them"
         )
-    dof = result.degrees_of_freedom
-    if result.noise_is_known and dof >= 2.0:
-        spread = (result.chi_square - dof) / math.sqrt(2.0 * dof)
-        ratio = result.chi_square / dof
-        if spread > 4.0:
-            words.append(f"the data lie further from the fit than their standard deviations say: chi-square/dof = {ratio:.3g}")
-        elif spread < -4.0:
-            words.append(f"the data lie closer to the fit than their standard deviations say: chi-square/dof = {ratio:.3g}")
+    ratio = f"chi-square/dof = {result.reduced_chi_square:.3g}"
+    if result.scatter > 0:
+        words.append(f"the data lie further from the fit than their standard deviations say: {ratio}")
+    elif result.scatter < 0:
+        words.append(
+            f"the standard deviations given are {result.excess_words()} the scatter of the data about the fit ({ratio}): they are "
+            "too large, or hold errors that all readings share. Standard errors and intervals are as large as they make them"
+        )
     return words
 
 

@@ -23,11 +23,16 @@ from .picture import draw
 from .problem import Problem
 from .quantities import digits, dimension_of, dimension_of_data, measured, unit_of, words_of
 from .report import blocks_of, page
+from .scatter import compare_scatter
 
 Array = NDArray[np.float64]
 
 UNLIKELY = 1e-3
 """Random residuals with a smaller probability of their pattern are not believed to be random."""
+
+
+_ROUNDING = 1e-8
+"""Of the largest reading: the model itself is no more accurate."""
 
 
 class Interval(NamedTuple):
@@ -210,7 +215,7 @@ class FitResult:
         lines += ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
         dof = self.degrees_of_freedom
         if self.noise_is_known and dof >= 1.0:
-            lines.append(f"chi-square {self.chi_square:.4g} for {dof:.4g} degrees of freedom: ratio {self.chi_square / dof:.3g}")
+            lines.append(f"chi-square {self.chi_square:.4g} for {dof:.4g} degrees of freedom: ratio {self.reduced_chi_square:.3g}")
         elif self.data.sd is None and not self.noise_is_known:
             unit = practical(dimension_of_data(self.data.y_name), [self.noise])
             lines.append(f"noise, estimated from the residuals: {self.noise / unit.factor:.3g} {unit.symbol}")
@@ -253,6 +258,8 @@ class FitResult:
             words.append(f"error widened {self.widening[name]:.2g} times for correlated residuals")
         if self.describes_data is False:
             words.append("THE MODEL MISSES THE DATA")
+        if self.scatter < 0:
+            words.append(f"errors given are {self.excess_words()} the scatter")
         return words
 
     def bound_words(self, name: str) -> str:
@@ -267,13 +274,41 @@ class FitResult:
 
     @property
     def describes_data(self) -> bool | None:
-        """Whether the residuals are as random and as large as they should be; None where neither can be said."""
+        """Whether the residuals are random, and no larger than they should be; None where neither can be said. Residuals that lie
+        well within the standard deviations given, or are of rounding, speak for the model, whatever their pattern."""
+        if self.scatter != 0:
+            return self.scatter < 0
         if self.pattern_probability < UNLIKELY:
-            return False
-        dof = self.degrees_of_freedom
-        if self.noise_is_known and dof >= 2.0:
-            return bool(self.chi_square <= dof + 4.0 * math.sqrt(2.0 * dof))
-        return True if len(self.data) >= 8 else None
+            return self.is_without_noise
+        return True if len(self.data) >= 8 or (self.noise_is_known and self.degrees_of_freedom >= 2.0) else None
+
+    @property
+    def scatter(self) -> int:
+        """1 where the data scatter more than their standard deviations say, -1 where they scatter less; 0: as they say, or the
+        standard deviations are not known, or the points too few to say."""
+        return compare_scatter(self.chi_square, self.degrees_of_freedom) if self.noise_is_known else 0
+
+    @property
+    def excess_of_errors(self) -> float:
+        """How many times larger the standard deviations given are than those of the data about the fit; infinite for a fit through
+        all points, NaN with less than one degree of freedom."""
+        ratio = self.reduced_chi_square
+        return math.sqrt(1.0 / ratio) if ratio > 0.0 else math.inf if ratio == 0.0 else math.nan
+
+    def excess_words(self) -> str:
+        """`excess_of_errors` in words."""
+        return f"{self.excess_of_errors:.3g} times" if math.isfinite(self.excess_of_errors) else "infinitely many times"
+
+    @property
+    def reduced_chi_square(self) -> float:
+        """Chi-square over the degrees of freedom; NaN with less than one of them."""
+        return self.chi_square / self.degrees_of_freedom if self.degrees_of_freedom >= 1.0 else math.nan
+
+    @property
+    def is_without_noise(self) -> bool:
+        """Whether the residuals are no larger than the rounding of data and model."""
+        rest = float(np.sqrt(np.mean((self.data.y - self.fitted) ** 2)))
+        return rest <= _ROUNDING * float(np.max(np.abs(self.data.y)))
 
     def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
         """Data, fit and residuals as a matplotlib figure with units (the numbers of the problem are taken as SI); written to `path`
