@@ -174,3 +174,6 @@ class Handle:
         check(status)
         self.address = int(handle)
         weakref.finalize(self, free, self.address)
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a handle belongs to its object: it is neither copied nor pickled")

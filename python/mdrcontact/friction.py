@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-import copy
 import math
+from array import array
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -266,7 +266,7 @@ class FrictionHistory:
     the stick radius to a third of a ring, the energy to 2e-3. A second history with twice the rings shows the error, which
     becomes half of it or less. A step is divided where the edge of the contact comes to a ring's: a long step gives what many
     short ones give, and costs as much. It changes as it advances: not for several threads at a time. Each `copy()` goes its own
-    way.
+    way. Pickled are its steps, 32 bytes each, which are led again where it is unpickled.
     """
 
     def __init__(self, friction: Friction, largest_depth: float | None = None, rings: int | None = None) -> None:
@@ -277,6 +277,8 @@ class FrictionHistory:
         if deepest == 0.0 and (largest_depth is not None or count):
             raise InvalidArgumentError(f"largest_depth = {largest_depth!r} is not allowed: rings need a largest_depth > 0")
         self._own(_native.friction_history_new(friction._handle.address, deepest, count))
+        self._given = friction, largest_depth, rings
+        self._steps = array("d")
         self.friction = friction
         self.state = State(0.0, 0.0, 0.0, 0.0)
         """the normal state reached"""
@@ -313,6 +315,8 @@ class FrictionHistory:
             return TangentialState._make([np.empty(0)] * 5 + [np.empty(0, bool)])
         handle = self._handle.address
         states, shears = call(_native.friction_history_advance, handle, given, along_given, steps.ravel(), along_steps.ravel())
+        kinds = np.full(steps.size, given), np.full(steps.size, along_given)
+        self._steps.frombytes(np.column_stack([*kinds, steps.ravel(), along_steps.ravel()]).tobytes())
         self.state = State(*(float(value) for value in states[-1]))
         self.shear = TangentialState._make([*(float(value) for value in shears[-1][:5]), bool(shears[-1][5] > 0.5)])
         if not steps.ndim:
@@ -321,9 +325,31 @@ class FrictionHistory:
 
     def copy(self) -> FrictionHistory:
         """The same past, which goes its own way from here."""
-        other = copy.copy(self)
+        other = object.__new__(type(self))
+        other.__dict__.update(self.__dict__, _steps=self._steps[:])
         other._own(_native.friction_history_copy(self._handle.address))
         return other
 
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: Any) -> FrictionHistory:
+        return self.copy()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _led_again, (self._given, self._steps)
+
     def __repr__(self) -> str:
         return f"<FrictionHistory of {self.friction!r} at depth {self.state.depth:g}, shift {self.shear.shift:g}>"
+
+
+def _led_again(given: tuple[Any, ...], steps: array[float]) -> FrictionHistory:
+    """A history from the steps that it was led."""
+    history, rows = FrictionHistory(*given), np.array(steps).reshape(-1, 4)
+    turns = np.flatnonzero(np.any(np.diff(rows[:, :2], axis=0) != 0.0, axis=1)) + 1
+    for part in np.split(rows, turns):
+        if not len(part):
+            continue
+        normal = "force" if part[0, 0] == _layout.GIVEN_FORCE else "depth"
+        along = "shift" if part[0, 1] == _layout.GIVEN_SHIFT else "tangential_force"
+        history.advance(**{normal: part[:, 2], along: part[:, 3]})
+    return history

@@ -55,6 +55,11 @@ class Problem(NamedTuple):
     """(joint priors, parameters)"""
     is_paired: bool
     """the medium is a pair whose upper body stands in the instrument"""
+    given: tuple[Any, ...]
+    """the arguments of `make_problem` after the data, from which another process makes it anew"""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _made_again, (self.data, self.given, self.table)
 
     def call(self, function: Any, *further: Any, with_sd: bool = True) -> Any:
         """A compiled function of the problem, x, y, given, sd where it takes them, and of what follows."""
@@ -138,12 +143,15 @@ def make_problem(
     if not isinstance(data, Data):
         raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be ForceDepth(...), StiffnessDepth(...), ...")
     _check_time(data, medium)
+    instrument, known = instrument or Instrument(), tuple(known)
     rule, loss_code = code("adhesion_rule", adhesion_rule, RULES), code("loss", loss, _LOSSES)
     is_paired = has_homogeneous_indenter(medium)
-    parts = of_indenter(indenter), of_medium(medium), of_instrument(with_indenter(instrument or Instrument(), medium))
+    parts = of_indenter(indenter), of_medium(medium), of_instrument(with_indenter(instrument, medium))
     names = parts[0].names + parts[1].numbers.names + parts[2].names
     values = parts[0].values + parts[1].numbers.values + parts[2].values
-    chosen, known = read_free(free, names), tuple(known)
+    chosen = read_free(free, names)
+    given = (indenter, medium, dict(chosen), instrument, loss, loss_scale, adhesion_rule, sd_is_absolute, max_iterations,
+             check_units, known)  # fmt: skip
     weights = read_known(known, names, chosen)
     is_elastic = _is_elastic(data, parts[2], chosen)
     if isinstance(indenter, AreaFunction) and not any(name.startswith("indenter.") for name in chosen):
@@ -184,7 +192,12 @@ def make_problem(
         check_units=bool(check_units),
         is_elastic=is_elastic,
     )
-    return Problem(data, *parts, names, chosen, problem, table, weights, is_paired)
+    return Problem(data, *parts, names, chosen, problem, table, weights, is_paired, given)
+
+
+def _made_again(data: Data, given: tuple[Any, ...], table: NDArray[np.float64]) -> Problem:
+    """A problem from another process: the handles in its record are those of objects that are made here."""
+    return make_problem(data, *given)._replace(table=table)
 
 
 def _is_elastic(data: Data, instrument: Numbers, free: Mapping[str, Free]) -> bool:

@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every public object and result goes to another process and back, and is copied: none is left out of the list below."""
+
+from __future__ import annotations
+
+import copy
+import inspect
+import pickle
+import subprocess
+import sys
+import warnings
+
+import numpy as np
+import pytest
+from conftest import OXIDE, ROOT, RUBBER, SILICON, every_medium, every_profile
+
+import mdrcontact as mdr
+from mdrcontact import fitting, lateral, measurement, problem
+from mdrcontact.problem.fit_file import load_fit_file
+
+FILM, BALL = mdr.Coated(OXIDE, 500e-9, SILICON), mdr.Sphere(10e-6)
+CONTACT = mdr.Contact(BALL, FILM)
+DEPTH = np.linspace(1e-9, 1e-7, 12)
+BASES = {mdr.Profile, mdr.Medium, lateral.Structure}
+"""Classes without objects of their own."""
+
+
+def history_in_time():
+    gel = mdr.Coated(mdr.PowerLawRheology(400.0, 1.0, 0.18, 0.5), 4e-6, mdr.RIGID)
+    return mdr.Contact(mdr.Paraboloid(5e-6), gel).history([0.0, 0.5, 1.0], depth=[0.0, 1e-7, 1e-7])
+
+
+def fits():
+    """Data, results and what is made of results."""
+    states = CONTACT.at_depth(DEPTH)
+    force, stiffness = np.asarray(states.force), np.asarray(states.stiffness)
+    curve = mdr.ForceDepth(DEPTH, force, relative_sd=0.01)
+    csm = mdr.StiffnessDepth(DEPTH, force, stiffness, relative_sd=0.01)
+    free = {"coating.E": None, "thickness": mdr.Free(prior=(5e-7, 1e-8))}
+    result = mdr.fit(curve, BALL, FILM, free)
+    joint = mdr.JointPrior(("indenter.C0", "indenter.C1"), (24.5, 1e-7), ((0.01, 0.0), (0.0, 1e-18)))
+    tip = mdr.AreaFunction([24.5, 1e-7], max_height=1e-6)
+    paired = mdr.fit(csm, tip, mdr.Pair(FILM, mdr.Elastic(1141e9, 0.07)), ["coating.E"], known=[joint])
+    layers = mdr.Pair(FILM, mdr.Coated(SILICON, 2e-7, OXIDE))
+    two = mdr.fit(curve, BALL, layers, ["upper.coating.E"], instrument=mdr.Instrument(depth_offset=1e-10), max_iterations=2)
+    ranking = mdr.compare_models(curve, BALL, FILM, ["coating.E"], models=["exact", "gao"])
+    failed = mdr.fit_many([lambda: mdr.ForceDepth(DEPTH, force * np.nan)], BALL, FILM, ["coating.E"])[0]
+    h = np.concatenate([DEPTH, DEPTH[::-1]])
+    unloading = mdr.Unloading(
+        np.interp(np.arange(0, 24, 0.1), np.arange(24), h), np.interp(np.arange(0, 24, 0.1), np.arange(24), h**1.5)
+    )
+    profile = mdr.modulus_at_depths(csm, BALL, FILM, ["coating.E"])
+    time = np.linspace(0.0, 1.0, 9)
+    omega = np.geomspace(1.0, 10.0, 5)
+    return [
+        curve,
+        csm,
+        unloading,
+        unloading.unloadings[0],
+        mdr.ModulusRadius([1e-7, 2e-7], [1e11, 1.1e11]),
+        mdr.StiffnessRadius([1e-7, 2e-7], [1e4, 2e4], sd=1.0),
+        mdr.ForceTime(time, 1e-8 * time, 1e-9 * time),
+        mdr.DepthTime(time, 1e-9 * time, 1e-8 * time),
+        mdr.DynamicStiffness(omega, omega * (1.0 + 1.0j), 1e-6),
+        free["thickness"],
+        joint,
+        mdr.Instrument(indenter=OXIDE),
+        result,
+        paired,
+        two,
+        ranking,
+        ranking.models[0],
+        failed,
+        profile,
+        mdr.oliver_pharr(csm, BALL),
+        mdr.as_prior(result),
+    ]
+
+
+def friction():
+    pair = mdr.Friction(CONTACT, 0.3)
+    state = CONTACT.at_depth(5e-8)
+    torsion = mdr.Friction(mdr.Contact(BALL, mdr.Homogeneous(OXIDE)), 0.3).torsion
+    by_rings, springs = pair.history(5e-8, 20), mdr.Friction(mdr.Contact(BALL, mdr.Homogeneous(OXIDE)), 0.3).history()
+    for one in (by_rings, springs):
+        one.advance(depth=[1e-8, 4e-8], shift=[0.0, 1e-9])
+        one.advance(force=0.9 * one.state.force, shift=2e-9)
+        one.advance(depth=3e-8, tangential_force=0.0)
+    return [
+        pair,
+        pair.at_shift(1e-9, state),
+        pair.loop(1e-9, state=state),
+        by_rings,
+        springs,
+        mdr.FrictionLaw(pair, 5e-8, tolerance=1e-4),
+        torsion,
+        torsion.at_twist(1e-4, depth=5e-8),
+        torsion.loop(1e-4, depth=5e-8),
+    ]
+
+
+def results():
+    adhesive = mdr.Contact(mdr.Paraboloid(5e-6), mdr.Coated(RUBBER, 2e-6, mdr.RIGID), 0.05)
+    law = mdr.ContactLaw(CONTACT, 1e-7)
+    state = CONTACT.at_depth(5e-8)
+    critical = CONTACT.critical(state)
+    return [
+        CONTACT,
+        state,
+        CONTACT.at_depth(DEPTH),
+        adhesive.pull_off(),
+        adhesive.loop("force", 1e-6),
+        CONTACT.interior(0.0, 1e-7, state),
+        critical,
+        critical.layers[0],
+        critical.layers[0].von_mises,
+        critical.interfaces[0],
+        *CONTACT.first_failure({"yield": [1e8, 1e8]}),
+        history_in_time(),
+        law,
+        law.at_depth(5e-8),
+        mdr.accuracy_map([0.5, 2.0], [0.3, 1.0], ["gao"]),
+    ]
+
+
+def bodies():
+    gel = mdr.Viscoelastic(500.0, [(300.0, 0.05)], bulk_modulus=5e3)
+    return [OXIDE, gel, mdr.PowerLawRheology(400.0, 1.0, 0.18, 0.5), mdr.RIGID, *every_profile(), *every_medium()]
+
+
+def structures():
+    matrix, glass = mdr.Elastic(3e9, 0.35), mdr.Elastic(70e9, 0.22)
+    kinds = [
+        lateral.Ball((5e-6, 5e-6, 4e-6), 3e-6, glass),
+        lateral.Box((0.0, 1e-6), (0.0, 1e-6), (1e-6, 2e-6), glass),
+        lateral.Fibre((0.0, 0.0, 4e-6), (1.0, 0.0, 0.0), 1e-6, glass),
+        lateral.HalfSpace((0.0, 0.0, 8e-6), (0.0, 0.0, 1.0), glass),
+        lateral.Layer(1e-6, 2e-6, glass),
+        lateral.Pillar(0.0, 0.0, 1e-6, 1e-6, 2e-6, glass),
+    ]
+    shapes = lateral.Shapes(matrix, kinds[:1])
+    voxels = lateral.Voxels(np.arange(64).reshape(4, 4, 4) % 2, [matrix, glass], 1e-6)
+    return [
+        *kinds,
+        shapes,
+        voxels,
+        lateral.Field(moduli, 0.3),
+        lateral.LateralMedium(shapes, 0.0, 0.0, 1e-8, 1e-5),
+        shapes.bounds(0.0, 0.0, 1e-6),
+        lateral.slide(voxels, BALL, np.linspace(0.0, 1e-6, 5), depth=1e-9),
+        lateral.indentation_map(voxels, BALL, 1e-9),
+    ]
+
+
+def moduli(x, y, z):
+    """A structure that pickles."""
+    return 70e9 + 0.0 * x, 0.2
+
+
+def records():
+    h, p = np.linspace(-1e-7, 1e-7, 60), np.maximum(np.linspace(-1e-7, 1e-7, 60), 0.0)
+    h, p = np.concatenate([h, h[::-1]]), np.concatenate([p, p[::-1]])
+    return [
+        measurement.find_segments(h, p)[0],
+        measurement.find_baseline(h[:60], p[:60], 30),
+        measurement.PopIn(3, 1e-8, 1e-5, 1e-9),
+        measurement.Drift(1e-11, 1e-12),
+    ]
+
+
+def problems():
+    return [
+        problem.load(next((ROOT / "examples" / "problems").glob("*.toml"))),
+        load_fit_file(ROOT / "examples" / "fit" / "csm_on_oxide.toml"),
+    ]
+
+
+def faults():
+    words = [cls("words") for cls in vars(mdr).values() if inspect.isclass(cls) and issubclass(cls, (mdr.MDRError, UserWarning))]
+    return [*words, problem.ProblemError("words")]
+
+
+MAKERS = (bodies, results, friction, fits, structures, records, problems, faults)
+
+
+@pytest.fixture(scope="module")
+def things():
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return [thing for maker in MAKERS for thing in maker()]
+
+
+def is_same(one, other):
+    """Whether two things hold the same, whatever they are."""
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, np.ndarray):
+        return np.array_equal(one, other, equal_nan=one.dtype.kind in "fc")
+    if isinstance(one, dict):
+        return one.keys() == other.keys() and all(is_same(one[key], other[key]) for key in one)
+    if isinstance(one, (tuple, list)):
+        return len(one) == len(other) and all(map(is_same, one, other))
+    if isinstance(one, BaseException):
+        return one.args == other.args
+    if type(one).__eq__ is not object.__eq__:
+        return one == other or one != one
+    if inspect.isfunction(one) or isinstance(one, type):
+        return one is other or one.__qualname__ == other.__qualname__
+    hidden = {"_handle", "problem", "_looked_at"}
+    return is_same(*({k: v for k, v in state_of(thing).items() if k not in hidden} for thing in (one, other)))
+
+
+def state_of(thing):
+    return {**getattr(thing, "__dict__", {}), **{k: getattr(thing, k) for k in getattr(type(thing), "__slots__", ())}}
+
+
+def test_nothing_public_is_missing(things):
+    packages = (mdr, lateral, measurement, fitting, problem)
+    public = {vars(package)[name] for package in packages for name in package.__all__}
+    classes = {thing for thing in public if inspect.isclass(thing)} - BASES
+    shown = {type(thing) for thing in things}
+    assert not {cls.__name__ for cls in classes - shown}
+
+
+def test_pickles_and_copies(things):
+    for thing in things:
+        for made in (lambda t: pickle.loads(pickle.dumps(t)), copy.copy, copy.deepcopy):
+            other = made(thing)
+            assert is_same(other, thing), thing
+
+
+def test_results_go_on_in_another_process(things, tmp_path):
+    """What was unpickled computes: it holds no addresses of the process that pickled it."""
+    chosen = [thing for thing in things if isinstance(thing, (mdr.FitResult, mdr.Contact, mdr.ContactLaw))]
+    (tmp_path / "things").write_bytes(pickle.dumps(chosen))
+    text = """
+import pickle, sys
+for thing in pickle.load(open(sys.argv[1], "rb")):
+    if hasattr(thing, "interval"):
+        print(*thing.interval(thing.names[0], method="profile"), *thing.simulate(2, seed=1)[0], thing.summary())
+    else:
+        print(thing.at_depth(1e-8))
+"""
+    done = subprocess.run([sys.executable, "-c", text, str(tmp_path / "things")], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    expected = []
+    for thing in chosen:
+        if isinstance(thing, mdr.FitResult):
+            interval = thing.interval(thing.names[0], method="profile")
+            expected.append(" ".join(map(str, [*interval, *thing.simulate(2, seed=1)[0], thing.summary()])))
+        else:
+            expected.append(str(thing.at_depth(1e-8)))
+    assert done.stdout.split() == "\n".join(expected).split()
+
+
+def test_a_history_goes_on_from_where_it_was(things):
+    for history in [thing for thing in things if isinstance(thing, mdr.FrictionHistory)]:
+        others = [pickle.loads(pickle.dumps(history)), copy.copy(history), copy.deepcopy(history), history.copy()]
+        step = {"depth": 4.5e-8, "shift": 1e-9}
+        expected = history.copy().advance(**step)
+        for other in others:
+            assert other.state == history.state and other.shear == history.shear
+            assert other.advance(**step) == expected
+            assert history.state != other.state, "each goes its own way"
+
+
+def test_handles_stay_where_they_are():
+    for made in (pickle.dumps, copy.copy, copy.deepcopy):
+        with pytest.raises(TypeError, match="neither copied nor pickled"):
+            made(BALL._handle)
