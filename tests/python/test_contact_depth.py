@@ -3,14 +3,16 @@
 
 from __future__ import annotations
 
+import json
 import math
 
 import numpy as np
 import pytest
-from conftest import OXIDE, SILICON
+from conftest import OXIDE, ROOT, SILICON
 from records import sink_in
 
 import mdrcontact as mdr
+from mdrcontact.cli import main
 
 GLASS, STEEL, POLYMER = mdr.Elastic(70e9, 0.22), mdr.Elastic(210e9, 0.3), mdr.Elastic(3e9, 0.4)
 DIAMOND = mdr.Elastic(1141e9, 0.07)
@@ -163,3 +165,101 @@ def test_readings_without_a_contact_radius_are_refused(change, words):
     _, data = yielded(body, tip)
     with pytest.raises(mdr.DomainError, match=words):
         mdr.fit(mdr.StiffnessDepth(*change(data.x, data.force, data.y)), tip, body, ["coating.E"], check_units=False)
+
+
+def record(film, tip, lag=0.0):
+    """Loading and unloading of the library's own contact; `lag` of the largest depth stays behind."""
+    states = mdr.Contact(tip, film).at_depth(np.linspace(1e-3, 0.3, 300) * THICKNESS)
+    depth, force = np.asarray(states.depth), np.asarray(states.force)
+    return np.concatenate([depth, depth[::-1]]), np.concatenate([force, np.interp(depth[::-1] - lag, depth, force, left=0.0)])
+
+
+@pytest.mark.parametrize("tip", TIPS)
+@pytest.mark.parametrize("film", FILMS)
+def test_elastic_unloading_curves(film, tip):
+    """To 1 %: on a film the curve is no power law, and the slope of the one that is fitted not quite that of the contact."""
+    body = FILMS[film]
+    data = mdr.Unloading(*record(body, TIPS[tip]))
+    assert data.seems_elastic
+    result = mdr.fit(data, TIPS[tip], body, start(body))
+    assert result.estimates["coating.E"] == pytest.approx(body.coating.E, rel=0.01)
+
+
+def test_an_unloading_curve_that_leaves_depth_behind_is_not_elastic():
+    body, tip = FILMS["oxide on Si"], TIPS["Berkovich"]
+    h, p = record(body, tip, 0.1 * THICKNESS)
+    assert not mdr.Unloading(h, p).seems_elastic
+    assert not mdr.Unloading(h[300:], p[300:]).seems_elastic, "without loading it is not known"
+    assert mdr.Unloading(h, p, elastic=True).elastic
+
+
+def test_contact_depth_and_area_on_the_body():
+    """On the body that is fitted Oliver and Pharr's area is that of the contact; on a half-space it is not."""
+    body, tip = FILMS["W on glass"], TIPS["area function"]
+    a, data = yielded(body, tip)
+    film, half_space = mdr.oliver_pharr(data, tip, medium=body), mdr.oliver_pharr(data, tip)
+    assert film.radius == pytest.approx(a, rel=1e-6)
+    assert film.contact_depth == pytest.approx(tip.height(a), rel=1e-6)
+    assert film.hardness == pytest.approx(np.full(len(a), 9e9), rel=1e-5)
+    assert film.reduced_modulus == pytest.approx(body.modulus(a), rel=1e-6)
+    assert half_space.contact_depth == pytest.approx(data.x - 0.75 * data.force / data.y, rel=1e-12)
+    assert np.all(half_space.hardness[-5:] < 0.95 * 9e9), "a stiff film sinks in more deeply"
+    pair = mdr.Pair(body, DIAMOND)
+    both = [mdr.oliver_pharr(data, tip, mdr.Instrument(indenter=DIAMOND), medium=m) for m in (pair, body)]
+    assert both[0].radius == pytest.approx(both[1].radius, rel=1e-12)
+
+
+def test_moduli_at_every_depth():
+    """Each point alone gives the modulus, of elastic curves and of indents that have yielded; so does the line through them."""
+    body, tip = FILMS["polymer on Si"], TIPS["area function"]
+    a, indents = yielded(body, tip, 6e7)
+    for data, radius in ((elastic(body, tip), mdr.Contact(tip, body).at_depth(DEPTHS).radius), (indents, a)):
+        found = mdr.modulus_at_depths(data, tip, body, start(body))
+        assert found.modulus == pytest.approx(np.full(len(data), POLYMER.E), rel=1e-6)
+        assert found.analysis.radius == pytest.approx(radius, rel=1e-6)
+        assert not found.warnings
+
+
+def test_a_problem_file_says_whether_it_is_elastic(tmp_path, capsys):
+    """[data] elastic = false takes the half-space's epsilon for a curve that looks elastic."""
+    body, tip = FILMS["oxide on Si"], TIPS["Berkovich"]
+    data = elastic(body, tip)
+    table = np.column_stack([1e9 * data.x, 1e3 * data.force, data.y])
+    np.savetxt(tmp_path / "csm.csv", table, header="h_nm,P_mN,S_N_per_m", comments="", delimiter=",")
+    text = (ROOT / "examples" / "fit" / "csm_on_oxide.toml").read_text()
+    text = text.replace("[instrument]", "[none]").replace('indenter = { E = "1141 GPa", nu = 0.07 }', "").replace("[none]\n", "")
+    found = {}
+    for said in ("", "elastic = true\n", "elastic = false\n"):
+        (tmp_path / "p.toml").write_text(text.replace("relative_sd", f"{said}relative_sd"))
+        done = main(
+            ["fit", str(tmp_path / "csm.csv"), "--problem", str(tmp_path / "p.toml"), "--json", str(tmp_path / f"{said[:12]}.json")]
+        )
+        assert done == 0
+        found[said] = json.loads((tmp_path / f"{said[:12]}.json").read_text())["parameters"]["coating.E"]["value"]
+        capsys.readouterr()
+    assert found[""] == found["elastic = true\n"] == pytest.approx(OXIDE.E, rel=1e-5)
+    assert found["elastic = false\n"] > 1.01 * OXIDE.E
+
+
+def test_the_summary_says_how_far_the_surface_sinks_in():
+    body, tip = FILMS["polymer on Si"], TIPS["area function"]
+    a, indents = yielded(body, tip, 2e8)
+    result = mdr.fit(indents, tip, body, start(body))
+    ends = sink_in(body, a[[-1, 0]])
+    assert f"sinks in by {ends[0]:.3g} to {ends[1]:.3g} P/S under the indent, 0.75 on a half-space" in result.summary()
+    assert "sinks in by" in result.report()
+    assert "under the indenter itself" in mdr.fit(elastic(body, tip), tip, body, start(body)).summary()
+    half_space = mdr.fit(indents, tip, mdr.Homogeneous(POLYMER), ["E"])
+    assert "sinks in by 0.75 P/S" in half_space.summary()
+
+
+def test_plastic_contacts_are_told_what_piles_up():
+    body, tip = FILMS["Al on Si"], TIPS["area function"]
+    said = {}
+    for hardness in (0.5e9, 5e9):
+        _, data = yielded(body, tip, hardness)
+        result = mdr.fit(data, tip, body, start(body))
+        said[hardness] = [words for words in result.warnings if "pile up" in words]
+        assert not [w for w in mdr.fit(data, tip, body, [*start(body), "area_factor"]).warnings if "pile up" in w]
+    assert said[5e9] == []
+    assert "modulus up to 26 % too high" in said[0.5e9][0]

@@ -237,7 +237,7 @@ def test_results_go_on_in_another_process(things, tmp_path):
 import pickle, sys
 for thing in pickle.load(open(sys.argv[1], "rb")):
     if hasattr(thing, "interval"):
-        print(*thing.interval(thing.names[0], method="profile"), *thing.simulate(2, seed=1)[0], thing.summary())
+        print(*thing.problem.predict(thing._values)[0], *thing.problem.answer()[0], thing.summary())
     else:
         print(thing.at_depth(1e-8))
 """
@@ -246,8 +246,8 @@ for thing in pickle.load(open(sys.argv[1], "rb")):
     expected = []
     for thing in chosen:
         if isinstance(thing, mdr.FitResult):
-            interval = thing.interval(thing.names[0], method="profile")
-            expected.append(" ".join(map(str, [*interval, *thing.simulate(2, seed=1)[0], thing.summary()])))
+            found = [*thing.problem.predict(thing._values)[0], *thing.problem.answer()[0], thing.summary()]
+            expected.append(" ".join(map(str, found)))
         else:
             expected.append(str(thing.at_depth(1e-8)))
     assert done.stdout.split() == "\n".join(expected).split()

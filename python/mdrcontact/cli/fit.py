@@ -55,6 +55,8 @@ Binary files of AFMs go in as they are (pip install "mdrcontact[afm]"): .jpk-for
 In a folder each file is a curve, in a map each place; one that cannot be fitted is a row with its reason.
 """
 
+_ANALYSIS = "Oliver and Pharr on the fitted body, standard errors of the stiffness alone"
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
@@ -91,11 +93,11 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
     data, notes = curve.read()
     print("\n".join([str(arguments.data), *(f"  {note}" for note in notes)]))
     print(f"  indenter: {problem.indenter!r}\n  medium: {problem.medium!r}\n")
+    result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
     analysis: list[list[str]] = []
     if isinstance(data, StiffnessDepth) and data.unloadings:
-        analysis = oliver_pharr_rows(oliver_pharr(data, problem.indenter, problem.instrument))
-        print("Oliver and Pharr, standard errors of the stiffness alone:\n" + aligned(analysis) + "\n")
-    result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
+        analysis = oliver_pharr_rows(_analysis(result))
+        print(f"{_ANALYSIS}:\n" + aligned(analysis) + "\n")
     print(result.summary())
     intervals = {}
     if arguments.interval != "normal":
@@ -125,11 +127,16 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
     if arguments.report:
         blocks = report.blocks_of(result, [f"file {arguments.data}, problem file {arguments.problem}", *notes])
         if analysis:
-            blocks += [report.heading("Oliver and Pharr, standard errors of the stiffness alone"), report.table(analysis)]
+            blocks += [report.heading(_ANALYSIS), report.table(analysis)]
         if ranking is not None:
             blocks += [report.heading("Models"), report.preformatted(ranking.summary())]
         results[arguments.report] = report.page(problem.title, blocks).encode()
     files.write(results, arguments.overwrite)
+
+
+def _analysis(result: FitResult) -> OliverPharr:
+    """Contact depth and area on the body that was found."""
+    return oliver_pharr(result.data, result.indenter, result.instrument, medium=result.medium)  # type: ignore[arg-type]
 
 
 def oliver_pharr_columns(found: OliverPharr) -> list[Column]:
@@ -165,7 +172,7 @@ def oliver_pharr_rows(found: OliverPharr) -> list[list[str]]:
 def _points(result: FitResult) -> list[Column]:
     data = result.data
     if isinstance(data, StiffnessDepth) and data.unloadings:
-        return oliver_pharr_columns(oliver_pharr(data, result.indenter, result.instrument))
+        return oliver_pharr_columns(_analysis(result))
     x, y = dimension_of_data(data.x_name), dimension_of_data(data.y_name)
     unit = practical(y, data.y)
     return [

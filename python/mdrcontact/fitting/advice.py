@@ -10,7 +10,7 @@ import numpy as np
 from .. import medium as media
 from .. import profile as profiles
 from ..errors import MDRError
-from .data import ForceDepth, ModulusRadius, StiffnessRadius
+from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from .result import UNLIKELY, FitResult
 
 _LARGE_ERROR = 0.3
@@ -19,6 +19,8 @@ _UNDETERMINED = 1e-9
 _BLUNT = 50e-9
 _STRAYS, _STRAY_SHARE = 3, 0.01
 """Readings about a jump that noise may put on the wrong side of it."""
+_PLASTIC = 0.7
+"""Part of the depth that stays, from which on surfaces may pile up."""
 _SMALL_CONTACT, _LARGE_CONTACT = 0.1, 3.0
 
 
@@ -35,6 +37,7 @@ def advice(result: FitResult) -> list[str]:
         *_identifiability(result, radius),
         *_pattern(result),
         *_tip(result, radius),
+        *_pile_up(result),
         *_branches(result, alone),
     ]
 
@@ -182,6 +185,24 @@ def _tip(result: FitResult, radius: np.ndarray) -> list[str]:
         f"the tip is taken as ideally sharp. A rounding of {_BLUNT * 1e9:.0f} nm, usual for a used tip, would make the contact "
         f"area {100.0 * share:.0f} % larger in the middle of the depths, and the moduli wrong by about half of that or more; "
         "nothing of it is in the errors. Use the area function of the tip's calibration, or a prior on area_factor"
+    ]
+
+
+def _pile_up(result: FitResult) -> list[str]:
+    """What no contact depth sees: an unloading curve of the power 1.5 leaves h - 1.5 P/S behind."""
+    data, tool = result.data, result.instrument
+    if not isinstance(data, StiffnessDepth) or data.force is None or {"contact_depth_factor", "area_factor"} & set(result.names):
+        return []
+    load = data.force - tool.force_offset
+    depth = data.x - tool.depth_offset - tool.frame_compliance * load
+    stays = float(np.median(1.0 - 1.5 * load * (1.0 / data.y - tool.frame_compliance) / depth))
+    if stays < _PLASTIC or tool.contact_depth_factor <= 0.0:
+        return []
+    return [
+        f"the contact is plastic: about {100.0 * stays:.0f} % of the depth stay. Surfaces of materials that hardly harden then pile "
+        f"up: the area is up to 60 % larger than at any contact depth (Bolshakov and Pharr 1998), the modulus up to "
+        f"{100.0 * (math.sqrt(1.6) - 1.0):.0f} % too high, and nothing of it is in the errors. Look at an indent, or give "
+        "contact_depth_factor or area_factor a prior"
     ]
 
 

@@ -26,10 +26,15 @@ def together(curves: Sequence[StiffnessDepth]) -> StiffnessDepth:
     if all(curve.unloadings for curve in curves):
         columns = [np.concatenate([getattr(c, name) for c in curves]) for name in ("x", "force", "y", "sd")]
         data = StiffnessDepth(*columns[:3], sd=columns[3])
+        data.seems_elastic = all(curve.seems_elastic for curve in curves)
     elif any(curve.unloadings for curve in curves):
         raise InvalidArgumentError("unloading curves and CSM curves cannot be calibrated together: take one kind")
     else:
         data = _mean(curves)
+    said = {curve.elastic for curve in curves}
+    if len(said) > 1:
+        raise InvalidArgumentError("elastic is not the same for all curves: take one kind")
+    (data.elastic,) = said
     data.warnings += [words for curve in curves for words in curve.warnings]
     return data
 

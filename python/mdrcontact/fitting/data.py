@@ -20,7 +20,7 @@ _CLIPPED = 0.04
 """Of the readings: so many share their largest value by coarse digits only."""
 _FINEST = 1e-15
 """Standard deviation over reading: less is less than the rounding of the reading, and leaves intervals that are none."""
-_REVERSIBLE, _FEWEST_FOR_SLOPE = 0.05, 5
+REVERSIBLE, _FEWEST_FOR_SLOPE = 0.05, 5
 """How near to 1 the rise of the force over the integral of the stiffness must be, and from how many points on it says something."""
 _RETURN = 0.2
 """A curve whose x goes back over this part of its range holds loading and unloading."""
@@ -262,7 +262,7 @@ class StiffnessDepth(Data):
         if elastic is not None and not isinstance(elastic, bool):
             raise ArgumentTypeError(f"elastic = {elastic!r} is not allowed: it must be True, False or None")
         self.elastic = elastic
-        self.seems_elastic = abs(self._reversibility() - 1.0) < _REVERSIBLE
+        self.seems_elastic = abs(self._reversibility() - 1.0) < REVERSIBLE
 
     def _reversibility(self) -> float:
         """The rise of the force over the integral of the stiffness, 1 where the contact is elastic, whatever body, tip, frame and

@@ -35,7 +35,7 @@ class DepthProfile(NamedTuple):
     name: str
     """of the parameter, "coating.E\""""
     analysis: OliverPharr
-    """depths, contact radii, reduced moduli and hardness"""
+    """depths, contact radii, reduced moduli and hardness, on the body with the modulus at zero depth"""
     modulus: Array
     """one for each point; NaN where there is none"""
     standard_error: Array
@@ -155,8 +155,10 @@ def modulus_at_depths(
     for i, other in enumerate(problem.names):
         if other in problem.free and other != name and (problem.table[4, i] > 0.0 or other in joined):
             values[i] = problem.table[3, i]
+    is_elastic = bool(problem.record["is_elastic"][0])
     points = [
-        StiffnessDepth(*(v[i : i + 1] for v in (data.x, data.force, data.y)), sd=data.sd[i : i + 1]) for i in range(len(data))
+        StiffnessDepth(*(v[i : i + 1] for v in (data.x, data.force, data.y)), sd=data.sd[i : i + 1], elastic=is_elastic)
+        for i in range(len(data))
     ]
 
     def moduli(at: Array, report: Callable[[int], Any] | None = None) -> list[Any]:
@@ -170,8 +172,9 @@ def modulus_at_depths(
     shifts = [_modulus(moduli(values + step), name) - modulus for step in _steps(problem, place)]
     common = np.sqrt(np.sum(np.square(shifts), axis=0)) if shifts else np.zeros_like(modulus)
     line = _line(data.x, modulus, error, shifts)
-    tip, _, tool = problem.objects_at(values)
-    return DepthProfile(name, oliver_pharr(data, tip, tool), modulus, error, common, *line, failures)
+    values[place] = line[0]
+    tip, body, tool = problem.objects_at(values)
+    return DepthProfile(name, oliver_pharr(data, tip, tool, medium=body), modulus, error, common, *line, failures)
 
 
 def _modulus(found: list[Any], name: str) -> Array:

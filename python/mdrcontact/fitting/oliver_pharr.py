@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,6 +16,7 @@ from ..material import Elastic
 from ..medium import Homogeneous
 from .data import StiffnessDepth
 from .parameters import Instrument
+from .parameters import has_homogeneous_indenter as is_paired
 from .problem import make_problem
 
 Array = NDArray[np.float64]
@@ -42,14 +44,22 @@ class OliverPharr(NamedTuple):
     hardness_error: Array
 
 
-def oliver_pharr(data: StiffnessDepth, indenter: Any, instrument: Instrument | None = None, *, area_sd: float = 0.0) -> OliverPharr:
-    """h_c = h - epsilon P/S, A = pi a^2 of the tip at height h_c, E_r = S/(2 beta a) and H = P/A (Oliver and Pharr 1992, 2004).
+def oliver_pharr(
+    data: StiffnessDepth,
+    indenter: Any,
+    instrument: Instrument | None = None,
+    *,
+    area_sd: float = 0.0,
+    medium: Any = None,
+) -> OliverPharr:
+    """h_c = h - sigma P/S, A = pi a^2 of the tip at height h_c, E_r = S/(2 beta a) and H = P/A (Oliver and Pharr 1992, 2004).
 
     data : StiffnessDepth (CSM) or Unloading; without standard deviations the errors are those of the tip alone
     indenter : the tip, best an AreaFunction
     instrument : epsilon (contact_depth_factor), beta (stiffness_factor), contact_depth_scale, frame_compliance, offsets,
         area_factor
     area_sd : relative standard deviation of the tip's area [1]
+    medium : the body, best the one that a fit has found: sigma is that of its exact contact. None: a half-space, sigma = epsilon
     """
     if not isinstance(data, StiffnessDepth):
         raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be StiffnessDepth(...) or Unloading(...)")
@@ -57,7 +67,8 @@ def oliver_pharr(data: StiffnessDepth, indenter: Any, instrument: Instrument | N
     if not 0.0 <= tip_sd < 1.0:
         raise InvalidArgumentError(f"area_sd = {area_sd!r} is not allowed: it must be at least 0 and less than 1")
     given = instrument or Instrument()
-    problem = make_problem(data, indenter, Homogeneous(Elastic(1.0, 0.0)), ["E"], given)
+    body = Homogeneous(Elastic(1.0, 0.0)) if medium is None else medium
+    problem = make_problem(data, indenter, body, ["area_factor"], replace(given, indenter=None) if is_paired(body) else given)
     assert data.force is not None
     load = data.force - given.force_offset
 
@@ -65,8 +76,7 @@ def oliver_pharr(data: StiffnessDepth, indenter: Any, instrument: Instrument | N
         """Contact stiffness, contact depth, radius, reduced modulus, hardness."""
         _, a = problem.changed(data.with_y(measured)).predict(problem.table[0])
         compliance = 1.0 / measured - given.frame_compliance
-        height = data.x - given.depth_offset - given.frame_compliance * load - given.contact_depth_factor * load * compliance
-        height = given.contact_depth_scale * height
+        height = np.asarray(indenter.height(a / math.sqrt(given.area_factor)))
         return 1.0 / compliance, height, a, 1.0 / (2.0 * given.stiffness_factor * a * compliance), load / (math.pi * a**2)
 
     stiffness, height, a, modulus, hardness = evaluate(data.y)

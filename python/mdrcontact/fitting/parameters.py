@@ -103,9 +103,11 @@ class Instrument:
     frame_compliance : of frame and holder, beyond what the instrument has already taken off [1/(modulus length)]
     indenter : material of the indenter, an Elastic, or None for a rigid one: the contact is that of `Pair(medium, indenter)`. An
         indenter that is layered itself stands in the medium, a Pair; its parameters are then called "upper.coating.E" and the like
-    contact_depth_factor : epsilon of the contact depth h_c = h - epsilon P/S; 0 or less where the surface piles up
+    contact_depth_factor : epsilon of the contact depth h_c = h - epsilon P/S on a half-space: 0.75, that of a paraboloid, as which
+        an indent that has yielded unloads; 0.727 of a cone, 1 of a punch; 0 or less where the surface piles up. On any other body
+        the surface sinks in as under the same indenter
     stiffness_factor : beta of S = 2 beta a E_r
-    contact_depth_scale : factor of h_c; 1.2 with contact_depth_factor = 1: Loubet's contact depth
+    contact_depth_scale : factor of h_c; 1.2 with contact_depth_factor = 1: Loubet's contact depth, the same on all bodies
     area_factor : true over assumed projected area of contact, as a prior on which the uncertainty of the tip enters; for all data
         but ForceDepth
     """

@@ -127,6 +127,7 @@ def assumptions(result: Any) -> str:
         f"medium: {result.medium!r}",
         f"instrument: {result.instrument!r}",
         noise,
+        *result.contact_depth_words(),
         "standard errors allow for correlated residuals by the restricted likelihood of a first-order autoregression",
     ]
     return items(lines) + table(_fixed(result))

@@ -19,6 +19,7 @@ from .._files import replace
 from .._interrupt import workers
 from ..errors import InvalidArgumentError, MDRError
 from ..problem.units import practical
+from .data import StiffnessDepth
 from .picture import draw
 from .problem import Problem
 from .quantities import digits, dimension_of, dimension_of_data, measured, unit_of, words_of
@@ -221,6 +222,7 @@ class FitResult:
             lines.append(f"noise, estimated from the residuals: {self.noise / unit.factor:.3g} {unit.symbol}")
         elif not self.noise_is_known:
             lines.append(f"standard deviations of the data, estimated: {self.noise:.3g} times the given ones")
+        lines += self.contact_depth_words()
         if self.prior_chi_square > 0.0:
             lines.append(f"chi-square of the priors {self.prior_chi_square:.3g}")
         if len(self.data) > 2:
@@ -233,6 +235,28 @@ class FitResult:
             for j in range(i):
                 lines.append(f"correlation of {one} and {self.names[j]}: {correlation[i, j]:+.4f}")
         return "\n".join(lines + [f"warning: {words}" for words in self.warnings])
+
+    def contact_depth_words(self) -> list[str]:
+        """How far the surface sinks in, where contact depths are found from depth, force and stiffness."""
+        data, tool = self.data, self.instrument
+        if not isinstance(data, StiffnessDepth) or data.force is None:
+            return []
+        try:
+            radius = self.problem.predict(self._values)[1]
+        except MDRError:
+            return []
+        load = data.force - tool.force_offset
+        depth = data.x - tool.depth_offset - tool.frame_compliance * load
+        height = np.asarray(self.indenter.height(radius / math.sqrt(tool.area_factor))) / tool.contact_depth_scale
+        sigma = (depth - height) / (load * (1.0 / data.y - tool.frame_compliance))
+        is_elastic = bool(self.problem.record["is_elastic"][0])
+        under = (
+            "the indenter itself, an elastic contact"
+            if is_elastic
+            else f"the indent, {tool.contact_depth_factor:.3g} on a half-space"
+        )
+        low, high = f"{sigma.min():.3g}", f"{sigma.max():.3g}"
+        return [f"the surface sinks in by {low if low == high else f'{low} to {high}'} P/S under {under}"]
 
     def told(self, name: str) -> str:
         """An estimate with its standard error and unit, or what else there is to say of it."""

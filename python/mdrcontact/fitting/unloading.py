@@ -16,7 +16,7 @@ from ..measurement.segments import Segment, curve, find_segments
 from ..medium import Homogeneous
 from ..problem.units import LENGTH, told
 from ..profile import PowerLaw
-from .data import ForceDepth, StiffnessDepth, UnloadingPoint
+from .data import REVERSIBLE, ForceDepth, StiffnessDepth, UnloadingPoint
 from .parameters import Free
 from .solve import fit
 
@@ -28,7 +28,9 @@ _FEWEST = 8
 _BEGINS, _ZERO, _GAIN = (0.01, 0.05), 0.03, 0.01
 """Of the largest force, of the depth, of their product: where loading begins, what is a zero, and what drift may do to the work."""
 _EXPONENTS = 1.1, 2.0
-"""The power of unloading curves of real materials is between those of a punch and a cone."""
+"""The power of unloading curves of homogeneous bodies is between those of a punch and a cone."""
+_SHARPEST = 0.3
+"""Least exponent of the indenter whose force the curve follows: soft films on stiff bodies have powers of 2 to 4, a cone 2."""
 
 
 def _unloading_point(h: Array, p: Array, largest: float, upper_part: tuple[float, float]) -> UnloadingPoint:
@@ -96,7 +98,7 @@ def _power_law(h: Array, p: Array, largest: float) -> _Law:
         ForceDepth(x, y, branch="unloading"),
         PowerLaw(2.0, 1.0),
         body,
-        {"E": modulus, "indenter.exponent": Free(lower=1.0, upper=30.0), "depth_offset": begins},
+        {"E": modulus, "indenter.exponent": Free(lower=_SHARPEST, upper=30.0), "depth_offset": begins},
         check_units=False,
     )
 
@@ -129,8 +131,8 @@ def _doubts(law: _Law, low: float, high: float, h: Array, p: Array, largest: flo
     words = []
     if not _EXPONENTS[0] < law.exponent < _EXPONENTS[1]:
         words.append(
-            f"the unloading curve has the power {law.exponent:.3g}; those of real contacts lie between {_EXPONENTS[0]} and "
-            f"{_EXPONENTS[1]}: look at its upper part for creep, drift or a pop-out"
+            f"the unloading curve has the power {law.exponent:.3g}; those of homogeneous bodies lie between {_EXPONENTS[0]} and "
+            f"{_EXPONENTS[1]}: look at its upper part for creep, drift or a pop-out, unless the film is much softer than its base"
         )
     half = 0.5 * (low + high)
     h_half, p_half = _part(h, p, half * largest, high * largest)
@@ -174,6 +176,28 @@ def _doubts_of_record(h: Array, p: Array, first: Segment) -> list[str]:
     return words
 
 
+def _gives_back(h: Array, p: Array, segments: list[Segment]) -> bool:
+    """Whether every unloading gives back the work of the loading before it, over the depths that both have."""
+    ways: list[tuple[Array, Array]] = []
+    found = False
+    for part in segments:
+        ways.append((h[part.points], p[part.points]))
+        if part.kind != "unloading":
+            continue
+        loading = [way for way, of in zip(ways, segments, strict=False) if of.kind == "loading"]
+        if not loading:
+            return False
+        low = max(float(ways[-1][0].min()), float(loading[-1][0].min()))
+        x = np.linspace(low, min(float(ways[-1][0].max()), float(loading[-1][0].max())), 200)
+        work, back = (
+            float(np.interp(x, d[order], f[order]).sum()) for d, f in (loading[-1], ways[-1]) for order in [np.argsort(d)]
+        )
+        if not abs(back - work) < REVERSIBLE * work:
+            return False
+        found = True
+    return found
+
+
 class Unloading(StiffnessDepth):
     """Unloading curves, one point each: the contact stiffness S = dP/dh where unloading begins, at the largest depth and force,
     from a power law through the upper part (Oliver and Pharr 1992). In a fit they are StiffnessDepth data.
@@ -181,11 +205,19 @@ class Unloading(StiffnessDepth):
     depth, force : one curve, or a whole record with loading, holds and one or more unloadings, in the order of measurement
         [length], [modulus length^2]; n numbers each
     upper_part : the part of the unloading curve that is fitted, in units of its largest force
+    elastic : as in StiffnessDepth; None: True where loading is in the record and unloading gives back its work to 5 %
 
     unloadings : what each unloading curve says, `UnloadingPoint`
     """
 
-    def __init__(self, depth: ArrayLike, force: ArrayLike, *, upper_part: tuple[float, float] = UPPER_PART) -> None:
+    def __init__(
+        self,
+        depth: ArrayLike,
+        force: ArrayLike,
+        *,
+        upper_part: tuple[float, float] = UPPER_PART,
+        elastic: bool | None = None,
+    ) -> None:
         h, p = curve(depth, force, fewest=_FEWEST)
         if not (len(upper_part) == 2 and 0.0 < upper_part[0] < upper_part[1] <= 1.0):
             raise InvalidArgumentError(
@@ -204,7 +236,8 @@ class Unloading(StiffnessDepth):
         if not points:
             raise InvalidArgumentError("there is no unloading curve: the force does not fall from a large value")
         columns = zip(*((q.depth, q.force, q.stiffness) for q in points), strict=True)
-        super().__init__(*map(list, columns), sd=[q.stiffness_error for q in points])
+        super().__init__(*map(list, columns), sd=[q.stiffness_error for q in points], elastic=elastic)
+        self.seems_elastic = _gives_back(h, p, segments)
         self.unloadings = tuple(points)
         self.record = h, p
         self.warnings += [*_doubts_of_record(h, p, segments[0]), *(words for q in points for words in q.warnings)]

@@ -90,6 +90,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     "drift": SPEED,
     "upper_part": None,
     "oscillation": LENGTH,
+    "elastic": None,
 }
 _OF_RECORDS = ("height", "deflection", "time", *KEYS)
 
@@ -100,6 +101,8 @@ def check(section: Section) -> None:
     foreign = set() if kind in _RECORDS else {*_OF_RECORDS}
     if kind != "stiffness-depth":
         foreign.add("oscillation")
+    if kind not in ("stiffness-depth", "unloading"):
+        foreign.add("elastic")
     if kind != "dynamic-stiffness":
         foreign |= {"omega", "storage", "loss", "contact_radius"}
     if kind in _IN_TIME:
@@ -259,6 +262,8 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
         options["sd"] = sd[keep] * factor
     if "relative_sd" in section:
         options["relative_sd"] = section.number("relative_sd")
+    if "elastic" in section:
+        options["elastic"] = section.truth("elastic")
     notes = [*table.notes, *(column.described(role) for role, column in found.items())]
     if not keep.all():
         notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
@@ -325,7 +330,9 @@ def of_record(section: Section, cantilever: Cantilever, record: Record, kind: st
 def _record_data(section: Section, record: Record, kind: str) -> Data:
     assert record.depth is not None
     if kind == "unloading":
-        options = {}
+        options: dict[str, Any] = {}
+        if "elastic" in section:
+            options["elastic"] = section.truth("elastic")
         if "upper_part" in section:
             part = section.numbers("upper_part")
             if len(part) != 2:
