@@ -215,8 +215,46 @@ static void one_reading_does_not_determine_two_numbers(void)
     CHECK_TRUE(covariance[COUNT + 1] >= 0.0 && covariance[COUNT + 1] < 1e-6 * values[1] * values[1]);
 }
 
+/* Depth, force and stiffness of an elastic contact with a cone: its radii come back where the contact is said to be elastic; a
+   paraboloid's sink-in leaves less depth than the cone's, and makes them smaller. */
+static void elastic_contact_depths(void)
+{
+    static const double angle = 0.35;
+    mdr_fit_problem problem;
+    mdr_fit_parameter parameters[NUMBERS];
+    double d[POINTS], a[POINTS], F[POINTS], k[POINTS], fitted[POINTS], found[POINTS];
+    mdr_profile *profile = NULL;
+    mdr_medium *medium = NULL;
+    mdr_contact *contact = NULL;
+
+    CHECK_SUCCESS(mdr_profile_cone(angle, &profile));
+    CHECK_SUCCESS(mdr_medium_coated(72e9, 0.17, 500e-9, 163e9, 0.22, MDR_MODEL_EXACT, NULL, &medium));
+    CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
+    for (int i = 0; i < POINTS; i++) d[i] = 4e-9 * (i + 1);
+    CHECK_SUCCESS(mdr_contact_from_depth(contact, POINTS, d, NULL, a, F, k));
+    fill(&problem, parameters);
+    CHECK_INT(problem.is_elastic, 0);
+    problem.indenter = MDR_FIT_INDENTER_CONE;
+    problem.model = MDR_MODEL_EXACT;
+    problem.data_kind = MDR_FIT_STIFFNESS_DEPTH;
+    parameters[0].value = angle;
+    problem.is_elastic = 1;
+    CHECK_SUCCESS(mdr_fit_predict(&problem, POINTS, d, k, F, fitted, found));
+    for (int i = 0; i < POINTS; i++) {
+        CHECK_CLOSE(found[i], a[i], 1e-8);
+        CHECK_CLOSE(fitted[i], k[i], 1e-8);
+    }
+    problem.is_elastic = 0;
+    CHECK_SUCCESS(mdr_fit_predict(&problem, POINTS, d, k, F, fitted, found));
+    for (int i = 0; i < POINTS; i++) CHECK_TRUE(found[i] > 0.95 * a[i] && found[i] < 0.995 * a[i]);
+    mdr_contact_free(contact);
+    mdr_medium_free(medium);
+    mdr_profile_free(profile);
+}
+
 int main(void)
 {
+    elastic_contact_depths();
     one_reading_does_not_determine_two_numbers();
     truth_comes_back();
     counterbody();

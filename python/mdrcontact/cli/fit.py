@@ -39,6 +39,7 @@ The problem file is that of `mdrcontact curve` with two more tables in place of 
     force = "P_mN"                  # columns, where their names do not say it already
     relative_sd = 0.01              # or sd = "column"; without either it is estimated
     max_depth = "100 nm"            # fit a part of the curve
+    elastic = true                  # of stiffness-depth and unloading: nothing has yielded; false: it has; else seen from the data
 
     [instrument]                    # all optional
     work_of_adhesion = "50 mJ/m^2"

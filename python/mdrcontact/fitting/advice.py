@@ -199,8 +199,8 @@ def _pile_up(result: FitResult) -> list[str]:
     if stays < _PLASTIC or tool.contact_depth_factor <= 0.0:
         return []
     return [
-        f"the contact is plastic: about {100.0 * stays:.0f} % of the depth stay. Surfaces of materials that hardly harden then pile "
-        f"up: the area is up to 60 % larger than at any contact depth (Bolshakov and Pharr 1998), the modulus up to "
+        f"the contact is plastic: about {100.0 * stays:.0f} % of the depth stay. Surfaces of materials that hardly harden then "
+        f"pile up: the area is up to 60 % larger than at any contact depth (Bolshakov and Pharr 1998), the modulus up to "
         f"{100.0 * (math.sqrt(1.6) - 1.0):.0f} % too high, and nothing of it is in the errors. Look at an indent, or give "
         "contact_depth_factor or area_factor a prior"
     ]
