@@ -315,8 +315,11 @@ class FrictionHistory:
             return TangentialState._make([np.empty(0)] * 5 + [np.empty(0, bool)])
         handle = self._handle.address
         states, shears = call(_native.friction_history_advance, handle, given, along_given, steps.ravel(), along_steps.ravel())
-        kinds = np.full(steps.size, given), np.full(steps.size, along_given)
-        self._steps.frombytes(np.column_stack([*kinds, steps.ravel(), along_steps.ravel()]).tobytes())
+        if steps.ndim:
+            kinds = np.full(steps.size, given), np.full(steps.size, along_given)
+            self._steps.frombytes(np.column_stack([*kinds, steps, along_steps]).tobytes())
+        else:
+            self._steps.extend((given, along_given, float(steps), float(along_steps)))
         self.state = State(*(float(value) for value in states[-1]))
         self.shear = TangentialState._make([*(float(value) for value in shears[-1][:5]), bool(shears[-1][5] > 0.5)])
         if not steps.ndim:

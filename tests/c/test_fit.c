@@ -247,9 +247,9 @@ static void elastic_contact_depths(void)
     problem.is_elastic = 0;
     CHECK_SUCCESS(mdr_fit_predict(&problem, POINTS, d, k, F, fitted, found));
     for (int i = 0; i < POINTS; i++) CHECK_TRUE(found[i] > 0.95 * a[i] && found[i] < 0.995 * a[i]);
-    mdr_contact_free(contact);
-    mdr_medium_free(medium);
-    mdr_profile_free(profile);
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+    CHECK_SUCCESS(mdr_medium_free(&medium));
+    CHECK_SUCCESS(mdr_profile_free(&profile));
 }
 
 int main(void)

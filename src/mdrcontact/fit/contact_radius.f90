@@ -25,6 +25,8 @@ module mdrcontact_fit_contact_radius
     real(wp), parameter :: least_part = 0.1_wp, room = 1.02_wp
     !> A contact depth and sink-in together that are less than this part of the depth are far from the root.
     real(wp), parameter :: smallest_share = 1.0e-3_wp
+    !> No contact radius is larger [length].
+    real(wp), parameter :: largest_number = 1.0e100_wp
     !> Nearer to the end of a tip or medium, as a part of the radius, is the end.
     real(wp), parameter :: last_part = 1.0e-9_wp
 
@@ -162,7 +164,7 @@ contains
         balance%sink_in => sink_in
         balance%scale = instrument(at_contact_depth_scale)
         balance%widening = sqrt(instrument(at_area_factor))
-        end_of_tip = balance%widening*profile%largest_radius
+        end_of_tip = balance%widening*min(profile%largest_radius, largest_number)
         side = 0
         call first_range(balance, readings, instrument(at_contact_depth_factor), smallest, largest)
         do range = 1, most_ranges
