@@ -263,3 +263,16 @@ def test_plastic_contacts_are_told_what_piles_up():
         assert not [w for w in mdr.fit(data, tip, body, [*start(body), "area_factor"]).warnings if "pile up" in w]
     assert said[5e9] == []
     assert "modulus up to 26 % too high" in said[0.5e9][0]
+
+
+def test_readings_beyond_an_elastic_contact_are_answered_or_refused():
+    """Forces above those of an elastic contact leave hardly any contact depth: a modulus, or the reason why there is none."""
+    body, tip = FILMS["oxide on Si"], TIPS["paraboloid"]
+    _, data = yielded(body, tip)
+    for seed in range(40):
+        noisy = data.with_y(data.y * (1.0 + 0.01 * np.random.default_rng(seed).standard_normal(len(data))))
+        try:
+            assert mdr.fit(noisy, tip, body, start(body)).estimates["coating.E"] > 0.0
+        except mdr.MDRError as refusal:
+            assert "no root" not in str(refusal)
+            assert "contact depth at depth" in str(refusal)

@@ -10,7 +10,7 @@ module mdrcontact_fit_contact_radius
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t
     use mdrcontact_numerics_copy, only: copy_array
-    use mdrcontact_numerics_roots, only: solve_increasing
+    use mdrcontact_numerics_roots, only: find_root, solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -218,12 +218,29 @@ contains
         first = log(balance%sink_in%smallest)
         last = log(balance%sink_in%largest)
         call solve_increasing(balance, min(max(guess, first), last), 1.0_wp, first, last, x, found, error)
+        if (allocated(error)) call find_slowly(balance, first, last, x, found, error)
         if (allocated(error)) return
         side = 0
         if (.not. found) side = merge(1, -1, 2.0_wp*x > first + last)
         a = exp(x)
         call balance%sink_in%at(a, sigma, modulus)
     end subroutine find_radius
+
+    !> The same between the ends of the range, for readings so near to those of no contact that the balance hardly grows.
+    subroutine find_slowly(balance, first, last, x, found, error)
+        type(balance_t), intent(inout) :: balance
+        real(wp), intent(in) :: first, last
+        real(wp), intent(out) :: x
+        logical, intent(out) :: found
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: below, above
+
+        below = balance%value(first)
+        above = balance%value(last)
+        found = below < 0.0_wp .and. above > 0.0_wp
+        x = first
+        if (found) call find_root(balance, first, last, x, error)
+    end subroutine find_slowly
 
     function imbalance(self, x) result(y)
         class(balance_t), intent(inout) :: self
