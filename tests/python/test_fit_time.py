@@ -12,6 +12,7 @@ import pytest
 
 import mdrcontact as mdr
 from mdrcontact.__main__ import main
+from mdrcontact.problem.fit_file import load_fit_file
 
 TIP = mdr.Paraboloid(5e-6)
 TIME = np.linspace(0.0, 2.0, 300)
@@ -190,6 +191,26 @@ def test_command_line(tmp_path):
     found = json.loads(out.read_text())["parameters"]
     assert found["modulus"]["value"] == pytest.approx(1e3, rel=1e-5)
     assert found["exponent"]["value"] == pytest.approx(0.2, rel=1e-5)
+
+
+@pytest.mark.parametrize(("unit", "per_unit"), [("hertz", 1.0), ("cps", 1.0), ("Bq", 1.0), ("kHz", 1e3), ("rpm", 1.0 / 60.0)])
+@pytest.mark.parametrize("where", ["title", "row", "key"])
+def test_the_unit_of_a_frequency_decides_not_its_spelling(unit, per_unit, where, tmp_path):
+    """The time of a relaxation goes as 1 over the frequency: a unit taken for another is an error of 2 pi."""
+    head = {"title": f"frequency [{unit}],storage [N/m],loss [N/m]", "row": f"frequency,storage,loss\n{unit},N/m,N/m"}
+    table, problem = tmp_path / "k.csv", tmp_path / "k.toml"
+    table.write_text(head.get(where, "frequency,storage [N/m],loss [N/m]") + "\n0.5,3,1\n2,4,2\n")
+    problem.write_text(
+        '[indenter]\nshape = "flat-punch"\nradius = "1 um"\n[medium]\ntype = "homogeneous"\n'
+        'material = { modulus = "1500 Pa", time = "1 s", exponent = 0.25, nu = 0.5 }\n'
+        '[data]\nkind = "dynamic-stiffness"\ncontact_radius = "1 um"\n'
+        + (f'units = {{ frequency = "{unit}" }}\n' if where == "key" else "")
+        + '[fit]\nfree = ["modulus", "exponent"]\n'
+    )
+    data, notes = load_fit_file(problem).read_data(table)
+    assert np.unique(data.x) == pytest.approx(2.0 * np.pi * per_unit * np.array([0.5, 2.0]), rel=1e-14)
+    if unit != "rpm":
+        assert any(f"in {unit}, times 2 pi" in note for note in notes)
 
 
 @pytest.mark.parametrize("loss", ["linear", "huber"])

@@ -9,7 +9,20 @@ from conftest import ROOT
 
 import mdrcontact as mdr
 from mdrcontact.problem import ProblemError, load, read, units
-from mdrcontact.problem.units import ANGLE, FORCE, LENGTH, MODULUS, UnitError, is_unit, parse, practical
+from mdrcontact.problem.units import (
+    ANGLE,
+    FORCE,
+    FREQUENCY,
+    LENGTH,
+    MODULUS,
+    RATIO,
+    SPEED,
+    UnitError,
+    is_unit,
+    parse,
+    practical,
+    to_si,
+)
 
 GOOD = """
 [indenter]
@@ -100,6 +113,35 @@ def test_quantities(text, dimension, value):
 def test_texts_that_are_no_quantities(text, dimension, words):
     with pytest.raises(UnitError, match=words):
         parse(text, dimension)
+
+
+CYCLES = {"Hz": 1.0, "hertz": 1.0, "kilohertz": 1e3, "mHz": 1e-3, "cps": 1.0, "counts/s": 1.0, "Bq": 1.0, "kBq": 1e3, "Hz*m/m": 1.0}
+TURNS = {"rpm": 1.0 / 60.0, "rps": 1.0, "cycles/s": 1.0, "revolutions/minute": 1.0 / 60.0, "turn/ms": 1e3, "deg/s": 1.0 / 360.0}
+
+
+@pytest.mark.parametrize(("unit", "cycles"), [*CYCLES.items(), *TURNS.items()])
+def test_cycles_per_time_are_times_two_pi(unit, cycles):
+    assert to_si(1.0, unit, FREQUENCY) == pytest.approx(2.0 * math.pi * cycles, rel=1e-14)
+
+
+@pytest.mark.parametrize(("unit", "factor"), [("rad/s", 1.0), ("krad/s", 1e3), ("rad*Hz", 1.0), ("mrad/ms", 1.0)])
+def test_radians_per_time_are_taken_as_they_are(unit, factor):
+    assert to_si(1.0, unit, FREQUENCY) == pytest.approx(factor, rel=1e-14)
+
+
+@pytest.mark.parametrize("unit", ["1/s", "s^-1", "1/min", "%/s", "baud", "sr/s", "N"])
+def test_what_says_neither_cycles_nor_radians_is_no_frequency(unit):
+    with pytest.raises(UnitError, match='write it as in "10 rad/s", or in "Hz"'):
+        to_si(1.0, unit, FREQUENCY)
+
+
+@pytest.mark.parametrize(
+    ("unit", "dimension"),
+    [("nm*turn", LENGTH), ("nm*deg", LENGTH), ("m*rpm", SPEED), ("deg", RATIO), ("count", RATIO), ("%", ANGLE)],
+)
+def test_turns_and_counts_are_no_plain_numbers(unit, dimension):
+    with pytest.raises(UnitError, match="is not a unit of"):
+        to_si(1.0, unit, dimension)
 
 
 @pytest.mark.parametrize("unit", ["m*" * 50000 + "m", "n" * 100000, "(" * 100000, "m" + "**2" * 30000, "m^" + "9" * 100000])

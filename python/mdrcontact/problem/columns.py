@@ -85,9 +85,7 @@ class MeasuredTable(NamedTuple):
         for title in self.titles:
             for name, unit in _splits(title):
                 if unit and name.lower() in aliases:
-                    raise ProblemError(
-                        f"{self.path}: the column {title!r} should be the {role}, but {unit!r} is no unit of {dimension.name}"
-                    )
+                    raise ProblemError(f"{self.path}: the column {title!r} should be the {role}, but {_fault(unit, dimension)}")
         unit = dimension.example.split()[-1]
         raise ProblemError(
             f'{self.path}: no column is the {role}: name one so, with its unit, as in "{role} [{unit}]", or, for a fit, name it in '
@@ -118,7 +116,7 @@ class MeasuredTable(NamedTuple):
     def _remedy(self, title: str, dimension: Dimension) -> str:
         unit = dimension.example.split()[-1]
         if title in self.units:
-            return f"{self.units[title]!r} is no unit of {dimension.name}"
+            return _fault(self.units[title], dimension)
         return f'write it as in "{title} [{unit}]", or, for a fit, in the problem file: [data] units = {{ "{title}" = "{unit}" }}'
 
 
@@ -341,6 +339,15 @@ def _splits(title: str) -> list[tuple[str, str]]:
     parts = title.split("_")
     found = [("_".join(parts[:i]), "_".join(parts[i:]).replace("_per_", "/")) for i in range(1, len(parts))]
     return [*found, (title, "")]
+
+
+def _fault(unit: str, dimension: Dimension) -> str:
+    """Why a unit does not fit, and how to write one that does."""
+    try:
+        to_si(1.0, unit, dimension)
+    except UnitError as problem:
+        return str(problem)
+    return ""
 
 
 def unit_of(title: str, dimension: Dimension) -> str | None:

@@ -30,7 +30,7 @@ from .columns import MeasuredTable, TableOptions, read_table
 from .record import KEYS, Cantilever, Record, prepare
 from .roles import ROLES
 from .section import ProblemError, Section
-from .units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, told
+from .units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, is_cyclic, told
 
 Array = NDArray[np.float64]
 
@@ -249,9 +249,8 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
             found[role] = _Column(title, f"{unit}, as sqrt(area/pi)", np.sqrt(np.maximum(area, 0.0) / math.pi), LENGTH)
         else:
             found[role] = _column(section, table, role)
-        if role == "omega" and "hz" in found[role].unit.lower():
-            cycles = found[role]
-            found[role] = cycles._replace(unit=f"{cycles.unit}, times 2 pi", values=2.0 * math.pi * cycles.values)
+        if role == "omega" and is_cyclic(found[role].unit):
+            found[role] = found[role]._replace(unit=f"{found[role].unit}, times 2 pi")
     options: dict[str, object] = {"missing": "drop"}
     last = roles[-1]
     sd = _sd(section, table, last, found)

@@ -27,6 +27,8 @@ class Dimension(NamedTuple):
     example: str
     practical: tuple[tuple[str, float], ...]
     others: tuple[str, ...] = ()
+    hint: str = ""
+    """what else a message says of a unit that does not fit"""
 
 
 LENGTH = Dimension("a length", "m", "500 nm", (("pm", 1e-12), ("nm", 1e-9), ("um", 1e-6), ("mm", 1e-3), ("m", 1.0)), ("angstrom",))
@@ -42,7 +44,10 @@ ENERGY = Dimension(
 )
 AREA = Dimension("an area", "m^2", "1 um^2", (("nm^2", 1e-18), ("um^2", 1e-12), ("mm^2", 1e-6), ("m^2", 1.0)))
 TIME = Dimension("a time", "s", "10 s", (("us", 1e-6), ("ms", 1e-3), ("s", 1.0)), ("min", "h"))
-FREQUENCY = Dimension("an angular frequency", "rad/s", "10 rad/s", (("rad/s", 1.0),), ("1/s",))
+FREQUENCY = Dimension(
+    "an angular frequency", "rad/s", "10 rad/s", (("rad/s", 1.0),), ("Hz", "kHz"), ', or in "Hz" where cycles per time are counted'
+)
+"""Units of cycles per time are taken times 2 pi; 1/s says neither cycles nor radians and is refused."""
 SPEED = Dimension("a speed", "m/s", "0.05 nm/s", (("pm/s", 1e-12), ("nm/s", 1e-9), ("um/s", 1e-6), ("m/s", 1.0)))
 VOLTAGE = Dimension("a voltage", "V", "1 V", (("mV", 1e-3), ("V", 1.0)))
 SENSITIVITY = Dimension("a deflection sensitivity", "m/V", "50 nm/V", (("nm/V", 1e-9), ("um/V", 1e-6), ("m/V", 1.0)))
@@ -53,6 +58,8 @@ RATIO = Dimension("a number", "", "1", (("", 1.0),))
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\W\d_].*?)?\s*")
 
 
+_PLAIN = ("-", "1")
+"""Units of plain numbers, as tables write them."""
 _LONGEST_UNIT, _LONGEST_TEXT = 60, 200
 """Characters. What is longer is no unit; pint would look for prefixes in it for minutes."""
 
@@ -67,32 +74,54 @@ def _registry() -> Any:
 
 def to_si(value: float | str, unit: str, dimension: Dimension) -> float:
     """`value` in `unit` as a number in the SI unit of `dimension`."""
-    from pint import DimensionalityError
+    finite = math.isfinite(float(value))
+    factor = _factor(unit, dimension)
+    return float(Decimal(str(value)) * factor) if finite else float(value)
 
+
+@functools.lru_cache(maxsize=1000)
+def _factor(unit: str, dimension: Dimension) -> Decimal:
+    """How many SI units of `dimension` one `unit` is.
+
+    pint takes radians, turns and counts for plain numbers. Here they are units of their own: an angle is no ratio.
+    """
     if len(unit) > _LONGEST_UNIT:
         raise UnitError(f"there is no unit {unit[:20] + '...'!r} of {len(unit)} characters")
-    of_another_kind = UnitError(f'{unit!r} is not a unit of {dimension.name}: write it as in "{dimension.example}"')
-    finite = math.isfinite(float(value))
     try:
-        parsed = _registry().Unit(unit)
-        if dimension is ANGLE and parsed not in (_registry().degree, _registry().radian):
-            raise of_another_kind
-        if not finite:
-            _registry().Quantity(Decimal(1), parsed).to(dimension.si)  # the unit must be right all the same
-            return float(value)
-        return float(_registry().Quantity(Decimal(str(value)), parsed).to(dimension.si).magnitude)
-    except UnitError:
-        raise
-    except DimensionalityError:
-        raise of_another_kind from None
+        parsed = _registry().Unit("" if unit in _PLAIN else unit)
+        one = _registry().Quantity(Decimal(1), _as_turns(parsed) if dimension == FREQUENCY else parsed).to_root_units()
+        si = _registry().Quantity(Decimal(1), dimension.si).to_root_units()
+        if one.units == si.units:
+            return Decimal(one.magnitude / si.magnitude)
     except Exception:  # noqa: BLE001 - what is no unit makes pint raise almost anything, down to tokenizer errors
         known = [name for name, _ in dimension.practical] + list(dimension.others)
         raise UnitError(f"there is no unit {unit!r}: {nearest(unit, known)}") from None
+    raise UnitError(f'{unit!r} is not a unit of {dimension.name}: write it as in "{dimension.example}"{dimension.hint}')
+
+
+def _as_turns(unit: Any) -> Any:
+    """A unit of cycles per time - hertz, counts per second, becquerel, with any prefix - as one of turns per time; others as they
+    are."""
+    registry = _registry()
+    root = registry.Quantity(Decimal(1), unit).to_root_units().units
+    if root == registry.Unit("count/s"):
+        return unit * registry.Unit("turn/count")
+    if root != registry.Unit("1/s"):
+        return unit
+    # hertz is 1/s by definition: its name alone tells cycles
+    named = [(registry.parse_unit_name(name)[0][1], power) for name, power in registry.Quantity(1, unit).to_tuple()[1]]
+    return unit * registry.turn if ("hertz", 1) in named else unit
+
+
+def is_cyclic(unit: str) -> bool:
+    """Whether a unit that fits an angular frequency counts cycles per time: its numbers are taken times 2 pi."""
+    parsed = _registry().Unit(unit)
+    return bool(_as_turns(parsed) != parsed)
 
 
 def is_unit(text: str) -> bool:
     """Whether a text is a unit of anything, "%" and "-" for plain numbers included."""
-    if text in ("%", "-", "1"):
+    if text == "%" or text in _PLAIN:
         return True
     if len(text) > _LONGEST_UNIT:
         return False
