@@ -117,7 +117,7 @@ BAD = {
     "decimal commas between commas": (b"depth [nm],load [mN]\n1,5,2,5\n2,5,3,5\n", TableOptions(), "decimal signs"),
     "some decimal commas between commas": (b"depth [nm],load [mN]\n1,2,5\n2,3,5\n", TableOptions(), "decimal signs"),
     "a cell without end": (b"a" * 200_000 + b"\n1\n2\n", TableOptions(), "no table"),
-    "another unit": (b"depth [mN],load [mN]\n1,2\n2,3\n", TableOptions(), "'mN' is not a unit of a length"),
+    "another unit": (b"depth [mN],load [mN]\n1,2\n2,3\n", TableOptions(), "'mN' is no unit of a length"),
     "no numbers": (b"a,b\nc,d\n", TableOptions(), "no table"),
     "empty": (b"", TableOptions(), "no table"),
     "binary": (bytes(range(1, 8)) + b"\0\0abc" * 30, TableOptions(), "not a text file"),

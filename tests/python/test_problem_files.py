@@ -131,7 +131,7 @@ def test_radians_per_time_are_taken_as_they_are(unit, factor):
 
 @pytest.mark.parametrize("unit", ["1/s", "s^-1", "1/min", "%/s", "baud", "sr/s", "N"])
 def test_what_says_neither_cycles_nor_radians_is_no_frequency(unit):
-    with pytest.raises(UnitError, match='write it as in "10 rad/s", or in "Hz"'):
+    with pytest.raises(UnitError, match='write it as in "10 rad/s", or "Hz"'):
         to_si(1.0, unit, FREQUENCY)
 
 

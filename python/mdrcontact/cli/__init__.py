@@ -82,6 +82,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # our output goes to a full disk, or its reader has gone (| head), which is not our fault: what is left of it goes nowhere
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1 if isinstance(problem, BrokenPipeError) else _fail(f"the output cannot be written: {problem.strerror}", 1)
+    except MemoryError:
+        return _fail("there is not enough memory for this: give fewer points or fewer rows of data", 1)
     except KeyboardInterrupt:
         return _fail("interrupted; nothing was written", 130)
     return 0

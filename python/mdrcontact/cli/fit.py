@@ -29,7 +29,7 @@ Fits indenter, film, substrate and instrument to a measured curve, or to every c
 The data are tables as instruments write them: text (UTF-8, UTF-16, Latin-1; tabs, semicolons, commas or spaces; decimal point or
 comma) or .xlsx. A line names the columns and their units, as in "depth [nm]", "load (mN)", "h_nm", "S_N_per_m", or a row of units
 follows it; lines before it are passed over. What a table does not say, [data] does: columns = ["depth [nm]", "load [mN]"] without a
-header, units = { Depth = "nm" }, skip = 3 lines, sheet = "Test 1". What was understood is printed.
+header, units = { Depth = "nm" }, skip = 3 lines, sheet = "Test 1", decimal = ",". What was understood is printed.
 
 The problem file is that of `mdrcontact curve` with two more tables in place of [compute], and if needed [instrument]:
 

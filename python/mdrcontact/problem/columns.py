@@ -4,10 +4,6 @@ encoding, separator and decimal sign, and sheets of spreadsheets."""
 
 from __future__ import annotations
 
-import codecs
-import csv
-import io
-import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -18,21 +14,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._choices import nearest
+from .block import Block, find_block
+from .cells import SHEETS, Cells, Sheet, Text
+from .numerals import is_gap, is_number
 from .section import ProblemError
 from .units import Dimension, UnitError, is_unit, to_si
+from .values import read_values
 
 _BRACKETS = re.compile(r"\s*(.*?)[\s_]*[\[(]\s*(.*?)\s*[\])]\s*")
 _COMMA = re.compile(r"\s*(.+?)\s*[,/]\s*(\S+)\s*")
-_GAPS = ("", "-", "--", "---", "n/a", "#n/a", "null", "none", "1.#qnan", "1.#ind", "-1.#ind")
-"""What stands in tables where a number is missing, besides nan and inf."""
 _LARGEST_FILE = 200_000_000
 _MANY_REPEATED, _MANY_OUTSIDE = 0.02, 0.05
 """Of the rows: more that stand twice, or outside of the table, are no accident."""
-_SEPARATORS = {"\t": "tabs", ";": "semicolons", ",": "commas", " ": "spaces"}
-_SHEETS = (".xlsx", ".xlsm")
-_OF_SHEETS = ";"
-"""Numbers that are words in a spreadsheet may have a decimal comma, as between semicolons."""
-_LIKE_ASCII = str.maketrans({"\N{MICRO SIGN}": "u", "\N{GREEK SMALL LETTER MU}": "u", "\N{SUPERSCRIPT TWO}": "^2", "\xa0": " "})
 
 
 @dataclass(frozen=True)
@@ -47,6 +40,8 @@ class TableOptions:
     """lines before the table"""
     sheet: str = ""
     """of a spreadsheet; default: the only one that holds a table"""
+    decimal: str = ""
+    """the decimal mark, "." or ","; default: found from the numbers"""
 
 
 class MeasuredTable(NamedTuple):
@@ -122,7 +117,16 @@ class MeasuredTable(NamedTuple):
 
 def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable:
     """Reads a table; lines that begin with # are comments."""
-    options = options or TableOptions()
+    try:
+        return _read(path, options or TableOptions())
+    except MemoryError:
+        size = path.stat().st_size / 1e6
+        raise ProblemError(
+            f"{path}: there is not enough memory to read its {size:.0f} MB: leave out rows or columns, or make files of parts"
+        ) from None
+
+
+def _read(path: Path, options: TableOptions) -> MeasuredTable:
     try:
         with path.open("rb") as file:
             content = file.read(_LARGEST_FILE + 1)  # of a device there is no end
@@ -130,111 +134,50 @@ def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable
         raise ProblemError(f"{path}: it cannot be read: {getattr(problem, 'strerror', None) or problem}") from problem
     if len(content) > _LARGEST_FILE:
         raise ProblemError(f"{path}: it has more than {_LARGEST_FILE // 1_000_000} MB: that is no measured curve")
-    if path.suffix.lower() in _SHEETS:
-        return _table_of(path, *_sheet(path, content, options), options)
+    if path.suffix.lower() in SHEETS:
+        return _table_of(Sheet(path, content, options.skip, options.sheet), options)
     if path.suffix.lower() == ".xls":
         raise ProblemError(f"{path}: old spreadsheets (.xls) are not read: save it as .xlsx or as .csv")
-    text, encoding = decode(path, content)
-    lines = text.translate(_LIKE_ASCII).splitlines()[options.skip :]
-    lines = [line for line in lines if line.strip() and not line.lstrip().startswith("#")]
-    best: tuple[int, str, list[list[str]]] | None = None
-    for separator in _SEPARATORS:
-        if separator == " ":
-            # a unit in brackets belongs to the word before it
-            rows = [re.sub(r"\s+(?=[\[(])", "", line).split() for line in lines]
-        else:
-            try:
-                rows = list(csv.reader(lines, delimiter=separator))
-            except csv.Error:  # a cell without end
-                continue
-        first, last = _block(rows, separator)
-        cells = [cell for row in rows[first:last] for cell in row if cell.strip()]
-        numbers = sum(math.isfinite(_number(cell, separator)) for cell in cells)
-        # a wrong separator leaves cells that are no numbers
-        size = max(2 * numbers - len(cells), 0)
-        if best is None or size > best[0]:
-            best = size, separator, rows
-    if best is None or not best[0]:
-        raise ProblemError(f"{path}: there is no table of numbers in it: it must have a header line and two columns or more")
-    _, separator, rows = best
-    return _table_of(path, rows, separator, [f"text in {encoding}", f"separated by {_SEPARATORS[separator]}"], options)
+    return _table_of(Text(path, content, options.skip), options)
 
 
-def decode(path: Path, content: bytes) -> tuple[str, str]:
-    """The text of a file in UTF-8, UTF-16 or Latin-1, and which it was."""
-    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        encodings: tuple[str, ...] = ("utf-16",)
-    elif content[1:200:2].count(0) > len(content[1:200:2]) // 2:
-        encodings = ("utf-16-le",)
-    else:
-        encodings = ("utf-8-sig", "cp1252")
-    if b"\0" in content[:4096] and not encodings[0].startswith("utf-16"):
-        raise ProblemError(f"{path}: it is not a text file")
-    for encoding in encodings:
-        try:
-            return content.decode(encoding), encoding.replace("-sig", "").upper().replace("CP1252", "Latin-1 (Windows-1252)")
-        except UnicodeDecodeError:
-            continue
-    raise ProblemError(f"{path}: it is not a text file in UTF-8, UTF-16 or Latin-1")
+def _table_of(cells: Cells, options: TableOptions) -> MeasuredTable:
+    block = find_block(cells.stretches())
+    _check_rows(cells, block)
+    above = [[cell.strip() for cell in row] for _, _, row in cells.between(block.parts, 0, block.first)]
+    titles, units = _named(cells, above, block.width, options)
+    values = read_values(cells, block, titles, options.decimal)
+    where = f" after {len(above)} lines of header" if len(above) > 1 else ""
+    notes = [f"{len(values)} rows, {len(titles)} columns{where}, {', '.join(cells.notes)}"]
+    return MeasuredTable(cells.path, titles, values, notes, units, _doubts(values, block.outside()))
 
 
-def _sheet(path: Path, content: bytes, options: TableOptions) -> tuple[list[list[str]], str, list[str]]:
-    """The cells of the chosen sheet of a spreadsheet, or of the first that holds a table."""
-    try:
-        import openpyxl
-    except ImportError as problem:
-        raise ProblemError(f'{path}: spreadsheets need openpyxl: pip install "mdrcontact[instruments]"') from problem
-    try:
-        book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
-        sheets = {sheet.title: sheet for sheet in book.worksheets}
-        if options.sheet and options.sheet not in sheets:
-            raise ProblemError(f"{path}: there is no sheet {options.sheet!r}: {nearest(options.sheet, sheets)}")
-        for name in [options.sheet] if options.sheet else sheets:
-            cells = [["" if cell is None else str(cell) for cell in row] for row in sheets[name].iter_rows(values_only=True)]
-            rows = [[cell.translate(_LIKE_ASCII) for cell in row] for row in cells[options.skip :] if any(row)]
-            first, last = _block(rows, _OF_SHEETS)
-            if last - first > 1:
-                return rows, _OF_SHEETS, [f"sheet {name!r} of {len(sheets)}"]
-    except ProblemError:
-        raise
-    except Exception as problem:  # noqa: BLE001 - a damaged archive raises almost anything
-        raise ProblemError(f"{path}: it cannot be read as a spreadsheet: {type(problem).__name__}: {problem}") from problem
-    raise ProblemError(f"{path}: no sheet holds a table of numbers; the sheets are {', '.join(map(repr, sheets))}")
+def _check_rows(cells: Cells, block: Block) -> None:
+    """Refuses rows of another number of cells, where nothing tells which of them are missing."""
+    odd = block.odd_row() if cells.by_blanks else None
+    if odd is not None:
+        raise ProblemError(
+            f"{cells.path}: {cells.place(block.line(odd))} has another number of words than the other rows: where blanks separate "
+            "the columns, nothing tells which cell is missing: write nan for it, or separate the columns by tabs or semicolons"
+        )
+    beside = block.neighbour()
+    if beside is not None:
+        raise ProblemError(
+            f"{cells.path}: {cells.place(block.line(beside))} holds numbers, but not one for each of the {block.width} columns: "
+            "complete it, or begin it with # as a comment"
+        )
 
 
-def _block(rows: Sequence[Sequence[str]], separator: str) -> tuple[int, int]:
-    """First and last + 1 of the longest run of rows that hold numbers, one number for each column of the widest."""
-    numeric = [sum(math.isfinite(_number(cell, separator)) for cell in row) for row in rows]
-    best = first = 0
-    found = (0, 0)
-    while first < len(rows):
-        if numeric[first] == 0:
-            first += 1
-            continue
-        last = first
-        # cells without a number are gaps; a row of words alone ends the table
-        while last < len(rows) and (
-            numeric[last] > 0 and abs(len(rows[last]) - len(rows[first])) <= 1 or all(map(_is_gap, rows[last]))
-        ):
-            last += 1
-        weight = sum(n for n in numeric[first:last] if n > 1)
-        if weight > best:
-            best, found = weight, (first, last)
-        first = max(last, first + 1)
-    return found
-
-
-def _table_of(path: Path, rows: Sequence[Sequence[str]], separator: str, notes: list[str], options: TableOptions) -> MeasuredTable:
-    first, last = _block(rows, separator)
-    width = max(max((i for i, cell in enumerate(row, start=1) if cell.strip()), default=0) for row in rows[first:last])
-    above = [[cell.strip() for cell in row] for row in rows[:first]]
+def _named(cells: Cells, above: Sequence[Sequence[str]], width: int, options: TableOptions) -> tuple[list[str], dict[str, str]]:
+    """Titles of the columns, and units that stand beside them."""
+    path = cells.path
     units: dict[str, str] = {}
     if options.columns:
         titles = list(options.columns)
         if len(titles) != width:
             raise ProblemError(f"{path}: [data] columns names {len(titles)} columns, and the table has {width}")
     else:
-        titles, row_of_units = _header(path, above, width)
+        titles, row_of_units = _header(path, above, width, width if cells.by_blanks else width + 1)
         for title, unit in zip(titles, row_of_units, strict=False):
             own = _BRACKETS.fullmatch(title)
             if not unit or own and own[2] == unit:
@@ -253,16 +196,7 @@ def _table_of(path: Path, rows: Sequence[Sequence[str]], separator: str, notes: 
         if title not in titles:
             raise ProblemError(f"{path}: [data] units: there is no column {title!r}: {nearest(title, titles)}")
         units[title] = unit
-    values = np.full((last - first, len(titles)), np.nan)
-    for i, row in enumerate(rows[first:last]):
-        for j, cell in enumerate(row[: len(titles)]):
-            values[i, j] = _number(cell, separator)
-    where = f" after {len(above)} lines of header" if len(above) > 1 else ""
-    notes = [f"{len(values)} rows, {len(titles)} columns{where}, {', '.join(notes)}"]
-    outside = sum(
-        sum(math.isfinite(_number(cell, separator)) for cell in row) >= max(2, width - 1) for row in [*rows[:first], *rows[last:]]
-    )
-    return MeasuredTable(path, titles, values, notes, units, _doubts(values, outside))
+    return titles, units
 
 
 def _doubts(values: NDArray[np.float64], outside: int) -> list[str]:
@@ -274,7 +208,8 @@ def _doubts(values: NDArray[np.float64], outside: int) -> list[str]:
             "the lines, or make a file of each part"
         )
     complete = values[np.isfinite(values).all(axis=1)]
-    repeated = len(complete) - len(np.unique(complete, axis=0))
+    in_order = complete[np.lexsort(complete.T)]
+    repeated = int((in_order[1:] == in_order[:-1]).all(axis=1).sum())
     if repeated > max(2, _MANY_REPEATED * len(values)):
         words.append(
             f"{repeated} of {len(values)} rows repeat others exactly: an instrument that stood still, coarse digits, or a table "
@@ -283,10 +218,10 @@ def _doubts(values: NDArray[np.float64], outside: int) -> list[str]:
     return words
 
 
-def _header(path: Path, above: Sequence[Sequence[str]], width: int) -> tuple[list[str], list[str]]:
+def _header(path: Path, above: Sequence[Sequence[str]], width: int, most: int) -> tuple[list[str], list[str]]:
     """Titles and units from the lines above the numbers: a line of titles, and perhaps one of units below it."""
-    words = [list(row) for row in above if not all(_is_gap(cell) or math.isfinite(_number(cell, ";")) for cell in row)]
-    rows = [row for row in words if width <= len(row) <= width + 1 and sum(map(bool, row)) >= max(1, width - 1)]
+    words = [list(row) for row in above if not all(is_gap(cell) or is_number(cell) for cell in row)]
+    rows = [row for row in words if width <= len(row) <= most and sum(map(bool, row)) >= max(1, width - 1)]
     if not rows:
         count = len(words[-1]) if words else 0
         shorter = f", but {count} words" if count > 1 else ""
@@ -303,31 +238,6 @@ def _header(path: Path, above: Sequence[Sequence[str]], width: int) -> tuple[lis
     return padded[-1], []
 
 
-def _is_gap(cell: str) -> bool:
-    """Whether a cell stands for a number that is missing."""
-    cell = cell.strip().lower()
-    if cell in _GAPS:
-        return True
-    try:
-        return not math.isfinite(float(cell))
-    except ValueError:
-        return False
-
-
-def _number(cell: str, separator: str) -> float:
-    cell = cell.strip()
-    point, comma = cell.rfind("."), cell.rfind(",")
-    if point >= 0 and comma >= 0:
-        # the first of two signs groups the thousands
-        cell = cell.replace("," if comma < point else ".", "")
-    if separator != ",":
-        cell = cell.replace(",", ".")
-    try:
-        return float(cell)
-    except ValueError:
-        return math.nan
-
-
 def _splits(title: str) -> list[tuple[str, str]]:
     """Name and unit, in every way that the title can be read."""
     match = _BRACKETS.fullmatch(title)
@@ -342,12 +252,8 @@ def _splits(title: str) -> list[tuple[str, str]]:
 
 
 def _fault(unit: str, dimension: Dimension) -> str:
-    """Why a unit does not fit, and how to write one that does."""
-    try:
-        to_si(1.0, unit, dimension)
-    except UnitError as problem:
-        return str(problem)
-    return ""
+    """That a unit does not fit, and which one does."""
+    return f'{unit!r} is no unit of {dimension.name}: one is "{dimension.example.split()[-1]}"{dimension.hint}'
 
 
 def unit_of(title: str, dimension: Dimension) -> str | None:

@@ -27,6 +27,7 @@ from ..fitting.data import Data
 from ..measurement import without_oscillation
 from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
 from .columns import MeasuredTable, TableOptions, read_table
+from .numerals import MARKS
 from .record import KEYS, Cantilever, Record, prepare
 from .roles import ROLES
 from .section import ProblemError, Section
@@ -80,6 +81,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     "units": None,
     "skip": None,
     "sheet": None,
+    "decimal": None,
     "sd": None,
     "relative_sd": None,
     "min_depth": LENGTH,
@@ -187,7 +189,9 @@ def _table_options(section: Section) -> TableOptions:
     skip = section.plain("skip") if "skip" in section else 0
     if isinstance(skip, bool) or not isinstance(skip, int) or skip < 0:
         raise ProblemError(f"[data]: skip = {skip!r} is not allowed: it must be a number of lines, at least 0")
-    return TableOptions(tuple(columns), units, skip, str(section.plain("sheet")) if "sheet" in section else "")
+    sheet = str(section.plain("sheet")) if "sheet" in section else ""
+    decimal = section.choice("decimal", MARKS) if "decimal" in section else ""
+    return TableOptions(tuple(columns), units, skip, sheet, decimal)
 
 
 def _column(section: Section, table: MeasuredTable, role: str) -> _Column:

@@ -45,7 +45,7 @@ ENERGY = Dimension(
 AREA = Dimension("an area", "m^2", "1 um^2", (("nm^2", 1e-18), ("um^2", 1e-12), ("mm^2", 1e-6), ("m^2", 1.0)))
 TIME = Dimension("a time", "s", "10 s", (("us", 1e-6), ("ms", 1e-3), ("s", 1.0)), ("min", "h"))
 FREQUENCY = Dimension(
-    "an angular frequency", "rad/s", "10 rad/s", (("rad/s", 1.0),), ("Hz", "kHz"), ', or in "Hz" where cycles per time are counted'
+    "an angular frequency", "rad/s", "10 rad/s", (("rad/s", 1.0),), ("Hz", "kHz"), ', or "Hz" where cycles per time are counted'
 )
 """Units of cycles per time are taken times 2 pi; 1/s says neither cycles nor radians and is refused."""
 SPEED = Dimension("a speed", "m/s", "0.05 nm/s", (("pm/s", 1e-12), ("nm/s", 1e-9), ("um/s", 1e-6), ("m/s", 1.0)))

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where in a file the numbers of a table stand."""
+
+from __future__ import annotations
+
+import math
+from array import array
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .numerals import is_gap, is_number
+
+_WORDS, _NUMBERS, _GAPS = range(3)
+
+
+class Stretch(NamedTuple):
+    """Rows that follow each other: their cells, or their numbers where all are finite."""
+
+    lines: Sequence[int]
+    """where each stands in the file"""
+    end: int
+    """the line after the last"""
+    rows: list[list[str]]
+    numbers: NDArray[np.float64] | None = None
+    mark: str = ""
+    """the decimal mark by which the numbers are read; "" if they have none"""
+
+
+class Part(NamedTuple):
+    """A stretch without its cells, and its rows first ... last - 1 in the file."""
+
+    first: int
+    last: int
+    stretch: Stretch
+
+
+@dataclass
+class Block:
+    """The longest run of rows that hold numbers, one number for each column of the widest, in a file of many rows."""
+
+    counts: NDArray[np.intc]
+    """numbers in each row of the file"""
+    lengths: NDArray[np.intc]
+    """cells in each"""
+    used: NDArray[np.intc]
+    """cells in each, without empty ones at its end"""
+    pure: NDArray[np.int8]
+    """whether each holds nothing but numbers and gaps"""
+    parts: list[Part]
+    first: int = 0
+    last: int = 0
+    """the rows of the block are first ... last - 1"""
+    width: int = 0
+    """cells of the widest"""
+
+    def size(self) -> int:
+        """Its numbers less its other cells."""
+        return int(2 * self.counts[self.first : self.last].sum() - self.used[self.first : self.last].sum())
+
+    def line(self, row: int) -> int:
+        """Where a row stands in the file."""
+        part = next(part for part in self.parts if row < part.last)
+        return part.stretch.lines[row - part.first]
+
+    def odd_row(self) -> int | None:
+        """The first row that has another number of cells than most."""
+        lengths = self.lengths[self.first : self.last]
+        odd = np.flatnonzero(lengths != np.bincount(lengths).argmax())
+        return self.first + int(odd[0]) if odd.size else None
+
+    def neighbour(self) -> int | None:
+        """A row of numbers alone, directly above or below, that is left out for its number of cells."""
+        for row in (self.first - 1, self.last):
+            if 0 <= row < len(self.counts) and self.counts[row] > 0 and self.pure[row]:
+                return row
+        return None
+
+    def outside(self) -> int:
+        """How many rows of other places could be rows of the table."""
+        long = self.counts >= max(2, self.width - 1)
+        return int(long[: self.first].sum() + long[self.last :].sum())
+
+
+def find_block(stretches: Iterable[Stretch]) -> Block:
+    """The table among the rows of a file."""
+    counts, lengths, used, pure, parts = array("i"), array("i"), array("i"), array("b"), list[Part]()
+    for stretch in stretches:
+        begin = len(counts)
+        if stretch.numbers is not None:
+            rows, width = stretch.numbers.shape
+            for kept in (counts, lengths, used):
+                kept.extend(array("i", [width]) * rows)
+            pure.extend(array("b", [1]) * rows)
+        for row in stretch.rows:
+            numbers, gaps, width = _counted(row)
+            counts.append(numbers)
+            lengths.append(len(row))
+            used.append(width)
+            pure.append(numbers + gaps == len(row))
+        parts.append(Part(begin, len(counts), stretch._replace(rows=[])))
+    block = Block(_shared(counts), _shared(lengths), _shared(used), np.frombuffer(pure, dtype=np.int8), parts)
+    block.first, block.last = _heaviest_run(block)
+    block.width = int(block.used[block.first : block.last].max(initial=0))
+    return block
+
+
+def _shared(numbers: array[int]) -> NDArray[np.intc]:
+    return np.frombuffer(numbers, dtype=np.intc)
+
+
+def _heaviest_run(file: Block) -> tuple[int, int]:
+    """First and last + 1 of the rows of numbers that hold most, counted in rows of two or more."""
+    if not len(file.counts):
+        return 0, 0
+    # cells without a number are gaps; a row of words alone ends the table
+    kinds = np.where(file.counts > 0, _NUMBERS, np.where(file.pure, _GAPS, _WORDS))
+    weights = np.concatenate([[0], np.cumsum(np.where(file.counts > 1, file.counts, 0))])
+    ends = [*np.flatnonzero((np.diff(kinds) != 0) | (np.diff(file.lengths) != 0)) + 1, len(kinds)]
+    best, found, first, begin = 0, (0, 0), -1, 0
+    for end in map(int, ends):
+        kind, length = kinds[begin], file.lengths[begin]
+        if kind == _WORDS or first < 0 or kind == _NUMBERS and abs(length - file.lengths[first]) > 1:
+            first = begin if kind == _NUMBERS else -1
+        if first >= 0 and weights[end] - weights[first] > best:
+            best, found = weights[end] - weights[first], (first, end)
+        elif first >= 0 and found[0] == first:
+            found = (first, end)
+        begin = end
+    return found
+
+
+def _counted(row: Sequence[str]) -> tuple[int, int, int]:
+    """How many cells are numbers, how many stand for missing ones, and how many are used, without empty ones at the end."""
+    numbers = gaps = used = 0
+    for i, cell in enumerate(row, start=1):
+        if not cell:
+            gaps += 1
+            continue
+        try:
+            finite = math.isfinite(float(cell))
+        except ValueError:
+            finite = is_number(cell)
+        if finite:
+            numbers += 1
+            used = i
+        elif is_gap(cell):
+            gaps += 1
+            used = i if cell.strip() else used
+        else:
+            used = i
+    return numbers, gaps, used

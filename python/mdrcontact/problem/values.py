@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From the cells of a table to numbers: one decimal mark for all of it, found from all of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .block import Block
+from .cells import Cells
+from .numerals import MARKS, is_mangled, mark_of, number, with_points
+from .section import ProblemError
+
+
+class _Cell(NamedTuple):
+    line: int
+    column: int
+    text: str
+
+
+def read_values(cells: Cells, block: Block, titles: Sequence[str], decimal: str) -> NDArray[np.float64]:
+    """The numbers of a table, NaN where there is none; `decimal` is its decimal mark, "" if that is to be found."""
+    shown = None if decimal else _evidence(cells, block, titles)
+    mark = decimal or (mark_of(shown.text) if shown else ".")
+    table = np.full((block.last - block.first, block.width), math.nan)
+    doubtful: dict[int, _Cell] = {}
+    for part in block.parts:
+        first, last = max(part.first, block.first), min(part.last, block.last)
+        known = part.stretch.numbers
+        if first < last and known is not None and part.stretch.mark in ("", mark):
+            place = table[first - block.first : last - block.first]
+            place[:, : known.shape[1]] = known[first - part.first : last - part.first]
+            continue
+        for i, line, row in cells.between([part], first, last):
+            english = with_points(row) if mark == "," else row
+            values = list(map(number, english[: block.width]))
+            table[i - block.first, : len(values)] = values
+            for j, value in enumerate(values):
+                if not math.isnan(value) or not row[j]:
+                    continue
+                if mark_of(row[j]):
+                    raise _two_marks(cells, titles, _Cell(line, j, row[j]), shown, mark)
+                if is_mangled(row[j]):
+                    doubtful.setdefault(j, _Cell(line, j, row[j]))
+    for j, cell in doubtful.items():
+        # of a column of dates no cell is a number
+        if np.isfinite(table[:, j]).any():
+            raise ProblemError(
+                f"{_where(cells, titles, cell)}: {cell.text!r} is no number with a decimal {MARKS[mark]}: correct it"
+            )
+    return table
+
+
+def _evidence(cells: Cells, block: Block, titles: Sequence[str]) -> _Cell | None:
+    """A cell that shows the decimal mark; None where no number has a mark, or points that can only be decimal ones."""
+    doubtful = None
+    parts = [part for part in block.parts if part.stretch.numbers is None or part.stretch.mark]
+    for _, line, row in cells.between(parts, block.first, block.last):
+        for j, cell in enumerate(row):
+            mark = mark_of(cell) if "." in cell or "," in cell else ""
+            if mark == "?":
+                doubtful = doubtful or _Cell(line, j, cell)
+            elif mark:
+                return _Cell(line, j, cell)
+    if doubtful is None or cells.shows_point(doubtful.line):
+        return None
+    text = doubtful.text.strip()
+    whole, rest = text.replace(",", ".").split(".")
+    raise ProblemError(
+        f"{_where(cells, titles, doubtful)}: {text!r} may be {whole}{rest} or {whole}.{rest}0, and no other number of the table "
+        f"tells which: write {whole}{rest}, or all with another number of decimals; or, for a fit, name the decimal mark in the "
+        'problem file: [data] decimal = "." or ","'
+    )
+
+
+def _two_marks(cells: Cells, titles: Sequence[str], cell: _Cell, shown: _Cell | None, mark: str) -> ProblemError:
+    known = f"{shown.text.strip()!r} in {cells.place(shown.line)}" if shown else f'[data] decimal = "{mark}"'
+    return ProblemError(
+        f"{_where(cells, titles, cell)}: {cell.text.strip()!r} does not go with {known}, by which the decimal mark is a "
+        f"{MARKS[mark]}: write all numbers of the table with one mark"
+    )
+
+
+def _where(cells: Cells, titles: Sequence[str], cell: _Cell) -> str:
+    column = f", column {titles[cell.column]!r}" if cell.column < len(titles) else ""
+    return f"{cells.path}: {cells.place(cell.line)}{column}"
