@@ -402,3 +402,12 @@ def test_progress_appears_when_it_takes_long(monkeypatch):
             solve.solve(problem.contact(), problem.control, bar)
             bar.refresh() if shown else None
         assert ("states" in terminal.getvalue()) == shown
+
+
+def test_too_little_memory_is_one_line(problem, capsys, monkeypatch):
+    def none_left(_):
+        raise MemoryError
+
+    monkeypatch.setattr("mdrcontact.cli.curve.run", none_left)
+    assert main(["curve", str(problem)]) == 1
+    assert capsys.readouterr().err == "mdrcontact: there is not enough memory for this: give fewer points or fewer rows of data\n"

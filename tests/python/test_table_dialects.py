@@ -42,7 +42,12 @@ def dialects(draw):
         missing = draw(st.integers(0, len(cells) - 1)) if lost and i and len(cells) > 2 and draw(st.booleans()) else -1
         rows.append([gap if j == missing else text for j, (text, _) in enumerate(cells)])
         values.append([np.nan if j == missing else exact for j, (_, exact) in enumerate(cells)])
-    quoted = draw(st.booleans()) or any(separator in cell or separator == "  " and " " in cell for row in rows for cell in row)
+    # between commas nothing but quotes tells a decimal comma
+    quoted = (
+        draw(st.booleans())
+        or separator == mark == ","
+        or any(separator in cell or separator == "  " and " " in cell for row in rows for cell in row)
+    )
     titles = [f"column_{j}" for j in range(len(decimals))]
     units = draw(st.booleans())
     table = [titles if units else [f"{title} [nm]" for title in titles], *([["nm"] * len(titles)] if units else []), *rows]
@@ -105,6 +110,7 @@ def test_one_decimal_mark_a_table(text, values, tmp_path):
     [
         ("h [nm]\tF [mN]\n1,000\t1,100\n1,050\t1,200\n", r"line 2, column 'h \[nm\]': '1,000' may be 1000 or 1.0000.*decimal ="),
         ("h [nm]\tF [mN]\n1.000\t1.100\n1.050\t1.200\n", "'1.000' may be 1000 or 1.0000"),
+        ("h [nm],F [mN]\n900,0\n1.000,1\n", "'1.000' may be 1000 or 1.0000"),
         ("h [nm];F [mN]\n1.5;2,5\n2.5;3,5\n", r"line 2, column 'F \[mN\]': '2,5' does not go with '1.5' in line 2"),
         ("# x\nh [nm];F [mN]\n1,5;2\n1.000.000,5;3\n2.5;4\n", "line 5.*'2.5' does not go with '1,5' in line 3"),
         ("h [nm];F [mN]\n1.5;2\n1,00,000;3\n2.5;4\n", "line 3.*'1,00,000' is no number with a decimal point"),

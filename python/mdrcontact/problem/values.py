@@ -57,16 +57,21 @@ def read_values(cells: Cells, block: Block, titles: Sequence[str], decimal: str)
 
 def _evidence(cells: Cells, block: Block, titles: Sequence[str]) -> _Cell | None:
     """A cell that shows the decimal mark; None where no number has a mark, or points that can only be decimal ones."""
-    doubtful = None
-    parts = [part for part in block.parts if part.stretch.numbers is None or part.stretch.mark]
-    for _, line, row in cells.between(parts, block.first, block.last):
+    doubtful, columns, unmarked = None, set[int](), set[int]()
+    for _, line, row in cells.between(block.parts, block.first, block.last):
         for j, cell in enumerate(row):
-            mark = mark_of(cell) if "." in cell or "," in cell else ""
+            if "." not in cell and "," not in cell:
+                if j not in unmarked and math.isfinite(number(cell)):
+                    unmarked.add(j)
+                continue
+            mark = mark_of(cell)
             if mark == "?":
                 doubtful = doubtful or _Cell(line, j, cell)
+                columns.add(j)
             elif mark:
                 return _Cell(line, j, cell)
-    if doubtful is None or cells.shows_point(doubtful.line):
+    # three decimals in every cell of a column are fixed digits, thousands stand beside smaller numbers
+    if doubtful is None or cells.shows_point(doubtful.line) and not columns & unmarked:
         return None
     text = doubtful.text.strip()
     whole, rest = text.replace(",", ".").split(".")
