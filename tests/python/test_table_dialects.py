@@ -131,6 +131,11 @@ def test_the_decimal_mark_may_be_named(mark, value, tmp_path):
     assert read(tmp_path, text, TableOptions(decimal=mark)).values[0, 0] == value
 
 
+def test_rows_without_numbers_keep_their_place(tmp_path):
+    found = read(tmp_path, "h [nm],F [mN],\n" + 5000 * "1.5,2,\n" + ",\n" + 5000 * "2.5,3,\n").values
+    assert len(found) == 10001 and np.isnan(found[5000]).all() and found[5001].tolist() == [2.5, 3.0]
+
+
 def test_dates_beside_numbers_are_no_numbers(tmp_path):
     found = read(tmp_path, "day;h [nm];F [mN]\n12.05.2024;1,5;2\n13.05.2024;2,5;3\n").values
     assert np.isnan(found[:, 0]).all() and found[:, 1].tolist() == [1.5, 2.5]

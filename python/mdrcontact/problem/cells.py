@@ -31,8 +31,8 @@ _LIKE_ASCII = str.maketrans(
         **{"\xa0": " ", "\N{THIN SPACE}": " ", "\N{NARROW NO-BREAK SPACE}": " ", "\N{RIGHT SINGLE QUOTATION MARK}": "'"},
     }
 )
-_SAMPLE = 1000
-"""Lines of the start, the middle and the end that show how columns are separated."""
+_SAMPLES, _SAMPLE = 8, 100
+"""Samples, and lines in each, that show how columns are separated."""
 _LONGEST_CELL = 3
 """Lines. What is longer has a quote that does not end."""
 _STRETCH, _MANY_LINES = 4096, 100_000
@@ -225,7 +225,8 @@ def _numbers_of(lines: list[str], separator: str) -> tuple[NDArray[np.float64], 
         text = text.replace(f"{separator}\n", "\n")[:-1]
         lines = text.split("\n")
     points, commas = "." in text, separator != "," and "," in text
-    if '"' in text or points and commas:
+    # NumPy passes over empty lines
+    if '"' in text or points and commas or "" in lines:
         return None
     if commas:
         lines = text.replace(",", ".").split("\n")
@@ -238,11 +239,20 @@ def _numbers_of(lines: list[str], separator: str) -> tuple[NDArray[np.float64], 
 
 def _separator_of(lines: Sequence[str]) -> str:
     """What separates the columns; "" where there is no table."""
-    if len(lines) > 3 * _SAMPLE:
-        middle = len(lines) // 2
-        lines = [*lines[:_SAMPLE], *lines[middle : middle + _SAMPLE], *lines[-_SAMPLE:]]
+    if len(lines) > _SAMPLES * _SAMPLE:
+        begins = np.linspace(0, len(lines) - _SAMPLE, _SAMPLES, dtype=int)
+        sample = _best_separator([line for begin in begins for line in lines[begin : begin + _SAMPLE]])
+        if sample:
+            return sample
+    return _best_separator(lines)
+
+
+def _best_separator(lines: Sequence[str]) -> str:
+    """What makes most numbers of these lines, and fewest other cells."""
     best, found = 0, ""
     for separator in _SEPARATORS:
+        if not any(separator in line for line in lines):
+            continue
         try:
             block = find_block([Stretch((), 0, list(_reader(lines, separator)))])
         except csv.Error:  # a cell without end

@@ -27,7 +27,7 @@ def read_values(cells: Cells, block: Block, titles: Sequence[str], decimal: str)
     shown = None if decimal else _evidence(cells, block, titles)
     mark = decimal or (mark_of(shown.text) if shown else ".")
     table = np.full((block.last - block.first, block.width), math.nan)
-    doubtful: dict[int, _Cell] = {}
+    mangled: dict[int, _Cell] = {}
     for part in block.parts:
         first, last = max(part.first, block.first), min(part.last, block.last)
         known = part.stretch.numbers
@@ -36,22 +36,17 @@ def read_values(cells: Cells, block: Block, titles: Sequence[str], decimal: str)
             place[:, : known.shape[1]] = known[first - part.first : last - part.first]
             continue
         for i, line, row in cells.between([part], first, last):
-            english = with_points(row) if mark == "," else row
-            values = list(map(number, english[: block.width]))
+            values = list(map(number, (with_points(row) if mark == "," else row)[: block.width]))
             table[i - block.first, : len(values)] = values
-            for j, value in enumerate(values):
-                if not math.isnan(value) or not row[j]:
-                    continue
-                if mark_of(row[j]):
-                    raise _two_marks(cells, titles, _Cell(line, j, row[j]), shown, mark)
-                if is_mangled(row[j]):
-                    doubtful.setdefault(j, _Cell(line, j, row[j]))
-    for j, cell in doubtful.items():
-        # of a column of dates no cell is a number
-        if np.isfinite(table[:, j]).any():
-            raise ProblemError(
-                f"{_where(cells, titles, cell)}: {cell.text!r} is no number with a decimal {MARKS[mark]}: correct it"
-            )
+            for j, cell in enumerate(row[: block.width]):
+                if cell and math.isnan(values[j]):
+                    if mark_of(cell):
+                        raise _two_marks(cells, titles, _Cell(line, j, cell), shown, mark)
+                    if is_mangled(cell):
+                        mangled.setdefault(j, _Cell(line, j, cell))
+    # of a column of dates no cell is a number
+    for lost in (lost for j, lost in mangled.items() if np.isfinite(table[:, j]).any()):
+        raise ProblemError(f"{_where(cells, titles, lost)}: {lost.text!r} is no number with a decimal {MARKS[mark]}: correct it")
     return table
 
 
