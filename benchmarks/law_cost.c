@@ -12,7 +12,7 @@
 #include "../src/mdrcontact/law/kernel.c"
 #include "measure.h"
 
-enum { POINTS = 4096, ROUNDS = 20, REPEATS = 200, LAWS = 1000, MANY = 1000000, BIG = 400000, TRIES = 300, DIRECT = 1000 };
+enum { POINTS = 4096, ROUNDS = 20, REPEATS = 200, LAWS = 1000, MANY = 1000000, BIG = 400000, TRIES = 300, DIRECT = 1000, MEMORY = 11 + 3 * 8 };
 
 static double seconds(void)
 {
@@ -62,8 +62,8 @@ typedef struct task {
     double x[POINTS], d[POINTS], d_of_law[POINTS], F[POINTS], slope[POINTS], a[POINTS], k[POINTS];
     int which[POINTS];
     const mdr_friction_law *friction;
-    mdr_friction_memory memory[POINTS];
-    double shift[3 * POINTS];
+    double memory[POINTS * MEMORY], shift[3 * POINTS], T[3 * POINTS], tangent[12 * POINTS];
+    double usual_T[2 * POINTS], usual_F[POINTS], usual_k[POINTS];
 } task;
 
 static double atan_and_log(task *t)
@@ -193,12 +193,41 @@ static double plain_all(task *t)
     return t->F[7];
 }
 
+static double step_with(task *t, double *tangent)
+{
+    mdr_friction_law_advance(t->friction, POINTS, t->F, t->shift, tangent, t->memory, t->T);
+    for (int i = 0; i < 3 * POINTS; ++i) t->shift[i] = -t->shift[i];
+    return t->T[21];
+}
+
 /* One step of POINTS contacts with friction, to and fro in partial slip, one slides now and then; F is that of the law. */
 static double friction_step(task *t)
 {
-    mdr_friction_law_advance(t->friction, POINTS, t->F, t->shift, t->memory);
+    return step_with(t, NULL);
+}
+
+/* The same with its derivatives. */
+static double friction_step_with_tangent(task *t)
+{
+    return step_with(t, t->tangent);
+}
+
+/* The usual rule in place of it: k_t times the shift, rescaled where F falls, cut off at mu F; k_t from the law of the depth. */
+static double usual_rule(task *t)
+{
+    const double mu = 0.3;
+    mdr_law_from_force(t->law, MDR_ON_UNLOADING, POINTS, t->F, NULL, NULL, NULL, t->usual_k);
+    for (int i = 0; i < POINTS; ++i) {
+        const double kept = t->F[i] < t->usual_F[i] ? t->F[i] / t->usual_F[i] : 1.0;
+        const double x = kept * t->usual_T[2 * i] + t->usual_k[i] * t->shift[3 * i];
+        const double y = kept * t->usual_T[2 * i + 1] + t->usual_k[i] * t->shift[3 * i + 1];
+        const double size = sqrt(x * x + y * y), part = size > mu * t->F[i] ? mu * t->F[i] / size : 1.0;
+        t->usual_T[2 * i] = part * x;
+        t->usual_T[2 * i + 1] = part * y;
+        t->usual_F[i] = t->F[i];
+    }
     for (int i = 0; i < 3 * POINTS; ++i) t->shift[i] = -t->shift[i];
-    return t->memory[7].force[0];
+    return t->usual_T[14];
 }
 
 static const struct {
@@ -222,6 +251,8 @@ static const struct {
     {"batch_plain_with_slope", plain_slope},
     {"batch_plain_all", plain_all},
     {"friction_step", friction_step},
+    {"friction_step_with_tangent", friction_step_with_tangent},
+    {"friction_usual_rule", usual_rule},
 };
 enum { MEASURED = sizeof measured / sizeof *measured };
 
@@ -296,7 +327,7 @@ int main(void)
     mdr_friction_law *sheared = NULL;
     check(mdr_friction_new(contact, 0.3, &friction));
     start = busy();
-    check(mdr_friction_law_new(friction, deepest, NULL, &sheared));
+    check(mdr_friction_law_new(friction, deepest, 0, NULL, &sheared));
     printf("friction_build_seconds %.3g\n", busy() - start);
     todo.law = law;
     todo.friction = sheared;

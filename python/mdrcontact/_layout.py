@@ -147,18 +147,6 @@ law_facts = np.dtype(
     ],
     align=True,
 )
-friction_memory = np.dtype(
-    [
-        ("force", np.float64, (3,)),
-        ("axis", np.float64, (3,)),
-        ("normal_force", np.float64),
-        ("level", np.float64),
-        ("slope", np.float64, (3,)),
-        ("stick_level", np.float64, (3,)),
-        ("stick_force", np.float64, (3,)),
-    ],
-    align=True,
-)
 friction_law_facts = np.dtype(
     [
         ("coefficient", np.float64),
@@ -167,6 +155,8 @@ friction_law_facts = np.dtype(
         ("tolerance", np.float64),
         ("first_shear_error", np.float64),
         ("path_error", np.float64),
+        ("memory_size", np.intc),
+        ("sliders", np.intc),
         ("description_length", np.intc),
         ("continue_beyond", np.intc),
     ],

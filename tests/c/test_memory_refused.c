@@ -275,14 +275,14 @@ static int law_of_friction(void)
 {
     mdr_friction_law *made = NULL, *again = NULL;
     static char text[3000000];
-    int length = 0, status = mdr_friction_law_new(rubbed, 0.3, NULL, &made);
+    int length = 0, status = mdr_friction_law_new(rubbed, 0.3, 0, NULL, &made);
     if (status == MDR_SUCCESS) status = mdr_friction_law_write(made, text, (int)sizeof text, &length);
     return status == MDR_SUCCESS ? mdr_friction_law_read(text, length, &again) : status;
 }
 static int law_of_friction_on_coating(void)
 {
     mdr_friction_law *made = NULL;
-    return mdr_friction_law_new(rubbed_coating, 0.1, NULL, &made);
+    return mdr_friction_law_new(rubbed_coating, 0.1, 0, NULL, &made);
 }
 
 static int map_of(const mdr_structure *s, int n) { return mdr_structure_modulus(s, n, x, x, one, out); }

@@ -63,6 +63,7 @@ module mdrcontact_history_friction
     contains
         procedure :: at_shift
         procedure :: at_tangential_force
+        procedure :: load_beyond
         procedure :: loop
         procedure :: line_load
         procedure :: traction
@@ -199,6 +200,24 @@ contains
         state%shift = sign(state%shift, force)
         state%tangential_force = force
     end subroutine at_tangential_force
+
+    !> What the annulus beyond a radius bears as it slips, less what it would by sticking with the disc inside: T - k_t(c) s at the
+    !> stick radius c, for a coefficient of friction of 1.
+    subroutine load_beyond(self, radius, load, error)
+        class(first_shear_t), intent(in) :: self
+        !> c, 0 < c < a [length]
+        real(wp), intent(in) :: radius
+        !> [modulus length^2]
+        real(wp), intent(out) :: load
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: c, shift, force, stiffness, rate
+
+        load = 0.0_wp
+        c = max(radius, self%slip%smallest_stick, tiny(1.0_wp))
+        if (.not. c < self%radius) return
+        call self%slip%at(c, self%radius - c, shift, force, stiffness, rate, error)
+        if (.not. allocated(error)) load = max(force - stiffness*shift, 0.0_wp)
+    end subroutine load_beyond
 
     !> A cycle between +amplitude and -amplitude, by Masing's rule: from each turn the force changes as twice the first loading of
     !> half the way, because the limits of both senses lie symmetrically.

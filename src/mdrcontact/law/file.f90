@@ -8,7 +8,8 @@ module mdrcontact_law_file
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_crc32, only: crc32_text
-    use mdrcontact_law_friction, only: friction_law_t
+    use mdrcontact_law_friction, only: find_levels, friction_law_t
+    use mdrcontact_law_levels, only: fewest_sliders, most_sliders, share_index, share_nodes
     use mdrcontact_law_sound, only: is_sound
     use mdrcontact_law_table, only: add_energies, find_direct
     use mdrcontact_law_words, only: put_table, read_table, reader_t, word_count
@@ -19,7 +20,11 @@ module mdrcontact_law_file
     character(len=*), parameter :: new_line_character = achar(10)
     character(len=*), parameter :: kinds(2) = ["contact ", "friction"]
     integer, parameter :: of_contact = 1, of_friction = 2
-    character(len=*), parameter :: version = "2"
+    !> Numbers of a law with friction beside its tables and shares.
+    integer, parameter :: own_numbers = 5
+    !> A coefficient of a share that is larger is none.
+    real(wp), parameter :: largest_share = 1.0e3_wp
+    character(len=*), parameter :: versions(2) = ["2", "3"]
     character(len=*), parameter :: of_description = " characters of description, then ", of_numbers = " numbers"
     character(len=*), parameter :: checksum_name = "crc32 "
     integer, parameter :: word_length = 17, checksum_line = len(checksum_name) + 8 + 1
@@ -107,32 +112,88 @@ contains
         character(len=:), allocatable, intent(out) :: text
         type(error_t), allocatable, intent(inout) :: error
 
-        call put(law%law, [law%coefficient, law%first_shear_error, law%path_error], of_friction, text, error)
+        real(wp), allocatable :: more(:)
+        integer :: stat, shares
+
+        shares = 0
+        if (allocated(law%levels%share)) shares = size(law%levels%share)
+        allocate (more(own_numbers + shares), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        more(:own_numbers) = [real(law%sliders, wp), law%coefficient, law%first_shear_error, law%path_error, real(shares, wp)]
+        if (shares > 0) more(own_numbers + 1:) = reshape(law%levels%share, [shares])
+        call put(law%law, more, of_friction, text, error)
     end subroutine friction_law_to_text
 
     subroutine contact_law_from_text(law, text, error)
         type(contact_law_t), intent(out) :: law
         character(len=*), intent(in) :: text
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: more(0)
+        type(reader_t) :: reader
 
-        call get(law, more, of_contact, text, error)
+        call get(law, reader, of_contact, text, error)
+        if (.not. allocated(error)) call close_law(law, reader, error)
     end subroutine contact_law_from_text
 
     subroutine friction_law_from_text(law, text, error)
         type(friction_law_t), intent(out) :: law
         character(len=*), intent(in) :: text
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: more(3)
+        type(reader_t) :: reader
+        real(wp), allocatable :: shares(:)
 
         allocate (law%law)
-        call get(law%law, more, of_friction, text, error)
+        call get(law%law, reader, of_friction, text, error)
         if (allocated(error)) return
-        law%coefficient = more(1)
-        law%first_shear_error = more(2)
-        law%path_error = more(3)
-        if (.not. law%coefficient > 0.0_wp .or. law%law%by_depth%adhesive) call raise_unsound(error)
+        law%sliders = read_whole_number(reader, fewest_sliders, most_sliders)
+        law%coefficient = reader%number()
+        law%first_shear_error = reader%number()
+        law%path_error = reader%number()
+        call read_shares(reader, shares, error)
+        if (allocated(error)) return
+        reader%sound = reader%sound .and. law%coefficient > 0.0_wp .and. .not. law%law%by_depth%adhesive
+        call close_law(law%law, reader, error)
+        if (allocated(error)) return
+        call find_levels(law)
+        if (size(shares) == 0) return
+        associate (count => share_index(law%levels%count, law%levels%count))
+            if (size(shares) == share_nodes*count) then
+                law%levels%share = reshape(shares, [share_nodes, count])
+            else
+                call raise_unsound(error)
+            end if
+        end associate
     end subroutine friction_law_from_text
+
+    !> A number between two limits that is whole.
+    function read_whole_number(reader, smallest, largest) result(whole)
+        type(reader_t), intent(inout) :: reader
+        integer, intent(in) :: smallest, largest
+        integer :: whole
+        real(wp) :: value
+
+        value = reader%number()
+        reader%sound = reader%sound .and. value >= smallest .and. value <= largest
+        whole = smallest
+        if (reader%sound) whole = int(value)
+        reader%sound = reader%sound .and. abs(value - whole) < 0.5_wp
+    end function read_whole_number
+
+    !> The shares of springs that interact, none of other laws.
+    subroutine read_shares(reader, shares, error)
+        type(reader_t), intent(inout) :: reader
+        real(wp), allocatable, intent(out) :: shares(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, stat
+
+        allocate (shares(read_whole_number(reader, 0, size(reader%words))), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        do i = 1, size(shares)
+            shares(i) = reader%number()
+            reader%sound = reader%sound .and. abs(shares(i)) <= largest_share
+        end do
+    end subroutine read_shares
 
     !> Tables, and the numbers that a kind of law has beside them.
     pure subroutine put(law, more, kind, text, error)
@@ -146,17 +207,17 @@ contains
         integer :: i, start, stat, count
 
         count = 3 + word_count(law%by_depth) + word_count(law%by_force) + size(more)
-        if (law%radius > 0.0_wp) count = count + 1
+        if (kind == of_friction .or. law%radius > 0.0_wp) count = count + 1
         allocate (words(count), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         words(:3) = [transfer([law%tolerance, law%error], [0_int64]), int(law%solutions, int64)]
         call put_table(law%by_depth, words(4:))
         call put_table(law%by_force, words(4 + word_count(law%by_depth):))
-        if (law%radius > 0.0_wp) words(count - size(more)) = transfer(law%radius, 0_int64)
+        if (kind == of_friction .or. law%radius > 0.0_wp) words(count - size(more)) = transfer(law%radius, 0_int64)
         words(count - size(more) + 1:) = transfer(more, [0_int64], size(more))
         call make_title(kind, title)
-        first_line = title//version//new_line_character//count_text(len(law%description))// &
+        first_line = title//versions(kind)//new_line_character//count_text(len(law%description))// &
                      of_description//count_text(size(words))//of_numbers//new_line_character
         start = len(first_line) + len(law%description) + 1
         allocate (character(len=start + word_length*size(words) + 1 + checksum_line) :: text, stat=stat)
@@ -173,17 +234,15 @@ contains
         text(start + 2:) = checksum_name//crc32_text(text(:start + 1))//new_line_character
     end subroutine put
 
-    !> The inverse of put.
-    subroutine get(law, more, kind, text, error)
+    !> The inverse of put, up to the numbers that a kind of law has beside its tables.
+    subroutine get(law, reader, kind, text, error)
         type(contact_law_t), intent(out) :: law
-        real(wp), intent(out) :: more(:)
+        type(reader_t), intent(out) :: reader
         integer, intent(in) :: kind
         character(len=*), intent(in) :: text
         type(error_t), allocatable, intent(out) :: error
-        type(reader_t) :: reader
-        integer :: i, start
+        integer :: start
 
-        more = 0.0_wp
         call check_frame(text, kind, error)
         if (allocated(error)) return
         call read_words(text, law%description, reader%words, start, error)
@@ -194,14 +253,18 @@ contains
         call read_table(reader, law%by_depth, error)
         if (reader%sound .and. .not. allocated(error)) call read_table(reader, law%by_force, error)
         if (allocated(error)) return
-        ! the radius is there for a paraboloid only
-        if (reader%sound .and. reader%next == size(reader%words) - size(more)) then
-            law%radius = reader%number()
-            reader%sound = reader%sound .and. law%radius > 0.0_wp
-        end if
-        do i = 1, size(more)
-            more(i) = reader%number()
-        end do
+        ! a contact's law has the radius for a paraboloid only
+        if (.not. reader%sound .or. kind == of_contact .and. reader%next > size(reader%words)) return
+        law%radius = reader%number()
+        reader%sound = reader%sound .and. (law%radius > 0.0_wp .or. kind == of_friction)
+    end subroutine get
+
+    !> A law of which all has been read.
+    subroutine close_law(law, reader, error)
+        type(contact_law_t), intent(inout) :: law
+        type(reader_t), intent(inout) :: reader
+        type(error_t), allocatable, intent(inout) :: error
+
         if (reader%sound) reader%sound = reader%next == size(reader%words) + 1
         if (reader%sound) reader%sound = is_sound(law)
         if (reader%sound) then
@@ -211,7 +274,7 @@ contains
         else
             call raise_unsound(error)
         end if
-    end subroutine get
+    end subroutine close_law
 
     pure subroutine raise_unsound(error)
         type(error_t), allocatable, intent(inout) :: error
@@ -248,9 +311,9 @@ contains
         end if
         line_end = index(text, new_line_character)
         if (line_end == 0) line_end = len(text) + 1
-        if (text(len(title) + 1:line_end - 1) /= version) then
+        if (text(len(title) + 1:line_end - 1) /= versions(kind)) then
             call raise(error, error_file, "its format has version "//text(len(title) + 1:min(line_end - 1, len(title) + 20))// &
-                       ", and this library reads version "//version)
+                       ", and this library reads version "//versions(kind))
         else if (body < line_end) then
             call raise(error, error_file, "it is cut off")
         else if (text(body + 1:body + len(checksum_name)) /= checksum_name) then

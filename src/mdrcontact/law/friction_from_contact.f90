@@ -1,14 +1,18 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> From a contact with friction to its compiled law, and its verification: in first shear, and along cycles of depth and shift.
+!> From a contact with friction to its compiled law: its sliders, the shares of springs that interact, and its verification in first
+!> shear and along cycles of depth and shift.
 module mdrcontact_law_friction_from_contact
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_history_friction, only: first_shear_t, friction_t, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, new_friction_history
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_law_friction, only: friction_law_t, friction_memory_t
+    use mdrcontact_law, only: law_point_t
+    use mdrcontact_law_friction, only: check_sliders, friction_law_t, find_levels
     use mdrcontact_law_from_contact, only: law_options_t, new_contact_law
+    use mdrcontact_law_levels, only: levels_t, load_beyond, share_index, share_nodes
     implicit none (type, external)
     private
     public :: new_friction_law
@@ -22,7 +26,7 @@ module mdrcontact_law_friction_from_contact
 contains
 
     !> Compiles a contact with friction up to `largest_depth`.
-    subroutine new_friction_law(self, friction, largest_depth, error, options)
+    subroutine new_friction_law(self, friction, largest_depth, error, options, sliders)
         type(friction_law_t), intent(out) :: self
         type(friction_t), intent(in) :: friction
         !> > 0 [length]
@@ -30,14 +34,121 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> as of a contact's law
         type(law_options_t), intent(in), optional :: options
+        !> 4 to 64; default 8
+        integer, intent(in), optional :: sliders
 
+        if (present(sliders)) self%sliders = sliders
+        call check_sliders(error, self%sliders)
+        if (allocated(error)) return
         allocate (self%law)
         call new_contact_law(self%law, friction%contact, largest_depth, error, options, friction%tangential)
         self%coefficient = friction%coefficient
-        if (.not. allocated(error)) call verify_first_shear(self, friction, largest_depth, error)
         if (allocated(error)) return
-        if (friction%contact%equilibrium%medium%has_independent_springs()) call verify_paths(self, friction, largest_depth, error)
+        call find_levels(self)
+        associate (medium => friction%contact%equilibrium%medium)
+            if (.not. medium%has_independent_springs()) call find_shares(self, friction, error)
+            if (.not. allocated(error)) call verify_first_shear(self, friction, largest_depth, error)
+            if (allocated(error)) return
+            if (medium%has_independent_springs()) call verify_paths(self, friction, largest_depth, error)
+        end associate
     end subroutine new_friction_law
+
+    !> The shares of springs that interact: first shear of the contact at each level and half-way to the next.
+    subroutine find_shares(self, friction, error)
+        type(friction_law_t), intent(inout) :: self
+        type(friction_t), intent(in) :: friction
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), dimension(self%levels%count) :: radii, at_level, half_way, at_next
+        integer :: m, stat
+
+        associate (levels => self%levels)
+            allocate (levels%share(share_nodes, share_index(levels%count, levels%count)), stat=stat)
+            call check_memory(error, stat)
+            if (.not. allocated(error)) call find_radii(levels, friction, radii, error)
+            at_level = 1.0_wp
+            do m = 1, levels%count - 1
+                if (.not. allocated(error)) call find_share(self, friction, radii, m, half_way, error, 0.5_wp)
+                if (.not. allocated(error)) call find_share(self, friction, radii, m + 1, at_next, error)
+                if (allocated(error)) return
+                ! nothing slips at the edge: what is beyond the level itself is known from above alone
+                at_level(m) = 2.0_wp*half_way(m) - at_next(m)
+                associate (first => share_index(1, m), last => share_index(m, m))
+                    levels%share(1, first:last) = at_level(:m)
+                    levels%share(2, first:last) = 4.0_wp*half_way(:m) - 3.0_wp*at_level(:m) - at_next(:m)
+                    levels%share(3, first:last) = 2.0_wp*(at_level(:m) + at_next(:m)) - 4.0_wp*half_way(:m)
+                end associate
+                at_level = at_next
+            end do
+            at_level(levels%count) = 1.0_wp
+            levels%share(:, share_index(1, levels%count):) = 0.0_wp
+            levels%share(1, share_index(1, levels%count):) = at_level
+            if (superposed(levels)) deallocate (levels%share)
+        end associate
+    end subroutine find_shares
+
+    !> Whether all shares are 1 but for what no slider notices.
+    pure function superposed(levels) result(within)
+        type(levels_t), intent(in) :: levels
+        logical :: within
+        real(wp), parameter :: unnoticed = 1.0e-3_wp
+
+        within = all(abs(levels%share(1, :) - 1.0_wp) < unnoticed) .and. all(abs(levels%share(2:, :)) < unnoticed)
+    end function superposed
+
+    !> Contact radii at the levels.
+    subroutine find_radii(levels, friction, radii, error)
+        type(levels_t), intent(in) :: levels
+        type(friction_t), intent(in) :: friction
+        real(wp), intent(out) :: radii(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: state
+        integer :: l
+
+        do l = 1, levels%count
+            call friction%contact%at_force(levels%force(l), state, error)
+            if (allocated(error)) return
+            radii(l) = state%radius
+        end do
+    end subroutine find_radii
+
+    !> The shares of the springs beyond each level below, of a contact at a level, or at a part of the way to the next.
+    subroutine find_share(self, friction, radii, level, share, error, part)
+        type(friction_law_t), intent(in) :: self
+        type(friction_t), intent(in) :: friction
+        real(wp), intent(in) :: radii(:)
+        integer, intent(in) :: level
+        !> 1 of those that are not below
+        real(wp), intent(out) :: share(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), intent(in), optional :: part
+        type(contact_state_t) :: state
+        type(first_shear_t) :: shear
+        type(law_point_t) :: point
+        real(wp) :: shift, force, load, superposed_load, unused
+        integer :: l
+
+        share = 1.0_wp
+        call check_cancelled(error)
+        associate (levels => self%levels)
+            shift = levels%shift(level)
+            force = levels%force(level)
+            if (present(part)) then
+                shift = (1.0_wp - part)*shift + part*levels%shift(level + 1)
+                if (.not. allocated(error)) call self%law%at_depth(shift, point, error)
+                force = point%force
+            end if
+            if (.not. allocated(error)) call friction%contact%at_force(force, state, error)
+            if (.not. allocated(error)) call friction%first_shear(state, shear, error)
+            if (allocated(error)) return
+            do l = 1, level
+                call load_beyond(levels, l, force, shift, 0.0_wp, superposed_load, unused)
+                if (.not. superposed_load > 0.0_wp) cycle
+                call shear%load_beyond(radii(l), load, error)
+                if (allocated(error)) return
+                share(l) = load/superposed_load
+            end do
+        end associate
+    end subroutine find_share
 
     !> T after one step at constant F, against what the contact itself says.
     subroutine verify_first_shear(self, friction, largest_depth, error)
@@ -48,7 +159,7 @@ contains
         type(contact_state_t) :: state
         type(first_shear_t) :: shear
         type(tangential_state_t) :: exact
-        type(friction_memory_t) :: memory
+        real(wp) :: memory(self%memory_size()), force, traction(3)
         integer :: i, j
 
         do i = 1, size(depths)
@@ -58,14 +169,12 @@ contains
             do j = 1, size(parts)
                 call shear%at_shift(parts(j)*shear%sliding_shift, exact, error)
                 if (allocated(error)) return
-                memory = friction_memory_t()
-                call self%advance(state%force*(1.0_wp - 4.0_wp*epsilon(1.0_wp)), [0.0_wp, 0.0_wp, 0.0_wp], memory, error)
-                if (.not. allocated(error)) then
-                    call self%advance(memory%normal_force, [exact%shift, 0.0_wp, 0.0_wp], memory, error)
-                end if
+                memory = 0.0_wp
+                force = state%force*(1.0_wp - 4.0_wp*epsilon(1.0_wp))
+                call self%advance(force, [0.0_wp, 0.0_wp, 0.0_wp], memory, traction, error)
+                if (.not. allocated(error)) call self%advance(force, [exact%shift, 0.0_wp, 0.0_wp], memory, traction, error)
                 if (allocated(error)) return
-                self%first_shear_error = max(self%first_shear_error, &
-                                             abs(memory%force(1) - exact%tangential_force)/shear%sliding_force)
+                self%first_shear_error = max(self%first_shear_error, abs(traction(1) - exact%tangential_force)/shear%sliding_force)
             end do
         end do
     end subroutine verify_first_shear
@@ -77,7 +186,7 @@ contains
         real(wp), intent(in) :: largest_depth
         type(error_t), allocatable, intent(out) :: error
         type(friction_history_t) :: history
-        type(friction_memory_t) :: memory
+        real(wp) :: memory(self%memory_size()), traction(3)
         real(wp) :: time, depth, shift, before, size_of_shift
         integer :: i, j, step
 
@@ -87,7 +196,7 @@ contains
             do j = 1, size(cycles)
                 call new_friction_history(history, friction, error)
                 if (allocated(error)) return
-                memory = friction_memory_t()
+                memory = 0.0_wp
                 before = 0.0_wp
                 do step = 1, steps - 1
                     time = real(step, wp)/steps
@@ -95,11 +204,12 @@ contains
                     shift = amplitudes(i)*size_of_shift*sin(2.0_wp*pi*cycles(j)*time)
                     call history%advance(given_depth, depth, given_shift, shift, error)
                     if (.not. allocated(error)) then
-                        call self%advance(history%past%normal%force, [shift - before, 0.0_wp, 0.0_wp], memory, error)
+                        call self%advance(history%past%normal%force, [shift - before, 0.0_wp, 0.0_wp], memory, &
+                                          traction, error)
                     end if
                     if (allocated(error)) return
                     before = shift
-                    self%path_error = max(self%path_error, abs(memory%force(1) - history%past%tangential%tangential_force) &
+                    self%path_error = max(self%path_error, abs(traction(1) - history%past%tangential%tangential_force) &
                                           /(self%coefficient*self%law%by_force%highest))
                 end do
             end do

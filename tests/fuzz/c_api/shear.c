@@ -27,6 +27,9 @@ static void moduli(world *w)
     judge("mdr_medium_torsional_stiffness", mdr_medium_torsional_stiffness(w->media[slot], n, a, out), n, out, POSITIVE);
 }
 
+/* Sliders of a law, and numbers of a record, at most. */
+enum { MOST_SLIDERS = 16, MOST_MEMORY = 11 + 3 * MOST_SLIDERS };
+
 /* What it is; and what was written is read again. */
 static void write_and_read(const mdr_friction_law *law)
 {
@@ -65,7 +68,7 @@ static void compile(world *w)
     if (!afford(w, w->contact_is_exact[slot] ? PRICE_OF_EXACT_LAW : PRICE_OF_LAW)) return;
     status = mdr_friction_new(contact, coefficient, &friction);
     judge_object("mdr_friction_new", status, friction);
-    status = mdr_friction_law_new(friction, largest, &options, &made);
+    status = mdr_friction_law_new(friction, largest, take_byte(&w->in) % 2 ? MOST_SLIDERS : 0, &options, &made);
     judge_object("mdr_friction_law_new", status, made);
     mdr_friction_free(&friction);
     if (!made) return;
@@ -118,28 +121,34 @@ static void twist(world *w)
 /* The steps of a few contacts, whose planes turn in between. */
 static void advance(world *w)
 {
-    enum { STEPS = 4, OF_MEMORY = sizeof(mdr_friction_memory) / sizeof(double) };
-    double force[MOST_POINTS], shift[3 * MOST_POINTS], normal[3 * MOST_POINTS], numbers[OF_MEMORY];
-    mdr_friction_memory memory[MOST_POINTS];
+    enum { STEPS = 4 };
+    double force[MOST_POINTS], shift[3 * MOST_POINTS], normal[3 * MOST_POINTS], tangent[12 * MOST_POINTS];
+    double T[3 * MOST_POINTS], stored[MOST_POINTS], dissipated[MOST_POINTS], memory[MOST_POINTS * MOST_MEMORY];
     const int n = take_count(&w->in);
     const mdr_friction_law *law = some_friction_law(w);
     int status;
 
     memset(memory, 0, sizeof memory);
-    if (take_chance(&w->in)) memory[0].normal_force = take_number(&w->in), memory[0].level = take_number(&w->in);
+    if (take_chance(&w->in)) memory[take_byte(&w->in) % MOST_MEMORY] = take_number(&w->in);
     for (int step = 0; step < STEPS; step++) {
         take_numbers(&w->in, force);
         for (int i = 0; i < 3; i++) take_numbers(&w->in, &shift[i * MOST_POINTS]);
         for (int i = 0; i < 3 * MOST_POINTS; i++) normal[i] = i % 3 == 2;
         if (take_chance(&w->in)) normal[0] = 0.6, normal[2] = take_chance(&w->in) ? take_number(&w->in) : 0.8;
-        status = mdr_friction_memory_turn(n, normal, memory);
-        judge_status("mdr_friction_memory_turn", status);
-        status = mdr_friction_law_advance(law, n, force, shift, memory);
-        judge_status("mdr_friction_law_advance", status);
-        for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
-            memcpy(numbers, &memory[i], sizeof numbers);
-            for (int k = 0; k < OF_MEMORY; k++) if (!isfinite(numbers[k])) finding("mdr_friction_law_advance", "no number", k);
+        status = mdr_friction_law_turn(law, n, normal, take_chance(&w->in) ? force : NULL, memory);
+        judge_status("mdr_friction_law_turn", status);
+        status = mdr_friction_law_try(law, n, force, shift, tangent, memory, T);
+        judge_status("mdr_friction_law_try", status);
+        for (int i = 0; i < 12 * n && status == MDR_SUCCESS; i++) {
+            if (!isfinite(tangent[i])) finding("mdr_friction_law_try", "no number", i);
         }
+        status = mdr_friction_law_advance(law, n, force, shift, NULL, memory, T);
+        judge_status("mdr_friction_law_advance", status);
+        for (int i = 0; i < 3 * n && status == MDR_SUCCESS; i++) {
+            if (!isfinite(T[i])) finding("mdr_friction_law_advance", "no number", i);
+        }
+        status = mdr_friction_law_energies(law, n, memory, stored, dissipated);
+        judge_status("mdr_friction_law_energies", status);
     }
 }
 

@@ -79,15 +79,18 @@ static void evaluate(const mdr_law *law)
 static void rub(const mdr_friction_law *law)
 {
     mdr_friction_law_facts facts;
-    mdr_friction_memory memory = {{0.0}, {0.0}, 0.0, 0.0, {0.0}, {0.0}, {0.0}};
+    double T[3], tangent[12];
     int length = 0;
 
     if (mdr_friction_law_info(law, &facts) != MDR_SUCCESS) finding("with friction has no facts");
+    double *memory = calloc((size_t)facts.memory_size, sizeof *memory);
+    if (!memory) abort();
     for (int i = 0; i < DEPTHS; i++) {
         const double force = facts.highest_force * (i + 1) / (DEPTHS - 1.0);
         const double shift[3] = {facts.highest_sliding_shift * (i % 3 - 0.7), 0.0, i == 5 ? 0.1 * facts.highest_sliding_shift : 0.0};
-        mdr_friction_law_advance(law, 1, &force, shift, &memory);
+        mdr_friction_law_advance(law, 1, &force, shift, tangent, memory, T);
     }
+    free(memory);
     if (mdr_friction_law_write(law, NULL, 0, &length) != MDR_SUCCESS || length < CHECKSUM_LINE) finding("cannot be written again");
 }
 
@@ -95,8 +98,8 @@ static void rub(const mdr_friction_law *law)
 static size_t text_of_numbers(const uint8_t *data, size_t size, int friction, char *text)
 {
     const size_t count = size / 8;
-    int length = sprintf(text, "mdrcontact compiled %s law, format 2\n1 characters of description, then %d numbers\nx\n",
-                         friction ? "friction" : "contact", (int)count);
+    int length = sprintf(text, "mdrcontact compiled %s law, format %d\n1 characters of description, then %d numbers\nx\n",
+                         friction ? "friction" : "contact", friction ? 3 : 2, (int)count);
     for (size_t i = 0; i < count; i++) {
         for (int j = 7; j >= 0; j--) length += sprintf(text + length, "%02X", data[8 * i + (size_t)j]);
         text[length++] = i % 8 == 7 ? '\n' : ' ';

@@ -1,0 +1,122 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Material levels of a law with friction: where the springs of a contact are divided among sliders, and how strong they are.
+!>
+!> Springs are labelled by S, the S' = int dF/k_t at which they touch. The springs beyond level l of a contact under F at S bear,
+!> in units of the coefficient of friction,
+!>     P_l = max over s of [T(s) - k_l s],
+!> T(s) first shear under F. Where springs do not interact that is F - F_l - k_l (S - S_l), 0 for S <= S_l; elsewhere it is that
+!> times a share, which tables hold.
+module mdrcontact_law_levels
+    use mdrcontact_contact, only: on_unloading
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_law, only: contact_law_t
+    use mdrcontact_law_evaluate, only: point_at
+    implicit none (type, external)
+    private
+    public :: levels_t, new_levels, load_beyond, share_of, share_index
+    public :: fewest_sliders, most_sliders, most_levels, share_nodes
+
+    !> Sliders of a law, and levels whatever its range.
+    integer, parameter :: fewest_sliders = 4, most_sliders = 64, most_levels = 320
+    !> Coefficients of a share between two levels: of powers of (S - S_m)/(S_m+1 - S_m).
+    integer, parameter :: share_nodes = 3
+    !> S_l+1/S_l is 1 + spread/sliders + least: coarser levels bend first shear too little, finer ones leave too much to the core.
+    real(wp), parameter :: spread = 3.0_wp, least = 1.0_wp/32.0_wp
+
+    !> Levels 0, at first touch, to `count`; one more, never reached.
+    type :: levels_t
+        integer :: count = 0
+        !> S_l [length], F_l [modulus length^2] and k_l = dF/dS there [modulus length], (0:count + 1)
+        real(wp), allocatable :: shift(:), force(:), stiffness(:)
+        !> the shares, (share_nodes, share_index(count, count)); not allocated where all are 1
+        real(wp), allocatable :: share(:, :)
+    end type levels_t
+
+contains
+
+    !> The levels for a number of sliders, without shares: down to where the range of the law begins with all of its sliders.
+    pure subroutine new_levels(self, law, sliders)
+        type(levels_t), intent(out) :: self
+        !> of S in place of the depth and k_t in place of the stiffness
+        type(contact_law_t), intent(in) :: law
+        !> fewest_sliders to most_sliders
+        integer, intent(in) :: sliders
+        real(wp) :: ratio, shift, compliance, radius, stiffness, unused
+        integer :: l
+
+        ratio = 1.0_wp + spread/sliders + least
+        shift = law%by_depth%highest
+        self%count = sliders
+        do while (shift > law%by_depth%lowest .and. self%count < most_levels)
+            shift = shift/ratio
+            self%count = self%count + 1
+        end do
+        allocate (self%shift(0:self%count + 1), self%force(0:self%count + 1), self%stiffness(0:self%count + 1))
+        shift = law%by_depth%highest
+        do l = self%count, 1, -1
+            call point_at(law%by_depth, on_unloading, shift, self%force(l), unused, radius, stiffness)
+            ! both from the table that steps are made with
+            call point_at(law%by_force, on_unloading, self%force(l), self%shift(l), compliance, radius, stiffness)
+            self%stiffness(l) = 1.0_wp/compliance
+            shift = shift/ratio
+        end do
+        ! a flat end touches with all of its springs at once
+        self%stiffness(0) = merge(self%stiffness(1), 0.0_wp, law%by_force%end_radius > 0.0_wp)
+        self%shift([0, self%count + 1]) = [0.0_wp, huge(1.0_wp)]
+        self%force([0, self%count + 1]) = [0.0_wp, huge(1.0_wp)]
+        self%stiffness(self%count + 1) = huge(1.0_wp)
+        do l = 1, self%count
+            self%stiffness(l) = max(self%stiffness(l), self%stiffness(l - 1))
+        end do
+    end subroutine new_levels
+
+    !> F - F_l - k_l (S - S_l), 0 at S <= S_l, and its derivative with respect to F.
+    pure subroutine load_beyond(self, l, force, shift, compliance, load, slope)
+        type(levels_t), intent(in) :: self
+        !> 1 to count + 1
+        integer, intent(in) :: l
+        !> F, S and dS/dF of the contact
+        real(wp), intent(in) :: force, shift, compliance
+        real(wp), intent(out) :: load, slope
+
+        load = 0.0_wp
+        slope = 0.0_wp
+        if (shift > self%shift(l)) load = (force - self%force(l)) - self%stiffness(l)*(shift - self%shift(l))
+        if (load > 0.0_wp) then
+            slope = 1.0_wp - self%stiffness(l)*compliance
+        else
+            load = 0.0_wp
+        end if
+    end subroutine load_beyond
+
+    !> The factor of that where springs interact, and its derivative with respect to S; S_m < S, S <= S_m+1.
+    pure subroutine share_of(self, l, m, shift, share, slope)
+        type(levels_t), intent(in) :: self
+        integer, intent(in) :: l, m
+        !> S of the contact
+        real(wp), intent(in) :: shift
+        real(wp), intent(out) :: share, slope
+        real(wp) :: width, x
+
+        width = 1.0_wp
+        x = 0.0_wp
+        if (m < self%count) then
+            width = self%shift(m + 1) - self%shift(m)
+            x = (shift - self%shift(m))/width
+        end if
+        associate (c => self%share(:, share_index(l, m)))
+            share = c(1) + x*(c(2) + x*c(3))
+            slope = 0.0_wp
+            if (m < self%count) slope = (c(2) + 2.0_wp*x*c(3))/width
+        end associate
+    end subroutine share_of
+
+    !> Where the share of the springs beyond level l of a contact between levels m >= l and m + 1 stands.
+    pure function share_index(l, m) result(place)
+        integer, intent(in) :: l, m
+        integer :: place
+
+        place = m*(m - 1)/2 + l
+    end function share_index
+
+end module mdrcontact_law_levels

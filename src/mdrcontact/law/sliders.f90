@@ -1,0 +1,487 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> One contact under Coulomb's law as a few vector sliders, each of them the springs between two material levels.
+!>
+!> A slider bears a vector t, has a stiffness K and a strength mu B, |t| <= mu B. A step to F, S with the shift ds brings
+!>     y = t + K ds + A g,    t = y min(1, mu B/|y|),    T = sum of t,
+!> A g what springs bear that touched in the step: g = ds/max(S - S_old, |ds|/mu). K of a slider never falls while it bears
+!> anything, which is why no cycle of F and shift yields energy: T.ds is at least the growth of the sum of |t|^2/(2 K).
+!>
+!> A record remembers the sliders: 0, the core, with all springs below a level, and one between each two levels above, the last of
+!> them open. As the contact grows past the last level the core takes in its neighbour; as it shrinks, the core is divided.
+module mdrcontact_law_sliders
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_law_levels, only: levels_t, load_beyond, most_levels, most_sliders, share_of
+    implicit none (type, external)
+    private
+    public :: motion_t, record_size, is_record, move, total_of, tangent_of, keep, part, stored_energy, turn_record
+    public :: at_shift, at_work
+
+    !> Places in a record: the mark of its law, 0 before the first step; number of the level below which all is the core, 0 where
+    !> the bodies are apart, and of sliders; S; S, F and k at the upper end of the last slider; work of T since the first step;
+    !> normal of the tangent plane, 0 while it is not known; x, y and z of the sliders' t follow.
+    integer, parameter :: at_law = 1, at_base = 2, at_used = 3, at_shift = 4, at_top = 5, at_work = 8, at_normal = 9, head = 11
+    !> A slider that came to its limit in the step before is within it, whatever rounding says: it sticks if the shift turns back.
+    real(wp), parameter :: within = 1.0_wp + 16.0_wp*epsilon(1.0_wp)
+    integer, parameter :: most = most_sliders + most_levels + 1
+
+    !> A step: its sliders, those of levels passed in it included.
+    type :: motion_t
+        integer :: base, used, before
+        !> the level below S
+        integer :: cell
+        !> S, F and k at the upper end of the last slider before the step
+        real(wp) :: top(3)
+        !> ds, g, and whether springs touched without slip in the step
+        real(wp) :: shift(3), growth(3)
+        logical :: is_slow
+        !> K, mu B, A
+        real(wp) :: stiffness(0:most), strength(0:most), newborn(0:most)
+        !> y, and min(1, mu B/|y|)
+        real(wp) :: load(0:most, 3), factor(0:most)
+    end type motion_t
+
+contains
+
+    !> How many numbers a record of a law with so many sliders has.
+    pure function record_size(sliders) result(count)
+        integer, intent(in) :: sliders
+        integer :: count
+
+        count = head + 3*sliders
+    end function record_size
+
+    !> Whether numbers, none of them NaN or infinite, are a record of a law with these levels.
+    pure function is_record(levels, sliders, mark, record) result(sound)
+        type(levels_t), intent(in) :: levels
+        integer, intent(in) :: sliders
+        real(wp), intent(in) :: mark
+        real(wp), intent(in) :: record(:)
+        logical :: sound
+        real(wp) :: last
+
+        last = record(at_base) + record(at_used) - 1.0_wp
+        sound = record(at_law) == mark .and. record(at_base) >= 1.0_wp .and. record(at_used) >= 1.0_wp .and. &
+                record(at_used) <= sliders .and. last <= levels%count + 1.0_wp .and. aint(last) == last .and. &
+                aint(record(at_used)) == record(at_used)
+        if (sound) sound = record(at_shift) >= 0.0_wp .and. record(at_top) >= record(at_shift) .and. record(at_top + 2) >= 0.0_wp
+        if (.not. sound) sound = all(record(at_base:at_top + 2) == 0.0_wp) .and. all(record(head + 1:) == 0.0_wp) .and. &
+                                 (record(at_law) == mark .or. all(record == 0.0_wp))
+    end function is_record
+
+    !> A step to F > 0, of which S and dS/dF are known.
+    pure subroutine move(levels, mu, sliders, force, shift, compliance, way, record, motion)
+        type(levels_t), intent(in) :: levels
+        real(wp), intent(in) :: mu
+        integer, intent(in) :: sliders
+        !> F, S and dS/dF at its end
+        real(wp), intent(in) :: force, shift, compliance
+        !> ds
+        real(wp), intent(in) :: way(3)
+        real(wp), intent(in) :: record(:)
+        type(motion_t), intent(out) :: motion
+        real(wp) :: size_of_way, before
+
+        call begin(levels, shift, record, motion)
+        call find_stiffnesses(levels, motion)
+        call find_strengths(levels, mu, force, shift, compliance, motion)
+        motion%shift = way
+        motion%growth = 0.0_wp
+        motion%newborn(:motion%used - 1) = 0.0_wp
+        if (shift > motion%top(1)) then
+            call find_newborn(levels, force, shift, compliance, motion)
+            before = record(at_shift)
+            size_of_way = sqrt(way(1)**2 + way(2)**2 + way(3)**2)
+            motion%is_slow = size_of_way <= mu*(shift - before)
+            motion%growth = way/max(shift - before, size_of_way/mu)
+        end if
+        call load_sliders(sliders, record, motion)
+    end subroutine move
+
+    !> The sliders of a step: those of the record, and those of levels that are passed.
+    pure subroutine begin(levels, shift, record, motion)
+        type(levels_t), intent(in) :: levels
+        real(wp), intent(in) :: shift
+        real(wp), intent(in) :: record(:)
+        type(motion_t), intent(inout) :: motion
+        integer :: last
+
+        motion%base = max(int(record(at_base)), 1)
+        motion%before = max(int(record(at_used)), 1)
+        motion%top = record(at_top:at_top + 2)
+        if (record(at_base) < 1.0_wp) motion%top = [0.0_wp, 0.0_wp, levels%stiffness(0)]
+        last = motion%base + motion%before - 1
+        if (shift > motion%top(1)) then
+            do while (levels%shift(last) < shift)
+                last = last + 1
+            end do
+        end if
+        motion%used = last - motion%base + 1
+        motion%cell = last
+        do while (motion%cell > 0)
+            if (levels%shift(motion%cell) < shift) exit
+            motion%cell = motion%cell - 1
+        end do
+    end subroutine begin
+
+    !> K before the step.
+    pure subroutine find_stiffnesses(levels, motion)
+        type(levels_t), intent(in) :: levels
+        type(motion_t), intent(inout) :: motion
+        integer :: i
+
+        associate (k => levels%stiffness, base => motion%base, top => motion%top(3))
+            do i = motion%used - 1, 1, -1
+                motion%stiffness(i) = min(k(base + i), top) - min(k(base + i - 1), top)
+            end do
+            motion%stiffness(0) = min(k(base), top)
+        end associate
+    end subroutine find_stiffnesses
+
+    !> mu B, of the springs between two levels.
+    pure subroutine find_strengths(levels, mu, force, shift, compliance, motion)
+        type(levels_t), intent(in) :: levels
+        real(wp), intent(in) :: mu, force, shift, compliance
+        type(motion_t), intent(inout) :: motion
+        real(wp) :: above, load, slope
+        integer :: i
+
+        above = 0.0_wp
+        do i = motion%used - 1, 1, -1
+            call strength_beyond(levels, motion%base + i - 1, motion%cell, force, shift, compliance, load, slope)
+            motion%strength(i) = mu*max(load - above, 0.0_wp)
+            above = max(load, above)
+        end do
+        motion%strength(0) = mu*max(force - above, 0.0_wp)
+    end subroutine find_strengths
+
+    !> P_l and its derivative with respect to F.
+    pure subroutine strength_beyond(levels, l, cell, force, shift, compliance, load, slope)
+        type(levels_t), intent(in) :: levels
+        integer, intent(in) :: l, cell
+        real(wp), intent(in) :: force, shift, compliance
+        real(wp), intent(out) :: load, slope
+        real(wp) :: share, share_slope
+
+        call load_beyond(levels, l, force, shift, compliance, load, slope)
+        if (.not. allocated(levels%share) .or. cell < l) return
+        call share_of(levels, l, cell, shift, share, share_slope)
+        slope = share*slope + share_slope*compliance*load
+        load = share*load
+        if (load <= force) return
+        load = force
+        slope = 1.0_wp
+    end subroutine strength_beyond
+
+    !> A: what springs that touched in the step bear for each unit of g.
+    pure subroutine find_newborn(levels, force, shift, compliance, motion)
+        type(levels_t), intent(in) :: levels
+        real(wp), intent(in) :: force, shift, compliance
+        type(motion_t), intent(inout) :: motion
+        real(wp) :: above, load, slope
+        integer :: i
+
+        above = 0.0_wp
+        do i = motion%used - 1, motion%before, -1
+            call load_beyond(levels, motion%base + i - 1, force, shift, compliance, load, slope)
+            motion%newborn(i) = load - above
+            above = load
+        end do
+        load = (force - motion%top(2)) - motion%top(3)*(shift - motion%top(1))
+        motion%newborn(motion%before - 1) = max(load - above, 0.0_wp)
+    end subroutine find_newborn
+
+    !> y, and what part of it is within the strength.
+    pure subroutine load_sliders(sliders, record, motion)
+        integer, intent(in) :: sliders
+        real(wp), intent(in) :: record(:)
+        type(motion_t), intent(inout) :: motion
+        real(wp) :: length
+        integer :: i, axis, place
+
+        motion%load(motion%before:motion%used - 1, :) = 0.0_wp
+        do axis = 1, 3
+            place = head + 1 + (axis - 1)*sliders
+            do i = 0, motion%before - 1
+                motion%load(i, axis) = record(place + i)
+            end do
+            do i = 0, motion%used - 1
+                motion%load(i, axis) = motion%load(i, axis) + motion%stiffness(i)*motion%shift(axis) + &
+                                       motion%newborn(i)*motion%growth(axis)
+            end do
+        end do
+        do i = 0, motion%used - 1
+            length = sqrt(motion%load(i, 1)**2 + motion%load(i, 2)**2 + motion%load(i, 3)**2)
+            ! one quotient whatever happens: no branch in the loop
+            motion%factor(i) = min(length, motion%strength(i))/max(length, tiny(1.0_wp))
+        end do
+    end subroutine load_sliders
+
+    !> T.
+    pure function total_of(motion) result(total)
+        type(motion_t), intent(in) :: motion
+        real(wp) :: total(3)
+        integer :: i
+
+        total = 0.0_wp
+        do i = 0, motion%used - 1
+            total = total + motion%factor(i)*motion%load(i, :)
+        end do
+    end function total_of
+
+    !> The derivatives of T with respect to ds, (1:3, i), and F, (4, i), of its component i.
+    pure subroutine tangent_of(levels, mu, force, shift, compliance, before, motion, tangent)
+        type(levels_t), intent(in) :: levels
+        real(wp), intent(in) :: mu, force, shift, compliance
+        !> S before the step
+        real(wp), intent(in) :: before
+        type(motion_t), intent(in) :: motion
+        real(wp), intent(out) :: tangent(4, 3)
+        real(wp) :: growth(3, 3), growth_by_force(3), by_way(3, 3), by_force(3), n(3), length
+        real(wp) :: load, slope, above, newborn_slope, born, born_above, strength_slope
+        integer :: i, j
+
+        call growth_slopes(mu, shift, compliance, before, motion, growth, growth_by_force)
+        tangent = 0.0_wp
+        above = 0.0_wp
+        born_above = 0.0_wp
+        do i = motion%used - 1, 0, -1
+            slope = 1.0_wp
+            if (i > 0) call strength_beyond(levels, motion%base + i - 1, motion%cell, force, shift, compliance, load, slope)
+            strength_slope = mu*(slope - above)
+            above = slope
+            newborn_slope = 0.0_wp
+            if (i >= motion%before - 1 .and. motion%newborn(i) > 0.0_wp) then
+                if (i >= motion%before) call load_beyond(levels, motion%base + i - 1, force, shift, compliance, load, born)
+                if (i < motion%before) born = 1.0_wp - motion%top(3)*compliance
+                newborn_slope = born - born_above
+                born_above = born
+            end if
+            by_force = newborn_slope*motion%growth + motion%newborn(i)*growth_by_force
+            by_way = motion%newborn(i)*growth
+            do j = 1, 3
+                by_way(j, j) = by_way(j, j) + motion%stiffness(i)
+            end do
+            length = norm2(motion%load(i, :))
+            if (length > within*motion%strength(i)) then
+                n = motion%load(i, :)/length
+                by_force = motion%factor(i)*(by_force - dot_product(n, by_force)*n) + strength_slope*n
+                do j = 1, 3
+                    by_way(:, j) = motion%factor(i)*(by_way(:, j) - dot_product(n, by_way(:, j))*n)
+                end do
+            else if (.not. motion%strength(i) > 0.0_wp) then
+                cycle
+            end if
+            ! by_way(component, of ds)
+            tangent(:3, :) = tangent(:3, :) + transpose(by_way)
+            tangent(4, :) = tangent(4, :) + by_force
+        end do
+    end subroutine tangent_of
+
+    !> The derivatives of g.
+    pure subroutine growth_slopes(mu, shift, compliance, before, motion, by_way, by_force)
+        real(wp), intent(in) :: mu, shift, compliance, before
+        type(motion_t), intent(in) :: motion
+        real(wp), intent(out) :: by_way(3, 3), by_force(3)
+        real(wp) :: e(3), length
+        integer :: j
+
+        by_way = 0.0_wp
+        by_force = 0.0_wp
+        if (.not. shift > motion%top(1)) return
+        if (motion%is_slow) then
+            by_force = -compliance/(shift - before)*motion%growth
+            do j = 1, 3
+                by_way(j, j) = 1.0_wp/(shift - before)
+            end do
+        else
+            length = norm2(motion%shift)
+            e = motion%shift/length
+            do j = 1, 3
+                by_way(:, j) = -mu/length*e*e(j)
+                by_way(j, j) = by_way(j, j) + mu/length
+            end do
+        end if
+    end subroutine growth_slopes
+
+    !> The record after the step.
+    pure subroutine keep(levels, mu, sliders, force, shift, compliance, motion, total, mark, record)
+        type(levels_t), intent(in) :: levels
+        real(wp), intent(in) :: mu
+        integer, intent(in) :: sliders
+        real(wp), intent(in) :: force, shift, compliance
+        type(motion_t), intent(in) :: motion
+        !> T
+        real(wp), intent(in) :: total(3)
+        real(wp), intent(in) :: mark
+        real(wp), intent(inout) :: record(:)
+        integer :: i, axis, place, merged
+
+        merged = max(motion%used - sliders, 0)
+        do axis = 1, 3
+            place = head + 1 + (axis - 1)*sliders
+            record(place) = 0.0_wp
+            do i = 0, merged
+                record(place) = record(place) + motion%factor(i)*motion%load(i, axis)
+            end do
+            do i = merged + 1, motion%used - 1
+                record(place + i - merged) = motion%factor(i)*motion%load(i, axis)
+            end do
+        end do
+        record(at_law) = mark
+        record(at_base) = motion%base + merged
+        record(at_used) = motion%used - merged
+        record(at_shift) = shift
+        record(at_work) = record(at_work) + (total(1)*motion%shift(1) + total(2)*motion%shift(2) + total(3)*motion%shift(3))
+        if (shift > motion%top(1)) then
+            record(at_top:at_top + 2) = [shift, force, max(1.0_wp/compliance, motion%top(3))]
+        else
+            call shrink(levels, mu, sliders, force, shift, compliance, motion%cell, record)
+        end if
+    end subroutine keep
+
+    !> Sliders that the contact has left are forgotten, and the core is divided while there is room.
+    pure subroutine shrink(levels, mu, sliders, force, shift, compliance, cell, record)
+        type(levels_t), intent(in) :: levels
+        real(wp), intent(in) :: mu
+        integer, intent(in) :: sliders
+        real(wp), intent(in) :: force, shift, compliance
+        integer, intent(in) :: cell
+        real(wp), intent(inout) :: record(:)
+        integer :: base, used, last
+        logical :: divided
+
+        do
+            base = int(record(at_base))
+            used = int(record(at_used))
+            do while (used > 1)
+                last = base + used - 2
+                if (shift > levels%shift(last)) exit
+                used = used - 1
+                record([head + 1 + used, head + 1 + used + sliders, head + 1 + used + 2*sliders]) = 0.0_wp
+                record(at_top:at_top + 2) = [levels%shift(last), levels%force(last), levels%stiffness(last)]
+            end do
+            record(at_used) = used
+            if (used == sliders .or. base == 1) exit
+            call divide(levels, mu, sliders, force, shift, compliance, cell, record, divided)
+            if (.not. divided) exit
+        end do
+    end subroutine shrink
+
+    !> The core in two at the next level below, with equal displacements, if each part is within its strength: T and the stored
+    !> energy stay.
+    pure subroutine divide(levels, mu, sliders, force, shift, compliance, cell, record, divided)
+        type(levels_t), intent(in) :: levels
+        real(wp), intent(in) :: mu
+        integer, intent(in) :: sliders
+        real(wp), intent(in) :: force, shift, compliance
+        integer, intent(in) :: cell
+        real(wp), intent(inout) :: record(:)
+        logical, intent(out) :: divided
+        real(wp) :: share, length, beyond, above, slope
+        integer :: base, used, axis, place
+
+        base = int(record(at_base))
+        used = int(record(at_used))
+        share = 1.0_wp - levels%stiffness(base - 1)/min(levels%stiffness(base), record(at_top + 2))
+        length = norm2(record([head + 1, head + 1 + sliders, head + 1 + 2*sliders]))
+        call strength_beyond(levels, base - 1, cell, force, shift, compliance, beyond, slope)
+        above = 0.0_wp
+        if (used > 1) call strength_beyond(levels, base, cell, force, shift, compliance, above, slope)
+        divided = share*length <= mu*(beyond - above) .and. (1.0_wp - share)*length <= mu*(force - beyond)
+        if (.not. divided) return
+        do axis = 1, 3
+            place = head + 1 + (axis - 1)*sliders
+            record(place + 1:place + used) = record(place:place + used - 1)
+            record(place + 1) = share*record(place)
+            record(place) = record(place) - record(place + 1)
+        end do
+        record(at_base) = base - 1
+        record(at_used) = used + 1
+    end subroutine divide
+
+    !> The bodies part: nothing is left but the work done.
+    pure subroutine part(mark, record)
+        real(wp), intent(in) :: mark
+        real(wp), intent(inout) :: record(:)
+
+        record(at_law) = mark
+        record(at_base:at_top + 2) = 0.0_wp
+        record(head + 1:) = 0.0_wp
+    end subroutine part
+
+    !> U, the sum of |t|^2/(2 K).
+    pure function stored_energy(levels, sliders, record) result(energy)
+        type(levels_t), intent(in) :: levels
+        integer, intent(in) :: sliders
+        real(wp), intent(in) :: record(:)
+        real(wp) :: energy
+        real(wp) :: stiffness, below, squared
+        integer :: i, base
+
+        energy = 0.0_wp
+        base = int(record(at_base))
+        if (base < 1) return
+        below = 0.0_wp
+        do i = 0, int(record(at_used)) - 1
+            stiffness = min(levels%stiffness(base + i), record(at_top + 2)) - below
+            below = below + stiffness
+            squared = sum(record(head + 1 + i::sliders)**2)
+            if (stiffness > 0.0_wp) energy = energy + squared/(2.0_wp*stiffness)
+        end do
+    end function stored_energy
+
+    !> All t turned with the tangent plane: by the least rotation from its old normal to the new one, and about that by an angle.
+    !> Where no old normal is known, each is laid into the plane with the length it has.
+    pure subroutine turn_record(sliders, normal, angle, mark, record)
+        integer, intent(in) :: sliders
+        !> of length 1
+        real(wp), intent(in) :: normal(3)
+        !> [1]
+        real(wp), intent(in) :: angle
+        real(wp), intent(in) :: mark
+        real(wp), intent(inout) :: record(:)
+        real(wp) :: t(3), axis(3), cosine
+        integer :: i
+        logical :: known
+
+        associate (old => record(at_normal:at_normal + 2))
+            known = any(abs(old) > 0.0_wp)
+            axis = cross(old, normal)
+            cosine = dot_product(old, normal)
+        end associate
+        do i = head + 1, head + sliders
+            t = [record(i), record(i + sliders), record(i + 2*sliders)]
+            if (.not. any(abs(t) > 0.0_wp)) cycle
+            if (.not. known) then
+                call lay(t, normal)
+            else if (cosine > -1.0_wp) then
+                t = cosine*t + cross(axis, t) + dot_product(axis, t)/(1.0_wp + cosine)*axis
+            end if
+            t = cos(angle)*t + sin(angle)*cross(normal, t)
+            record(i) = t(1)
+            record(i + sliders) = t(2)
+            record(i + 2*sliders) = t(3)
+        end do
+        record(at_law) = mark
+        record(at_normal:at_normal + 2) = normal
+    end subroutine turn_record
+
+    pure subroutine lay(vector, normal)
+        real(wp), intent(inout) :: vector(3)
+        real(wp), intent(in) :: normal(3)
+        real(wp) :: length, left
+
+        length = norm2(vector)
+        vector = vector - dot_product(vector, normal)*normal
+        left = norm2(vector)
+        if (left > 0.0_wp) vector = length/left*vector
+    end subroutine lay
+
+    pure function cross(a, b) result(product)
+        real(wp), intent(in) :: a(3), b(3)
+        real(wp) :: product(3)
+
+        product = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
+    end function cross
+
+end module mdrcontact_law_sliders
