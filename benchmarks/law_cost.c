@@ -12,7 +12,8 @@
 #include "../src/mdrcontact/law/kernel.c"
 #include "measure.h"
 
-enum { POINTS = 4096, ROUNDS = 20, REPEATS = 200, LAWS = 1000, MANY = 1000000, BIG = 400000, TRIES = 300, DIRECT = 1000, MEMORY = 11 + 3 * 8 };
+enum { POINTS = 4096, ROUNDS = 20, REPEATS = 200, LAWS = 1000, MANY = 1000000, BIG = 400000, TRIES = 300, DIRECT = 1000 };
+enum { MEMORY = 11 + 3 * 8 };
 
 static double seconds(void)
 {

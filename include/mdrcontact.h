@@ -1512,9 +1512,9 @@ int mdr_law_free(mdr_law **law);
 /* ---- compiled laws with friction ---------------------------------------------------------------------------------- */
 
 /** The tangential force of contacts in codes that integrate motion, step by step, along any path of the shift in the plane and of
- *  the normal force: stick, partial slip, sliding, and what earlier slip left behind. The springs of the contact are divided among a
- *  few vector sliders; no path yields energy, T is continuous, and each step has a derivative. Errors: docs/laws.md.
- *  Made by mdr_friction_law_new(), freed by mdr_friction_law_free().
+ *  the normal force: stick, partial slip, sliding, and what earlier slip left behind. The springs of the contact are divided among
+ *  a few vector sliders; no path yields energy, T is continuous, and each step has a derivative. How far it can be trusted:
+ *  docs/laws.md. Made by mdr_friction_law_new(), freed by mdr_friction_law_free().
  *
  *  What a contact remembers is a record of the caller's: memory_size numbers (of mdr_friction_law_facts), all 0 before the first
  *  step. It may be copied and stored; what stands in it is the library's. Records of n contacts follow each other in one array.
@@ -1552,14 +1552,16 @@ int mdr_friction_law_advance(const mdr_friction_law *law, int n, const double fo
 int mdr_friction_law_try(const mdr_friction_law *law, int n, const double force[], const double shift[], double tangent[],
                          const double memory[], double T[]);
 
-/** Energy of n contacts under shear: the work of T since the first step is stored or dissipated. Work of F is not contained: it
- *  does not depend on the shift.
+/** Energies of n contacts under shear, stored by the springs and taken by slip, slider by slider. Together they are the work of T,
+ *  up to terms of the order of a step squared; along a line under constant F they do not depend on the steps. What is dissipated
+ *  never falls. Work of F is not contained: it does not depend on the shift.
  *  @param law         law
  *  @param n           number of contacts
  *  @param memory      [memory_size n] the records
  *  @param stored      receives [n] what the springs hold; or NULL [modulus length^3]
  *  @param dissipated  receives [n] what slip has taken since the first step, also of contacts lost since; or NULL
- *                     [modulus length^3] */
+ *                     [modulus length^3]
+ *  @return also MDR_EINVALID for a record of another law */
 int mdr_friction_law_energies(const mdr_friction_law *law, int n, const double memory[], double stored[], double dissipated[]);
 
 /** Turns records with their tangent planes, by the least rotation from the old normal to the new one and by an angle about that:

@@ -162,7 +162,8 @@ class FrictionLaw(LawFile):
 
     def energies(self, memory: Reals) -> tuple[Reals, Reals]:
         """Energies of all contacts [modulus length^3], (n) each: what the springs hold under shear, and what slip has taken since
-        the first step. Their sum is the work of T."""
+        the first step. Their sum is the work of T, up to terms of the order of a step squared; along a line under constant F they
+        do not depend on the steps. What slip has taken never falls."""
         n = self._count(memory)
         if not n:
             return np.zeros(0), np.zeros(0)

@@ -307,8 +307,10 @@ static void laws(void)
     CHECK_CLOSE(tangent[19], -mu, 1e-14);
     CHECK_TRUE(fabs(tangent[17]) < 1e-12 * tangent[0] && tangent[12] > 0.0);
     CHECK_SUCCESS(mdr_friction_law_energies(law, 2, memory, stored, dissipated));
-    CHECK_CLOSE(stored[0] + dissipated[0], T[0] * shift[0], 1e-14);
-    CHECK_CLOSE(stored[1] + dissipated[1], T[4] * shift[4], 1e-14);
+    /* of small slip 8 sliders know little */
+    CHECK_CLOSE(dissipated[0], exact.dissipated_energy, 0.1);
+    CHECK_SUCCESS(mdr_friction_states(f, &state, MDR_GIVEN_SHIFT, 1, &shift[4], &exact));
+    CHECK_CLOSE(dissipated[1], exact.dissipated_energy, 0.01);
     CHECK_TRUE(stored[1] > stored[0] && stored[0] > 0.0 && dissipated[1] > dissipated[0] && dissipated[0] > 0.0);
     CHECK_SUCCESS(mdr_friction_law_energies(law, 2, memory, NULL, dissipated));
     CHECK_STATUS(mdr_friction_law_energies(law, 2, NULL, stored, dissipated), MDR_ENULL, "memory is NULL");

@@ -16,7 +16,7 @@ module mdrcontact_law_friction
     use mdrcontact_law_evaluate, only: point_at, run_points, wanted_t
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial_with_slope
     use mdrcontact_law_levels, only: fewest_sliders, levels_t, most_sliders, new_levels
-    use mdrcontact_law_sliders, only: at_shift, at_work, is_record, keep, motion_t, move, part, record_size, &
+    use mdrcontact_law_sliders, only: at_lost, at_shift, is_record, keep, motion_t, move, part, record_size, &
                                      stored_energy, tangent_of, total_of, turn_record
     use mdrcontact_law_table, only: law_table_t
     implicit none (type, external)
@@ -123,7 +123,7 @@ contains
         !> by how much the indenter moves along the surface in this step [length]
         real(wp), intent(in) :: shift(3)
         !> of this contact, of memory_size() numbers
-        real(wp), intent(inout) :: memory(:)
+        real(wp), intent(inout), contiguous :: memory(:)
         !> T on the medium [modulus length^2]
         real(wp), intent(out) :: traction(3)
         type(error_t), allocatable, intent(out) :: error
@@ -143,7 +143,8 @@ contains
     pure subroutine attempt(self, force, shift, memory, traction, error, tangent)
         class(friction_law_t), intent(in) :: self
         !> as of advance
-        real(wp), intent(in) :: force, shift(3), memory(:)
+        real(wp), intent(in) :: force, shift(3)
+        real(wp), intent(in), contiguous :: memory(:)
         real(wp), intent(out) :: traction(3)
         type(error_t), allocatable, intent(out) :: error
         !> as of advance
@@ -216,7 +217,7 @@ contains
         !> S and dS/dF at F
         real(wp), intent(in) :: level, compliance
         logical, intent(in) :: is_trial
-        real(wp), intent(inout) :: memory(:)
+        real(wp), intent(inout), contiguous :: memory(:)
         real(wp), intent(out) :: traction(3)
         real(wp), intent(out), optional :: tangent(4, 3)
         type(motion_t) :: motion
@@ -224,7 +225,7 @@ contains
         traction = 0.0_wp
         if (present(tangent)) tangent = 0.0_wp
         if (.not. force > 0.0_wp) then
-            if (.not. is_trial) call part(self%mark, memory)
+            if (.not. is_trial) call part(self%levels, self%sliders, self%mark, memory)
             return
         end if
         call move(self%levels, self%coefficient, self%sliders, force, level, compliance, shift, memory, motion)
@@ -233,7 +234,7 @@ contains
             call tangent_of(self%levels, self%coefficient, force, level, compliance, memory(at_shift), motion, tangent)
         end if
         if (is_trial) return
-        call keep(self%levels, self%coefficient, self%sliders, force, level, compliance, motion, traction, self%mark, memory)
+        call keep(self%levels, self%coefficient, self%sliders, force, level, compliance, motion, self%mark, memory)
     end subroutine step
 
     !> S and dS/dF at F.
@@ -256,7 +257,7 @@ contains
     !> Energy stored in the springs, and dissipated since the first step [modulus length^3].
     pure subroutine energies(self, memory, stored, dissipated, error)
         class(friction_law_t), intent(in) :: self
-        real(wp), intent(in) :: memory(:)
+        real(wp), intent(in), contiguous :: memory(:)
         real(wp), intent(out) :: stored, dissipated
         type(error_t), allocatable, intent(out) :: error
 
@@ -265,7 +266,7 @@ contains
         call check_memory(self, memory, error)
         if (allocated(error)) return
         stored = stored_energy(self%levels, self%sliders, memory)
-        dissipated = memory(at_work) - stored
+        dissipated = memory(at_lost)
     end subroutine energies
 
     !> Turns the record with its tangent plane: by the least rotation from the old normal to the new one, and by an angle about it.
@@ -276,7 +277,7 @@ contains
         real(wp), intent(in) :: normal(3)
         !> angle by which the bodies have turned about the normal, on average of both: (w1 + w2).n/2 dt [1]
         real(wp), intent(in) :: spin
-        real(wp), intent(inout) :: memory(:)
+        real(wp), intent(inout), contiguous :: memory(:)
         type(error_t), allocatable, intent(out) :: error
 
         if (.not. abs(norm2(normal) - 1.0_wp) <= loose) then
@@ -296,7 +297,7 @@ contains
         !> see force
         real(wp), intent(in) :: shift(3)
         !> see force
-        real(wp), intent(in) :: memory(:)
+        real(wp), intent(in), contiguous :: memory(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: stiffest
 
@@ -318,17 +319,17 @@ contains
     !> Whether numbers are a record of this law.
     pure subroutine check_memory(self, memory, error)
         class(friction_law_t), intent(in) :: self
-        real(wp), intent(in) :: memory(:)
+        real(wp), intent(in), contiguous :: memory(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: total
-        integer :: i
+        integer :: i, moderate
         logical :: sound
 
-        total = 0.0_wp
+        ! a loop that is vectorized; no NaN is moderate
+        moderate = 0
         do i = 1, size(memory)
-            total = total + abs(memory(i))
+            moderate = moderate + merge(1, 0, abs(memory(i)) <= largest)
         end do
-        sound = total <= largest
+        sound = moderate == size(memory)
         if (sound) sound = size(memory) == self%memory_size()
         if (sound) sound = is_record(self%levels, self%sliders, self%mark, memory)
         if (sound) return

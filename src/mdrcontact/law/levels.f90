@@ -13,7 +13,7 @@ module mdrcontact_law_levels
     use mdrcontact_law_evaluate, only: point_at
     implicit none (type, external)
     private
-    public :: levels_t, new_levels, load_beyond, share_of, share_index
+    public :: levels_t, new_levels, load_beyond, loads_beyond, share_of, share_index
     public :: fewest_sliders, most_sliders, most_levels, share_nodes
 
     !> Sliders of a law, and levels whatever its range.
@@ -88,6 +88,23 @@ contains
             load = 0.0_wp
         end if
     end subroutine load_beyond
+
+    !> The same for levels in a row, without branches.
+    pure subroutine loads_beyond(self, first, count, force, shift, loads)
+        type(levels_t), intent(in) :: self
+        integer, intent(in) :: first, count
+        !> F and S of the contact
+        real(wp), intent(in) :: force, shift
+        real(wp), intent(inout), contiguous :: loads(:)
+        real(wp) :: above
+        integer :: i
+
+        do i = 1, count
+            above = shift - self%shift(first + i - 1)
+            loads(i) = max((force - self%force(first + i - 1)) - self%stiffness(first + i - 1)*max(above, 0.0_wp), 0.0_wp)
+            loads(i) = merge(loads(i), 0.0_wp, above > 0.0_wp)
+        end do
+    end subroutine loads_beyond
 
     !> The factor of that where springs interact, and its derivative with respect to S; S_m < S, S <= S_m+1.
     pure subroutine share_of(self, l, m, shift, share, slope)

@@ -10,16 +10,16 @@
 !> them open. As the contact grows past the last level the core takes in its neighbour; as it shrinks, the core is divided.
 module mdrcontact_law_sliders
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_levels, only: levels_t, load_beyond, most_levels, most_sliders, share_of
+    use mdrcontact_law_levels, only: levels_t, load_beyond, loads_beyond, most_levels, most_sliders, share_of
     implicit none (type, external)
     private
     public :: motion_t, record_size, is_record, move, total_of, tangent_of, keep, part, stored_energy, turn_record
-    public :: at_shift, at_work
+    public :: at_shift, at_lost
 
     !> Places in a record: the mark of its law, 0 before the first step; number of the level below which all is the core, 0 where
-    !> the bodies are apart, and of sliders; S; S, F and k at the upper end of the last slider; work of T since the first step;
+    !> the bodies are apart, and of sliders; S; S, F and k at the upper end of the last slider; energy dissipated so far;
     !> normal of the tangent plane, 0 while it is not known; x, y and z of the sliders' t follow.
-    integer, parameter :: at_law = 1, at_base = 2, at_used = 3, at_shift = 4, at_top = 5, at_work = 8, at_normal = 9, head = 11
+    integer, parameter :: at_law = 1, at_base = 2, at_used = 3, at_shift = 4, at_top = 5, at_lost = 8, at_normal = 9, head = 11
     !> A slider that came to its limit in the step before is within it, whatever rounding says: it sticks if the shift turns back.
     real(wp), parameter :: within = 1.0_wp + 16.0_wp*epsilon(1.0_wp)
     integer, parameter :: most = most_sliders + most_levels + 1
@@ -27,15 +27,15 @@ module mdrcontact_law_sliders
     !> A step: its sliders, those of levels passed in it included.
     type :: motion_t
         integer :: base, used, before
-        !> the level below S
-        integer :: cell
+        !> the level below S, and the first slider with springs that touched in the step
+        integer :: cell, first_newborn
         !> S, F and k at the upper end of the last slider before the step
         real(wp) :: top(3)
         !> ds, g, and whether springs touched without slip in the step
         real(wp) :: shift(3), growth(3)
         logical :: is_slow
-        !> K, mu B, A
-        real(wp) :: stiffness(0:most), strength(0:most), newborn(0:most)
+        !> K, P of the springs from a slider on, mu B, A
+        real(wp) :: stiffness(0:most), beyond(0:most), strength(0:most), newborn(0:most)
         !> y, and min(1, mu B/|y|)
         real(wp) :: load(0:most, 3), factor(0:most)
     end type motion_t
@@ -55,7 +55,7 @@ contains
         type(levels_t), intent(in) :: levels
         integer, intent(in) :: sliders
         real(wp), intent(in) :: mark
-        real(wp), intent(in) :: record(:)
+        real(wp), intent(in), contiguous :: record(:)
         logical :: sound
         real(wp) :: last
 
@@ -77,7 +77,7 @@ contains
         real(wp), intent(in) :: force, shift, compliance
         !> ds
         real(wp), intent(in) :: way(3)
-        real(wp), intent(in) :: record(:)
+        real(wp), intent(in), contiguous :: record(:)
         type(motion_t), intent(out) :: motion
         real(wp) :: size_of_way, before
 
@@ -86,8 +86,9 @@ contains
         call find_strengths(levels, mu, force, shift, compliance, motion)
         motion%shift = way
         motion%growth = 0.0_wp
-        motion%newborn(:motion%used - 1) = 0.0_wp
+        motion%first_newborn = motion%used
         if (shift > motion%top(1)) then
+            motion%first_newborn = motion%before - 1
             call find_newborn(levels, force, shift, compliance, motion)
             before = record(at_shift)
             size_of_way = sqrt(way(1)**2 + way(2)**2 + way(3)**2)
@@ -101,7 +102,7 @@ contains
     pure subroutine begin(levels, shift, record, motion)
         type(levels_t), intent(in) :: levels
         real(wp), intent(in) :: shift
-        real(wp), intent(in) :: record(:)
+        real(wp), intent(in), contiguous :: record(:)
         type(motion_t), intent(inout) :: motion
         integer :: last
 
@@ -130,28 +131,34 @@ contains
         integer :: i
 
         associate (k => levels%stiffness, base => motion%base, top => motion%top(3))
-            do i = motion%used - 1, 1, -1
+            motion%stiffness(0) = min(k(base), top)
+            do i = 1, motion%used - 1
                 motion%stiffness(i) = min(k(base + i), top) - min(k(base + i - 1), top)
             end do
-            motion%stiffness(0) = min(k(base), top)
         end associate
     end subroutine find_stiffnesses
 
-    !> mu B, of the springs between two levels.
+    !> P and mu B.
     pure subroutine find_strengths(levels, mu, force, shift, compliance, motion)
         type(levels_t), intent(in) :: levels
         real(wp), intent(in) :: mu, force, shift, compliance
         type(motion_t), intent(inout) :: motion
-        real(wp) :: above, load, slope
+        real(wp) :: slope
         integer :: i
 
-        above = 0.0_wp
-        do i = motion%used - 1, 1, -1
-            call strength_beyond(levels, motion%base + i - 1, motion%cell, force, shift, compliance, load, slope)
-            motion%strength(i) = mu*max(load - above, 0.0_wp)
-            above = max(load, above)
+        motion%beyond(0) = force
+        motion%beyond(motion%used) = 0.0_wp
+        if (allocated(levels%share)) then
+            do i = motion%used - 1, 1, -1
+                call strength_beyond(levels, motion%base + i - 1, motion%cell, force, shift, compliance, motion%beyond(i), slope)
+                motion%beyond(i) = max(motion%beyond(i), motion%beyond(i + 1))
+            end do
+        else
+            call loads_beyond(levels, motion%base, motion%used - 1, force, shift, motion%beyond(1:))
+        end if
+        do i = 0, motion%used - 1
+            motion%strength(i) = mu*max(motion%beyond(i) - motion%beyond(i + 1), 0.0_wp)
         end do
-        motion%strength(0) = mu*max(force - above, 0.0_wp)
     end subroutine find_strengths
 
     !> P_l and its derivative with respect to F.
@@ -193,20 +200,21 @@ contains
     !> y, and what part of it is within the strength.
     pure subroutine load_sliders(sliders, record, motion)
         integer, intent(in) :: sliders
-        real(wp), intent(in) :: record(:)
+        real(wp), intent(in), contiguous :: record(:)
         type(motion_t), intent(inout) :: motion
         real(wp) :: length
         integer :: i, axis, place
 
-        motion%load(motion%before:motion%used - 1, :) = 0.0_wp
         do axis = 1, 3
             place = head + 1 + (axis - 1)*sliders
             do i = 0, motion%before - 1
-                motion%load(i, axis) = record(place + i)
+                motion%load(i, axis) = record(place + i) + motion%stiffness(i)*motion%shift(axis)
             end do
-            do i = 0, motion%used - 1
-                motion%load(i, axis) = motion%load(i, axis) + motion%stiffness(i)*motion%shift(axis) + &
-                                       motion%newborn(i)*motion%growth(axis)
+            do i = motion%before, motion%used - 1
+                motion%load(i, axis) = 0.0_wp
+            end do
+            do i = motion%first_newborn, motion%used - 1
+                motion%load(i, axis) = motion%load(i, axis) + motion%newborn(i)*motion%growth(axis)
             end do
         end do
         do i = 0, motion%used - 1
@@ -224,7 +232,9 @@ contains
 
         total = 0.0_wp
         do i = 0, motion%used - 1
-            total = total + motion%factor(i)*motion%load(i, :)
+            total(1) = total(1) + motion%factor(i)*motion%load(i, 1)
+            total(2) = total(2) + motion%factor(i)*motion%load(i, 2)
+            total(3) = total(3) + motion%factor(i)*motion%load(i, 3)
         end do
     end function total_of
 
@@ -236,12 +246,13 @@ contains
         real(wp), intent(in) :: before
         type(motion_t), intent(in) :: motion
         real(wp), intent(out) :: tangent(4, 3)
-        real(wp) :: growth(3, 3), growth_by_force(3), by_way(3, 3), by_force(3), n(3), length
-        real(wp) :: load, slope, above, newborn_slope, born, born_above, strength_slope
+        real(wp) :: growth(3, 3), growth_by_force(3), by_way(3, 3), by_force(3), n(3), squared, stuck
+        real(wp) :: load, slope, above, strength_slope, born, born_above
         integer :: i, j
 
         call growth_slopes(mu, shift, compliance, before, motion, growth, growth_by_force)
         tangent = 0.0_wp
+        stuck = 0.0_wp
         above = 0.0_wp
         born_above = 0.0_wp
         do i = motion%used - 1, 0, -1
@@ -249,33 +260,58 @@ contains
             if (i > 0) call strength_beyond(levels, motion%base + i - 1, motion%cell, force, shift, compliance, load, slope)
             strength_slope = mu*(slope - above)
             above = slope
-            newborn_slope = 0.0_wp
-            if (i >= motion%before - 1 .and. motion%newborn(i) > 0.0_wp) then
+            by_force = 0.0_wp
+            by_way = 0.0_wp
+            if (i >= motion%first_newborn) then
+                born = 1.0_wp - motion%top(3)*compliance
                 if (i >= motion%before) call load_beyond(levels, motion%base + i - 1, force, shift, compliance, load, born)
-                if (i < motion%before) born = 1.0_wp - motion%top(3)*compliance
-                newborn_slope = born - born_above
+                by_force = (born - born_above)*motion%growth + motion%newborn(i)*growth_by_force
+                by_way = motion%newborn(i)*growth
                 born_above = born
             end if
-            by_force = newborn_slope*motion%growth + motion%newborn(i)*growth_by_force
-            by_way = motion%newborn(i)*growth
-            do j = 1, 3
-                by_way(j, j) = by_way(j, j) + motion%stiffness(i)
-            end do
-            length = norm2(motion%load(i, :))
-            if (length > within*motion%strength(i)) then
-                n = motion%load(i, :)/length
+            squared = motion%load(i, 1)**2 + motion%load(i, 2)**2 + motion%load(i, 3)**2
+            if (squared > (within*motion%strength(i))**2) then
+                ! K I turns with n
+                n = motion%load(i, :)/sqrt(squared)
+                if (i < motion%first_newborn) then
+                    call add_slip(motion%factor(i)*motion%stiffness(i), strength_slope, n, tangent)
+                    cycle
+                end if
+                do j = 1, 3
+                    by_way(j, j) = by_way(j, j) + motion%stiffness(i)
+                end do
                 by_force = motion%factor(i)*(by_force - dot_product(n, by_force)*n) + strength_slope*n
                 do j = 1, 3
                     by_way(:, j) = motion%factor(i)*(by_way(:, j) - dot_product(n, by_way(:, j))*n)
                 end do
             else if (.not. motion%strength(i) > 0.0_wp) then
                 cycle
+            else
+                stuck = stuck + motion%stiffness(i)
+                if (i < motion%first_newborn) cycle
             end if
-            ! by_way(component, of ds)
             tangent(:3, :) = tangent(:3, :) + transpose(by_way)
             tangent(4, :) = tangent(4, :) + by_force
         end do
+        do j = 1, 3
+            tangent(j, j) = tangent(j, j) + stuck
+        end do
     end subroutine tangent_of
+
+    !> What a slider brings that slips: |t| = mu B along n.
+    pure subroutine add_slip(stiffness, strength_slope, n, tangent)
+        !> K mu B/|y|, and mu dB/dF
+        real(wp), intent(in) :: stiffness, strength_slope
+        real(wp), intent(in) :: n(3)
+        real(wp), intent(inout) :: tangent(4, 3)
+        integer :: i
+
+        do i = 1, 3
+            tangent(:3, i) = tangent(:3, i) - (stiffness*n(i))*n
+            tangent(i, i) = tangent(i, i) + stiffness
+            tangent(4, i) = tangent(4, i) + strength_slope*n(i)
+        end do
+    end subroutine add_slip
 
     !> The derivatives of g.
     pure subroutine growth_slopes(mu, shift, compliance, before, motion, by_way, by_force)
@@ -304,19 +340,22 @@ contains
     end subroutine growth_slopes
 
     !> The record after the step.
-    pure subroutine keep(levels, mu, sliders, force, shift, compliance, motion, total, mark, record)
+    pure subroutine keep(levels, mu, sliders, force, shift, compliance, motion, mark, record)
         type(levels_t), intent(in) :: levels
         real(wp), intent(in) :: mu
         integer, intent(in) :: sliders
         real(wp), intent(in) :: force, shift, compliance
         type(motion_t), intent(in) :: motion
-        !> T
-        real(wp), intent(in) :: total(3)
         real(wp), intent(in) :: mark
-        real(wp), intent(inout) :: record(:)
+        real(wp), intent(inout), contiguous :: record(:)
+        real(wp) :: top
         integer :: i, axis, place, merged
 
         merged = max(motion%used - sliders, 0)
+        top = motion%top(3)
+        if (shift > motion%top(1)) top = max(1.0_wp/compliance, top)
+        call count_slip(levels, sliders, top, motion, record)
+        if (merged > 0) call count_merger(levels, top, merged, motion, record(at_lost))
         do axis = 1, 3
             place = head + 1 + (axis - 1)*sliders
             record(place) = 0.0_wp
@@ -331,13 +370,74 @@ contains
         record(at_base) = motion%base + merged
         record(at_used) = motion%used - merged
         record(at_shift) = shift
-        record(at_work) = record(at_work) + (total(1)*motion%shift(1) + total(2)*motion%shift(2) + total(3)*motion%shift(3))
         if (shift > motion%top(1)) then
-            record(at_top:at_top + 2) = [shift, force, max(1.0_wp/compliance, motion%top(3))]
+            record(at_top:at_top + 2) = [shift, force, top]
         else
             call shrink(levels, mu, sliders, force, shift, compliance, motion%cell, record)
         end if
     end subroutine keep
+
+    !> What slip takes in a step: t.(y - t)/K of each slider, and what its load was above its limit before it moved. Along a line
+    !> under constant F that is exact, however long the step.
+    pure subroutine count_slip(levels, sliders, top, motion, record)
+        type(levels_t), intent(in) :: levels
+        integer, intent(in) :: sliders
+        !> k at the upper end of the last slider after the step
+        real(wp), intent(in) :: top
+        type(motion_t), intent(in) :: motion
+        !> before the step; its energy grows
+        real(wp), intent(inout), contiguous :: record(:)
+        real(wp) :: stiffness, squared, lost, before
+        integer :: i
+
+        lost = 0.0_wp
+        do i = 0, motion%used - 1
+            if (motion%factor(i) >= 1.0_wp) cycle
+            stiffness = motion%stiffness(i)
+            if (i >= motion%first_newborn) stiffness = stiffness_of(levels, motion%base, i, top)
+            if (.not. stiffness > 0.0_wp) cycle
+            squared = motion%load(i, 1)**2 + motion%load(i, 2)**2 + motion%load(i, 3)**2
+            lost = lost + motion%factor(i)*(1.0_wp - motion%factor(i))*squared/stiffness
+            if (i >= motion%before) cycle
+            before = record(head + 1 + i)**2 + record(head + 1 + i + sliders)**2 + record(head + 1 + i + 2*sliders)**2
+            if (before > motion%strength(i)**2) lost = lost + (sqrt(before) - motion%strength(i))**2/(2.0_wp*stiffness)
+        end do
+        record(at_lost) = record(at_lost) + lost
+    end subroutine count_slip
+
+    !> What is lost as the core takes in its neighbours, whose displacements are not its own.
+    pure subroutine count_merger(levels, top, merged, motion, lost)
+        type(levels_t), intent(in) :: levels
+        real(wp), intent(in) :: top
+        integer, intent(in) :: merged
+        type(motion_t), intent(in) :: motion
+        real(wp), intent(inout) :: lost
+        real(wp) :: core(3), slider(3), stiffness, own
+        integer :: i
+
+        core = motion%factor(0)*motion%load(0, :)
+        stiffness = stiffness_of(levels, motion%base, 0, top)
+        do i = 1, merged
+            slider = motion%factor(i)*motion%load(i, :)
+            own = stiffness_of(levels, motion%base, i, top)
+            if (own > 0.0_wp .and. stiffness > 0.0_wp) then
+                lost = lost + sum((own*core - stiffness*slider)**2)/(2.0_wp*own*stiffness*(own + stiffness))
+            end if
+            core = core + slider
+            stiffness = stiffness + own
+        end do
+    end subroutine count_merger
+
+    !> K of a slider where k is `top` at the upper end of the last one.
+    pure function stiffness_of(levels, base, i, top) result(stiffness)
+        type(levels_t), intent(in) :: levels
+        integer, intent(in) :: base, i
+        real(wp), intent(in) :: top
+        real(wp) :: stiffness
+
+        stiffness = min(levels%stiffness(base + i), top)
+        if (i > 0) stiffness = stiffness - min(levels%stiffness(base + i - 1), top)
+    end function stiffness_of
 
     !> Sliders that the contact has left are forgotten, and the core is divided while there is room.
     pure subroutine shrink(levels, mu, sliders, force, shift, compliance, cell, record)
@@ -346,7 +446,7 @@ contains
         integer, intent(in) :: sliders
         real(wp), intent(in) :: force, shift, compliance
         integer, intent(in) :: cell
-        real(wp), intent(inout) :: record(:)
+        real(wp), intent(inout), contiguous :: record(:)
         integer :: base, used, last
         logical :: divided
 
@@ -375,7 +475,7 @@ contains
         integer, intent(in) :: sliders
         real(wp), intent(in) :: force, shift, compliance
         integer, intent(in) :: cell
-        real(wp), intent(inout) :: record(:)
+        real(wp), intent(inout), contiguous :: record(:)
         logical, intent(out) :: divided
         real(wp) :: share, length, beyond, above, slope
         integer :: base, used, axis, place
@@ -399,12 +499,15 @@ contains
         record(at_used) = used + 1
     end subroutine divide
 
-    !> The bodies part: nothing is left but the work done.
-    pure subroutine part(mark, record)
+    !> The bodies part: what is still stored is lost.
+    pure subroutine part(levels, sliders, mark, record)
+        type(levels_t), intent(in) :: levels
+        integer, intent(in) :: sliders
         real(wp), intent(in) :: mark
-        real(wp), intent(inout) :: record(:)
+        real(wp), intent(inout), contiguous :: record(:)
 
         record(at_law) = mark
+        record(at_lost) = record(at_lost) + stored_energy(levels, sliders, record)
         record(at_base:at_top + 2) = 0.0_wp
         record(head + 1:) = 0.0_wp
     end subroutine part
@@ -413,19 +516,17 @@ contains
     pure function stored_energy(levels, sliders, record) result(energy)
         type(levels_t), intent(in) :: levels
         integer, intent(in) :: sliders
-        real(wp), intent(in) :: record(:)
+        real(wp), intent(in), contiguous :: record(:)
         real(wp) :: energy
-        real(wp) :: stiffness, below, squared
+        real(wp) :: stiffness, squared
         integer :: i, base
 
         energy = 0.0_wp
         base = int(record(at_base))
         if (base < 1) return
-        below = 0.0_wp
         do i = 0, int(record(at_used)) - 1
-            stiffness = min(levels%stiffness(base + i), record(at_top + 2)) - below
-            below = below + stiffness
-            squared = sum(record(head + 1 + i::sliders)**2)
+            stiffness = stiffness_of(levels, base, i, record(at_top + 2))
+            squared = record(head + 1 + i)**2 + record(head + 1 + i + sliders)**2 + record(head + 1 + i + 2*sliders)**2
             if (stiffness > 0.0_wp) energy = energy + squared/(2.0_wp*stiffness)
         end do
     end function stored_energy
@@ -439,7 +540,7 @@ contains
         !> [1]
         real(wp), intent(in) :: angle
         real(wp), intent(in) :: mark
-        real(wp), intent(inout) :: record(:)
+        real(wp), intent(inout), contiguous :: record(:)
         real(wp) :: t(3), axis(3), cosine
         integer :: i
         logical :: known
