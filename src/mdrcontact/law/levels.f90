@@ -13,7 +13,7 @@ module mdrcontact_law_levels
     use mdrcontact_law_evaluate, only: point_at
     implicit none (type, external)
     private
-    public :: levels_t, new_levels, load_beyond, loads_beyond, share_of, share_index
+    public :: levels_t, new_levels, load_beyond, loads_beyond, apply_shares, share_of, share_index
     public :: fewest_sliders, most_sliders, most_levels, share_nodes
 
     !> Sliders of a law, and levels whatever its range.
@@ -115,18 +115,43 @@ contains
         real(wp), intent(out) :: share, slope
         real(wp) :: width, x
 
-        width = 1.0_wp
-        x = 0.0_wp
-        if (m < self%count) then
-            width = self%shift(m + 1) - self%shift(m)
-            x = (shift - self%shift(m))/width
-        end if
+        call place_between(self, m, shift, x, width)
         associate (c => self%share(:, share_index(l, m)))
             share = c(1) + x*(c(2) + x*c(3))
-            slope = 0.0_wp
-            if (m < self%count) slope = (c(2) + 2.0_wp*x*c(3))/width
+            slope = (c(2) + 2.0_wp*x*c(3))/width
         end associate
     end subroutine share_of
+
+    !> loads_beyond times the factors of levels in a row, none of them larger than F.
+    pure subroutine apply_shares(self, first, count, m, force, shift, loads)
+        type(levels_t), intent(in) :: self
+        integer, intent(in) :: first, count, m
+        !> F and S of the contact
+        real(wp), intent(in) :: force, shift
+        real(wp), intent(inout), contiguous :: loads(:)
+        real(wp) :: width, x
+        integer :: i, place
+
+        call place_between(self, m, shift, x, width)
+        place = share_index(first, m) - 1
+        do i = 1, min(count, m - first + 1)
+            associate (c => self%share(:, place + i))
+                loads(i) = min(loads(i)*(c(1) + x*(c(2) + x*c(3))), force)
+            end associate
+        end do
+    end subroutine apply_shares
+
+    !> Where S stands between levels m and m + 1, and how far these are apart; beyond the last level all stays as it is there.
+    pure subroutine place_between(self, m, shift, x, width)
+        type(levels_t), intent(in) :: self
+        integer, intent(in) :: m
+        real(wp), intent(in) :: shift
+        real(wp), intent(out) :: x, width
+
+        width = self%shift(m + 1) - self%shift(m)
+        x = 0.0_wp
+        if (m < self%count) x = (shift - self%shift(m))/width
+    end subroutine place_between
 
     !> Where the share of the springs beyond level l of a contact between levels m >= l and m + 1 stands.
     pure function share_index(l, m) result(place)

@@ -10,7 +10,7 @@
 !> them open. As the contact grows past the last level the core takes in its neighbour; as it shrinks, the core is divided.
 module mdrcontact_law_sliders
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_levels, only: levels_t, load_beyond, loads_beyond, most_levels, most_sliders, share_of
+    use mdrcontact_law_levels, only: apply_shares, levels_t, load_beyond, loads_beyond, most_levels, most_sliders, share_of
     implicit none (type, external)
     private
     public :: motion_t, record_size, is_record, move, total_of, tangent_of, keep, part, stored_energy, turn_record
@@ -83,7 +83,7 @@ contains
 
         call begin(levels, shift, record, motion)
         call find_stiffnesses(levels, motion)
-        call find_strengths(levels, mu, force, shift, compliance, motion)
+        call find_strengths(levels, mu, force, shift, motion)
         motion%shift = way
         motion%growth = 0.0_wp
         motion%first_newborn = motion%used
@@ -139,22 +139,20 @@ contains
     end subroutine find_stiffnesses
 
     !> P and mu B.
-    pure subroutine find_strengths(levels, mu, force, shift, compliance, motion)
+    pure subroutine find_strengths(levels, mu, force, shift, motion)
         type(levels_t), intent(in) :: levels
-        real(wp), intent(in) :: mu, force, shift, compliance
+        real(wp), intent(in) :: mu, force, shift
         type(motion_t), intent(inout) :: motion
-        real(wp) :: slope
         integer :: i
 
         motion%beyond(0) = force
         motion%beyond(motion%used) = 0.0_wp
-        if (allocated(levels%share)) then
+        call loads_beyond(levels, motion%base, motion%used - 1, force, shift, motion%beyond(1:))
+        if (allocated(levels%share) .and. motion%cell >= motion%base) then
+            call apply_shares(levels, motion%base, motion%used - 1, motion%cell, force, shift, motion%beyond(1:))
             do i = motion%used - 1, 1, -1
-                call strength_beyond(levels, motion%base + i - 1, motion%cell, force, shift, compliance, motion%beyond(i), slope)
                 motion%beyond(i) = max(motion%beyond(i), motion%beyond(i + 1))
             end do
-        else
-            call loads_beyond(levels, motion%base, motion%used - 1, force, shift, motion%beyond(1:))
         end if
         do i = 0, motion%used - 1
             motion%strength(i) = mu*max(motion%beyond(i) - motion%beyond(i + 1), 0.0_wp)
