@@ -76,6 +76,8 @@ module mdrcontact_law_friction
     integer, parameter :: block_size = 256, few = 6, smallest_parallel = 16*block_size
     !> Forces, shifts and records of larger size are refused: their squares are no numbers.
     real(wp), parameter :: largest = 1.0e150_wp
+    !> A normal force of this part of the largest is none: slopes there are no numbers.
+    real(wp), parameter :: nothing = 1.0e-100_wp
     !> How far from 1 the length of a normal may be.
     real(wp), parameter :: loose = 1.0e-6_wp
     character(len=*), parameter :: must_be_moderate = " must be finite, at most 1e150 in size"
@@ -224,7 +226,7 @@ contains
 
         traction = 0.0_wp
         if (present(tangent)) tangent = 0.0_wp
-        if (.not. force > 0.0_wp) then
+        if (.not. force > nothing*self%law%by_force%highest) then
             if (.not. is_trial) call part(self%levels, self%sliders, self%mark, memory)
             return
         end if

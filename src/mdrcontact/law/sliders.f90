@@ -91,7 +91,8 @@ contains
             motion%first_newborn = motion%before - 1
             call find_newborn(levels, force, shift, compliance, motion)
             before = record(at_shift)
-            size_of_way = sqrt(way(1)**2 + way(2)**2 + way(3)**2)
+            ! of shifts whose squares are lost the largest component
+            size_of_way = max(sqrt(way(1)**2 + way(2)**2 + way(3)**2), abs(way(1)), abs(way(2)), abs(way(3)))
             motion%is_slow = size_of_way <= mu*(shift - before)
             motion%growth = way/max(shift - before, size_of_way/mu)
         end if
