@@ -26,6 +26,11 @@ module mdrcontact_numerics_sampled_function
     !> The slope in x of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t: 1/t amplifies rounding.
     real(wp), parameter :: smallest_root = 1.0e-5_wp
 
+    !> What a value between the nodes may be off, relative to what the last coefficients may be.
+    real(wp), parameter :: check_margin = 10.0_wp
+    !> Keeps points of comparison off the nodes.
+    real(wp), parameter :: irrational = 0.2819093917_wp
+
     !> Chebyshev series on panels.
     type :: sampled_function_t
         private
@@ -60,7 +65,7 @@ module mdrcontact_numerics_sampled_function
 contains
 
     !> Samples `f` between the first and the last of `edges` to a relative `tolerance` of the largest value in each panel.
-    subroutine new_sampled_function(self, f, edges, from_root, tolerance, error, noise, most, roughness)
+    subroutine new_sampled_function(self, f, edges, from_root, tolerance, error, noise, most, roughness, checks)
         type(sampled_function_t), intent(out) :: self
         class(scalar_function_t), intent(inout) :: f
         !> ascending; panels never cross one, so put them where f is not analytic
@@ -75,14 +80,19 @@ contains
         integer, intent(in), optional :: most
         !> relative accuracy of the values of f, beyond which a panel whose coefficients no longer fall is not refined; default 0
         real(wp), intent(in), optional :: roughness
+        !> points of the whole range at which the series are compared with f, between the nodes and at both ends of each panel;
+        !> default: one in each panel
+        integer, intent(in), optional :: checks
         real(wp), allocatable :: stack(:, :)
         logical, allocatable :: root_stack(:)
-        integer :: waiting, count, limit, stat
-        real(wp) :: cosines(nodes, nodes), coefficients(nodes), left, right, unresolved
+        integer :: waiting, count, limit, points, stat
+        real(wp) :: cosines(nodes, nodes), coefficients(nodes), left, right, unresolved, accuracy
         logical :: resolved
 
         limit = most_panels
         if (present(most)) limit = most
+        points = 0
+        if (present(checks)) points = checks
         ! Panels wait on a stack, leftmost on top, so that finished ones come out in ascending order.
         call resize(self, 0, size(edges) + 64, error)
         if (allocated(error)) return
@@ -112,11 +122,21 @@ contains
             end if
             unresolved = maxval(abs(coefficients(nodes - 2:)))
             ! No polynomial can be closer than the rounding of x allows, which moves x by this much of a narrow panel.
-            resolved = unresolved <= tolerance*maxval(abs(coefficients)) + &
+            accuracy = tolerance*maxval(abs(coefficients)) + &
                        epsilon(left)*max(abs(left), abs(right))/(right - left)*maxval(abs(coefficients(2:)))
-            if (present(noise)) resolved = resolved .or. unresolved <= noise
-            if (present(roughness)) resolved = resolved .or. unresolved <= roughness*maxval(abs(coefficients)) .and. &
-                                               unresolved > 0.1_wp*maxval(abs(coefficients(nodes/2:nodes - 3)))
+            if (present(noise)) accuracy = max(accuracy, noise)
+            resolved = unresolved <= accuracy
+            if (present(roughness)) then
+                if (unresolved > 0.1_wp*maxval(abs(coefficients(nodes/2:nodes - 3)))) accuracy = &
+                    max(accuracy, roughness*maxval(abs(coefficients)))
+                resolved = unresolved <= accuracy
+            end if
+            if (resolved) resolved = agrees(f, left, right, root_stack(waiting), coefficients, check_margin*accuracy, &
+                                            max(nint(points*(right - left)/(edges(size(edges)) - edges(1))), 1), points > 0)
+            if (allocated(f%error)) then
+                error = f%error
+                return
+            end if
             if (.not. resolved .and. right - left <= shortest_panel*max(abs(left), abs(right))) resolved = .true.
             if (.not. resolved .and. waiting < size(root_stack)) then
                 stack(:, waiting + 1) = [left, 0.5_wp*(left + right)]
@@ -153,6 +173,30 @@ contains
         end do
         call integrate_panels(self)
     end subroutine new_sampled_function
+
+    !> Whether a panel's series is as close to f at points between its nodes.
+    function agrees(f, left, right, from_root, coefficients, accuracy, points, at_ends) result(answer)
+        class(scalar_function_t), intent(inout) :: f
+        real(wp), intent(in) :: left, right
+        logical, intent(in) :: from_root
+        real(wp), intent(in) :: coefficients(nodes)
+        real(wp), intent(in) :: accuracy
+        integer, intent(in) :: points
+        !> a corner just beside an edge shows at the edge alone
+        logical, intent(in) :: at_ends
+        logical :: answer
+        real(wp) :: t, x
+        integer :: i
+
+        answer = .true.
+        do i = merge(0, 1, at_ends), points + merge(1, 0, at_ends)
+            x = min(max(left + (right - left)*(i - irrational)/points, left), right)
+            t = (x - left)/(right - left)
+            if (from_root) t = sqrt(t)
+            answer = abs(f%value(x) - chebyshev_sum(coefficients, 2.0_wp*t - 1.0_wp)) <= accuracy
+            if (allocated(f%error) .or. .not. answer) return
+        end do
+    end function agrees
 
     !> How many coefficients are more than the rounding of values and of positions.
     pure function leading(c, left, right) result(count)
