@@ -230,13 +230,16 @@ int mdr_profile_area_function(int n, const double coefficients[], double min_hei
  *  @param out  receives the handle */
 int mdr_profile_table(int n, const double r[], const double f[], mdr_profile **out);
 
-/** Indenter from a function f(r), smooth but for a power of r at the axis. It is sampled when the handle is made. Written without
- *  cancellation, r^2/(R + sqrt(R^2 - r^2)) rather than R - sqrt(R^2 - r^2), it keeps its relative accuracy near the axis.
- *  @param height          f(r) on [0, largest_radius], f(0) = 0, never decreasing [length]
+/** Indenter from a function f(r), smooth but for corners and a power of r at the axis; a feature narrower than 1 % of
+ *  largest_radius may go unseen. It is sampled when the handle is made, and compared with f between the nodes. Written without
+ *  cancellation, r^2/(R + sqrt(R^2 - r^2)) rather than R - sqrt(R^2 - r^2), f keeps its digits down to the axis. Where its values
+ *  scatter there, f is continued by a power series in r that agrees with them within their scatter and is determined by them to
+ *  3e-10, or refused.
+ *  @param height          f(r) on [0, largest_radius], f(0) = 0, greater than 0 beyond, never decreasing [length]
  *  @param context         passed on to height, may be NULL
  *  @param largest_radius  > 0, up to where contacts reach [length]
  *  @param out             receives the handle
- *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if f is not smooth enough to be sampled */
+ *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if f is not smooth enough to be sampled or loses its digits towards the axis */
 int mdr_profile_callback(mdr_function height, void *context, double largest_radius, mdr_profile **out);
 
 /** Sum of indenters, f = f1 + f2 + ...: their g add too. It is defined as far as the first of them ends.

@@ -165,6 +165,49 @@ static void callback_is_the_parabola(void)
     CHECK_SUCCESS(mdr_profile_free(&expected));
 }
 
+static int hyperboloid(double r, double *f, void *b)
+{
+    *f = r * r / (sqrt(r * r + *(double *)b * *(double *)b) + *(double *)b);
+    return 0;
+}
+
+/* sqrt(r^2 + b^2) - b has g = x arctan(x/b), however far beyond its tip it is given. */
+static void callback_keeps_the_tip(void)
+{
+    double b = 1e-7, x, g;
+    mdr_profile *p = NULL;
+
+    for (double largest = b; largest < 2e4 * b; largest *= 10) {
+        CHECK_SUCCESS(mdr_profile_callback(hyperboloid, &b, largest, &p));
+        for (x = 0.9 * largest; x > 1e-9 * b; x *= 0.3) {
+            CHECK_SUCCESS(mdr_profile_mdr(p, 1, &x, &g));
+            CHECK_CLOSE(g, x * atan(x / b), 1e-11);
+        }
+        CHECK_SUCCESS(mdr_profile_free(&p));
+    }
+}
+
+static int sphere_of_differences(double r, double *f, void *radius)
+{
+    const double R = *(double *)radius;
+    *f = R - sqrt(R * R - r * r);
+    return 0;
+}
+
+static void callback_says_what_is_lost(void)
+{
+    double radius = 1e-5;
+    mdr_profile *p = NULL, *expected = NULL;
+
+    CHECK_SUCCESS(mdr_profile_callback(sphere_of_differences, &radius, 1e-6, &p));
+    CHECK_SUCCESS(mdr_profile_sphere(radius, &expected));
+    same_profile(p, expected, 1e-6, 1e-10);
+    CHECK_SUCCESS(mdr_profile_free(&expected));
+    p = NULL;
+    CHECK_STATUS(mdr_profile_callback(sphere_of_differences, &radius, 1e-9, &p), MDR_ENOCONVERGENCE, "loses digits");
+    CHECK_TRUE(p == NULL);
+}
+
 /* A(f) = C0 f^2 alone is a cone: pi r^2 = C0 f^2. */
 static void area_function_is_the_cone(void)
 {
@@ -315,6 +358,8 @@ int main(void)
     callback_refuses();
     sum_refuses();
     callback_is_the_parabola();
+    callback_keeps_the_tip();
+    callback_says_what_is_lost();
     area_function_is_the_cone();
     tables_are_the_cone();
     sum_adds();

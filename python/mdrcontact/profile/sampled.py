@@ -59,8 +59,11 @@ class TabulatedMDRProfile(Profile):
 class CallableProfile(Profile):
     """A profile from a user function.
 
-    f : takes a radius r, 0 <= r <= r_max, and returns the height; f(0) = 0. It is called while the object is made and never later;
-        what it raises is raised to the caller
+    f : takes a radius r, 0 <= r <= r_max, and returns the height [length]; f(0) = 0, greater than 0 beyond, never decreasing,
+        smooth but for corners; a feature narrower than 1 % of r_max may go unseen. It is called while the object is made and
+        never later; what it raises is raised to the caller. A formula that loses its digits towards the axis,
+        R - sqrt(R^2 - r^2), is continued by a power series in r that its values determine to 3e-10, or refused with
+        NoConvergenceError; r^2/(R + sqrt(R^2 - r^2)) loses none
     r_max : largest radius at which f is defined [length], > 0
 
     Pickles if f does (a function of a module does, a lambda does not).

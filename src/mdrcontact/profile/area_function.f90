@@ -71,7 +71,7 @@ contains
         height%max_height = max_height
         allocate (breaks(0))
         if (min_height > 0.0_wp) breaks = [radius_at(coefficients, min_height)]
-        call sample_from_height(self, height, radius_at(coefficients, max_height), 0.0_wp, breaks, .false., error)
+        call sample_from_height(self, height, radius_at(coefficients, max_height), 0.0_wp, breaks, epsilon(pi), error)
     end subroutine new_area_function_profile
 
     !> A(f) = C0 f^2 + C1 f + C2 f^(1/2) + ... [length^2]

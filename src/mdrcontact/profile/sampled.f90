@@ -7,12 +7,13 @@ module mdrcontact_profile_sampled
     use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile_corners, only: add_corners
     use mdrcontact_profile_transform, only: new_transform, transform_t
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: sampled_profile_t, sample_from_height, sample_from_mdr
+    public :: sampled_profile_t, sample_from_height, sample_from_mdr, first_edge
 
     !> f and g between a smallest and the largest radius, and as powers of the radius below.
     type, extends(profile_t) :: sampled_profile_t
@@ -38,17 +39,28 @@ module mdrcontact_profile_sampled
     integer, parameter :: checks_in_panel = 16
     !> Octaves towards a flat end, where x - b loses the digits of x and only absolute accuracy is left to have.
     integer, parameter :: flat_octaves = 10
-    !> Keeps the radii that probe for lost digits off powers of 2, where a user's formula may lose none by chance.
-    real(wp), parameter :: irrational = 0.7390851332151607_wp
+    !> The uppermost edge of the panels towards the axis, relative to where they begin: the others are halves of it. No corner of a
+    !> user's function comes to lie on one by chance, where it would go unseen.
+    real(wp), parameter :: first_edge = 0.7390851332151607_wp
+    !> Keeps the radii of looks at f off the edges of panels.
+    real(wp), parameter :: irrational = 0.8603335890193797_wp
+    !> What scatter of f leaves of the accuracy of f and g at most.
+    real(wp), parameter :: height_roughness = 20.0_wp, transform_roughness = 30.0_wp
+    !> How often f is sampled anew with the corners that were found.
+    integer, parameter :: most_rounds = 4
+    !> Points at which the sampled f is compared with its source.
+    integer, parameter :: height_checks = 128
     !> Lengths below it, and above its inverse, are refused.
     real(wp), parameter :: smallest_length = 1.0e-150_wp
-    !> The range over which f and g are sampled: down to this fraction of their largest value or of the largest radius.
+    !> The range over which f and g are sampled: down to this fraction of their largest value or of the largest radius,
     real(wp), parameter :: smallest_value = 1.0e-20_wp, smallest_radius = 1.0e-10_wp
+    !> and on until the exponent of r changes by less than `straight` in an octave, but not beyond these.
+    real(wp), parameter :: straight = 1.0e-13_wp, least_value = 1.0e-60_wp, least_radius = 1.0e-30_wp
 
 contains
 
     !> Samples f = `height` on [0, largest] and transforms it.
-    subroutine sample_from_height(self, height, largest, flat_radius, breaks, may_lose_digits, error)
+    subroutine sample_from_height(self, height, largest, flat_radius, breaks, roughness, error)
         type(sampled_profile_t), intent(out) :: self
         !> f(r) >= 0 with f(0) = 0, not decreasing [length]
         class(scalar_function_t), intent(inout) :: height
@@ -56,44 +68,64 @@ contains
         real(wp), intent(in) :: largest
         !> radius up to which f = 0 [length]
         real(wp), intent(in) :: flat_radius
-        !> ascending radii in (flat_radius, largest) where f is not analytic [length]
+        !> ascending radii in (flat_radius, largest) where f is not analytic, as far as they are known [length]
         real(wp), intent(in) :: breaks(:)
-        !> whether `height` may lose relative accuracy towards the axis, as a user's formula does
-        logical, intent(in) :: may_lose_digits
+        !> scatter of the heights, relative to themselves
+        real(wp), intent(in) :: roughness
         type(error_t), allocatable, intent(out) :: error
         type(sampled_function_t), target :: f
         type(transform_t) :: transform
-        real(wp), allocatable :: f_edges(:), g_edges(:)
+        real(wp), allocatable :: all_breaks(:), edges(:)
+        logical, allocatable :: roots(:)
+        integer :: round, known, octaves
+
+        call merge_breaks(all_breaks, breaks, error)
+        do round = 1, most_rounds
+            if (allocated(error)) return
+            known = size(all_breaks)
+            call sample_height(f, height, largest, flat_radius, all_breaks, roughness, octaves, edges, error)
+            if (.not. allocated(error)) call add_corners(f, height, edges, all_breaks, error)
+            if (allocated(error)) return
+            if (size(all_breaks) == known) exit
+        end do
+        call check_ascending(f, error)
+        if (.not. allocated(error)) call new_transform(transform, f, .true., end_exponent(f, flat_radius), error)
+        if (.not. allocated(error)) call plan_panels(flat_radius, all_breaks, largest, octaves, edges, roots, error)
+        if (allocated(error)) return
+        call new_sampled_function(self%g, transform, edges, roots, transform_tolerance, error, &
+                                  noise=flat_noise(transform, flat_radius, first_break(all_breaks, largest)), &
+                                  most=most_panels(edges), roughness=transform_roughness*roughness)
+        if (allocated(error)) return
+        call f%move_to(self%f)
+        call finish(self, flat_radius, all_breaks, error)
+    end subroutine sample_from_height
+
+    !> f on panels between the breaks and, towards the axis, by octaves.
+    subroutine sample_height(f, height, largest, flat_radius, breaks, roughness, octaves, edges, error)
+        type(sampled_function_t), intent(out) :: f
+        class(scalar_function_t), intent(inout) :: height
+        real(wp), intent(in) :: largest, flat_radius, breaks(:), roughness
+        !> over which g is sampled below the first break
+        integer, intent(out) :: octaves
+        !> of the panels, before any was halved
+        real(wp), allocatable, intent(out) :: edges(:)
+        type(error_t), allocatable, intent(inout) :: error
         logical, allocatable :: roots(:)
         real(wp) :: top
-        integer :: count
 
+        octaves = 0
         call check_sizes([first_break(breaks, largest), largest], error)
         if (allocated(error)) return
         top = height%value(largest)
-        if (.not. allocated(height%error)) call check_start(height, flat_radius, top, error)
         if (allocated(height%error)) error = height%error
         if (.not. allocated(error)) call check_sizes([top], error)
+        if (.not. allocated(error)) call descending_edges(height, flat_radius, first_break(breaks, largest), top, roughness, &
+                                                          octaves, error)
+        if (.not. allocated(error)) call plan_panels(flat_radius, breaks, largest, octaves + extra_octaves, edges, roots, error)
         if (allocated(error)) return
-        call descending_edges(height, flat_radius, first_break(breaks, largest), top, may_lose_digits, count, error)
-        if (allocated(error)) return
-        call plan_panels(flat_radius, breaks, largest, count + extra_octaves, f_edges, roots, error)
-        if (.not. allocated(error)) call plan_panels(flat_radius, breaks, largest, count, g_edges, roots, error)
-        if (allocated(error)) return
-
-        call new_sampled_function(f, height, f_edges, [logical ::], height_tolerance, error, noise=4.0_wp*epsilon(top)*top, &
-                                  most=most_panels(f_edges))
-        if (allocated(error)) return
-        call check_ascending(f, error)
-        if (.not. allocated(error)) call new_transform(transform, f, .true., end_exponent(f, flat_radius), error)
-        if (allocated(error)) return
-        call new_sampled_function(self%g, transform, g_edges, roots, transform_tolerance, error, &
-                                  noise=max(flat_noise(transform, flat_radius, first_break(breaks, largest)), &
-                                            merge(100.0_wp*epsilon(top)*top, 0.0_wp, may_lose_digits)), most=most_panels(g_edges))
-        if (allocated(error)) return
-        call f%move_to(self%f)
-        call finish(self, flat_radius, breaks, error)
-    end subroutine sample_from_height
+        call new_sampled_function(f, height, edges, [logical ::], height_tolerance, error, most=most_panels(edges), &
+                                  roughness=height_roughness*roughness, checks=height_checks)
+    end subroutine sample_height
 
     recursive subroutine copy_to(self, copy, error)
         class(sampled_profile_t), intent(in) :: self
@@ -131,7 +163,8 @@ contains
 
         call check_sizes([first_break(breaks, largest), largest, mdr%value(largest)], error)
         if (allocated(error)) return
-        octaves = merge(flat_octaves, 33, flat_radius > 0.0_wp)
+        call descending_edges(mdr, flat_radius, first_break(breaks, largest), mdr%value(largest), epsilon(largest), octaves, error)
+        if (allocated(error)) return
         call plan_panels(flat_radius, breaks, largest, octaves + extra_octaves, g_edges, roots, error)
         if (.not. allocated(error)) call plan_panels(flat_radius, breaks, largest, octaves, f_edges, roots, error)
         if (allocated(error)) return
@@ -256,23 +289,6 @@ contains
         if (flat_radius > 0.0_wp) noise = transform_tolerance*transform%value(first)
     end function flat_noise
 
-    !> f(0) must be 0, and the profile must rise at all.
-    subroutine check_start(f, flat_radius, top, error)
-        class(scalar_function_t), intent(inout) :: f
-        real(wp), intent(in) :: flat_radius, top
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: start
-
-        start = f%value(0.0_wp)
-        if (allocated(f%error)) return
-        if (abs(start) > 1.0e-12_wp*abs(top) .and. flat_radius <= 0.0_wp) then
-            call raise(error, error_invalid, "f(0) = "//to_text(start)//" is not allowed: heights are counted from the "// &
-                       "indenter's lowest point, f(0) = 0")
-        else if (.not. top > 0.0_wp) then
-            call raise(error, error_invalid, "f at the largest radius = "//to_text(top)//" is not allowed: the profile must rise")
-        end if
-    end subroutine check_start
-
     subroutine check_ascending(f, error)
         type(sampled_function_t), intent(in) :: f
         type(error_t), allocatable, intent(inout) :: error
@@ -297,33 +313,30 @@ contains
         end do
     end subroutine check_ascending
 
-    !> How many times the first panel is halved towards the axis: until the height is negligible or, for a function that
-    !> may lose digits there (R - sqrt(R^2 - r^2)), until ln f stops becoming straighter in ln r.
-    subroutine descending_edges(f, flat_radius, first, top, may_lose_digits, count, error)
+    !> How many times the first panel is halved towards the axis: until the height is negligible and a power of the radius.
+    subroutine descending_edges(f, flat_radius, first, top, roughness, count, error)
         class(scalar_function_t), intent(inout) :: f
-        real(wp), intent(in) :: flat_radius, first, top
-        logical, intent(in) :: may_lose_digits
+        real(wp), intent(in) :: flat_radius, first, top, roughness
         integer, intent(out) :: count
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: values(3), bend, bend_before
+        real(wp) :: height, outside, exponent, bend, scale
 
-        count = 0
-        values = 0.0_wp
-        bend_before = huge(bend)
-        do while (count < merge(flat_octaves, nint(-log(smallest_radius)/log(2.0_wp)), flat_radius > 0.0_wp))
-            values(2:3) = values(1:2)
-            values(1) = f%value(flat_radius + irrational*(first - flat_radius)*0.5_wp**(count + 1 + extra_octaves))
-            if (allocated(f%error)) then
-                error = f%error
-                return
+        outside = top
+        exponent = huge(exponent)
+        do count = 0, merge(flat_octaves, nint(-log(least_radius)/log(2.0_wp)), flat_radius > 0.0_wp) - 1
+            scale = irrational*0.5_wp**(count + 1 + extra_octaves)
+            height = f%value(flat_radius + (first - flat_radius)*scale)
+            if (allocated(f%error)) error = f%error
+            if (height <= 0.0_wp .and. outside > smallest_value*top .and. flat_radius <= 0.0_wp) then
+                call raise(error, error_invalid, "f = "//to_text(height)//" at r = "//to_text(first*scale)//" is not allowed: "// &
+                           "f must be greater than 0 from the axis on; a flat end is made by a table with leading zeros of f")
             end if
-            if (.not. values(1) > smallest_value*top) exit
-            if (may_lose_digits .and. values(3) > 0.0_wp) then
-                bend = abs(log(values(1)/values(2)) - log(values(2)/values(3)))
-                if (bend > bend_before .and. bend > 1.0e-12_wp) exit
-                bend_before = bend
-            end if
-            count = count + 1
+            if (allocated(error)) return
+            if (.not. height > least_value*top .or. first*scale < smallest_length) exit
+            bend = abs(log(outside/height)/log(2.0_wp) - exponent)
+            if ((height < smallest_value*top .or. scale < smallest_radius) .and. bend < max(straight, 4.0_wp*roughness)) exit
+            exponent = log(outside/height)/log(2.0_wp)
+            outside = height
         end do
         ! a function that falls faster than that within an octave still needs the octave
         count = max(count, 1)
@@ -351,8 +364,8 @@ contains
         most = 1000 + 20*size(edges)
     end function most_panels
 
-    !> The edges of panels: start + (stop - start) 2^-count, ... towards the first break, a flat end's own radius before them, then
-    !> the breaks and the end. Behind a flat end and a break the transform has a square-root branch.
+    !> The edges of panels: start + (stop - start) first_edge 2^-count, ... towards the first break, a flat end's own radius before
+    !> them, then the breaks and the end. Behind a flat end and a break the transform has a square-root branch.
     pure subroutine plan_panels(flat_radius, breaks, largest, count, edges, roots, error)
         real(wp), intent(in) :: flat_radius, breaks(:), largest
         integer, intent(in) :: count
@@ -363,19 +376,19 @@ contains
         integer :: i, flat_ends, stat
 
         flat_ends = merge(1, 0, flat_radius > 0.0_wp)
-        allocate (edges(flat_ends + count + size(breaks) + 1), stat=stat)
+        allocate (edges(flat_ends + count + size(breaks) + 2), stat=stat)
         if (stat == 0) allocate (roots(size(edges) - 1), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         edges(:flat_ends) = flat_radius
-        do i = 1, count
-            edges(flat_ends + i) = flat_radius + (first_break(breaks, largest) - flat_radius)*0.5_wp**(count + 1 - i)
+        do i = 0, count
+            edges(flat_ends + i + 1) = flat_radius + (first_break(breaks, largest) - flat_radius)*first_edge*0.5_wp**(count - i)
         end do
-        edges(flat_ends + count + 1:size(edges) - 1) = breaks
+        edges(flat_ends + count + 2:size(edges) - 1) = breaks
         edges(size(edges)) = largest
         roots(:flat_ends) = .true.
-        roots(flat_ends + 1:flat_ends + count) = .false.
-        roots(flat_ends + count + 1:) = .true.
+        roots(flat_ends + 1:flat_ends + count + 1) = .false.
+        roots(flat_ends + count + 2:) = .true.
     end subroutine plan_panels
 
     pure function first_break(breaks, largest) result(radius)

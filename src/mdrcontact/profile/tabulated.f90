@@ -6,6 +6,7 @@ module mdrcontact_profile_tabulated
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
     use mdrcontact_profile_sampled, only: sample_from_height, sample_from_mdr, sampled_profile_t
+    use mdrcontact_profile_user_height, only: new_user_height, user_height_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t, watched_function_t
     implicit none (type, external)
     private
@@ -28,7 +29,7 @@ contains
         if (.not. allocated(error)) call new_monotone_table(table, r, f, error)
         if (allocated(error)) return
         flat = last_zero(f)
-        call sample_from_height(self, table, r(size(r)), r(flat), r(flat + 1:size(r) - 1), .false., error)
+        call sample_from_height(self, table, r(size(r)), r(flat), r(flat + 1:size(r) - 1), epsilon(f), error)
     end subroutine new_tabulated_profile
 
     !> The indenter whose one-dimensional profile goes through the points (x, g), equation (4).
@@ -52,13 +53,15 @@ contains
     !> An indenter from a function f(r), smooth but for a power of r at the axis. The function is called here and never again.
     subroutine new_profile_from_function(self, height, largest_radius, error)
         type(sampled_profile_t), intent(out) :: self
-        !> f(r) on [0, largest_radius]: f(0) = 0, not decreasing. Written without cancellation near the axis it keeps its
-        !> relative accuracy there: r^2/(R + sqrt(R^2 - r^2)) rather than R - sqrt(R^2 - r^2).
+        !> f(r) on [0, largest_radius]: f(0) = 0, not decreasing, smooth but for corners and a power of r at the axis. Where it
+        !> loses digits towards the axis, as R - sqrt(R^2 - r^2) does and r^2/(R + sqrt(R^2 - r^2)) does not, it is continued
+        !> by a series in r that its values determine to 3e-10, or refused with error_no_convergence.
         class(scalar_function_t), intent(inout), target :: height
         !> up to where contacts reach, > 0 [length]
         real(wp), intent(in) :: largest_radius
         type(error_t), allocatable, intent(out) :: error
-        type(watched_function_t) :: watched
+        type(watched_function_t), target :: watched
+        type(user_height_t) :: user
         real(wp), parameter :: no_breaks(0) = [real(wp) ::]
 
         call disable_gsl_abort()
@@ -67,7 +70,9 @@ contains
         watched%f => height
         watched%name = "profile function"
         watched%argument = "r"
-        call sample_from_height(self, watched, largest_radius, 0.0_wp, no_breaks, .true., error)
+        call new_user_height(user, watched, largest_radius, error)
+        if (allocated(error)) return
+        call sample_from_height(self, user, largest_radius, 0.0_wp, no_breaks, user%roughness, error)
     end subroutine new_profile_from_function
 
     pure subroutine check_profile_table(x_name, x, y_name, y, error)
