@@ -31,6 +31,8 @@ module mdrcontact_body_graded
     !> Octaves of depth above the first entry of a table, and in the range of a function, before the homogeneous top.
     integer, parameter :: table_octaves = 30, function_octaves = 50
     real(wp), parameter :: function_tolerance = 1.0e-13_wp
+    !> Relative, of the integrals that show whether a rule follows the constants.
+    real(wp), parameter :: rule_tolerance = 1.0e-13_wp
     !> Functions that want more panels than this are not smooth.
     integer, parameter :: most_panels = 500
 
@@ -51,6 +53,7 @@ module mdrcontact_body_graded
         type(layer_modes_t) :: top
     contains
         procedure :: constants
+        procedure :: is_integrated_by
         procedure :: add_knots
         procedure :: response
         procedure :: in_plane_response
@@ -117,10 +120,11 @@ contains
         watched(2)%f => poisson
         allocate (self%young_of, self%poisson_of)
         call new_sampled_function(self%young_of, watched(1), edges, spread(.false., 1, function_octaves), function_tolerance, &
-                                  error, most=most_panels)
+                                  error, most=most_panels, everywhere=.true.)
         if (.not. allocated(error)) call new_sampled_function(self%poisson_of, watched(2), edges, &
                                                               spread(.false., 1, function_octaves), function_tolerance, error, &
-                                                              noise=1.0e-15_wp, most=most_panels)
+                                                              noise=1.0e-15_wp, most=most_panels, &
+                                                              everywhere=.true.)
         if (allocated(error)) return
         call self%add_knots(depths, error)
         do i = 1, size(depths)
@@ -142,6 +146,7 @@ contains
             call merge_breaks(depths, self%z(2:), error)
         else
             call merge_breaks(depths, self%young_of%panel_edges(), error)
+            call merge_breaks(depths, self%poisson_of%panel_edges(), error)
         end if
     end subroutine add_knots
 
@@ -170,6 +175,46 @@ contains
         shear = 0.5_wp*young/(1.0_wp + poisson)
     end subroutine constants
 
+    !> Whether a rule on [0, 1] integrates the constants between two depths as it does over both halves, where its nodes are others,
+    !> to its tolerance or to what the rounding of z allows.
+    pure function is_integrated_by(self, places, weights, from, to) result(answer)
+        class(graded_body_t), intent(in) :: self
+        !> nodes and weights, same size
+        real(wp), intent(in) :: places(:), weights(:)
+        !> 0 <= from < to, no knot between them [length]
+        real(wp), intent(in) :: from, to
+        logical :: answer
+        real(wp), dimension(6) :: whole, halves
+        real(wp) :: middle, shear(2), nu, rounding
+
+        middle = from + 0.5_wp*(to - from)
+        answer = .not. (from < middle .and. middle < to)
+        if (answer) return
+        whole = moments(self, places, weights, from, to, from)
+        halves = moments(self, places, weights, from, middle, from) + moments(self, places, weights, middle, to, from)
+        call self%constants(from, shear(1), nu)
+        call self%constants(to, shear(2), nu)
+        rounding = epsilon(1.0_wp)*to/(to - from)*(maxval(shear)/minval(shear) - 1.0_wp)
+        answer = all(abs(whole - halves) <= max(rule_tolerance, rounding)*halves)
+    end function is_integrated_by
+
+    !> int {G, 1/G, 1 + nu} dz between two depths, and the same times z - start. Whatever is integrated lies between G and 1/G.
+    pure function moments(self, places, weights, from, to, start) result(values)
+        type(graded_body_t), intent(in) :: self
+        real(wp), intent(in) :: places(:), weights(:), from, to, start
+        real(wp) :: values(6)
+        real(wp) :: z, shear, nu, constants(3)
+        integer :: i
+
+        values = 0.0_wp
+        do i = 1, size(places)
+            z = from + (to - from)*places(i)
+            call self%constants(z, shear, nu)
+            constants = weights(i)*(to - from)*[shear, 1.0_wp/shear, 1.0_wp + nu]
+            values = values + [constants, (z - start)*constants]
+        end do
+    end function moments
+
     !> Sublayers from a homogeneous one of thickness `first` down to the last knot, split at each.
     subroutine build(self, first, error)
         type(graded_body_t), intent(inout) :: self
@@ -181,13 +226,13 @@ contains
         integer :: i, j, n, stat
 
         call self%add_knots(knots, error)
-        if (.not. allocated(error)) call sublayer_ends(self, first, knots, self%ends, error)
+        call new_antiderivative(t, antiderivative, error)
+        if (.not. allocated(error)) call sublayer_ends(self, first, knots, t, antiderivative(nodes + 1, :), self%ends, error)
         if (allocated(error)) return
         n = size(self%ends) - 1
         allocate (self%series(4, 4, 0:order, n), self%from_surface(4, 4, 0:order, n), self%local(2, 2, n), &
                   self%anti_plane(2, 2, 0:order, n), self%anti_plane_from_surface(2, 2, 0:order, n), stat=stat)
         call check_memory(error, stat)
-        call new_antiderivative(t, antiderivative, error)
         if (allocated(error)) return
         call self%constants(0.5_wp*first, surface_shear, surface_nu)
         self%top = new_layer_modes(cmplx(surface_nu, kind=wp))
@@ -229,9 +274,11 @@ contains
         self%is_graded = .true.
     end subroutine build
 
-    subroutine sublayer_ends(self, first, knots, ends, error)
+    subroutine sublayer_ends(self, first, knots, places, weights, ends, error)
         type(graded_body_t), intent(in) :: self
         real(wp), intent(in) :: first, knots(:)
+        !> the rule by which a sublayer is integrated
+        real(wp), intent(in) :: places(:), weights(:)
         real(wp), allocatable, intent(out) :: ends(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: here, next, shear, shear_next, nu
@@ -248,8 +295,10 @@ contains
                     call self%constants(here, shear, nu)
                     do
                         call self%constants(next, shear_next, nu)
-                        if (max(shear/shear_next, shear_next/shear) <= largest_ratio) exit
                         if (next <= here*(1.0_wp + 8.0_wp*epsilon(1.0_wp))) exit
+                        if (max(shear/shear_next, shear_next/shear) <= largest_ratio) then
+                            if (self%is_integrated_by(places, weights, here, next)) exit
+                        end if
                         next = here + 0.5_wp*(next - here)
                     end do
                     count = count + 1

@@ -5,6 +5,7 @@
 !> The integrals are done once, when the medium is made, over a range of contact radii; afterwards E_eff(a) is an interpolation.
 module mdrcontact_medium_graded
     use mdrcontact_body_graded, only: graded_body_t
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
@@ -47,7 +48,8 @@ module mdrcontact_medium_graded
         procedure :: value => average_at
     end type average_t
 
-    !> Range of contact radii around the depths of the gradient; outside, E_eff is that of the surface or of the bottom to rounding.
+    !> Range of contact radii around the depths of the gradient, times the contrast; outside, E_eff is that of the surface or of the
+    !> bottom to rounding.
     real(wp), parameter :: range_factor = 1.0e13_wp
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
     !> Nodes between two depths that differ by a factor 4 at most, and between neighbours in a fine table.
@@ -70,7 +72,10 @@ contains
 
         call disable_gsl_abort()
         call body%add_knots(knots, error)
-        if (.not. allocated(error)) call depth_nodes(average, knots, error)
+        if (allocated(error)) return
+        average%top_depth = knots(1)/(range_factor*contrast(body, knots))
+        average%bottom_depth = knots(size(knots))
+        call depth_nodes(average, body, knots, error)
         if (allocated(error)) return
         allocate (average%shear(size(average%z)), average%poisson(size(average%z)), stat=stat)
         call check_memory(error, stat)
@@ -95,8 +100,27 @@ contains
         average%bottom_shear = average%mean%transformed(average%bottom_shear)
         ! E_eff(a) at all radii at which it varies
         call new_radius_law_from_function(self%law, average, "the effective modulus", average%top_depth, &
-                                          average%bottom_depth*range_factor, sampling_tolerance, error, most_law_panels)
+                                          average%bottom_depth*(knots(1)/average%top_depth), sampling_tolerance, error, &
+                                          most_law_panels)
     end subroutine new_graded
+
+    !> The ratio of the largest to the smallest G at the knots.
+    pure function contrast(body, knots) result(ratio)
+        class(graded_body_t), intent(in) :: body
+        real(wp), intent(in) :: knots(:)
+        real(wp) :: ratio
+        real(wp) :: shear, nu, least, most
+        integer :: i
+
+        call body%constants(0.0_wp, least, nu)
+        most = least
+        do i = 1, size(knots)
+            call body%constants(knots(i), shear, nu)
+            least = min(least, shear)
+            most = max(most, shear)
+        end do
+        ratio = most/least
+    end function contrast
 
     !> The same body under shear.
     subroutine new_tangential(self, tangential, error)
@@ -144,9 +168,11 @@ contains
         value = self%law%slope_at(a)
     end function effective_modulus_slope
 
-    !> Nodes in depth on panels that never cross a knot and grow by 4 from the surface.
-    subroutine depth_nodes(average, knots, error)
+    !> Nodes in depth on panels that never cross a knot, grow by 4 from the surface at most, and are halved until their rule
+    !> integrates the constants.
+    subroutine depth_nodes(average, body, knots, error)
         type(average_t), intent(inout) :: average
+        class(graded_body_t), intent(in) :: body
         real(wp), intent(in) :: knots(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: t(wide_nodes), w(wide_nodes), t6(narrow_nodes), w6(narrow_nodes), from, to
@@ -155,19 +181,22 @@ contains
         call gauss_legendre(t, w, error)
         call gauss_legendre(t6, w6, error)
         if (allocated(error)) return
-        average%top_depth = knots(1)/range_factor
-        average%bottom_depth = knots(size(knots))
         ! counted, then set
         do round = 1, 2
             count = 0
             from = average%top_depth
             do i = 1, size(knots)
                 do while (from < knots(i))
+                    call check_cancelled(error)
+                    if (allocated(error)) return
                     to = min(4.0_wp*from, knots(i))
-                    if (to > 1.3_wp*from) then
-                        call add_panel(t, w)
-                    else
+                    do while (.not. body%is_integrated_by(t, w, from, to))
+                        to = from + 0.5_wp*(to - from)
+                    end do
+                    if (to <= 1.3_wp*from .and. body%is_integrated_by(t6, w6, from, to)) then
                         call add_panel(t6, w6)
+                    else
+                        call add_panel(t, w)
                     end if
                     from = to
                 end do

@@ -41,7 +41,7 @@ contains
     end subroutine new_tabulated_medium
 
     !> E_eff(a) by a function, which is called here and never again.
-    subroutine new_medium_from_function(self, modulus, smallest_radius, largest_radius, error, accuracy)
+    subroutine new_medium_from_function(self, modulus, smallest_radius, largest_radius, error, accuracy, smooth)
         type(tabulated_medium_t), intent(out) :: self
         !> E_eff(a) > 0, smooth [modulus]
         class(scalar_function_t), intent(inout), target :: modulus
@@ -50,11 +50,17 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> relative, of the function's values; default 1e-13
         real(wp), intent(in), optional :: accuracy
+        !> whether it is known to vary on the scale of its argument alone, so that fewer comparisons do; default false
+        logical, intent(in), optional :: smooth
         real(wp) :: tolerance
+        logical :: everywhere
 
+        everywhere = .true.
+        if (present(smooth)) everywhere = .not. smooth
         tolerance = sampling_tolerance
         if (present(accuracy)) tolerance = accuracy
-        call new_radius_law_from_function(self%law, modulus, "the modulus", smallest_radius, largest_radius, tolerance, error)
+        call new_radius_law_from_function(self%law, modulus, "the modulus", smallest_radius, largest_radius, tolerance, error, &
+                                          everywhere=everywhere)
         if (.not. allocated(error)) call take_range(self)
     end subroutine new_medium_from_function
 

@@ -5,7 +5,7 @@
 module mdrcontact_numerics_radius_law
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_error, only: check_memory, check_positive, check_table, error_callback, error_invalid, error_memory, &
-                                error_t, raise, to_text
+                                error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_copy, only: copy_array
@@ -40,6 +40,8 @@ module mdrcontact_numerics_radius_law
     type, extends(scalar_function_t) :: logarithmic_t
         class(scalar_function_t), pointer :: f => null()
         character(len=:), allocatable :: name
+        !> the last a
+        real(wp) :: last = 0.0_wp
     contains
         procedure :: value => logarithmic_value
     end type logarithmic_t
@@ -79,7 +81,7 @@ contains
     end subroutine new_radius_law_from_table
 
     !> The law f(a) between two radii, sampled to a relative tolerance. f is called here and never again.
-    subroutine new_radius_law_from_function(self, f, name, smallest, largest, tolerance, error, most)
+    subroutine new_radius_law_from_function(self, f, name, smallest, largest, tolerance, error, most, everywhere)
         type(radius_law_t), intent(out) :: self
         !> a positive, smooth function of the contact radius
         class(scalar_function_t), intent(inout), target :: f
@@ -92,6 +94,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> panels of the sampling, beyond which f is not smooth enough; default that of new_sampled_function
         integer, intent(in), optional :: most
+        !> whether f may have narrow features, as in new_sampled_function
+        logical, intent(in), optional :: everywhere
         type(logarithmic_t) :: logarithmic
 
         call disable_gsl_abort()
@@ -109,8 +113,15 @@ contains
         self%largest_radius = largest
         allocate (self%sampled)
         call new_sampled_function(self%sampled, logarithmic, octaves(log(smallest), log(largest)), &
-                                  spread(.false., 1, size(octaves(log(smallest), log(largest))) - 1), tolerance, error, most=most)
-        if (.not. allocated(error)) self%breaks = fine_edges(self%sampled)
+                                  spread(.false., 1, size(octaves(log(smallest), log(largest))) - 1), tolerance, error, most=most, &
+                                  everywhere=everywhere, least_size=1.0_wp)
+        if (.not. allocated(error)) then
+            self%breaks = fine_edges(self%sampled)
+        else if (error%code == error_no_convergence) then
+            deallocate (error)
+            call raise(error, error_no_convergence, "the function for "//name//" is not smooth enough to be sampled near a = "// &
+                       to_text(logarithmic%last))
+        end if
     end subroutine new_radius_law_from_function
 
     !> A copy that shares nothing with this one; without memory for it, an error.
@@ -208,12 +219,13 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        y = self%f%value(exp(x))
+        self%last = exp(x)
+        y = self%f%value(self%last)
         if (allocated(self%f%error)) then
             self%error = self%f%error
         else if (.not. (ieee_is_finite(y) .and. y > 0.0_wp)) then
             call raise(self%error, error_callback, "the function for "//self%name//" returned "//to_text(y)//" at a = "// &
-                       to_text(exp(x))//": it must return a finite number greater than 0")
+                       to_text(self%last)//": it must return a finite number greater than 0")
         end if
     end function logarithmic_value
 

@@ -1,14 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A function that was sampled once and is then evaluated, differentiated and integrated for the price of a short polynomial.
 !>
-!> Piecewise Chebyshev interpolation on panels that are halved until the last coefficients vanish against the
-!> largest. A panel that begins at a break of the function uses the variable sqrt(x - left edge), in which the square-root
-!> branches of contact mechanics are analytic.
+!> Piecewise Chebyshev interpolation on panels that are halved until the last coefficients vanish against the largest and the
+!> series is the function where it was not sampled. A panel that begins at a break of the function uses the variable
+!> sqrt(x - left edge), in which the square-root branches of contact mechanics are analytic.
 module mdrcontact_numerics_sampled_function
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
-    use mdrcontact_kinds, only: wp
+    use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, chebyshev_sums, cosine_transform, differentiate
     use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -20,16 +20,15 @@ module mdrcontact_numerics_sampled_function
     !> Chebyshev nodes, and coefficients, in a panel.
     integer, parameter :: nodes = 20
     integer, parameter :: most_panels = 20000
+    !> Where a series is compared with its function, between the nodes: gap j lies at cos(pi j/nodes).
+    integer, parameter :: some_gaps(2) = [7, 12]
+    !> By how much more than the last coefficients a series may miss its function.
+    real(wp), parameter :: margin = 10.0_wp
     !> A panel is not halved below this length relative to its distance from 0.
     real(wp), parameter :: shortest_panel = 1.0e-10_wp
 
     !> The slope in x of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t: 1/t amplifies rounding.
     real(wp), parameter :: smallest_root = 1.0e-5_wp
-
-    !> What a value between the nodes may be off, relative to what the last coefficients may be.
-    real(wp), parameter :: check_margin = 10.0_wp
-    !> Keeps points of comparison off the nodes.
-    real(wp), parameter :: irrational = 0.2819093917_wp
 
     !> Chebyshev series on panels.
     type :: sampled_function_t
@@ -65,7 +64,8 @@ module mdrcontact_numerics_sampled_function
 contains
 
     !> Samples `f` between the first and the last of `edges` to a relative `tolerance` of the largest value in each panel.
-    subroutine new_sampled_function(self, f, edges, from_root, tolerance, error, noise, most, roughness, checks)
+    subroutine new_sampled_function(self, f, edges, from_root, tolerance, error, noise, most, roughness, everywhere, &
+                                    least_size)
         type(sampled_function_t), intent(out) :: self
         class(scalar_function_t), intent(inout) :: f
         !> ascending; panels never cross one, so put them where f is not analytic
@@ -80,19 +80,23 @@ contains
         integer, intent(in), optional :: most
         !> relative accuracy of the values of f, beyond which a panel whose coefficients no longer fall is not refined; default 0
         real(wp), intent(in), optional :: roughness
-        !> points of the whole range at which the series are compared with f, between the nodes and at both ends of each panel;
-        !> default: one in each panel
-        integer, intent(in), optional :: checks
+        !> whether the series are compared with f in all gaps between the nodes, for an f with narrow features; default: in two
+        logical, intent(in), optional :: everywhere
+        !> f sees x rounded as if |x| were at least this: 1 if x is a logarithm; default 0
+        real(wp), intent(in), optional :: least_size
+        integer, allocatable :: gaps(:)
         real(wp), allocatable :: stack(:, :)
         logical, allocatable :: root_stack(:)
-        integer :: waiting, count, limit, points, stat
-        real(wp) :: cosines(nodes, nodes), coefficients(nodes), left, right, unresolved, accuracy
-        logical :: resolved
+        integer :: waiting, count, limit, stat
+        real(wp) :: cosines(nodes, nodes), coefficients(nodes), left, right, unresolved, attainable, largest, missed, x
+        logical :: resolved, stagnates
 
         limit = most_panels
         if (present(most)) limit = most
-        points = 0
-        if (present(checks)) points = checks
+        gaps = some_gaps
+        if (present(everywhere)) then
+            if (everywhere) gaps = [(count, count=1, nodes - 1)]
+        end if
         ! Panels wait on a stack, leftmost on top, so that finished ones come out in ascending order.
         call resize(self, 0, size(edges) + 64, error)
         if (allocated(error)) return
@@ -121,23 +125,27 @@ contains
                 return
             end if
             unresolved = maxval(abs(coefficients(nodes - 2:)))
+            largest = maxval(abs(coefficients))
+            x = max(abs(left), abs(right))
+            if (present(least_size)) x = max(x, least_size)
             ! No polynomial can be closer than the rounding of x allows, which moves x by this much of a narrow panel.
-            accuracy = tolerance*maxval(abs(coefficients)) + &
-                       epsilon(left)*max(abs(left), abs(right))/(right - left)*maxval(abs(coefficients(2:)))
-            if (present(noise)) accuracy = max(accuracy, noise)
-            resolved = unresolved <= accuracy
+            attainable = tolerance*largest &
+                         + epsilon(x)*x/(right - left)*maxval(abs(coefficients(2:)))
+            if (present(noise)) attainable = max(attainable, noise)
             if (present(roughness)) then
-                if (unresolved > 0.1_wp*maxval(abs(coefficients(nodes/2:nodes - 3)))) accuracy = &
-                    max(accuracy, roughness*maxval(abs(coefficients)))
-                resolved = unresolved <= accuracy
+                stagnates = unresolved > 0.1_wp*maxval(abs(coefficients(nodes/2:nodes - 3)))
+                if (stagnates) attainable = max(attainable, roughness*largest)
             end if
-            if (resolved) resolved = agrees(f, left, right, root_stack(waiting), coefficients, check_margin*accuracy, &
-                                            max(nint(points*(right - left)/(edges(size(edges)) - edges(1))), 1), points > 0)
-            if (allocated(f%error)) then
-                error = f%error
-                return
+            resolved = unresolved <= attainable
+            if (resolved) then
+                call compare(f, left, right, root_stack(waiting), coefficients, gaps, missed)
+                if (allocated(f%error)) then
+                    error = f%error
+                    return
+                end if
+                resolved = missed <= margin*attainable
             end if
-            if (.not. resolved .and. right - left <= shortest_panel*max(abs(left), abs(right))) resolved = .true.
+            if (.not. resolved .and. right - left <= shortest_panel*x) resolved = .true.
             if (.not. resolved .and. waiting < size(root_stack)) then
                 stack(:, waiting + 1) = [left, 0.5_wp*(left + right)]
                 stack(1, waiting) = 0.5_wp*(left + right)
@@ -174,30 +182,6 @@ contains
         call integrate_panels(self)
     end subroutine new_sampled_function
 
-    !> Whether a panel's series is as close to f at points between its nodes.
-    function agrees(f, left, right, from_root, coefficients, accuracy, points, at_ends) result(answer)
-        class(scalar_function_t), intent(inout) :: f
-        real(wp), intent(in) :: left, right
-        logical, intent(in) :: from_root
-        real(wp), intent(in) :: coefficients(nodes)
-        real(wp), intent(in) :: accuracy
-        integer, intent(in) :: points
-        !> a corner just beside an edge shows at the edge alone
-        logical, intent(in) :: at_ends
-        logical :: answer
-        real(wp) :: t, x
-        integer :: i
-
-        answer = .true.
-        do i = merge(0, 1, at_ends), points + merge(1, 0, at_ends)
-            x = min(max(left + (right - left)*(i - irrational)/points, left), right)
-            t = (x - left)/(right - left)
-            if (from_root) t = sqrt(t)
-            answer = abs(f%value(x) - chebyshev_sum(coefficients, 2.0_wp*t - 1.0_wp)) <= accuracy
-            if (allocated(f%error) .or. .not. answer) return
-        end do
-    end function agrees
-
     !> How many coefficients are more than the rounding of values and of positions.
     pure function leading(c, left, right) result(count)
         real(wp), intent(in) :: c(nodes), left, right
@@ -221,8 +205,7 @@ contains
 
         coefficients = 0.0_wp
         do i = 1, nodes
-            t = 0.5_wp*(1.0_wp + 0.5_wp*nodes*cosines(i, 2))
-            if (from_root) t = t**2
+            t = place(0.5_wp*nodes*cosines(i, 2), from_root)
             values(i) = f%value(left + (right - left)*t)
             if (allocated(f%error)) return
         end do
@@ -230,6 +213,37 @@ contains
             coefficients(j) = sum(values*cosines(:, j))
         end do
     end subroutine sample_panel
+
+    !> Where the panel's variable z, -1 to 1, lies in the panel, 0 to 1.
+    pure function place(z, from_root) result(t)
+        real(wp), intent(in) :: z
+        logical, intent(in) :: from_root
+        real(wp) :: t
+
+        t = 0.5_wp*(1.0_wp + z)
+        if (from_root) t = t**2
+    end function place
+
+    !> The largest distance of a panel's series from its function in some gaps between the nodes.
+    subroutine compare(f, left, right, from_root, coefficients, gaps, missed)
+        class(scalar_function_t), intent(inout) :: f
+        real(wp), intent(in) :: left, right
+        logical, intent(in) :: from_root
+        real(wp), intent(in) :: coefficients(nodes)
+        integer, intent(in) :: gaps(:)
+        real(wp), intent(out) :: missed
+        real(wp) :: z, distance
+        integer :: i
+
+        missed = 0.0_wp
+        do i = 1, size(gaps)
+            z = cos(pi*gaps(i)/nodes)
+            distance = abs(f%value(left + (right - left)*place(z, from_root)) - chebyshev_sum(coefficients, z))
+            if (allocated(f%error)) return
+            ! what is no number has missed too
+            if (.not. distance <= missed) missed = distance
+        end do
+    end subroutine compare
 
     !> Keeps the first panels and makes room for `room` of them.
     subroutine resize(self, kept, room, error)
