@@ -77,7 +77,7 @@ contains
         call place_waves(self, medium, radius, error)
         if (allocated(error)) return
         do i = 1, size(counts)
-            call fit_times(self, medium, counts(i), longest, span, misfit, error)
+            call fit_times(self, medium, counts(i), longest, span, max(tolerance, reachable), misfit, error)
             if (allocated(error) .or. misfit <= max(tolerance, reachable)) return
         end do
         call raise(error, error_no_convergence, "the memory of this body spreads over too many times")
@@ -149,12 +149,14 @@ contains
     end subroutine unit_rule
 
     !> X_g and R_m for so many common times, log-Chebyshev between the shortest and the last that is resolved, and the longest.
-    subroutine fit_times(self, medium, count, longest, span, misfit, error)
+    subroutine fit_times(self, medium, count, longest, span, tolerance, misfit, error)
         type(memory_t), intent(inout) :: self
         type(viscoelastic_t), intent(in) :: medium
         integer, intent(in) :: count
         real(wp), intent(in) :: longest, span
-        !> largest error of c~ at any s, relative to its largest value there
+        !> of the misfit
+        real(wp), intent(in) :: tolerance
+        !> largest error of c~ at any s, relative to its largest value there; between the samples too, where it is within tolerance
         real(wp), intent(out) :: misfit
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: matrix(:, :), factor(:, :), values(:, :), wanted(:, :), work(:)
@@ -196,6 +198,29 @@ contains
         end if
         self%rest = transpose(values(:columns, :))
         misfit = maxval(abs(matmul(matrix, values(:columns, :)) - wanted))
+        if (misfit <= tolerance) misfit = max(misfit, misfit_between(self, medium, lowest, highest, rows, error))
     end subroutine fit_times
+
+    !> The misfit where the transform was not sampled, once for each time.
+    function misfit_between(self, medium, lowest, highest, rows, error) result(misfit)
+        type(memory_t), intent(in) :: self
+        type(viscoelastic_t), intent(in) :: medium
+        !> first and last of so many logarithmic samples
+        real(wp), intent(in) :: lowest, highest
+        integer, intent(in) :: rows
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: misfit
+        real(wp) :: s, values(size(self%k))
+        integer :: i
+
+        misfit = 0.0_wp
+        do i = 1, rows - 1, samples_per_time
+            s = lowest*(highest/lowest)**((real(i, wp) - 0.5_wp)/real(rows - 1, wp))
+            call find_compliance(medium, s, self%k, values, error)
+            if (allocated(error)) return
+            misfit = max(misfit, maxval(abs(self%instant + matmul(self%rest, 1.0_wp/(1.0_wp + s*self%time)) - values)) &
+                         /max(maxval(abs(self%instant)), maxval(abs(values))))
+        end do
+    end function misfit_between
 
 end module mdrcontact_history_relaxation_memory

@@ -46,6 +46,7 @@ module mdrcontact_layered_kernel
         procedure :: integral_beyond
         procedure :: integrate
         procedure :: defect
+        procedure :: misfit
     end type kernel_t
 
 contains
@@ -132,6 +133,37 @@ contains
         if ((panel - 1)/2 < self%plateau) part = part + self%origin*(1.0_wp - u)
         part = part*scale(0.25_wp, (panel - 1)/2)
     end function on_panel
+
+    !> By how much y X(y) differs at most between two neighbouring panels where they meet, at no node of either: what that does to
+    !> chi at the waves that see it.
+    pure function misfit(self) result(largest)
+        class(kernel_t), intent(in) :: self
+        real(wp) :: largest
+        real(wp) :: before, next
+        integer :: panel, last
+
+        last = ubound(self%coefficients, 2)
+        largest = 0.0_wp
+        do panel = 0, last
+            before = sum(self%coefficients(:, panel)) + held_back(self, panel)
+            if (panel < last) then
+                next = sum(self%coefficients(0::2, panel + 1)) - sum(self%coefficients(1::2, panel + 1)) &
+                       + held_back(self, panel + 1)
+            else
+                next = self%tail(1)*scale(1.0_wp, -2*self%octaves()) + self%tail(2)*scale(1.0_wp, -4*self%octaves())
+            end if
+            largest = max(largest, scale(abs(before - next), (panel + 1)/2))
+        end do
+    end function misfit
+
+    !> X(0) where a panel holds X - X(0), else 0.
+    pure function held_back(self, panel) result(value)
+        class(kernel_t), intent(in) :: self
+        integer, intent(in) :: panel
+        real(wp) :: value
+
+        value = merge(self%origin, 0.0_wp, panel == 0 .or. (panel - 1)/2 < self%plateau)
+    end function held_back
 
     !> chi(0) - (2/pi) int_0^inf X dy of the table as it stands, which would be 0.
     pure function defect(self) result(difference)

@@ -24,6 +24,8 @@ module mdrcontact_layered_tabulate
     !> From this sigma(0) on rounding of X(0) would be seen in d and F; and octaves of y in which X may be X(0) and little less.
     real(wp), parameter :: stiff = 1.0e3_wp
     integer, parameter :: most_plateau = 40
+    !> By how much the table may miss chi, in parts of its largest value.
+    real(wp), parameter :: allowed = 1.0e-10_wp
     !> A body no deeper than so many thicknesses of its first layer is one of layers, not a grading.
     real(wp), parameter :: coarse = 100.0_wp
     !> Rays tried in turn, pi/denominator, and panels in an octave of wavenumbers on each.
@@ -60,7 +62,7 @@ contains
             call path_holds(ray, surface, kernel%unit, tables(attempt), holds)
             if (.not. holds) cycle
             call fill_table(kernel, ray, surface, tables(attempt))
-            if (ray%roughness < 3.0e-8_wp .and. abs(kernel%defect()) < 1.0e-10_wp*(1.0_wp + ray%largest)) return
+            if (ray%roughness < 3.0e-8_wp .and. max(abs(kernel%defect()), kernel%misfit()) < allowed*(1.0_wp + ray%largest)) return
         end do
         call raise(error, error_no_convergence, "the surface compliance of this body could not be integrated over all wavelengths")
     end subroutine tabulate_kernel

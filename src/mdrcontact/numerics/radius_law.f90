@@ -188,18 +188,21 @@ contains
         call merge_breaks(radii, self%breaks, error)
     end subroutine add_breaks
 
-    !> Radii between which the law varies so fast that its sampling had to be refined: quadrature follows it there.
+    !> Radii between which the law varies so fast that its sampling had to be refined: quadrature follows it there. And the smallest
+    !> one where the law, constant below, has a kink.
     pure function fine_edges(sampled) result(radii)
         type(sampled_function_t), intent(in) :: sampled
         real(wp), allocatable :: radii(:)
         real(wp), allocatable :: edges(:)
         logical, allocatable :: fine(:)
+        real(wp), parameter :: level = 1.0e-12_wp
         integer :: n
 
         allocate (edges, source=sampled%panel_edges())
         n = size(edges)
         allocate (fine(n), source=.false.)
         fine(2:n - 1) = min(edges(2:n - 1) - edges(:n - 2), edges(3:) - edges(2:n - 1)) < 0.45_wp
+        fine(1) = abs(sampled%slope(edges(1))) > level*sampled%value(edges(1))
         radii = exp(pack(edges, fine))
     end function fine_edges
 

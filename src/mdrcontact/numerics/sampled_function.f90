@@ -20,8 +20,11 @@ module mdrcontact_numerics_sampled_function
     !> Chebyshev nodes, and coefficients, in a panel.
     integer, parameter :: nodes = 20
     integer, parameter :: most_panels = 20000
-    !> Where a series is compared with its function, between the nodes: gap j lies at cos(pi j/nodes).
-    integer, parameter :: some_gaps(2) = [7, 12]
+    !> Where a series is compared with its function, in the panel's variable: in two gaps between its nodes, or in all of them and
+    !> beyond the outermost ones.
+    integer :: gap
+    real(wp), parameter :: in_some(2) = [cos(0.35_wp*pi), cos(0.6_wp*pi)]
+    real(wp), parameter :: in_all(nodes + 1) = (1.0_wp - 1.0e-6_wp)*[(cos(pi*gap/nodes), gap=0, nodes)]
     !> By how much more than the last coefficients a series may miss its function.
     real(wp), parameter :: margin = 10.0_wp
     !> A panel is not halved below this length relative to its distance from 0.
@@ -84,19 +87,16 @@ contains
         logical, intent(in), optional :: everywhere
         !> f sees x rounded as if |x| were at least this: 1 if x is a logarithm; default 0
         real(wp), intent(in), optional :: least_size
-        integer, allocatable :: gaps(:)
         real(wp), allocatable :: stack(:, :)
         logical, allocatable :: root_stack(:)
         integer :: waiting, count, limit, stat
         real(wp) :: cosines(nodes, nodes), coefficients(nodes), left, right, unresolved, attainable, largest, missed, x
-        logical :: resolved, stagnates
+        logical :: resolved, stagnates, look_everywhere
 
         limit = most_panels
         if (present(most)) limit = most
-        gaps = some_gaps
-        if (present(everywhere)) then
-            if (everywhere) gaps = [(count, count=1, nodes - 1)]
-        end if
+        look_everywhere = .false.
+        if (present(everywhere)) look_everywhere = everywhere
         ! Panels wait on a stack, leftmost on top, so that finished ones come out in ascending order.
         call resize(self, 0, size(edges) + 64, error)
         if (allocated(error)) return
@@ -138,7 +138,11 @@ contains
             end if
             resolved = unresolved <= attainable
             if (resolved) then
-                call compare(f, left, right, root_stack(waiting), coefficients, gaps, missed)
+                if (look_everywhere) then
+                    call compare(f, left, right, root_stack(waiting), coefficients, in_all, missed)
+                else
+                    call compare(f, left, right, root_stack(waiting), coefficients, in_some, missed)
+                end if
                 if (allocated(f%error)) then
                     error = f%error
                     return
@@ -224,21 +228,20 @@ contains
         if (from_root) t = t**2
     end function place
 
-    !> The largest distance of a panel's series from its function in some gaps between the nodes.
-    subroutine compare(f, left, right, from_root, coefficients, gaps, missed)
+    !> The largest distance of a panel's series from its function at some places z.
+    subroutine compare(f, left, right, from_root, coefficients, z, missed)
         class(scalar_function_t), intent(inout) :: f
         real(wp), intent(in) :: left, right
         logical, intent(in) :: from_root
         real(wp), intent(in) :: coefficients(nodes)
-        integer, intent(in) :: gaps(:)
+        real(wp), intent(in) :: z(:)
         real(wp), intent(out) :: missed
-        real(wp) :: z, distance
+        real(wp) :: distance
         integer :: i
 
         missed = 0.0_wp
-        do i = 1, size(gaps)
-            z = cos(pi*gaps(i)/nodes)
-            distance = abs(f%value(left + (right - left)*place(z, from_root)) - chebyshev_sum(coefficients, z))
+        do i = 1, size(z)
+            distance = abs(f%value(left + (right - left)*place(z(i), from_root)) - chebyshev_sum(coefficients, z(i)))
             if (allocated(f%error)) return
             ! what is no number has missed too
             if (.not. distance <= missed) missed = distance
