@@ -27,6 +27,8 @@ module mdrcontact_contact_curve
     !> Halving a panel makes its last terms many times smaller: where more than this part is left, slopes may be less exact than
     !> values.
     real(wp), parameter :: least_gain = 0.1_wp
+    !> By how many times that accuracy neighbouring panels may differ.
+    real(wp), parameter :: margin = 30.0_wp
     !> A panel is not halved below this length: a kink is then resolved well enough.
     real(wp), parameter :: shortest_length = 1.0e-4_wp
     !> Halving a panel of a smooth quantity below this length makes its last coefficients many times smaller: else they are noise.
@@ -101,7 +103,7 @@ contains
         !> compares the result with the contact itself; default: the roughness of medium and zeta, 0 where they are computed
         real(wp), intent(in), optional :: largest_noise
         real(wp), allocatable :: waiting(:), before(:), kept(:, :, :)
-        real(wp) :: panel(rows, nodes), left, right, tail, attainable, noise, edges(most_panels + 1)
+        real(wp) :: panel(rows, nodes), left, right, tail, attainable, noise, edges(most_panels + 1), reached(most_panels)
         logical :: root, has_slopes, by_slopes, tested, roots(most_panels)
         integer :: count, i, stat
 
@@ -163,6 +165,7 @@ contains
             edges(count + 1) = right
             roots(count) = root
             kept(:, :, count) = panel
+            reached(count) = max(tail, attainable)
         end do
         self%edges = edges(:count + 1)
         self%from_root = roots(:count)
@@ -173,7 +176,30 @@ contains
         do i = 1, count + 1
             call edge_values(self, i, self%depths(i), self%forces(i))
         end do
+        call compare_neighbours(self, equilibrium, reached(:count), error)
     end subroutine new_curve
+
+    !> Two panels must agree on d0, F0 and k where they meet, which is a node of neither. The slope of k, on which dl depends, may
+    !> jump there.
+    subroutine compare_neighbours(self, equilibrium, reached, error)
+        type(curve_t), intent(in) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        !> relative accuracy of each panel by its last terms
+        real(wp), intent(in) :: reached(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: before(rows), next(rows), unused(rows), missed
+        integer :: i
+
+        do i = 1, size(reached) - 1
+            call series(self%coefficients(:, :, i), 1.0_wp, before, unused)
+            call series(self%coefficients(:, :, i + 1), -1.0_wp, next, unused)
+            missed = maxval(abs(before(:of_stiffness) - next(:of_stiffness)))
+            if (missed <= margin*maxval(reached(i:i + 1))) cycle
+            call raise(error, error_no_convergence, "samples of the contact differ by "//to_text(missed)//" from one another "// &
+                       "near radius = "//to_text(equilibrium%radius_of(self%edges(i + 1))))
+            return
+        end do
+    end subroutine compare_neighbours
 
     !> Right edges of panels of at most the usual length between the breaks.
     pure function first_edges(breaks) result(edges)
