@@ -406,7 +406,7 @@ int mdr_medium_layered(int n, const double E[], const double nu[], const double 
 int mdr_medium_graded(int n, const double z[], const double E[], const double nu[], int model,
                       const mdr_medium_options *options, mdr_medium **out);
 
-/** Graded half-space from smooth functions, equation (16).
+/** Graded half-space from smooth functions, equation (16). Peaks narrower than 0.5 % of the depth may be missed.
  *  @param E        Young's modulus E(z) > 0 on 0 < z <= depth [modulus]
  *  @param nu       Poisson's ratio nu(z), -1 < nu <= 1/2 [1]
  *  @param context  passed on to both, may be NULL
@@ -532,7 +532,8 @@ int mdr_medium_viscoelastic(int n, const mdr_material *const materials[], const 
  *  @param out      receives the handle */
 int mdr_medium_table(int n, const double a[], const double moduli[], mdr_medium **out);
 
-/** Medium whose effective modulus is a smooth function. It is sampled when the handle is made.
+/** Medium whose effective modulus is a smooth function. It is sampled when the handle is made, and the samples compared with it
+ *  between them: peaks narrower than 0.5 % of the radius may be missed.
  *  @param modulus          E_eff(a) > 0 [modulus]
  *  @param context          passed on to modulus, may be NULL
  *  @param smallest_radius  > 0; below it the modulus is taken as constant when forces are integrated [length]

@@ -27,7 +27,8 @@ class Graded(UnderModel):
     z, E, nu tables : depths z[0] = 0, ascending [length], E(z) > 0 [modulus] and nu(z) there; linear in between, constant below.
         nu may be one number
     z a number, E and nu functions : E(z) and nu(z) on 0 < z <= that depth [length], constant below; nu may be a number. They are
-        called while the object is made and never later; what they raise is raised to the caller
+        called while the object is made and never later; what they raise is raised to the caller. Peaks narrower than 0.5 % of
+        the depth may be missed
     model : "exact" (default), "gao", "gao-series" or "gao-power"; options as for `Coated`
     """
 

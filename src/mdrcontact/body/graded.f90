@@ -100,7 +100,7 @@ contains
     !> E(z) and nu(z) as functions on 0 < z <= depth, constant below. They are called here and never again.
     subroutine new_graded_body_from_functions(self, young, poisson, depth, error)
         type(graded_body_t), intent(out) :: self
-        !> E(z) > 0 [modulus] and -1 < nu(z) <= 1/2, smooth
+        !> E(z) > 0 [modulus] and -1 < nu(z) <= 1/2, smooth: peaks narrower than 0.5 % of the depth may be missed
         class(scalar_function_t), intent(inout), target :: young, poisson
         !> depth below which the body is homogeneous, > 0 [length]
         real(wp), intent(in) :: depth

@@ -43,7 +43,7 @@ contains
     !> E_eff(a) by a function, which is called here and never again.
     subroutine new_medium_from_function(self, modulus, smallest_radius, largest_radius, error, accuracy, smooth)
         type(tabulated_medium_t), intent(out) :: self
-        !> E_eff(a) > 0, smooth [modulus]
+        !> E_eff(a) > 0, smooth: peaks narrower than 0.5 % of the radius may be missed [modulus]
         class(scalar_function_t), intent(inout), target :: modulus
         !> 0 < smallest_radius < largest_radius: between them the function is sampled and states are offered [length]
         real(wp), intent(in) :: smallest_radius, largest_radius
