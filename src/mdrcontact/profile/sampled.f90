@@ -48,8 +48,6 @@ module mdrcontact_profile_sampled
     real(wp), parameter :: height_roughness = 20.0_wp, transform_roughness = 30.0_wp
     !> How often f is sampled anew with the corners that were found.
     integer, parameter :: most_rounds = 4
-    !> Points at which the sampled f is compared with its source.
-    integer, parameter :: height_checks = 128
     !> Lengths below it, and above its inverse, are refused.
     real(wp), parameter :: smallest_length = 1.0e-150_wp
     !> The range over which f and g are sampled: down to this fraction of their largest value or of the largest radius,
@@ -124,7 +122,7 @@ contains
         if (.not. allocated(error)) call plan_panels(flat_radius, breaks, largest, octaves + extra_octaves, edges, roots, error)
         if (allocated(error)) return
         call new_sampled_function(f, height, edges, [logical ::], height_tolerance, error, most=most_panels(edges), &
-                                  roughness=height_roughness*roughness, checks=height_checks)
+                                  roughness=height_roughness*roughness, everywhere=.true.)
     end subroutine sample_height
 
     recursive subroutine copy_to(self, copy, error)
