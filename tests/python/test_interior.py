@@ -357,3 +357,34 @@ def test_displacements_far_away_are_those_of_a_point_load():
         r = np.array([1e7, 1e14, 1e16, 1e100, 1e300])
         expected = state.force * (1.0 - 0.3**2) / (np.pi * r)
         assert contact.displacement(r, state) / expected == pytest.approx(np.ones(5), rel=1e-6)
+
+
+def sharp_tips():
+    hyperboloid = mdr.AreaFunction([24.5, 0.003], max_height=100.0)
+    return {
+        "worn by 3e-3": hyperboloid,
+        "with a root term": mdr.AreaFunction([24.5, 0.0, 0.05], max_height=100.0),
+        "Berkovich, C1 of 300 nm": mdr.AreaFunction([24.5, 0.3], max_height=100.0),
+        "power 30": mdr.PowerLaw(30.0, 1.0),
+        "power 2.3": mdr.PowerLaw(2.3, 1.0),
+        "cone": mdr.Cone(0.3),
+        "rounded cone": mdr.RoundedCone(0.3, 0.003),
+    }
+
+
+@pytest.mark.parametrize("tip", sharp_tips())
+@pytest.mark.parametrize("thickness", [None, 0.02, 0.005])
+def test_surface_fits_tips_whose_load_varies_beside_the_axis(tip, thickness):
+    """The pressure by (6) and the shape of the indenter know nothing of the rules of the stresses."""
+    base = mdr.Elastic(1.0, 0.3)
+    medium = mdr.Homogeneous(base) if thickness is None else mdr.Coated(mdr.Elastic(10.0, 0.2), thickness, base)
+    contact = mdr.Contact(sharp_tips()[tip], medium)
+    state = contact.at_radius(1.0)
+    r = np.array([0.0, 1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.3, 0.5, 0.9, 0.999])
+    field = contact.interior(r, 0.0, state)
+    heights = np.asarray(contact.indenter.height(r))
+    assert np.abs(field.u_z - (state.depth - heights)).max() < 1e-10 * state.depth
+    pressure = contact.pressure(r, state)
+    finite = np.isfinite(pressure)
+    assert np.array_equal(finite, np.isfinite(field.s_zz))
+    assert np.abs(field.s_zz[finite] + pressure[finite]).max() < 1e-10 * pressure[finite].max()

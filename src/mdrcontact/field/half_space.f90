@@ -7,8 +7,8 @@
 !>     c0 = 1/(rho (rho + zeta)^2)   c1 = (zeta + 2 rho)/(rho^3 (rho + zeta)^2)                     (J2/r^2)
 !> and I[f] = (1/pi) {q(a) Im P(z + i a) - int_0^a q' Im P dx} with dP/dzeta = f: no factor a/z is lost near the surface.
 module mdrcontact_field_half_space
-    use mdrcontact_field_load, only: load_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_field_load, only: load_t, panel_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
@@ -32,9 +32,13 @@ module mdrcontact_field_half_space
     !> the apex itself, of the part that is integrated as a power.
     real(wp), parameter :: first_beside_axis = 1.0e-6_wp, first_at_apex = 1.0e-17_wp
 
-    !> The nodes of a panel on [0, 1].
+    !> The nodes of a panel on [0, 1], and the panels in which a polynomial follows q', from the axis and from each kink.
     type :: half_space_rule_t
         real(wp) :: node(nodes) = 0.0_wp, weight(nodes) = 0.0_wp
+        !> distances of their ends from the axis or the last kink, and how long a panel of this rule in them may be [a]
+        real(wp), allocatable :: last(:), longest(:)
+        !> where those of the axis, 0, and of each kink begin in these lists
+        integer, allocatable :: first(:)
     end type half_space_rule_t
 
     !> Positions between two neighbouring places where the integrand is not analytic, relative to r [a]. They are differences of
@@ -48,18 +52,35 @@ module mdrcontact_field_half_space
         real(wp) :: kink = -0.5_wp*huge(1.0_wp), kink_before = -0.5_wp*huge(1.0_wp)
         !> from where distances are given to the load, that kink or the axis [length], and relative to r
         real(wp) :: start = 0.0_wp, origin = 0.0_wp
+        !> panels of the rule: the one where the next panel begins, and the last one before the end
+        integer :: first_panel = 1, last_panel = 0
         !> the largest distance from there [length]: rounding must not pass a kink at its end, beyond which q' may be infinite
         real(wp) :: last = 0.0_wp
     end type segment_t
 
 contains
 
-    !> The rule that all points share.
-    subroutine new_half_space_rule(self, error)
+    !> The rule that all points under a load share.
+    subroutine new_half_space_rule(self, load, error)
         type(half_space_rule_t), intent(out) :: self
+        class(load_t), intent(in) :: load
         type(error_t), allocatable, intent(inout) :: error
+        type(panel_t), allocatable :: panels(:)
+        integer :: i, stat
 
         call gauss_legendre(self%node, self%weight, error)
+        call load%panels(load%radius, panels, error)
+        if (allocated(error)) return
+        allocate (self%last(size(panels)), self%longest(size(panels)), self%first(0:size(load%kinks) + 1), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        self%last(:) = (panels%low + panels%length)/load%radius
+        self%longest(:) = panels%length/load%radius*merge(2.0_wp, 1.0_wp, panels%is_easy)
+        self%first(0) = 1
+        do i = 1, size(load%kinks)
+            self%first(i) = count(panels%start < load%kinks(i)) + 1
+        end do
+        self%first(size(load%kinks) + 1) = size(panels) + 1
     end subroutine new_half_space_rule
 
     !> Adds the homogeneous body's part to the five sums of a normal load at one point:
@@ -112,13 +133,16 @@ contains
         integrals = 0.0_wp
         do i = 1, size(ends) - 1
             if (.not. ends(i + 1) > ends(i)) cycle
-            segment = new_segment(load, r, ends(i), ends(i + 1), i - merge(1, 2, i <= before + 1))
+            segment = new_segment(rule, load, r, ends(i), ends(i + 1), i - merge(1, 2, i <= before + 1))
             filled = 0
             low = segment%low
             do while (low < segment%high)
                 length = segment%high - low
+                call enter_panel(rule, segment, low)
                 do while (length > shortest)
-                    if (length <= reach(load, segment, z, low, low + length)) exit
+                    if (is_smooth(rule, segment, z, low, length)) then
+                        if (length <= reach(segment, z, low, low + length)) exit
+                    end if
                     length = 0.5_wp*length
                 end do
                 if (.not. low + length > low) exit
@@ -139,7 +163,8 @@ contains
         integrals = -integrals/pi
     end subroutine integrate
 
-    pure function new_segment(load, r, from, to, passed) result(segment)
+    pure function new_segment(rule, load, r, from, to, passed) result(segment)
+        type(half_space_rule_t), intent(in) :: rule
         class(load_t), intent(in) :: load
         !> the point, and two neighbouring ends [length]
         real(wp), intent(in) :: r, from, to
@@ -155,11 +180,45 @@ contains
         segment%last = nearest(to - segment%start, -1.0_wp)
         if (passed > 0) segment%kink = segment%origin
         if (passed > 1) segment%kink_before = (load%kinks(passed - 1) - r)/load%radius
+        segment%first_panel = rule%first(passed)
+        segment%last_panel = rule%first(passed + 1) - 1
     end function new_segment
 
+    !> To the panel of the rule where what begins at `low` lies.
+    pure subroutine enter_panel(rule, segment, low)
+        type(half_space_rule_t), intent(in) :: rule
+        type(segment_t), intent(inout) :: segment
+        !> relative to r [a]
+        real(wp), intent(in) :: low
+
+        do while (segment%first_panel < segment%last_panel)
+            if (rule%last(segment%first_panel) > low - segment%origin) exit
+            segment%first_panel = segment%first_panel + 1
+        end do
+    end subroutine enter_panel
+
+    !> Whether q' is a polynomial from `low` on, as far as `length`: no longer than any panel of the rule that it meets.
+    pure function is_smooth(rule, segment, z, low, length) result(is)
+        type(half_space_rule_t), intent(in) :: rule
+        type(segment_t), intent(in) :: segment
+        !> depth of the point, beginning relative to r [a]
+        real(wp), intent(in) :: z, low, length
+        logical :: is
+        real(wp) :: degree
+        integer :: i
+
+        ! s^2 at one end doubles the degree
+        degree = merge(2.0_wp, 1.0_wp, low <= segment%kink .or. &
+                       (z <= 0.0_wp .and. (low == 0.0_wp .or. low + length == 0.0_wp)))
+        is = .true.
+        do i = segment%first_panel, segment%last_panel
+            is = degree*length <= rule%longest(i)
+            if (.not. is .or. low + length - segment%origin <= rule%last(i)) return
+        end do
+    end function is_smooth
+
     !> How long a panel from `low` to `high` may be: its distance to the nearest singularity.
-    pure function reach(load, segment, z, low, high) result(length)
-        class(load_t), intent(in) :: load
+    pure function reach(segment, z, low, high) result(length)
         type(segment_t), intent(in) :: segment
         !> depth of the point, and ends of the panel relative to r [a]
         real(wp), intent(in) :: z, low, high
@@ -189,12 +248,6 @@ contains
             length = min(length, merge(first_at_apex, first_beside_axis*min(1.0_wp, hypot(segment%r, z)), &
                                        segment%r <= 0.0_wp .and. z <= 0.0_wp))
         end if
-        associate (from_axis => segment%r + high)
-            if (load%singular_end < huge(1.0_wp)) length = min(length, load%singular_end/load%radius - from_axis)
-            if (load%analytic < huge(1.0_wp)) then
-                if (length > load%analytic/load%radius) length = min(length, hypot(load%analytic/load%radius, 1.0_wp - from_axis))
-            end if
-        end associate
     end function reach
 
     !> Nodes and weights of a panel relative to r and their distances from the segment's `start`; s^2 instead of s beside a kink,

@@ -186,7 +186,7 @@ contains
         points%sums => sums
         points%along_surface = along_surface
         points%poisson = layers%poisson(1)
-        call new_half_space_rule(points%rule, error)
+        call new_half_space_rule(points%rule, load, error)
         if (allocated(error)) return
         points%is_closed = .true.
         chosen(:) = depths%less

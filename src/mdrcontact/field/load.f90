@@ -5,25 +5,35 @@
 module mdrcontact_field_load
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     implicit none (type, external)
     private
     public :: load_t, panel_t
 
-    !> Nodes of a panel of positions.
-    integer, parameter :: nodes = 16
-    !> Length of the panel beside the axis at most, where q' may be a broken power or vary as thin layers do [a].
-    real(wp), parameter :: first_beside_axis = 2.0_wp**(-14)
-    !> How much of its angle times its degree a polynomial may go through in a panel.
-    real(wp), parameter :: longest_turn = 5.0_wp
-    !> A panel is not made shorter than this [a].
+    !> Nodes of a panel of positions, and of those the degree up to which a polynomial is far from needing all.
+    integer, parameter :: nodes = 16, low_degree = 6
+    !> Error of q' in a panel, relative to the largest q' there and to the mean of the load. A misfit below the second number, or
+    !> below what rounded positions make of q', is rounding if halves of the panel do not lower it.
+    real(wp), parameter :: negligible = 1.0e-13_wp, noise = 1.0e-9_wp
+    !> A panel is not made shorter than this [a]; there are at most so many panels, and so many more for each kink.
     real(wp), parameter :: shortest_panel = 1.0e-12_wp
+    integer, parameter :: most_panels = 1000, most_beside_kink = 50
+    !> Points between the nodes where the polynomial of a panel is compared with q', and, towards an axis or kink, points each
+    !> `step` times as close as the one before.
+    real(wp), parameter :: between(3) = [0.0025_wp, 0.5_wp, 0.9975_wp], step = 0.25_wp
+    integer, parameter :: closer = 20
 
     !> The positions start + low to start + low + length, with start the axis or the last kink.
     type :: panel_t
         real(wp) :: start = 0.0_wp, low = 0.0_wp, length = 0.0_wp
         !> q' goes with the root of the distance from start
         logical :: beside_kink = .false.
+        !> a polynomial of a low degree follows q'
+        logical :: is_easy = .false.
+        !> its end, from start too: sums of lengths would drift from it
+        real(wp), private :: high = 0.0_wp
+        !> misfit of the polynomial, the same of the panel of which this one is a half
+        real(wp), private :: misfit = huge(1.0_wp), misfit_before = huge(1.0_wp)
     contains
         procedure :: place_nodes
     end type panel_t
@@ -36,12 +46,6 @@ module mdrcontact_field_load
         real(wp) :: edge = 0.0_wp
         !> positions in [0, a) where q is not analytic to the right, ascending; q' may be infinite there as (x - b)^(-1/2)
         real(wp), allocatable :: kinks(:)
-        !> position beyond a where q is singular [length]; huge() if nowhere
-        real(wp) :: singular_end = huge(1.0_wp)
-        !> how far from +-a in the complex plane q is analytic [length]
-        real(wp) :: analytic = huge(1.0_wp)
-        !> degree of the polynomial of x/a that is a part of q
-        integer :: degree = 0
     contains
         !> q' [modulus] at distances beyond a position: all digits beside a kink, and +-infinity where it is infinite there
         procedure(slope_beyond), deferred :: slope
@@ -112,66 +116,158 @@ contains
         end do
     end function integral_beyond
 
-    !> Panels for integrals over [0, a] with q', ascending: each at most as long as its distance from the axis or kink before it and
-    !> from a singular place beyond a. A polynomial of degree 15 follows q' in them to 1e-14, in s of x = b + s^2 beside a kink b.
+    !> Panels for integrals over [0, a] with q', ascending: halved until in each a polynomial of degree 15 follows q', in s of
+    !> x = b + s^2 beside a kink b, at its nodes and between them.
     subroutine panels(self, first, list, error)
         class(load_t), intent(in) :: self
-        !> the longest panel beside the axis or a kink [length]
+        !> the longest panel beside a kink [length]
         real(wp), intent(in) :: first
         type(panel_t), allocatable, intent(out) :: list(:)
         type(error_t), allocatable, intent(inout) :: error
         type(panel_t) :: panel
-        integer :: kink, n, pass, stat
-        real(wp) :: width
+        type(panel_t), allocatable :: waiting(:)
+        real(wp) :: node(nodes), weight(nodes), polynomials(nodes, 0:nodes - 1), mean
+        integer :: kink, n, left
+        logical :: fits
 
-        do pass = 1, 2
-            n = 0
-            do kink = 0, size(self%kinks)
-                panel = panel_t()
-                if (kink > 0) panel%start = self%kinks(kink)
-                panel%beside_kink = kink > 0
-                width = self%radius - panel%start
-                if (kink < size(self%kinks)) width = self%kinks(kink + 1) - panel%start
-                ! distances from start: a sum with it may be rounded below the end for good
-                do while (panel%low < width)
-                    panel%length = min(longest_panel(self, panel, first), width - panel%low)
-                    n = n + 1
-                    if (pass == 2) list(n) = panel
-                    panel%low = panel%low + panel%length
-                    panel%beside_kink = .false.
-                end do
+        call gauss_legendre(node, weight, error)
+        if (allocated(error)) return
+        polynomials = legendre(nodes, 2.0_wp*node - 1.0_wp)
+        mean = mean_slope(self, node, weight)
+        allocate (list(16), waiting(16))
+        n = 0
+        do kink = 0, size(self%kinks)
+            left = 1
+            waiting(1) = whole_segment(self, kink)
+            do while (left > 0)
+                panel = waiting(left)
+                left = left - 1
+                if (.not. panel%length > 0.0_wp) cycle
+                call examine(self, panel, first, mean, node, weight, polynomials, fits)
+                if (fits .or. n >= most_panels + most_beside_kink*kink) then
+                    call append(list, n, panel, error)
+                else
+                    ! the lower half comes next
+                    call append(waiting, left, upper_half(panel), error)
+                    call append(waiting, left, lower_half(panel), error)
+                end if
+                if (allocated(error)) return
             end do
-            if (pass == 2) return
-            allocate (list(n), stat=stat)
-            call check_memory(error, stat)
-            if (stat /= 0) return
         end do
+        list = list(:n)
     end subroutine panels
 
-    !> How long a panel may be that begins at panel%low.
-    pure function longest_panel(self, panel, first) result(length)
+    !> From the axis or a kink to the next one or to a.
+    pure function whole_segment(self, kink) result(panel)
         class(load_t), intent(in) :: self
-        type(panel_t), intent(in) :: panel
-        real(wp), intent(in) :: first
-        real(wp) :: length
-        real(wp) :: here, turn
+        integer, intent(in) :: kink
+        type(panel_t) :: panel
 
-        here = panel%start + panel%low
-        length = panel%low
+        if (kink > 0) panel%start = self%kinks(kink)
+        panel%beside_kink = kink > 0
+        panel%length = self%radius - panel%start
+        if (kink < size(self%kinks)) panel%length = self%kinks(kink + 1) - panel%start
+        panel%high = panel%length
+    end function whole_segment
+
+    pure function lower_half(panel) result(half)
+        type(panel_t), intent(in) :: panel
+        type(panel_t) :: half
+
+        half = panel
+        half%high = panel%low + 0.5_wp*panel%length
+        half%length = half%high - panel%low
+        half%misfit_before = panel%misfit
+    end function lower_half
+
+    pure function upper_half(panel) result(half)
+        type(panel_t), intent(in) :: panel
+        type(panel_t) :: half
+
+        half = panel
+        half%low = panel%low + 0.5_wp*panel%length
+        half%length = panel%high - half%low
+        half%beside_kink = .false.
+        half%misfit_before = panel%misfit
+    end function upper_half
+
+    !> Appends to the first n of a list.
+    pure subroutine append(list, n, panel, error)
+        type(panel_t), allocatable, intent(inout) :: list(:)
+        integer, intent(inout) :: n
+        type(panel_t), intent(in) :: panel
+        type(error_t), allocatable, intent(inout) :: error
+        type(panel_t), allocatable :: longer(:)
+        integer :: stat
+
+        if (n == size(list)) then
+            allocate (longer(2*n), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
+            longer(:n) = list
+            call move_alloc(longer, list)
+        end if
+        n = n + 1
+        list(n) = panel
+    end subroutine append
+
+    !> Mean of |q'| over the contact.
+    pure function mean_slope(self, node, weight) result(mean)
+        class(load_t), intent(in) :: self
+        real(wp), intent(in) :: node(nodes), weight(nodes)
+        real(wp) :: mean
+        type(panel_t) :: panel
+        real(wp) :: distance(nodes), dx(nodes)
+        integer :: kink
+
+        mean = 0.0_wp
+        do kink = 0, size(self%kinks)
+            panel = whole_segment(self, kink)
+            call panel%place_nodes(node, weight, distance, dx)
+            if (panel%length > 0.0_wp) mean = mean + sum(dx*abs(self%slope(panel%start, distance)))
+        end do
+        mean = mean/self%radius
+    end function mean_slope
+
+    !> Whether q' is a polynomial in a panel; one that does not become smoother by halving is taken for it.
+    pure subroutine examine(self, panel, first, mean, node, weight, polynomials, fits)
+        class(load_t), intent(in) :: self
+        type(panel_t), intent(inout) :: panel
+        real(wp), intent(in) :: first, mean, node(nodes), weight(nodes), polynomials(nodes, 0:nodes - 1)
+        logical, intent(out) :: fits
+        real(wp) :: t(nodes + size(between) + closer), values(size(t)), series(0:nodes - 1), size_of, rounding
+        integer :: n, i
+
+        fits = .false.
+        if (panel%beside_kink .and. panel%length > first) return
+        t(:nodes) = node
+        t(nodes + 1:nodes + size(between)) = between
+        n = nodes + size(between)
         if (.not. panel%low > 0.0_wp) then
-            length = first
-            if (.not. panel%start > 0.0_wp) length = min(length, first_beside_axis*self%radius)
+            t(n + 1:) = [(node(1)*step**i, i=1, closer)]
+            n = size(t)
         end if
-        length = min(length, 0.5_wp*(self%singular_end - here))
-        if (self%degree > 0) then
-            ! a polynomial of x/a turns in steps of 1/degree of the angle whose cosine is x/a
-            turn = (longest_turn/real(self%degree, wp))**2
-            here = (self%radius - here)/self%radius
-            length = min(length, max(0.5_wp*self%analytic, &
-                                     self%radius*2.0_wp*turn*here/(turn + sqrt(turn*(turn + 2.0_wp*here)))))
+        ! q' dx/dt over the length
+        if (panel%beside_kink) then
+            values(:n) = 2.0_wp*t(:n)*self%slope(panel%start, panel%low + panel%length*t(:n)**2)
+        else
+            values(:n) = self%slope(panel%start, panel%low + panel%length*t(:n))
         end if
-        length = max(length, shortest_panel*self%radius)
-    end function longest_panel
+        do i = 0, nodes - 1
+            series(i) = real(2*i + 1, wp)*sum(weight*values(:nodes)*polynomials(:, i))
+        end do
+        size_of = max(mean, maxval(abs(values(:n))))
+        ! what rounding of the positions makes of q'
+        rounding = epsilon(1.0_wp)*(panel%start + panel%low + panel%length)/panel%length &
+                   *maxval(abs(values(2:nodes) - values(:nodes - 1))/(node(2:) - node(:nodes - 1)))
+        associate (others => t(nodes + 1:n))
+            panel%misfit = max(maxval(abs(series(nodes - 2:))), &
+                               maxval(abs(values(nodes + 1:n) - matmul(legendre(nodes, 2.0_wp*others - 1.0_wp), series))))
+        end associate
+        panel%is_easy = maxval(abs(series(low_degree + 1:))) <= negligible*size_of
+        fits = panel%misfit <= negligible*size_of .or. panel%length <= shortest_panel*self%radius
+        if (panel%misfit <= max(noise*size_of, rounding)) fits = fits .or. panel%misfit > 0.5_wp*panel%misfit_before
+    end subroutine examine
 
     !> Positions beyond panel%start, and weights, of a Gauss rule for [0, 1] in a panel.
     pure subroutine place_nodes(self, node, weight, distance, dx)
@@ -198,10 +294,11 @@ contains
             if (self%kinks(1) <= 0.0_wp) return
         end if
         order = self%order_on_axis()
+        if (order >= huge(1.0_wp)) return
         if (abs(order - anint(order)) > merge(1.0e-6_wp, 1.0e-4_wp, order < 0.5_wp)) self%kinks = [0.0_wp, self%kinks]
     end subroutine mark_axis
 
-    !> e of q' ~ x^e beside the axis: 0 also where q' does not vary.
+    !> e of q' ~ x^e beside the axis: 0 also where q' does not vary, huge() where it is so flat that it underflows.
     pure function order_on_axis(self) result(order)
         class(load_t), intent(in) :: self
         real(wp) :: order
@@ -209,7 +306,11 @@ contains
 
         slope = self%slope(0.0_wp, self%radius*[1.0e-11_wp, 4.0e-11_wp])
         order = 0.0_wp
-        if (slope(1)*slope(2) > 0.0_wp) order = log(slope(2)/slope(1))/log(4.0_wp)
+        if (maxval(abs(slope)) > 0.0_wp .and. minval(abs(slope)) <= tiny(1.0_wp)) then
+            order = huge(1.0_wp)
+        else if (sign(1.0_wp, slope(1))*slope(2) > 0.0_wp) then
+            order = log(slope(2)/slope(1))/log(4.0_wp)
+        end if
     end function order_on_axis
 
 end module mdrcontact_field_load

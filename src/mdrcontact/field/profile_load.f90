@@ -27,15 +27,13 @@ module mdrcontact_field_profile_load
 contains
 
     !> The load of a state.
-    subroutine new_profile_load(self, profile, modulus, radius, edge, v, first_depth, error)
+    subroutine new_profile_load(self, profile, modulus, radius, edge, v, error)
         type(profile_load_t), intent(out) :: self
         class(profile_t), intent(in) :: profile
         !> contact modulus of the surface layer [modulus], contact radius [length], q(a) [modulus length]
         real(wp), intent(in) :: modulus, radius, edge
         !> coefficients of P_2j(x/a) in v [length]; none on a homogeneous body
         real(wp), intent(in) :: v(:)
-        !> thickness of the surface layer: v is analytic within twice as much beyond the contact, with a high pole there [length]
-        real(wp), intent(in) :: first_depth
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: breaks(:)
 
@@ -48,10 +46,6 @@ contains
         if (profile%end_radius > 0.0_wp) call merge_breaks(breaks, [profile%end_radius], error)
         call merge_breaks(self%kinks, breaks(:count(breaks < radius)), error)
         if (allocated(error)) return
-        self%singular_end = profile%singular_radius
-        ! so many coefficients resolve no more than this
-        if (size(v) > 1) self%analytic = max(first_depth, 27.0_wp*radius/real(size(v), wp)**2)
-        self%degree = 2*max(size(v) - 1, 0)
         call self%mark_axis()
     end subroutine new_profile_load
 

@@ -440,8 +440,7 @@ contains
         call new_line_load(springs, self%kernel, self%tolerance, profile, a, excess, error)
         if (allocated(error)) return
         allocate (own)
-        call new_profile_load(own, profile, self%surface_modulus, a, self%surface_modulus*springs%edge, springs%v, &
-                              self%pressed%first_depth, error)
+        call new_profile_load(own, profile, self%surface_modulus, a, self%surface_modulus*springs%edge, springs%v, error)
         if (.not. allocated(error)) call move_alloc(own, load)
     end subroutine surface_load
 

@@ -380,7 +380,6 @@ contains
         call self%all_breaks(profile, breaks, error)
         call merge_breaks(own%kinks, breaks(:count(breaks < a)), error)
         if (allocated(error)) return
-        own%singular_end = profile%singular_radius
         call own%mark_axis()
         call move_alloc(own, load)
     end subroutine surface_load
