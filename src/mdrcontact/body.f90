@@ -29,7 +29,7 @@ module mdrcontact_body
         real(wp) :: first_depth = 0.0_wp, last_depth = 0.0_wp
         !> the smallest and the largest Young's modulus in it, 0 where they are not known [modulus]
         real(wp) :: softest = 0.0_wp, stiffest = 0.0_wp
-        !> whether the layers of sublayers() only stand for constants that vary with depth
+        !> whether the constants vary with depth: sublayers() refuses it
         logical :: is_graded = .false.
     contains
         !> sigma(k) and chi(k) = sigma(k) - 1, each to full relative precision as far as it is known
@@ -44,7 +44,7 @@ module mdrcontact_body
         !> numbers without a unit that determine the body but for its size and stiffness; none if that takes too many, or where
         !> kernels are not kept
         procedure :: ratios => none
-        !> the body as homogeneous layers, for stresses inside
+        !> the homogeneous layers of a body, for stresses inside
         procedure(sublayers_at), deferred :: sublayers
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
         procedure :: copy_to
@@ -61,12 +61,9 @@ module mdrcontact_body
             complex(wp), intent(out) :: sigma, chi
         end subroutine response_at
 
-        pure subroutine sublayers_at(self, unit, ratio, depths, layers, error)
-            import :: body_t, error_t, layers_t, wp
+        pure subroutine sublayers_at(self, layers, error)
+            import :: body_t, error_t, layers_t
             class(body_t), intent(in) :: self
-            !> where constants vary with depth z, layers are at most ratio*(unit + z) thick, and have faces at depths, ascending
-            !> [length]; else these do not matter
-            real(wp), intent(in) :: unit, ratio, depths(:)
             type(layers_t), intent(out) :: layers
             type(error_t), allocatable, intent(inout) :: error
         end subroutine sublayers_at

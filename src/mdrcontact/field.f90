@@ -215,11 +215,8 @@ contains
             call self%equilibrium%medium%pressed%copy_to(body, error)
         end if
         if (allocated(error)) return
-        if (body%is_graded) then
-            call raise(error, error_invalid, "a graded body has no layers whose energies could be told apart")
-            return
-        end if
-        call body%sublayers(load%radius, 1.0_wp, [real(wp) ::], layers, error)
+        call body%sublayers(layers, error)
+        if (allocated(error)) return
         allocate (energies, source=layer_energies(load, layers, error))
     end subroutine layer_energy
 

@@ -59,6 +59,7 @@ module mdrcontact_body_graded
         procedure :: in_plane_response
         procedure :: anti_plane_response
         procedure :: sublayers
+        procedure :: faces_through
         procedure :: copy_to
     end type graded_body_t
 
@@ -275,7 +276,7 @@ contains
     end subroutine build
 
     subroutine sublayer_ends(self, first, knots, places, weights, ends, error)
-        type(graded_body_t), intent(in) :: self
+        class(graded_body_t), intent(in) :: self
         real(wp), intent(in) :: first, knots(:)
         !> the rule by which a sublayer is integrated
         real(wp), intent(in) :: places(:), weights(:)
@@ -449,83 +450,32 @@ contains
         end if
     end subroutine carry
 
-    !> Homogeneous layers with the constants of their middles, faces at the knots and the depths.
-    pure subroutine sublayers(self, unit, ratio, depths, layers, error)
+    !> None.
+    pure subroutine sublayers(self, layers, error)
         class(graded_body_t), intent(in) :: self
-        real(wp), intent(in) :: unit, ratio, depths(:)
         type(layers_t), intent(out) :: layers
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: faces(:), fixed(:)
-        integer :: i, j, n, parts, given, stat
 
-        call fixed_faces(self, unit, ratio, depths, fixed, given, error)
-        if (allocated(error)) return
-        n = 0
-        do i = 2, given
-            n = n + parts_of(fixed(i - 1), fixed(i))
-        end do
-        allocate (faces(n + 1), layers%thickness(n), layers%shear(n + 1), layers%poisson(n + 1), layers%top_shear(n + 1), &
-                  layers%top_poisson(n + 1), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        faces(1) = 0.0_wp
-        n = 1
-        do i = 2, given
-            parts = parts_of(fixed(i - 1), fixed(i))
-            do j = 1, parts - 1
-                faces(n + j) = fixed(i - 1) + (fixed(i) - fixed(i - 1))*real(j, wp)/real(parts, wp)
-            end do
-            n = n + parts
-            faces(n) = fixed(i)
-        end do
-        layers%thickness(:) = faces(2:) - faces(:n - 1)
-        do i = 1, n
-            call self%constants(faces(i), layers%top_shear(i), layers%top_poisson(i))
-            if (i < n) call self%constants(0.5_wp*(faces(i) + faces(i + 1)), layers%shear(i), layers%poisson(i))
-        end do
-        layers%shear(n) = layers%top_shear(n)
-        layers%poisson(n) = layers%top_poisson(n)
-
-    contains
-
-        !> Layers between two fixed faces.
-        pure integer function parts_of(upper, lower)
-            real(wp), intent(in) :: upper, lower
-
-            parts_of = max(1, ceiling(log((unit + lower)/(unit + upper))/ratio))
-            if (lower > self%last_depth) parts_of = 1
-        end function parts_of
-
+        associate (unused => self)
+        end associate
+        layers%rigid_base = .false.
+        call raise(error, error_invalid, "a graded body has no layers whose energies could be told apart")
     end subroutine sublayers
 
-    !> Where layers must end: the depths, and those knots that are not closer to each other than a fraction of a layer.
-    pure subroutine fixed_faces(self, unit, ratio, depths, faces, count, error)
+    !> Depths between which the constants vary little and lengths are small against the depth: 0, `first`, the knots and others.
+    subroutine faces_through(self, first, depths, faces, error)
         class(graded_body_t), intent(in) :: self
-        real(wp), intent(in) :: unit, ratio, depths(:)
-        !> the first `count` are meant
+        !> > 0, and others, ascending from there on [length]
+        real(wp), intent(in) :: first, depths(:)
         real(wp), allocatable, intent(out) :: faces(:)
-        integer, intent(out) :: count
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), parameter :: fraction = 0.2_wp
+        real(wp) :: antiderivative(nodes + 1, nodes), t(nodes)
         real(wp), allocatable :: knots(:)
-        real(wp) :: least
-        integer :: i, stat
 
-        count = 1
         call self%add_knots(knots, error)
         call merge_breaks(knots, depths, error)
-        if (allocated(error)) return
-        allocate (faces(size(knots) + 1), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        faces(1) = 0.0_wp
-        do i = 1, size(knots)
-            least = ratio*(unit + knots(i))*merge(0.0_wp, fraction, any(depths == knots(i)) .or. knots(i) >= self%last_depth)
-            if (knots(i) - faces(count) > least) then
-                count = count + 1
-                faces(count) = knots(i)
-            end if
-        end do
-    end subroutine fixed_faces
+        call new_antiderivative(t, antiderivative, error)
+        if (.not. allocated(error)) call sublayer_ends(self, first, knots, t, antiderivative(nodes + 1, :), faces, error)
+    end subroutine faces_through
 
 end module mdrcontact_body_graded

@@ -14,8 +14,6 @@ module mdrcontact_body_layers
         real(wp), allocatable :: shear(:), poisson(:)
         !> bonded to a rigid base: the half-space's constants are not used
         logical :: rigid_base = .false.
-        !> where layers stand for constants that vary with depth: the constants at the upper face of each, else not allocated
-        real(wp), allocatable :: top_shear(:), top_poisson(:)
     contains
         procedure :: top
         procedure :: layer_at

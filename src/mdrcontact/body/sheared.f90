@@ -102,13 +102,12 @@ contains
         call self%body%anti_plane_response(k, sigma, chi)
     end subroutine anti_plane_response
 
-    pure subroutine sublayers(self, unit, ratio, depths, layers, error)
+    pure subroutine sublayers(self, layers, error)
         class(sheared_body_t), intent(in) :: self
-        real(wp), intent(in) :: unit, ratio, depths(:)
         type(layers_t), intent(out) :: layers
         type(error_t), allocatable, intent(inout) :: error
 
-        call self%body%sublayers(unit, ratio, depths, layers, error)
+        call self%body%sublayers(layers, error)
     end subroutine sublayers
 
 end module mdrcontact_body_sheared

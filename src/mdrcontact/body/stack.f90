@@ -216,15 +216,12 @@ contains
     end subroutine ratios
 
     !> The layers as they were given.
-    pure subroutine sublayers(self, unit, ratio, depths, layers, error)
+    pure subroutine sublayers(self, layers, error)
         class(stack_t), intent(in) :: self
-        real(wp), intent(in) :: unit, ratio, depths(:)
         type(layers_t), intent(out) :: layers
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, n, stat
 
-        associate (unused => unit, also_unused => ratio, unused_too => depths)
-        end associate
         n = size(self%layers)
         layers%rigid_base = self%rigid_base
         allocate (layers%thickness(n), layers%shear(n + 1), layers%poisson(n + 1), stat=stat)

@@ -13,7 +13,8 @@ module mdrcontact_field_half_space
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: half_space_rule_t, new_half_space_rule, add_normal_sums, add_shear_sums
+    public :: half_space_rule_t, new_half_space_rule, add_normal_sums, add_shear_sums, &
+              add_normal_image, add_shear_image
     public :: normal_sums, shear_sums
 
     !> How many sums describe the field of a normal and of a shear load, see add_normal_sums and add_shear_sums.
@@ -115,6 +116,44 @@ contains
                        (1.0_wp - 2.0_wp*poisson)*i(b0) + z*i(b1), -z*i(b2), -2.0_wp*(1.0_wp - poisson)*i(b1) + z*i(b2), &
                        2.0_wp*i(b1), 2.0_wp*poisson*i(c0) + z*i(c1), z*(i(a2) - 2.0_wp*i(b1))]
     end subroutine add_shear_sums
+
+    !> Adds the normal load's sums of a state (alpha + beta k z) e^(-k (z + shift)).
+    pure subroutine add_normal_image(rule, load, shift, alpha, beta, r, z, sums)
+        type(half_space_rule_t), intent(in) :: rule
+        class(load_t), intent(in) :: load
+        !> [a], and y1 to y4
+        real(wp), intent(in) :: shift, alpha(:), beta(:)
+        !> distance from the axis [length] and depth [a] of the point
+        real(wp), intent(in) :: r, z
+        real(wp), intent(inout) :: sums(normal_sums)
+        real(wp) :: i(kernels)
+
+        call integrate(rule, load, r, z + shift, i)
+        associate (b => z*beta)
+            sums = sums + [alpha(2)*i(a0) + b(2)*i(a1), alpha(4)*i(a1) + b(4)*i(a2), alpha(1)*i(a1) + b(1)*i(a2), &
+                           alpha(1)*i(b0) + b(1)*i(b1), alpha(3)*i(b1) + b(3)*i(b2)]
+        end associate
+    end subroutine add_normal_image
+
+    !> The same under a load that shears; k J2 = 2 J1/r - k J0.
+    pure subroutine add_shear_image(rule, load, shift, alpha, beta, r, z, sums)
+        type(half_space_rule_t), intent(in) :: rule
+        class(load_t), intent(in) :: load
+        !> [a], and y1 to y5 and N
+        real(wp), intent(in) :: shift, alpha(:), beta(:)
+        !> distance from the axis [length] and depth [a] of the point
+        real(wp), intent(in) :: r, z
+        real(wp), intent(inout) :: sums(shear_sums)
+        real(wp) :: i(kernels)
+
+        call integrate(rule, load, r, z + shift, i)
+        associate (b => z*beta)
+            sums = sums + [(alpha(5) - alpha(1))*i(a0) + (b(5) - b(1))*i(a1), (alpha(6) - alpha(3))*i(a1) + (b(6) - b(3))*i(a2), &
+                           alpha(2)*i(b0) + b(2)*i(b1), alpha(4)*i(b1) + b(4)*i(b2), alpha(1)*i(b1) + b(1)*i(b2), &
+                           alpha(5)*i(b1) + b(5)*i(b2), (alpha(5) + alpha(1))*i(c0) + (b(5) + b(1))*i(c1), &
+                           (alpha(6) + alpha(3))*(2.0_wp*i(b0) - i(a1)) + (b(6) + b(3))*(2.0_wp*i(b1) - i(a2))]
+        end associate
+    end subroutine add_shear_image
 
     !> I[f] for all kernels; at z = 0 those that only occur with a factor z are left 0.
     pure subroutine integrate(rule, load, r, z, integrals)

@@ -4,12 +4,11 @@
 !> A prepared integral knows layers and load; points and grids then cost sums over its nodes, on a grid as products of matrices.
 module mdrcontact_field_hankel
     use mdrcontact_batch, only: batch_t, run_batch
-    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_half_space, only: shear_sums
     use mdrcontact_field_load, only: load_t
-    use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, shear_rows, sweep_t
+    use mdrcontact_field_states, only: depth_t, normal_rows, shear_rows, states_t
     use mdrcontact_field_transform, only: hankel_transform
     use mdrcontact_field_waves, only: bessel_012, faded, part_of_waves, wave_rule
     use mdrcontact_kinds, only: wp
@@ -17,29 +16,15 @@ module mdrcontact_field_hankel
     use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
     private
-    public :: hankel_t, new_hankel, depth_t, add_point, add_grid
+    public :: hankel_t, new_hankel, add_point, add_grid
 
     !> Wavenumbers, radii and depths that are worked on together. OpenBLAS starts threads from products of 2^18 on.
     integer, parameter :: slab = 256, radii = 25, together = 40
 
-    !> How the state at a depth is integrated.
-    type :: depth_t
-        !> [a]
-        real(wp) :: z = 0.0_wp
-        integer :: layer = 1
-        !> without the homogeneous half-space of the surface layer's material
-        logical :: less = .false.
-        !> largest wavenumber needed [1/a]
-        real(wp) :: last = 0.0_wp
-    end type depth_t
-
-    !> Layers (lengths in units of a) under a load, ready to be integrated for r <= farthest - 1 and k <= last: part after part of
+    !> A body (lengths in units of a) under a load, ready to be integrated for r <= farthest - 1 and k <= last: part after part of
     !> the wavenumbers, so that no more memory is needed for many layers.
     type :: hankel_t
-        type(layers_t) :: layers
-        real(wp), allocatable :: tops(:)
-        logical :: along_surface = .false.
-        type(sweep_t) :: sweep
+        class(states_t), pointer :: states => null()
         !> wavenumbers and p_hat dk of the part
         real(wp), allocatable :: k(:), load(:)
         !> of all parts, and how many of them were had
@@ -66,29 +51,18 @@ module mdrcontact_field_hankel
 contains
 
     !> Nodes and weights of the integrals over wavenumber, for one load on one body.
-    subroutine new_hankel(self, load, layers, along_surface, farthest, last, error)
+    subroutine new_hankel(self, load, states, farthest, last, error)
         type(hankel_t), intent(out) :: self
         class(load_t), intent(in) :: load
-        !> lengths in units of a
-        type(layers_t), intent(in) :: layers
-        !> whether the load shears the surface instead of pressing it
-        logical, intent(in) :: along_surface
+        class(states_t), intent(inout), target :: states
         !> largest a + r [a] and largest wavenumber [1/a]
         real(wp), intent(in) :: farthest, last
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: weight(:), scaled(:)
-        real(wp) :: total, stiffest, softest
-        integer :: i, n, stat
+        integer :: stat
 
-        n = size(layers%thickness)
-        self%layers = layers
-        self%along_surface = along_surface
-        self%tops = [(layers%top(i), i=1, n + 1)]
-        total = sum(layers%thickness)
-        if (.not. layers%rigid_base) n = n + 1
-        stiffest = maxval(layers%shear(:n))
-        softest = minval(layers%shear(:n))
-        call wave_rule(farthest, total*stiffest/softest, last, self%all_k, weight, error)
+        self%states => states
+        call wave_rule(farthest, states%structure, last, self%all_k, weight, error)
         if (allocated(error)) return
         allocate (self%all_load(size(self%all_k)), scaled(size(self%all_k)), stat=stat)
         call check_memory(error, stat)
@@ -109,7 +83,7 @@ contains
         found = self%done < size(self%all_k) .and. .not. allocated(error)
         if (.not. found) return
         call check_cancelled(error)
-        n = min(size(self%all_k) - self%done, part_of_waves(size(self%tops)))
+        n = min(size(self%all_k) - self%done, part_of_waves(self%states%steps))
         if (allocated(self%k)) deallocate (self%k, self%load)
         allocate (self%k(n), self%load(n), stat=stat)
         call check_memory(error, stat)
@@ -118,7 +92,7 @@ contains
         self%k(:) = self%all_k(self%done + 1:self%done + n)
         self%load(:) = self%all_load(self%done + 1:self%done + n)
         self%done = self%done + n
-        call new_sweep(self%sweep, self%layers, self%k, self%along_surface, error)
+        call self%states%prepare(self%k, error)
         found = .not. allocated(error)
     end function next_part
 
@@ -138,7 +112,7 @@ contains
         type(hankel_t), intent(in) :: self
         integer :: sizes(0:2)
 
-        sizes = merge([2, 4, 2], [3, 2, 0], self%along_surface)
+        sizes = merge([2, 4, 2], [3, 2, 0], self%states%along_surface)
     end function groups
 
     !> What stands beside the Bessel functions in each sum, times p_hat dk: (node, sum). The last shear sum is with J2 itself.
@@ -148,15 +122,15 @@ contains
         !> nodes wanted
         integer, intent(in) :: first, last
         real(wp), intent(out) :: columns(:, :)
-        real(wp) :: y(last - first + 1, merge(shear_rows, normal_rows, self%along_surface))
+        real(wp) :: y(last - first + 1, merge(shear_rows, normal_rows, self%states%along_surface))
         integer :: i
 
-        call layer_state(self%sweep, self%layers, depth%layer, self%tops(depth%layer), depth%z, depth%less, first, last, y)
+        call self%states%state(depth, first, last, y)
         do i = 1, size(y, 2)
             y(:, i) = self%load(first:last)*y(:, i)
         end do
         associate (k => self%k(first:last))
-            if (self%along_surface) then
+            if (self%states%along_surface) then
                 columns(:, 1) = y(:, 5) - y(:, 1)
                 columns(:, 2) = k*(y(:, 6) - y(:, 3))
                 columns(:, 3) = y(:, 2)
@@ -184,7 +158,7 @@ contains
         integer :: i
 
         do i = first, last
-            if (self%along_surface) then
+            if (self%states%along_surface) then
                 call bessel_012(self%k(i), r, j(i, 0), j(i, 1), j(i, 2))
             else
                 call bessel_012(self%k(i), r, j(i, 0), j(i, 1))

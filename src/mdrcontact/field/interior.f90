@@ -7,17 +7,19 @@ module mdrcontact_field_interior
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_t, raise, to_text
-    use mdrcontact_field_half_space, only: add_normal_sums, add_shear_sums, half_space_rule_t, new_half_space_rule, normal_sums, &
-                                           shear_sums
-    use mdrcontact_field_hankel, only: add_grid, add_point, depth_t, hankel_t, new_hankel
+    use mdrcontact_field_half_space, only: add_normal_image, add_normal_sums, add_shear_image, add_shear_sums, half_space_rule_t, &
+                                           new_half_space_rule, normal_sums, shear_sums
+    use mdrcontact_field_hankel, only: add_grid, add_point, hankel_t, new_hankel
     use mdrcontact_field_lattice, only: distinct_among, lattice_t, new_lattice
     use mdrcontact_field_load, only: load_t
     use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_field_layered_states, only: layered_states_t, new_layered_states
+    use mdrcontact_field_states, only: depth_t, states_t
     use mdrcontact_field_waves, only: faded
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: interior_field, components
+    public :: interior_field, state_field, check_distances, depth_of, components
     public :: u_r, u_t, u_z, s_rr, s_tt, s_zz, s_rz, s_rt, s_tz
 
     !> The components by their place in a result.
@@ -35,14 +37,14 @@ module mdrcontact_field_interior
         class(load_t), pointer :: load => null()
         type(half_space_rule_t) :: rule
         type(hankel_t), pointer :: hankel => null()
+        class(states_t), pointer :: states => null()
         type(depth_t), pointer :: depths(:) => null()
         !> distances from the axis [length] and [a]
         real(wp), pointer :: position(:) => null(), r(:) => null()
         real(wp), pointer :: sums(:, :) => null()
         !> allocated for all points
         integer, allocatable :: order(:)
-        real(wp) :: poisson = 0.0_wp
-        logical :: along_surface = .false., is_closed = .false.
+        logical :: is_closed = .false.
     contains
         procedure :: work => points_work
     end type points_t
@@ -73,45 +75,67 @@ contains
         integer, intent(in), optional :: threads
         type(depth_t), allocatable :: depths(:)
         type(layers_t) :: scaled
-        real(wp), allocatable :: radii(:), sums(:, :)
+        type(layered_states_t), target :: states
         type(lattice_t) :: lattice
-        integer :: team, stat
+        integer :: stat
 
-        team = 1
-        if (present(threads)) team = threads
         call check_points(load, layers, r, z, below, error)
         if (allocated(error) .or. size(r) == 0) return
         scaled = layers
         scaled%thickness = layers%thickness/load%radius
-        allocate (radii(size(r)), depths(size(r)), sums(normal_sums, size(r)), stat=stat)
+        call new_layered_states(states, scaled)
+        allocate (depths(size(r)), stat=stat)
         call check_memory(error, stat)
-        if (stat /= 0) return
-        radii(:) = r/load%radius
         call new_lattice(lattice, r, z, error)
         if (allocated(error)) return
         call set_depths(load, layers, r, z, below, lattice%is_grid, depths)
-        call find_sums(load, scaled, .false., lattice, r, radii, depths, sums, team, error)
+        call state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads)
+    end subroutine interior_field
+
+    !> The field of a body whose states are known, at points with what is known of their depths; see interior_field.
+    subroutine state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads)
+        class(load_t), intent(in), target :: load
+        class(states_t), intent(inout), target :: states
+        type(lattice_t), intent(in) :: lattice
+        real(wp), intent(in), target :: r(:)
+        real(wp), intent(in) :: z(:)
+        type(depth_t), intent(inout), target :: depths(:)
+        real(wp), intent(out) :: field(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), intent(in), optional :: friction, angle(:)
+        integer, intent(in), optional :: threads
+        real(wp), allocatable :: radii(:), sums(:, :)
+        integer :: team, stat
+
+        team = 1
+        if (present(threads)) team = threads
+        allocate (radii(size(r)), sums(normal_sums, size(r)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        radii(:) = r/load%radius
+        call states%turn(.false., depths, error)
+        if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, team, error)
         if (allocated(error)) return
-        call normal_components(layers, depths, radii, load%radius, sums, field)
+        call normal_components(depths, radii, load%radius, sums, field)
         if (present(friction)) then
             if (friction /= 0.0_wp) then
                 deallocate (sums)
                 allocate (sums(shear_sums, size(r)), stat=stat)
                 call check_memory(error, stat)
                 if (stat /= 0) return
-                call find_sums(load, scaled, .true., lattice, r, radii, depths, sums, team, error)
+                call states%turn(.true., depths, error)
+                if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, team, error)
                 if (allocated(error)) return
-                call add_shear_components(layers, depths, radii, load%radius, sums, friction, field, angle)
+                call add_shear_components(depths, radii, load%radius, sums, friction, field, angle)
             end if
         end if
-        call mark_singular(load, layers%poisson(1), r, z, field, friction, angle)
-    end subroutine interior_field
+        call mark_singular(load, states%surface_poisson, r, z, field, friction, angle)
+    end subroutine state_field
 
-    subroutine check_points(load, layers, r, z, below, error)
+    !> Refuses points outside the body or too far away.
+    subroutine check_distances(load, r, z, error)
         class(load_t), intent(in) :: load
-        type(layers_t), intent(in) :: layers
         real(wp), intent(in) :: r(:), z(:)
-        logical, intent(in) :: below
         type(error_t), allocatable, intent(inout) :: error
         integer :: i
 
@@ -122,11 +146,26 @@ contains
             if (max(r(i), z(i)) > farthest_point*load%radius) then
                 call raise(error, error_domain, " = "//to_text(r(i))//", "//to_text(z(i))//" is too far away: "// &
                            "stresses are offered within 1e12 contact radii, a = "//to_text(load%radius), "r, z", i)
-            else if (layers%layer_at(z(i), below) == 0) then
+                return
+            end if
+        end do
+    end subroutine check_distances
+
+    subroutine check_points(load, layers, r, z, below, error)
+        class(load_t), intent(in) :: load
+        type(layers_t), intent(in) :: layers
+        real(wp), intent(in) :: r(:), z(:)
+        logical, intent(in) :: below
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        call check_distances(load, r, z, error)
+        do i = 1, size(r)
+            if (allocated(error)) return
+            if (layers%layer_at(z(i), below) == 0) then
                 call raise(error, error_domain, " = "//to_text(z(i))//" lies in the rigid base, which begins at z = "// &
                            to_text(sum(layers%thickness))//" (its surface belongs to the side above)", "z", i)
             end if
-            if (allocated(error)) return
         end do
     end subroutine check_points
 
@@ -140,9 +179,10 @@ contains
         integer :: i
 
         do i = 1, size(z)
-            depths(i)%z = z(i)/load%radius
-            if (abs(infinite_pressure(load, r(i), z(i))) > 0.0_wp) depths(i)%z = just_below
+            depths(i)%z = depth_of(load, r(i), z(i))
             depths(i)%layer = layers%layer_at(z(i), below)
+            depths(i)%shear = layers%shear(depths(i)%layer)
+            depths(i)%poisson = layers%poisson(depths(i)%layer)
             depths(i)%less = depths(i)%layer == 1
             if (size(layers%thickness) == 0) cycle
             associate (thickness => layers%thickness(1)/load%radius)
@@ -156,12 +196,21 @@ contains
         end do
     end subroutine set_depths
 
+    !> The depth where what is finite at a point is taken [a].
+    pure function depth_of(load, r, z) result(depth)
+        class(load_t), intent(in) :: load
+        !> [length]
+        real(wp), intent(in) :: r, z
+        real(wp) :: depth
+
+        depth = z/load%radius
+        if (abs(infinite_pressure(load, r, z)) > 0.0_wp) depth = just_below
+    end function depth_of
+
     !> The sums of all points, for a load across or along the surface.
-    subroutine find_sums(load, layers, along_surface, lattice, position, r, depths, sums, threads, error)
+    subroutine find_sums(load, states, lattice, position, r, depths, sums, threads, error)
         class(load_t), intent(in), target :: load
-        !> lengths in units of a
-        type(layers_t), intent(in) :: layers
-        logical, intent(in) :: along_surface
+        class(states_t), intent(inout), target :: states
         type(lattice_t), intent(in) :: lattice
         !> distances from the axis [length] and [a]
         real(wp), intent(in), target :: position(:), r(:)
@@ -184,8 +233,7 @@ contains
         points%position => position
         points%r => r
         points%sums => sums
-        points%along_surface = along_surface
-        points%poisson = layers%poisson(1)
+        points%states => states
         call new_half_space_rule(points%rule, load, error)
         if (allocated(error)) return
         points%is_closed = .true.
@@ -193,7 +241,7 @@ contains
         call list_chosen(chosen, points%order, n)
         call run_batch(points, n, 32, 64, threads, error)
         if (allocated(error)) return
-        if (size(layers%thickness) == 0) return
+        if (.not. states%structure > 0.0_wp) return
         points%is_closed = .false.
         waiting(:) = .true.
         ! far points need more waves than near ones: each doubling of a + r has its own rule
@@ -201,8 +249,7 @@ contains
             reach = max(3.0_wp, 2.0_wp*(1.0_wp + minval(r, mask=waiting)))
             chosen(:) = waiting .and. 1.0_wp + r <= reach
             waiting(:) = waiting .and. .not. chosen
-            call new_hankel(hankel, load, layers, along_surface, 1.0_wp + maxval(r, mask=chosen), &
-                            maxval(depths%last, mask=chosen), error)
+            call new_hankel(hankel, load, states, 1.0_wp + maxval(r, mask=chosen), maxval(depths%last, mask=chosen), error)
             if (allocated(error)) return
             points%hankel => hankel
             call list_chosen(chosen, points%order, n)
@@ -276,29 +323,49 @@ contains
 
         do j = first, last
             i = self%order(j)
-            if (.not. self%is_closed) then
-                call add_point(self%hankel, self%depths(i), self%r(i), self%sums(:, i))
-            else if (self%along_surface) then
-                call add_shear_sums(self%rule, self%load, self%poisson, self%position(i), self%depths(i)%z, self%sums(:, i))
+            if (self%is_closed) then
+                call add_closed(self, i)
             else
-                call add_normal_sums(self%rule, self%load, self%poisson, self%position(i), self%depths(i)%z, self%sums(:, i))
+                call add_point(self%hankel, self%depths(i), self%r(i), self%sums(:, i))
             end if
         end do
     end subroutine points_work
 
-    pure subroutine normal_components(layers, depths, r, unit, sums, field)
-        type(layers_t), intent(in) :: layers
+    !> The half-space of the surface material, and its images.
+    pure subroutine add_closed(self, i)
+        class(points_t), intent(inout) :: self
+        integer, intent(in) :: i
+        integer :: j
+
+        associate (states => self%states, depth => self%depths(i), r => self%position(i))
+            if (states%along_surface) then
+                call add_shear_sums(self%rule, self%load, states%surface_poisson, r, depth%z, self%sums(:, i))
+            else
+                call add_normal_sums(self%rule, self%load, states%surface_poisson, r, depth%z, self%sums(:, i))
+            end if
+            if (.not. allocated(states%shifts)) return
+            do j = 1, size(states%shifts)
+                associate (shift => states%shifts(j), alpha => states%alpha(j, :, depth%layer), &
+                           beta => states%beta(j, :, depth%layer))
+                    if (states%along_surface) then
+                        call add_shear_image(self%rule, self%load, shift, alpha, beta, r, depth%z, self%sums(:, i))
+                    else
+                        call add_normal_image(self%rule, self%load, shift, alpha, beta, r, depth%z, self%sums(:, i))
+                    end if
+                end associate
+            end do
+        end associate
+    end subroutine add_closed
+
+    pure subroutine normal_components(depths, r, unit, sums, field)
         type(depth_t), intent(in) :: depths(:)
         real(wp), intent(in) :: r(:), unit, sums(:, :)
         real(wp), intent(out) :: field(:, :)
-        real(wp) :: nu, mu, local
         integer :: i
 
         field(:, [u_t, s_rt, s_tz]) = 0.0_wp
         do i = 1, size(r)
-            mu = layers%shear(depths(i)%layer)
-            call local_constants(layers, depths(i), unit, nu, local)
-            associate (s => sums(:, i))
+            associate (s => sums(:, i), mu => depths(i)%shear, nu => depths(i)%poisson, local => depths(i)%local)
                 field(i, u_z) = unit*s(1)/(2.0_wp*mu)
                 field(i, u_r) = unit*r(i)*s(4)/(2.0_wp*mu)
                 field(i, s_zz) = s(2)
@@ -309,13 +376,12 @@ contains
         end do
     end subroutine normal_components
 
-    pure subroutine add_shear_components(layers, depths, r, unit, sums, friction, field, angle)
-        type(layers_t), intent(in) :: layers
+    pure subroutine add_shear_components(depths, r, unit, sums, friction, field, angle)
         type(depth_t), intent(in) :: depths(:)
         real(wp), intent(in) :: r(:), unit, sums(:, :), friction
         real(wp), intent(inout) :: field(:, :)
         real(wp), intent(in), optional :: angle(:)
-        real(wp) :: along, across, nu, mu, local
+        real(wp) :: along, across
         integer :: i
 
         along = friction
@@ -325,9 +391,7 @@ contains
                 along = friction*cos(angle(i))
                 across = friction*sin(angle(i))
             end if
-            mu = layers%shear(depths(i)%layer)
-            call local_constants(layers, depths(i), unit, nu, local)
-            associate (s => sums(:, i))
+            associate (s => sums(:, i), mu => depths(i)%shear, nu => depths(i)%poisson, local => depths(i)%local)
                 field(i, u_r) = field(i, u_r) + along*unit*(s(1) + r(i)**2*s(7))/(4.0_wp*mu)
                 field(i, u_t) = field(i, u_t) - across*unit*(s(1) - r(i)**2*s(7))/(4.0_wp*mu)
                 field(i, u_z) = field(i, u_z) + along*unit*r(i)*s(3)/(2.0_wp*mu)
@@ -340,27 +404,6 @@ contains
             end associate
         end do
     end subroutine add_shear_components
-
-    !> Poisson's ratio at a depth, and its shear modulus relative to that of the layer: displacements, sigma_zz and sigma_rz
-    !> pass an interface unchanged, the other stresses follow from them with the constants just there.
-    pure subroutine local_constants(layers, depth, unit, poisson, shear)
-        type(layers_t), intent(in) :: layers
-        type(depth_t), intent(in) :: depth
-        real(wp), intent(in) :: unit
-        real(wp), intent(out) :: poisson, shear
-        real(wp) :: fraction
-        integer :: next
-
-        poisson = layers%poisson(depth%layer)
-        shear = 1.0_wp
-        if (.not. allocated(layers%top_shear)) return
-        next = min(depth%layer + 1, size(layers%shear))
-        fraction = 0.0_wp
-        if (next > depth%layer) fraction = (unit*depth%z - layers%top(depth%layer))/layers%thickness(depth%layer)
-        poisson = layers%top_poisson(depth%layer) + fraction*(layers%top_poisson(next) - layers%top_poisson(depth%layer))
-        shear = layers%top_shear(depth%layer) + fraction*(layers%top_shear(next) - layers%top_shear(depth%layer))
-        shear = shear/layers%shear(depth%layer)
-    end subroutine local_constants
 
     !> +-infinity where the pressure is infinite: on the surface at an edge with q(a), at the edge of a flat end, at an apex that is
     !> no sharper than a cone's; 0 elsewhere.

@@ -3,7 +3,7 @@
 !>
 !> p(r) follows from q by equation (6).
 module mdrcontact_field_load
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     implicit none (type, external)
@@ -18,6 +18,8 @@ module mdrcontact_field_load
     !> A panel is not made shorter than this [a]; there are at most so many panels, and so many more for each kink.
     real(wp), parameter :: shortest_panel = 1.0e-12_wp
     integer, parameter :: most_panels = 1000, most_beside_kink = 50
+    !> Misfit that is left then, relative to the mean of |q'| [1].
+    real(wp), parameter :: refused = 1.0e-8_wp
     !> Points between the nodes where the polynomial of a panel is compared with q', and, towards an axis or kink, points each
     !> `step` times as close as the one before.
     real(wp), parameter :: between(3) = [0.0025_wp, 0.5_wp, 0.9975_wp], step = 0.25_wp
@@ -126,7 +128,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(panel_t) :: panel
         type(panel_t), allocatable :: waiting(:)
-        real(wp) :: node(nodes), weight(nodes), polynomials(nodes, 0:nodes - 1), mean
+        real(wp) :: node(nodes), weight(nodes), polynomials(nodes, 0:nodes - 1), mean, missed
         integer :: kink, n, left
         logical :: fits
 
@@ -136,6 +138,7 @@ contains
         mean = mean_slope(self, node, weight)
         allocate (list(16), waiting(16))
         n = 0
+        missed = 0.0_wp
         do kink = 0, size(self%kinks)
             left = 1
             waiting(1) = whole_segment(self, kink)
@@ -144,7 +147,11 @@ contains
                 left = left - 1
                 if (.not. panel%length > 0.0_wp) cycle
                 call examine(self, panel, first, mean, node, weight, polynomials, fits)
-                if (fits .or. n >= most_panels + most_beside_kink*kink) then
+                if (.not. fits .and. n >= most_panels + most_beside_kink*kink) then
+                    missed = missed + panel%misfit*panel%length
+                    fits = .true.
+                end if
+                if (fits) then
                     call append(list, n, panel, error)
                 else
                     ! the lower half comes next
@@ -155,6 +162,11 @@ contains
             end do
         end do
         list = list(:n)
+        if (missed > refused*mean*self%radius) then
+            call raise(error, error_no_convergence, "stresses and energies under this indenter are off by about "// &
+                       to_text(missed/(mean*self%radius))//": the slope of its line load is not smooth on "// &
+                       to_text(real(n, wp))//" panels")
+        end if
     end subroutine panels
 
     !> From the axis or a kink to the next one or to a.

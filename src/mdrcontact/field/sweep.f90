@@ -10,13 +10,11 @@
 module mdrcontact_field_sweep
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_field_states, only: normal_rows, shear_rows
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: sweep_t, new_sweep, layer_state, normal_rows, shear_rows
-
-    !> Numbers of a state under a normal load, y1 to y4, and of one under a shear load, y1 to y5 and N.
-    integer, parameter :: normal_rows = 4, shear_rows = 6
 
     !> Amplitudes A and B of all layers at given wavenumbers. Made by new_sweep.
     type :: sweep_t
