@@ -179,8 +179,8 @@ contains
                 length = segment%high - low
                 call enter_panel(rule, segment, low)
                 do while (length > shortest)
-                    if (is_smooth(rule, segment, z, low, length)) then
-                        if (length <= reach(segment, z, low, low + length)) exit
+                    if (length <= reach(segment, z, low, low + length)) then
+                        if (is_smooth(rule, segment, z, low, length)) exit
                     end if
                     length = 0.5_wp*length
                 end do
@@ -221,6 +221,9 @@ contains
         if (passed > 1) segment%kink_before = (load%kinks(passed - 1) - r)/load%radius
         segment%first_panel = rule%first(passed)
         segment%last_panel = rule%first(passed + 1) - 1
+        if (segment%first_panel /= segment%last_panel) return
+        ! one polynomial for all of it: there is nothing to look for
+        if (2.0_wp*(segment%high - segment%low) <= rule%longest(segment%first_panel)) segment%last_panel = segment%first_panel - 1
     end function new_segment
 
     !> To the panel of the rule where what begins at `low` lies.
@@ -246,10 +249,11 @@ contains
         real(wp) :: degree
         integer :: i
 
+        is = .true.
+        if (segment%first_panel > segment%last_panel) return
         ! s^2 at one end doubles the degree
         degree = merge(2.0_wp, 1.0_wp, low <= segment%kink .or. &
                        (z <= 0.0_wp .and. (low == 0.0_wp .or. low + length == 0.0_wp)))
-        is = .true.
         do i = segment%first_panel, segment%last_panel
             is = degree*length <= rule%longest(i)
             if (.not. is .or. low + length - segment%origin <= rule%last(i)) return
