@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fits against the parameters that made their data."""
+
+import numpy as np
+from hypothesis import assume
+from hypothesis import strategies as st
+
+import mdrcontact as mdr
+
+from . import draws as d
+from .harness import near, relation, same
+
+guesses = d.between(0.6, 1.6)
+films = st.builds(mdr.Elastic, d.between(0.3, 3.0), st.floats(0.1, 0.45))
+"""Whose modulus differs from that of the base, which is 1."""
+BASE = mdr.Elastic(1.0, 0.3)
+models = st.sampled_from(["exact", "gao-series", "hay-crawford", "perriot-barthel"])
+DEPTHS = np.linspace(0.01, 0.2, 15)
+
+
+def found(data, indenter, start, name="coating.E", **options):
+    result = mdr.fit(data, indenter, start, [name], check_units=False, **options)
+    return float(result.estimates[name]), result
+
+
+@relation(30, film=films, h=d.lengths, model=models, guess=guesses)
+def test_force_and_depth(film, h, model, guess):
+    """The modulus of the film from F(d) of the contact, against the one that made it."""
+    medium = mdr.Coated(film, h, BASE, model)
+    force = mdr.Contact(mdr.Paraboloid(h), medium).at_depth(DEPTHS * h).force
+    start = medium.replace(coating=film.replace(E=film.E * guess))
+    value, _ = found(mdr.ForceDepth(DEPTHS * h, force, relative_sd=0.01), mdr.Paraboloid(h), start)
+    near(value, film.E, 1e-6)
+
+
+@relation(30, film=films, h=d.lengths, model=models, guess=guesses, kind=st.sampled_from(["modulus", "stiffness"]))
+def test_radius(film, h, model, guess, kind):
+    """The modulus of the film from E_eff(a) or k(a), against the one that made it."""
+    medium, a = mdr.Coated(film, h, BASE, model), np.linspace(0.05, 0.8, 12) * h
+    data = {"modulus": mdr.ModulusRadius, "stiffness": mdr.StiffnessRadius}[kind](a, getattr(medium, kind)(a), relative_sd=0.01)
+    value, _ = found(data, mdr.Paraboloid(h), medium.replace(coating=film.replace(E=film.E * guess)))
+    near(value, film.E, 1e-6)
+
+
+@relation(30, material=films, guess=guesses, R=d.lengths)
+def test_stiffness_and_depth_of_a_half_space(material, guess, R):
+    """The modulus of a half-space from P and S at depths, epsilon being that of a paraboloid, against the one that made them."""
+    state = mdr.Contact(mdr.Paraboloid(R), mdr.Homogeneous(material)).at_depth(DEPTHS * R)
+    data = mdr.StiffnessDepth(state.depth, state.force, state.stiffness, relative_sd=0.01)
+    value, _ = found(data, mdr.Paraboloid(R), mdr.Homogeneous(material.replace(E=material.E * guess)), "E")
+    near(value, material.E, 1e-6)
+
+
+@relation(20, film=films, h=d.lengths, guess=guesses, order=st.permutations(range(15)))
+def test_order_of_the_data(film, h, guess, order):
+    """A fit of the points in another order against the fit."""
+    medium = mdr.Coated(film, h, BASE)
+    force = mdr.Contact(mdr.Paraboloid(h), medium).at_depth(DEPTHS * h).force * (1.0 + 0.01 * np.sin(37.0 * np.arange(15)))
+    start = medium.replace(coating=film.replace(E=film.E * guess))
+    values, errors = [], []
+    for rows in (np.arange(15), np.array(order)):
+        data = mdr.ForceDepth(DEPTHS[rows] * h, force[rows], relative_sd=0.01, branch="loading")
+        value, result = found(data, mdr.Paraboloid(h), start)
+        values.append(value)
+        errors.append(float(np.sqrt(np.diag(np.atleast_2d(result.covariance))[0])))
+    near(values[1], values[0], 1e-6)
+    near(errors[1], errors[0], 1e-4)
+
+
+@relation(20, film=films, h=d.lengths, guess=guesses, unit=st.tuples(d.between(1e-9, 1e3), d.between(1e-3, 1e12)))
+def test_units_of_fits(film, h, guess, unit):
+    """A fit in other units of length and modulus, with its standard error."""
+    s, t = unit
+    answers = []
+    for m, n in ((1.0, 1.0), (s, t)):
+        medium = mdr.Coated(film.replace(E=film.E * n), h * m, BASE.replace(E=n))
+        force = mdr.Contact(mdr.Paraboloid(h * m), medium).at_depth(DEPTHS * h * m).force
+        force = force * (1.0 + 0.01 * np.sin(37.0 * np.arange(15)))
+        start = medium.replace(coating=film.replace(E=film.E * n * guess))
+        value, result = found(mdr.ForceDepth(DEPTHS * h * m, force, relative_sd=0.01), mdr.Paraboloid(h * m), start)
+        answers.append((value / n, float(np.sqrt(np.diag(np.atleast_2d(result.covariance))[0])) / n))
+    near(answers[1], answers[0], 1e-5)
+
+
+@relation(20, film=films, h=d.lengths, R=guesses, offset=st.floats(-0.02, 0.02))
+def test_two_parameters(film, h, R, offset):
+    """Modulus and depth offset together against those that made the data."""
+    medium = mdr.Coated(film, h, BASE)
+    force = mdr.Contact(mdr.Paraboloid(h), medium).at_depth(DEPTHS * h).force
+    data = mdr.ForceDepth((DEPTHS + offset) * h, force, sd=0.01 * float(force[-1]))
+    start = medium.replace(coating=film.replace(E=film.E * R))
+    result = mdr.fit(data, mdr.Paraboloid(h), start, ["coating.E", "depth_offset"], check_units=False)
+    assume(result.converged)
+    near(result.estimates["coating.E"], film.E, 1e-5)
+    near(result.estimates["depth_offset"], offset * h, 1e-5, size=0.2 * h)
+
+
+@relation(15, film=films, h=d.lengths, work=d.between(1e-4, 1e-2))
+def test_adhesion(film, h, work):
+    """The work of adhesion from the unloading branch against the one that made it."""
+    medium = mdr.Coated(film, h, BASE, "gao-series")
+    contact = mdr.Contact(mdr.Paraboloid(h), medium, work * h)
+    depth = DEPTHS[3:] * h
+    data = mdr.ForceDepth(
+        depth, contact.at_depth(depth).force, sd=0.01 * float(contact.at_depth(depth[-1]).force), branch="unloading"
+    )
+    value, _ = found(
+        data, mdr.Paraboloid(h), medium, "work_of_adhesion", instrument=mdr.Instrument(work_of_adhesion=1.3 * work * h)
+    )
+    near(value, work * h, 1e-4)
+
+
+@relation(15, G=d.between(0.3, 3.0), g=d.between(0.3, 3.0), tau=d.between(0.3, 3.0), guess=d.between(0.8, 1.25), R=d.lengths)
+def test_relaxation(G, g, tau, guess, R):
+    """The time constant of a half-space from F(t) under a ramp and a hold against the one that made it."""
+    t = np.linspace(0.0, 5.0, 40)
+    depth = 0.05 * R * np.minimum(t, 1.0)
+    material = mdr.Viscoelastic(G, [(g, tau)], nu=0.4)
+    force = mdr.Contact(mdr.Paraboloid(R), mdr.Homogeneous(material)).history(t, depth=depth).force
+    start = mdr.Homogeneous(mdr.Viscoelastic(G, [(g, tau * guess)], nu=0.4))
+    value, _ = found(mdr.ForceTime(t, depth, force, sd=0.01 * float(force.max())), mdr.Paraboloid(R), start, "terms[0].time")
+    near(value, tau, 1e-3)
+
+
+@relation(15, film=films, h=d.lengths)
+def test_copies_of_models_predict_the_same(film, h):
+    """Predictions of a fit against the contact with the estimates."""
+    medium = mdr.Coated(film, h, BASE)
+    contact = mdr.Contact(mdr.Paraboloid(h), medium)
+    _, result = found(mdr.ForceDepth(DEPTHS * h, contact.at_depth(DEPTHS * h).force, relative_sd=0.01), mdr.Paraboloid(h), medium)
+    fitted = mdr.Contact(result.indenter, result.medium).at_depth(DEPTHS * h).force
+    near(fitted, contact.at_depth(DEPTHS * h).force, 1e-7)
+    same(len(result.estimates), 1)
