@@ -12,10 +12,11 @@ import mdrcontact as mdr
 from . import draws as d
 from .draws import digits
 from .harness import grows, near, relation
-from .references import quad, reduced, shear
+from .references import panels, quad, reduced, shear
 from .rescale import in_units
 
 A = np.geomspace(0.05, 5.0, 4)
+weights = d.weights
 WIDE = np.geomspace(1e-4, 1e3, 5)
 EXACT = st.one_of(d.exact_films, d.single_exact)
 
@@ -212,3 +213,61 @@ def test_stiffness_grows_with_the_radius(medium):
     a = np.geomspace(1e-2, 30.0, 8)
     for values in (medium.stiffness(a), medium.tangential_stiffness(a), medium.torsional_stiffness(a)):
         grows(values)
+
+
+steep = st.lists(d.between(1e-3, 1e3), min_size=2, max_size=4)
+
+
+def mean_of_weights(z, E, nu, a, exponent):
+    """E* of the power mean of E(z), linear between the knots, with the weights of the depths, over octaves to each knot."""
+    total = mdr.weight_j0(z[-1] / a, nu) * E[-1] ** exponent
+    for low, high, first, last in zip(z[:-1], z[1:], E[:-1], E[1:], strict=True):
+        middle, half = 0.5 * (low + high), 0.5 * (high - low)
+        for knot, way in ((low, 1.0), (high, -1.0)):
+            steps = half * np.concatenate([[0.0], 2.0 ** np.arange(-30.0, 1.0)])
+
+            def share(s, knot=knot, way=way, low=low, high=high, first=first, last=last):
+                depth = knot + way * s
+                return mdr.weight_phi(depth / a, nu) / a * (first + (last - first) * (depth - low) / (high - low)) ** exponent
+
+            total += panels(share, steps)
+        assert middle > low
+    return total ** (1.0 / exponent) / (1.0 - nu**2)
+
+
+@relation(30, E=steep, nu=d.usual_ratios, a=d.between(0.1, 5.0), model=weights)
+def test_steep_gradings_with_weights(E, nu, a, model):
+    """E_eff of a graded body of any contrast against int E(z)^p dI0 by Gauss and Legendre."""
+    z, p = 0.5 * np.arange(len(E)), {"gao": 1.0, "gao-series": -1.0, "gao-power": -0.65}[model]
+    near(mdr.Graded(z, E, nu, model).modulus(a), mean_of_weights(z, E, nu, a, p), 1e-9)
+
+
+@relation(
+    30,
+    E=steep,
+    nu=d.usual_ratios,
+    a=d.between(0.1, 5.0),
+    model=weights,
+    knots=st.lists(st.floats(0.01, 0.99), min_size=1, max_size=12),
+)
+def test_collinear_knots_change_nothing(E, nu, a, model, knots):
+    """E_eff and G_t of a grading against those with further knots on its straight lines."""
+    z = 0.5 * np.arange(len(E))
+    more = np.unique(np.concatenate([z, np.round(np.array(knots) * z[-1], 6)]))
+    one, two = mdr.Graded(z, E, nu, model), mdr.Graded(more, np.interp(more, z, E), nu, model)
+    near(two.modulus(a), one.modulus(a), 2e-9)
+    near(two.tangential_modulus(a), one.tangential_modulus(a), 2e-9)
+
+
+@relation(
+    12,
+    E=st.lists(d.between(0.05, 20.0), min_size=2, max_size=3),
+    nu=d.usual_ratios,
+    a=d.between(0.2, 3.0),
+    knots=st.lists(st.floats(0.05, 0.95), min_size=1, max_size=4),
+)
+def test_collinear_knots_of_exact_gradings(E, nu, a, knots):
+    """E_eff of an exact graded body against that with further knots on its straight lines."""
+    z = 0.5 * np.arange(len(E))
+    more = np.unique(np.concatenate([z, np.round(np.array(knots) * z[-1], 6)]))
+    near(mdr.Graded(more, np.interp(more, z, E), nu).modulus(a), mdr.Graded(z, E, nu).modulus(a), 1e-9)

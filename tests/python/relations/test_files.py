@@ -4,6 +4,7 @@
 import contextlib
 import csv
 import io
+import math
 import tempfile
 from pathlib import Path
 
@@ -15,6 +16,7 @@ import mdrcontact as mdr
 from mdrcontact.cli import main
 from mdrcontact.problem import read, units
 from mdrcontact.problem.columns import read_table
+from mdrcontact.problem.fit_file import load_fit_file
 
 from . import draws as d
 from .harness import near, relation
@@ -169,3 +171,49 @@ def test_indenters_of_files(steps, size, E, n, prefix):
     area = {"shape": "area-function", "coefficients": [24.5, 300.0], "length_unit": "nm", "max_height": "1 um"}
     found = read({"indenter": area, "medium": medium, "compute": compute}).indenter
     near(found.height(5e-7), mdr.AreaFunction([24.5, 3e-7], max_height=1e-6).height(5e-7), 1e-9)
+
+
+CYCLES = 2.0 * math.pi
+SPELLINGS = {"Hz": CYCLES, "hertz": CYCLES, "cps": CYCLES, "Bq": CYCLES, "kHz": 1e3 * CYCLES, "kilohertz": 1e3 * CYCLES,
+             "mHz": 1e-3 * CYCLES, "counts_per_second": CYCLES, "rad/min": 1.0 / 60.0, "rpm": CYCLES / 60.0, "rad/s": 1.0,
+             "1/s": 1.0}  # fmt: skip
+"""Of angular frequency, in rad/s."""
+
+
+@relation(30, unit=st.sampled_from(sorted(SPELLINGS)), omega=d.between(0.1, 100.0), may_refuse=0.6)
+def test_spellings_of_frequencies(unit, omega):
+    """omega in a column of any spelling of hertz against the same column in rad/s."""
+    rows = [f"{omega * k!r},{1.0 + 0.1 * k!r},{0.1 * k!r}" for k in range(1, 6)]
+    problem = (
+        '[indenter]\nshape = "flat-punch"\nradius = "1 um"\n[medium]\ntype = "homogeneous"\n'
+        'material = { modulus = "1500 Pa", time = "1 s", exponent = 0.25, nu = 0.5 }\n'
+        '[data]\nkind = "dynamic-stiffness"\ncontact_radius = "1 um"\n[fit]\nfree = ["modulus", "exponent"]\n'
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "curve.csv").write_text("\n".join([f"frequency [{unit}],storage [N/m],loss [N/m]", *rows]))
+        (Path(folder) / "fit.toml").write_text(problem)
+        file = load_fit_file(Path(folder) / "fit.toml")
+        data, _ = file.read_data(Path(folder) / "curve.csv")
+    near(np.unique(data.x), omega * SPELLINGS[unit] * np.arange(1, 6), 1e-12)
+
+
+@relation(
+    30,
+    rows=st.lists(st.tuples(st.integers(900, 99999), d.between(0.1, 999.0)), min_size=3, max_size=8),
+    separator=st.sampled_from(["\t", ";"]),
+    mark=st.sampled_from([".", ","]),
+    may_refuse=1.0,
+)
+def test_grouped_thousands(rows, separator, mark):
+    """Columns with grouped thousands beside a decimal mark against the numbers; refused where it may be both."""
+    group = "," if mark == "." else "."
+    cells = [(f"{whole:,}".replace(",", group), f"{part:.3f}".replace(".", mark)) for whole, part in rows]
+    lines = [separator.join(["depth [nm]", "load [mN]"]), *(separator.join(row) for row in cells)]
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "curve.txt"
+        path.write_text("\n".join(lines))
+        table = read_table(path)
+        depth, _ = table.column(table.find("depth", ["depth"], units.LENGTH), units.LENGTH)
+        load, _ = table.column(table.find("load", ["load"], units.FORCE), units.FORCE)
+    near(depth, [whole * 1e-9 for whole, _ in rows], 1e-14)
+    near(load, [float(f"{part:.3f}") * 1e-3 for _, part in rows], 1e-14)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fits against the parameters that made their data."""
 
+import pickle
+
 import numpy as np
 from hypothesis import assume
 from hypothesis import strategies as st
@@ -131,3 +133,37 @@ def test_copies_of_models_predict_the_same(film, h):
     fitted = mdr.Contact(result.indenter, result.medium).at_depth(DEPTHS * h).force
     near(fitted, contact.at_depth(DEPTHS * h).force, 1e-7)
     same(len(result.estimates), 1)
+
+
+FILMS = {
+    "oxide on silicon": (mdr.Elastic(72e9, 0.17), mdr.Elastic(163e9, 0.22)),
+    "polymer on silicon": (mdr.Elastic(3e9, 0.35), mdr.Elastic(163e9, 0.22)),
+    "tungsten on glass": (mdr.Elastic(410e9, 0.28), mdr.Elastic(70e9, 0.2)),
+    "TiN on steel": (mdr.Elastic(450e9, 0.25), mdr.Elastic(210e9, 0.3)),
+    "gold on glass": (mdr.Elastic(78e9, 0.42), mdr.Elastic(70e9, 0.2)),
+}
+tips = st.sampled_from([mdr.Berkovich(), mdr.AreaFunction([24.5, 300e-9], max_height=5e-6), mdr.Paraboloid(2e-6)])
+
+
+@relation(20, name=st.sampled_from(sorted(FILMS)), tip=tips, h=d.between(2e-7, 5e-6), guess=guesses)
+def test_stiffness_and_depth_of_films(name, tip, h, guess):
+    """The modulus of a film from P and S of the exact contact at depths of 0.04 to 0.3 h, against the one that made them."""
+    film, base = FILMS[name]
+    depth = np.linspace(0.04, 0.3, 12) * h
+    state = mdr.Contact(tip, mdr.Coated(film, h, base)).at_depth(depth)
+    data = mdr.StiffnessDepth(state.depth, state.force, state.stiffness, relative_sd=0.01)
+    start = mdr.Coated(film.replace(E=film.E * guess), h, base)
+    near(mdr.fit(data, tip, start, ["coating.E"]).estimates["coating.E"], film.E, 1e-2)
+
+
+@relation(10, film=films, h=d.lengths)
+def test_fits_pickle(film, h):
+    """A fit, pickled and loaded, against itself; with errors given for data without noise it has no doubt about the model."""
+    medium = mdr.Coated(film, h, BASE)
+    force = mdr.Contact(mdr.Paraboloid(h), medium).at_depth(DEPTHS * h).force
+    _, result = found(mdr.ForceDepth(DEPTHS * h, force, relative_sd=0.01), mdr.Paraboloid(h), medium)
+    assert "MISSES" not in result.summary()
+    again = pickle.loads(pickle.dumps(result))
+    same([*again.estimates.values()], [*result.estimates.values()])
+    same(again.covariance, result.covariance)
+    assert again.summary() == result.summary()

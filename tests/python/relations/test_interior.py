@@ -11,7 +11,7 @@ import mdrcontact as mdr
 
 from . import draws as d
 from .harness import near, relation
-from .references import disc, slopes
+from .references import disc, panels, slopes
 from .rescale import in_units
 from .test_bodies import parts, split
 
@@ -296,3 +296,111 @@ def test_the_axis_is_smooth(tip, medium, share, depth):
     near(strain, ((1.0 - m.nu) * f.s_rr - m.nu * f.s_zz) / m.E, 1e-5, size=size / m.E)
     by_z = slopes(lambda y: contact.interior(0.0, y, state).u_z, z, step)
     near(by_z, (f.s_zz - 2.0 * m.nu * f.s_rr) / m.E, 1e-6, size=size / m.E)
+
+
+graded = st.builds(
+    lambda E, nu, h: mdr.Graded([0.0, h], E, nu),
+    st.lists(d.between(0.3, 30.0), min_size=2, max_size=2),
+    d.usual_ratios,
+    d.between(0.5, 2.0),
+)
+"""Contrasts to 100."""
+
+
+@relation(3, tip=d.smooth_tips, medium=graded, share=d.shares, may_refuse=0.4)
+def test_surface_of_graded_bodies(tip, medium, share):
+    """u_z(0, 0) against d, u_z on the surface against the displacement, s_zz against -p."""
+    contact, state, mean = state_of(tip, medium, share)
+    r = state.radius * np.array([0.0, 0.5, 0.9, 2.0])
+    field = contact.interior(r, 0.0, state)
+    p = np.concatenate([contact.pressure(r[:3], state), [0.0]])
+    near(field.u_z[0], state.depth, DIGITS, what="u_z(0, 0)")
+    near(field.u_z, contact.displacement(r, state), DIGITS, size=state.depth, what="u_z")
+    near(field.s_zz, -p, DIGITS, size=max(mean, float(p.max())), what="s_zz")
+
+
+@relation(4, tip=d.paraboloids, medium=graded, depth=st.floats(0.1, 0.9), share=d.shares)
+def test_collinear_knots_inside_graded_bodies(tip, medium, depth, share):
+    """Stresses under a graded body's surface against those with a further knot on its straight line."""
+    z = medium.z[-1]
+    other = mdr.Graded([0.0, depth * z, z], np.interp([0.0, depth * z, z], medium.z, medium.E), medium.nu[0])
+    (contact, state, mean), (again, same_state, _) = (state_of(tip, body, share) for body in (medium, other))
+    one, two = (c.interior(np.array([0.0, 0.7]) * state.radius, 0.4 * z, s) for c, s in ((contact, state), (again, same_state)))
+    for name in ("s_rr", "s_tt", "s_zz", "s_rz"):
+        near(getattr(two, name), getattr(one, name), DIGITS, size=largest_of(one, mean))
+    near(two.u_z, one.u_z, DIGITS, size=state.depth)
+
+
+@relation(1, tip=d.paraboloids, medium=graded, depth=st.floats(0.2, 2.0), share=d.shares)
+def test_planes_of_graded_bodies_carry_the_force(tip, medium, depth, share):
+    """-2 pi int s_zz r dr at a depth of a graded body against F."""
+    contact, state, _ = state_of(tip, medium, share)
+    z, size = depth * state.radius, state.radius + medium.z[-1]
+    ends = np.concatenate([np.linspace(0.0, 2.0, 5) * state.radius, np.geomspace(2.0 * state.radius, 100.0 * (size + z), 9)[1:]])
+    nodes, weight = np.polynomial.legendre.leggauss(10)
+    low, high = ends[:-1, None], ends[1:, None]
+    r = 0.5 * (low + high) + 0.5 * (high - low) * nodes
+    carried = (
+        -2.0
+        * math.pi
+        * float(np.sum(0.5 * (high - low) * weight * r * contact.interior(r.ravel(), z, state).s_zz.reshape(r.shape)))
+    )
+    near(carried, state.force, 3e-6)
+
+
+def largest_of(field, mean):
+    """Of the stresses of a field, and the mean pressure."""
+    return max(mean, *(float(np.max(np.abs(getattr(field, name)))) for name in ("s_rr", "s_tt", "s_zz", "s_rz")))
+
+
+sharp = st.one_of(
+    st.builds(lambda c0, c1: d.Tip(mdr.AreaFunction([c0, c1], max_height=100.0)), st.floats(5.0, 30.0), d.between(1e-3, 0.3)),
+    st.builds(lambda c0, c2: d.Tip(mdr.AreaFunction([c0, 0.0, c2], max_height=100.0)), st.floats(5.0, 30.0), d.between(1e-2, 1.0)),
+    st.floats(10.0, 40.0).map(lambda n: d.Tip(mdr.PowerLaw(n, 1.0), low=0.5, high=1.2)),
+    st.floats(2.0, 6.0).map(lambda n: d.Tip(mdr.PowerLaw(n, 0.3))),
+    st.builds(lambda b, phi: d.Tip(mdr.RoundedCone(b, phi), corner=b), d.between(1e-3, 1e-1), d.inclinations),
+)
+"""Whose line load varies fast near the axis or near the edge."""
+
+
+@relation(20, tip=sharp, medium=bodies, share=d.shares)
+def test_surface_under_sharp_tips(tip, medium, share):
+    """s_zz and u_z at z = 0, on the axis and off it, against -p and the displacement."""
+    contact, state, mean = state_of(tip, medium, share)
+    r = state.radius * np.array([0.0, 1e-4, 1e-2, 0.3, 0.9])
+    field, p = contact.interior(r, 0.0, state), contact.pressure(r, state)
+    inside = np.isfinite(p)
+    size = max(mean, float(np.max(p[inside])))
+    near(field.s_zz[inside], -p[inside], DIGITS, size=size, what="s_zz")
+    near(field.u_z, contact.displacement(r, state), DIGITS, size=state.depth, what="u_z")
+
+
+@relation(20, tip=sharp, material=d.materials, share=d.shares, depth=d.between(1e-3, 30.0))
+def test_axis_under_sharp_tips(tip, material, share, depth):
+    """s_zz on the axis of a half-space against Boussinesq's point forces under the contact's pressure."""
+    contact, state, mean = state_of(tip, mdr.Homogeneous(material), share)
+    z = depth * state.radius
+    ends = [*(state.radius * 2.0 ** np.arange(-40.0, 0.0)), *([tip.corner] if tip.corner and tip.corner < state.radius else [])]
+    angles = sorted({0.0, *(math.asin(r / state.radius) for r in ends), 0.5 * math.pi})
+
+    def load(angle):
+        r = state.radius * np.sin(angle)
+        return contact.pressure(r, state) * r * np.hypot(r, z) ** -5.0 * state.radius * np.cos(angle)
+
+    near(
+        contact.interior(0.0, z, state).s_zz,
+        -3.0 * z**3 * panels(load, angles),
+        DIGITS,
+        size=max(mean, float(contact.pressure(1e-3 * state.radius, state))),
+    )
+
+
+@relation(15, tip=d.closed_tips, film=d.usual, base=d.usual, wide=d.between(30.0, 100.0), share=d.shares)
+def test_surface_of_thin_films(tip, film, base, wide, share):
+    """s_zz and u_z at z = 0 of films at a/h from 30 to 100 against -p and the displacement."""
+    a = float(tip.radii(share)[-1])
+    contact, state, mean = state_of(tip, mdr.Coated(film, a / wide, base), share)
+    r = state.radius * np.array([1e-3, 0.1, 0.5, 0.9])
+    field, p = contact.interior(r, 0.0, state), contact.pressure(r, state)
+    near(field.s_zz, -p, DIGITS, size=max(mean, float(np.max(np.abs(p)))), what="s_zz")
+    near(field.u_z, contact.displacement(r, state), DIGITS, size=state.depth, what="u_z")

@@ -113,3 +113,93 @@ def test_a_users_hyperboloid(inner, s, x):
     """g of a user's hyperboloid, its tip as large as its range, against quadrature."""
     tip = mdr.CallableProfile(lambda r: s * r * r / (math.hypot(r, inner) + inner), 1.0)
     near(tip.mdr(x), _g(lambda r: s * r / np.hypot(r, inner), x, inner), 1e-9)
+
+
+SLIM = d.between(1e-5, 0.3)
+"""Radius of a user's tip over the largest radius it is given to."""
+shapes_of_two_sizes = {
+    "hyperboloid": (lambda r, c: r * r / (math.hypot(r, c) + c), lambda r, c: r / np.hypot(r, c)),
+    "r^2/(r + c)": (lambda r, c: r * r / (r + c), lambda r, c: r * (r + 2.0 * c) / (r + c) ** 2),
+    "r tanh(r/c)": (
+        lambda r, c: r * math.tanh(r / c),
+        lambda r, c: np.tanh(r / c) + r / c / np.cosh(np.minimum(r / c, 300.0)) ** 2,
+    ),
+    "rounded cone": (lambda r, c: r * r / (2.0 * c) if r < c else r - 0.5 * c, lambda r, c: np.minimum(r / c, 1.0)),
+}
+
+
+@relation(
+    40,
+    shape=st.sampled_from(sorted(shapes_of_two_sizes)),
+    c=SLIM,
+    slope=d.between(0.05, 2.0),
+    reach=st.floats(0.0, 1.0),
+    may_refuse=0.5,
+)
+def test_a_users_tip_of_two_sizes(shape, c, slope, reach):
+    """g of a user's tip with an inner radius c far below its range, from c/100 to its end, against quadrature over octaves."""
+    f, f_slope = shapes_of_two_sizes[shape]
+    tip = mdr.CallableProfile(lambda r: slope * f(r, c), 1.0)
+    x = 0.01 * c * (99.0 / c) ** reach
+    near(tip.mdr(x), abel(lambda r: slope * f_slope(r, c), x, scales_of(c, x)), 1e-9)
+
+
+@relation(
+    40,
+    shape=st.sampled_from(sorted(shapes_of_two_sizes)),
+    c=SLIM,
+    wider=d.between(1.1, 1e3),
+    reach=st.floats(0.0, 1.0),
+    may_refuse=0.5,
+)
+def test_the_range_of_a_users_tip(shape, c, wider, reach):
+    """F(a) under a user's function up to one radius against the same function given up to a larger one."""
+    f, _ = shapes_of_two_sizes[shape]
+    near_one, far_one = (mdr.CallableProfile(lambda r: f(r, c), r_max) for r_max in (1.0, wider))
+    a = 0.01 * c * (90.0 / c) ** reach
+    body = mdr.Homogeneous(mdr.Elastic(1.0, 0.3))
+    one, two = (mdr.Contact(tip, body).at_radius(a) for tip in (near_one, far_one))
+    near(two.force, one.force, 2e-9)
+    near(two.depth, one.depth, 2e-9)
+
+
+@relation(
+    30,
+    n=st.floats(1.0, 5.0),
+    bend=st.floats(0.05, 1.0),
+    size=d.between(0.3, 3.0),
+    medium=st.one_of(d.homogeneous, d.one_coating),
+    may_refuse=0.3,
+)
+def test_a_users_sum_of_powers_in_contact(n, bend, size, medium):
+    """F(a) under a user's sum of powers against the sum of closed forms."""
+    user = mdr.CallableProfile(lambda r: r**n / size + bend * r * r, 3.0)
+    known = mdr.PowerLaw(n, 1.0 / size) + mdr.Paraboloid(0.5 / bend)
+    a = np.geomspace(0.02, 2.9, 5)
+    one, two = mdr.Contact(user, medium).at_radius(a), mdr.Contact(known, medium).at_radius(a)
+    near(one.force, two.force, 1e-9)
+    near(one.depth, two.depth, 1e-9)
+
+
+@relation(30, R=d.between(1e-6, 1e3), share=st.floats(0.01, 0.99), reach=st.floats(0.1, 1.0), may_refuse=0.1)
+def test_a_users_sphere(R, share, reach):
+    """A user's R - sqrt(R^2 - r^2), with the digits it loses, against Sphere."""
+    tip = mdr.CallableProfile(lambda r: R - math.sqrt(R * R - r * r), share * R)
+    x = reach * share * R
+    near(tip.mdr(x), mdr.Sphere(R).mdr(x), 1e-9, size=mdr.Sphere(R).mdr(x) + 1e-6 * R)
+
+
+@relation(
+    30,
+    c0=st.floats(2.0, 40.0),
+    c1=d.between(0.01, 2.0),
+    zeros=st.integers(2, 6),
+    last=d.between(0.01, 2.0),
+    f=d.between(1e-4, 0.9),
+    may_refuse=0.5,
+)
+def test_area_functions_of_many_terms(c0, c1, zeros, last, f):
+    """pi r^2 at the height f against A(f) with terms to f^(1/128), as it was given."""
+    c = [c1, *[0.0] * zeros, last]
+    area = c0 * f * f + sum(v * f ** (0.5**k) for k, v in enumerate(c))
+    near(mdr.AreaFunction([c0, *c], max_height=1.0).height(math.sqrt(area / math.pi)), f, 1e-9)
