@@ -7,11 +7,14 @@
 module mdrcontact_body_harmonic
     use mdrcontact_body_stack, only: stack_t
     use mdrcontact_body_surface, only: new_surface, surface_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: harmonic_t, harmonic_memory_t, new_harmonic
+
+    !> Blocks that are kept at most.
+    integer, parameter :: most_blocks = 512
 
     !> Both parts of sigma and of chi at some wavenumbers: (sigma real, imaginary, chi real, imaginary; wavenumber).
     type :: block_t
@@ -22,7 +25,7 @@ module mdrcontact_body_harmonic
     !> What one part leaves to the other, which asks for the same wavenumbers: blocks in the order in which they were asked for.
     type :: harmonic_memory_t
         private
-        type(block_t) :: blocks(512)
+        type(block_t), allocatable :: blocks(:)
         integer :: count = 0, latest = 0
     end type harmonic_memory_t
 
@@ -47,21 +50,22 @@ contains
     subroutine new_harmonic(self, memory, shear, poisson, thickness, rigid_base, error)
         type(harmonic_t), intent(out) :: self
         !> lives as long as the body
-        type(harmonic_memory_t), intent(inout), target :: memory
+        type(harmonic_memory_t), intent(out), target :: memory
         !> of the layers and, one more, of the half-space, which is not used if the base is rigid [modulus]; [1]
         complex(wp), intent(in) :: shear(:), poisson(:)
         !> of the layers [length]
         real(wp), intent(in) :: thickness(:)
         logical, intent(in) :: rigid_base
         type(error_t), allocatable, intent(inout) :: error
-        integer :: n
+        integer :: n, stat
 
         n = size(thickness)
         call new_surface(self%oscillating, shear, poisson, thickness, rigid_base, error)
         if (allocated(error)) return
         if (.not. rigid_base) self%zero = shear(1)*(1.0_wp - poisson(n + 1))/(shear(n + 1)*(1.0_wp - poisson(1)))
-        memory%count = 0
-        memory%latest = 0
+        allocate (memory%blocks(most_blocks), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         self%memory => memory
         self%first_depth = self%oscillating%h(1)
         self%last_depth = self%oscillating%depth

@@ -56,7 +56,7 @@ contains
         logical, intent(out) :: covered
         type(error_t), allocatable, intent(out) :: error
         type(elastic_curve_t) :: curve
-        type(path_t), allocatable :: path ! 40 kB
+        type(path_t) :: path
         real(wp), allocatable :: breaks(:), t(:), d(:)
         integer :: first, last, stat
 
@@ -82,7 +82,6 @@ contains
         if (first > 1) t(0) = time(first) - (time(first) - time(first - 1))*depth(first)/(depth(first) - depth(first - 1))
 
         curve%contact => contact
-        allocate (path)
         call break_depths(contact, breaks, error)
         if (.not. allocated(error)) call new_path(path, curve, breaks, [phi%rate, 0.0_wp], t, d, error)
         if (.not. allocated(error)) call grow(path, phi, curve, radius(first:last), force(first:last), error)

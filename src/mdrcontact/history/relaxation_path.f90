@@ -22,10 +22,10 @@ module mdrcontact_history_relaxation_path
     !> Panels double in depth from first contact on, so many times at most.
     integer, parameter :: doublings = 48
 
-    !> Gauss rules of all sizes on [0, 1], and the Legendre polynomials at their nodes times weights times 2 l + 1.
+    !> Gauss rules of all sizes n on [0, 1], (:n, n), and the Legendre polynomials at their nodes times weights times 2 l + 1,
+    !> (:n, :n, n).
     type :: rules_t
-        real(wp) :: nodes(most, most) = 0.0_wp, weights(most, most) = 0.0_wp
-        real(wp) :: to_coefficients(most, most, most) = 0.0_wp
+        real(wp), allocatable :: nodes(:, :), weights(:, :), to_coefficients(:, :, :)
     end type rules_t
 
     !> Panels, from first contact to the largest depth.
@@ -130,8 +130,12 @@ contains
         type(rules_t), intent(inout) :: rules
         integer, intent(in) :: largest
         type(error_t), allocatable, intent(out) :: error
-        integer :: l, n
+        integer :: l, n, stat
 
+        allocate (rules%nodes(largest, largest), rules%weights(largest, largest), &
+                  rules%to_coefficients(largest, largest, largest), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         do n = 1, largest
             call gauss_legendre(rules%nodes(:n, n), rules%weights(:n, n), error)
             if (allocated(error)) return

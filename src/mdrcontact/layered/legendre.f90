@@ -48,14 +48,16 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         !> between odd polynomials, sqrt((4j + 3)/2) P_(2j+1)(u), instead; default false
         logical, intent(in), optional :: odd
+        real(wp), allocatable :: work(:, :)
         integer :: status
 
         call new_moments(moments, kernel, a/kernel%unit, count, order, 2*(rows + columns), &
                          is_fine(kernel, a/kernel%unit, columns), error)
         if (allocated(error)) return
-        allocate (h(rows, columns), stat=status)
+        allocate (h(rows, columns), work(rows + columns, 5), stat=status)
         call check_memory(error, status)
-        if (.not. allocated(error)) call fill_matrix(moments, h, odd)
+        if (status /= 0) return
+        call fill_matrix(moments, h, work(:rows, 1), work(:, 2), work(:, 3), work(:, 4), work(:, 5), odd)
     end subroutine new_interaction
 
     !> s_j, j = 0 ... size - 1.
@@ -147,7 +149,8 @@ contains
         call check_memory(error, stat)
         if (stat /= 0) return
         if (kernel%sigma_zero > 1.0_wp .and. 2.0_wp*a <= scale(1.0_wp, kernel%plateau)) self%shift = kernel%origin
-        call kernel%evaluate(a*rule%distance, self%shift, x)
+        work(:, 1) = a*rule%distance
+        call kernel%evaluate(work(:, 1), self%shift, x)
         call kernel%evaluate([2.0_wp*a], kernel%origin, base)
         self%drop = base(1)
         x = x*rule%weights
@@ -232,18 +235,18 @@ contains
     end subroutine add_orders
 
     !> The matrix of new_interaction.
-    pure subroutine fill_matrix(moments, h, is_odd)
+    pure subroutine fill_matrix(moments, h, s, even, odd, over_even, over_odd, is_odd)
         type(moments_t), intent(in) :: moments
-        real(wp), intent(out) :: h(0:, 0:)
+        real(wp), intent(out), contiguous :: h(0:, 0:)
+        !> room: as many as rows, and as rows and columns together
+        real(wp), intent(out), contiguous :: s(0:), even(0:), odd(0:), over_even(0:), over_odd(0:)
         logical, intent(in), optional :: is_odd
-        real(wp) :: s(0:ubound(h, 1)), even(0:ubound(h, 1) + ubound(h, 2) + 1), odd(0:ubound(h, 1) + ubound(h, 2))
-        real(wp), dimension(0:ubound(h, 1) + ubound(h, 2)) :: over_even, over_odd
         integer :: c, j, last
         logical :: between_odd
 
         between_odd = .false.
         if (present(is_odd)) between_odd = is_odd
-        last = ubound(odd, 1)
+        last = ubound(h, 1) + ubound(h, 2)
         do j = 0, last
             over_even(j) = 1.0_wp/real(4*j + 1, wp)
             over_odd(j) = 1.0_wp/real(4*j + 3, wp)
@@ -258,7 +261,9 @@ contains
             end do
         end associate
         even(0) = even(0) + 4.0_wp*moments%shift
-        s = sqrt(moments%a/pi)*normalisation(size(s))
+        do j = 0, ubound(s, 1)
+            s(j) = sqrt(moments%a/pi)*sqrt(real(4*j + 1, wp)*0.5_wp)
+        end do
         do c = 0, ubound(h, 2)
             h(c:, c) = s(c)*s(c:)*even(c:ubound(h, 1))
             if (between_odd) then
@@ -285,32 +290,34 @@ contains
         real(wp), intent(in) :: first_column(0:)
         real(wp), intent(out) :: row(0:)
 
-        row = sqrt(0.5_wp)*first_column - edge_kernel(moments, size(row))
+        call edge_kernel(moments, row)
+        row = sqrt(0.5_wp)*first_column - row
         row(0) = sqrt(0.5_wp)*(moments%diagonal - (moments%a/pi)*(moments%t(1) + moments%spike))
     end subroutine edge_row
 
     !> K p_j at the edge of the contact, without `shift`.
-    pure function edge_kernel(moments, count) result(values)
+    pure subroutine edge_kernel(moments, values)
         type(moments_t), intent(in) :: moments
-        integer, intent(in) :: count
-        real(wp) :: values(0:count - 1)
+        real(wp), intent(out) :: values(0:)
+        integer :: j
 
-        values = (moments%a/pi)*normalisation(count)*(moments%t(0:2*count - 2:2) + moments%spike)
-    end function edge_kernel
+        do j = 0, size(values) - 1
+            values(j) = (moments%a/pi)*sqrt(real(4*j + 1, wp)*0.5_wp)*(moments%t(2*j) + moments%spike)
+        end do
+    end subroutine edge_kernel
 
     !> The slope of K p_j at the edge of the contact [1/unit].
-    pure function edge_slopes(moments, count) result(slopes)
+    pure subroutine edge_slopes(moments, slopes)
         type(moments_t), intent(in) :: moments
-        integer, intent(in) :: count
-        real(wp) :: slopes(0:count - 1)
+        real(wp), intent(out) :: slopes(0:)
         real(wp) :: total
         integer :: j
 
         total = moments%drop
-        do j = 0, count - 1
+        do j = 0, size(slopes) - 1
             slopes(j) = sqrt(real(4*j + 1, wp)*0.5_wp)*total/pi
             total = total - real(4*j + 3, wp)*(moments%t(2*j + 1) - moments%spike)
         end do
-    end function edge_slopes
+    end subroutine edge_slopes
 
 end module mdrcontact_layered_legendre

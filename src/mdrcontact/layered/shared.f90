@@ -2,7 +2,7 @@
 !> What exact media that are made one after the other share: the waves of the kernel's tabulation, and
 !> the kernel itself where only the unit of length changes. It belongs to whoever makes the media; media do not refer to it.
 module mdrcontact_layered_shared
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_body, only: body_t
@@ -24,9 +24,10 @@ module mdrcontact_layered_shared
     !> Empty at first, and filled as media are made. Not for several threads at a time.
     type :: layered_shared_t
         private
-        type(wave_table_t) :: tables(attempts)
+        !> none before the first medium
+        type(wave_table_t), allocatable :: tables(:)
         !> the kernels made last, and the one to be overwritten next
-        type(kept_kernel_t) :: kernels(most_kernels)
+        type(kept_kernel_t), allocatable :: kernels(:)
         integer :: oldest = 1
     end type layered_shared_t
 
@@ -39,10 +40,15 @@ contains
         type(kernel_t), intent(out) :: kernel
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: ratios(:)
-        integer :: i
+        integer :: i, stat
 
         call surface%ratios(ratios, error)
         if (allocated(error)) return
+        if (.not. allocated(shared%kernels)) then
+            allocate (shared%tables(attempts), shared%kernels(most_kernels), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
+        end if
         do i = 1, most_kernels
             if (is_same(shared%kernels(i), ratios)) exit
         end do

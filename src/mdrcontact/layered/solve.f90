@@ -204,16 +204,18 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         class(profile_t), intent(in), optional :: profile
         type(equation_t) :: equation
-        real(wp), allocatable :: forward(:, :), rest(:, :), known(:)
+        real(wp), allocatable :: forward(:, :), rest(:, :), known(:), work(:, :)
         real(wp) :: beyond, tail
-        integer :: m, sides
+        integer :: i, j, m, sides, stat
 
         m = 2*n
         solution%unknowns = n
         sides = merge(3, 2, present(profile))
         call new_equation(equation, kernel, a, m, n, nodes, ceiling(needed*2*(m + n)), solved, error, profile)
         if (allocated(error) .or. .not. solved) return
-        allocate (forward(n, 3), rest(m - n, 3), known(m))
+        allocate (forward(n, 3), rest(m - n, 3), known(m), work(m - n, 6), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         tail = 0.0_wp
         known = 0.0_wp
         associate (moments => equation%moments, h => equation%h, rhs => equation%rhs)
@@ -223,7 +225,8 @@ contains
                     call edge_moment(profile, kernel, a, moments%shift, equation%mean, edge_load, error)
                     if (allocated(error)) return
                 end if
-                known = edge_kernel(moments, m)*rhs(:, 3)
+                call edge_kernel(moments, known)
+                known = known*rhs(:, 3)
                 tail = sum(known(:n)) - edge_load
             end if
             forward = rhs(:n, :)
@@ -231,12 +234,18 @@ contains
             rest = rhs(n + 1:, :)
             rhs(:n, :) = forward
             call solve_upper(n, m, sides, h, rhs)
-            rest(:, :sides) = rest(:, :sides) - matmul(h(n + 1:, :), rhs(:n, :sides))
-            call add_rest(n, m, a, equation%mean, equation%rise, h, forward, rest, known(n + 1:), tail, solution)
+            do j = 1, n
+                do i = 1, sides
+                    rest(:, i) = rest(:, i) - rhs(j, i)*h(n + 1:, j)
+                end do
+            end do
+            call add_rest(n, m, a, equation%mean, equation%rise, h, forward, rest, known(n + 1:), tail, solution, work(:, 1), &
+                          work(:, 2), work(:, 3), work(:, 4), work(:, 5), work(:, 6))
             if (present(profile)) then
                 beyond = solution%depth - equation%mean
                 rhs(n + 1:, :) = rest
-                solution%depth_slope = sum(edge_slopes(moments, m)*(beyond*rhs(:, 1) - rhs(:, 3)))/kernel%unit
+                call edge_slopes(moments, known)
+                solution%depth_slope = sum(known*(beyond*rhs(:, 1) - rhs(:, 3)))/kernel%unit
                 solution%depth_slope = (profile%mdr_slope(a) + solution%depth_slope)/solution%punch_edge
             end if
             ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
@@ -251,7 +260,8 @@ contains
     !> The numbers from the factorization, what the coefficients beyond n add to them, and their errors.
     !>
     !> The Schur complement of the n unknowns is close to its diagonal, S_i, which the pivots approach geometrically to 1.
-    pure subroutine add_rest(n, m, a, mean, rise, h, forward, rest, known, tail, solution)
+    pure subroutine add_rest(n, m, a, mean, rise, h, forward, rest, known, tail, solution, inverse, load, unsure, quarter, eighth, &
+                             terms)
         integer, intent(in) :: n, m
         !> contact radius, mean of g over the contact and g(a) - mean [length]
         real(wp), intent(in) :: a, mean, rise
@@ -262,8 +272,10 @@ contains
         !> terms of the edge kernel times g, which decrease slowest, and the negative sum of all of them beyond n
         real(wp), intent(in) :: known(n + 1:m), tail
         type(solution_t), intent(inout) :: solution
-        real(wp) :: sums(4), inverse(n + 1:m), load(n + 1:m), unsure(n + 1:m), quarter(n + 1:m), eighth(n + 1:m)
-        real(wp) :: ratio, excess, beyond, error_of_depth
+        !> room
+        real(wp), dimension(n + 1:m), intent(out) :: inverse, load, unsure, quarter, eighth, terms
+        real(wp) :: sums(4)
+        real(wp) :: ratio, excess, beyond, error, error_of_depth
         integer :: i
 
         excess = h(n, n)**2 - 1.0_wp
@@ -275,8 +287,8 @@ contains
             inverse(i) = 1.0_wp/(1.0_wp + excess)
             unsure(i) = excess*inverse(i)
         end do
-        quarter = taper(n, m, max(m/4, 2))
-        eighth = taper(n, m, max(m/8, 1))
+        call taper(n, m, max(m/4, 2), quarter)
+        call taper(n, m, max(m/8, 1), eighth)
         inverse = quarter*inverse
         sums(1) = sum(forward(:, 1)**2) + sum(inverse*rest(:, 1)**2)
         sums(2) = sum(forward(:, 1)*forward(:, 2)) + sum(inverse*rest(:, 1)*rest(:, 2))
@@ -289,35 +301,38 @@ contains
         solution%force = a*(beyond*sums(1) - sums(4))
 
         load = beyond*rest(:, 1) - rest(:, 3)
-        solution%errors(1) = not_seen(rest(:, 1)**2)/sums(1)
-        solution%errors(2) = not_seen(rest(:, 1)*rest(:, 2))/abs(sums(2))
+        call find_not_seen(rest(:, 1), rest(:, 1), terms, error)
+        solution%errors(1) = error/sums(1)
+        call find_not_seen(rest(:, 1), rest(:, 2), terms, error)
+        solution%errors(2) = error/abs(sums(2))
         if (solution%depth == 0.0_wp) return
-        error_of_depth = not_seen(rest(:, 2)*load, known)/abs(sums(2))
+        call find_not_seen(rest(:, 2), load, terms, error, known)
+        error_of_depth = error/abs(sums(2))
         solution%errors(3) = error_of_depth/solution%depth
-        solution%errors(4) = a*(sums(1)*error_of_depth + not_seen(rest(:, 1)*load))/solution%force
+        call find_not_seen(rest(:, 1), load, terms, error)
+        solution%errors(4) = a*(sums(1)*error_of_depth + error)/solution%force
 
     contains
 
-        !> What is unsure of the terms of a sum, and those left out. Where the last quarter of the terms does not cancel, it tells
-        !> how many times the last one these are, whether they fall as a power or as an exponential; where it does, the sum
-        !> depends little on how it ends.
-        pure function not_seen(products, apart) result(error)
-            real(wp), intent(in) :: products(n + 1:m)
-            !> part of the products whose sum is known
+        !> What is unsure of the terms x y of a sum, and those left out. Where the last quarter of the terms does not cancel, it
+        !> tells how many times the last one these are, whether they fall as a power or as an exponential; where it does, the
+        !> sum depends little on how it ends.
+        pure subroutine find_not_seen(x, y, terms, error, apart)
+            real(wp), intent(in) :: x(n + 1:m), y(n + 1:m)
+            real(wp), intent(out) :: terms(n + 1:m), error
+            !> part of the terms whose sum is known
             real(wp), intent(in), optional :: apart(n + 1:m)
-            real(wp) :: error
-            real(wp) :: terms(n + 1:m)
             real(wp) :: first, last, more, partial
             integer :: i
 
+            terms = x*y
             error = 0.0_wp
             partial = 0.0_wp
             do i = n + 1, m
-                partial = partial + products(i)*unsure(i)
+                partial = partial + terms(i)*unsure(i)
                 error = max(error, abs(partial))
             end do
-            terms = products
-            if (present(apart)) terms = products - apart
+            if (present(apart)) terms = terms - apart
             i = m - max(m/4, 4) + 1
             first = maxval(abs(terms(i:i + 2)))
             last = maxval(abs(terms(m - 2:m)))
@@ -325,22 +340,22 @@ contains
             if (first > last .and. last > 0.0_wp) more = min(more, real(m - 2 - i, wp)/log(first/last))
             if (last > 0.0_wp) more = more*(sum(terms(i:))/sum(abs(terms(i:))))**2
             error = safety*(error + abs(sum((quarter - eighth)*terms)) + last*more)
-        end function not_seen
+        end subroutine find_not_seen
 
     end subroutine add_rest
 
     !> Weights of the terms n + 1 ... m of a sum that go to 0 over the last `length` of them: a profile with a kink makes terms
     !> that alternate and fall slowly, and their sum is close to that of all without end.
-    pure function taper(n, m, length) result(weights)
+    pure subroutine taper(n, m, length, weights)
         integer, intent(in) :: n, m, length
-        real(wp) :: weights(n + 1:m)
+        real(wp), intent(out) :: weights(n + 1:m)
         integer :: i
 
         weights = 1.0_wp
         do i = 1, length
             weights(m - length + i) = cos(half_pi*real(i, wp)/real(length + 1, wp))**2
         end do
-    end function taper
+    end subroutine taper
 
     !> Cholesky factor of the first n rows of a, in place, lower triangle.
     subroutine factorize(n, m, a, done)

@@ -1,0 +1,374 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One case of every kind of call that takes long, from making the objects to freeing them: their numbers go to an array. What must hold
+ * for all of them, whatever thread and rounding mode they are called in, is tested by running the list.
+ */
+#ifndef LONG_CALLS_H
+#define LONG_CALLS_H
+
+#include "check.h"
+
+enum { MOST_NUMBERS = 64 };
+
+typedef struct numbers {
+    int count;
+    double values[MOST_NUMBERS];
+} numbers;
+
+typedef struct long_call {
+    const char *name;
+    void (*run)(numbers *out);
+} long_call;
+
+/* Room for n more numbers. */
+static double *more(numbers *out, int n)
+{
+    double *room = out->values + out->count;
+    out->count += n;
+    if (out->count > MOST_NUMBERS) {
+        fprintf(stderr, "MOST_NUMBERS is too small\n");
+        exit(EXIT_FAILURE);
+    }
+    return room;
+}
+
+static int bowl(double r, double *y, void *context)
+{
+    (void)context;
+    *y = r * r / (1.0 + sqrt(1.0 + r * r));
+    return 0;
+}
+
+static int rising(double z, double *y, void *context)
+{
+    *y = *(const double *)context * (2.0 - exp(-z));
+    return 0;
+}
+
+static int constant_nu(double z, double *y, void *context)
+{
+    (void)z;
+    (void)context;
+    *y = 0.3;
+    return 0;
+}
+
+static int inclusion(double x, double y, double z, double *E, double *nu, void *context)
+{
+    (void)context;
+    *E = 1.0 + exp(-x * x - y * y - (z - 1.0) * (z - 1.0));
+    *nu = 0.3;
+    return 0;
+}
+
+static mdr_medium *coating(double stiffness)
+{
+    mdr_medium *m = NULL;
+    CHECK_SUCCESS(mdr_medium_coated(stiffness, 0.25, 1.0, 1.0, 0.35, MDR_MODEL_EXACT, NULL, &m));
+    return m;
+}
+
+static mdr_medium *grading(void)
+{
+    static const double z[3] = {0.0, 1.0, 2.0}, E[3] = {4.0, 1.0, 2.0}, nu[3] = {0.3, 0.2, 0.3};
+    mdr_medium *m = NULL;
+    CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_EXACT, NULL, &m));
+    return m;
+}
+
+/* Frees the medium. */
+static mdr_contact *ball_on(mdr_medium *m, double work_of_adhesion)
+{
+    mdr_profile *p = NULL;
+    mdr_contact *c = NULL;
+    mdr_contact_options options;
+    mdr_contact_options_init(&options);
+    options.work_of_adhesion = work_of_adhesion;
+    CHECK_SUCCESS(mdr_profile_paraboloid(5.0, &p));
+    CHECK_SUCCESS(mdr_contact_new(p, m, &options, &c));
+    mdr_profile_free(&p);
+    mdr_medium_free(&m);
+    return c;
+}
+
+static mdr_state state_at(const mdr_contact *c, double a)
+{
+    mdr_state state = {0};
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &a, &state));
+    return state;
+}
+
+static void profiles(numbers *out)
+{
+    static const double x[4] = {0.0, 0.3, 1.0, 2.0}, y[4] = {0.0, 0.1, 0.7, 2.0}, tip[3] = {24.5, 0.3, 0.01}, r[3] = {0.01, 0.4, 0.9};
+    mdr_profile *p[5] = {NULL};
+    CHECK_SUCCESS(mdr_profile_callback(bowl, NULL, 2.0, &p[0]));
+    CHECK_SUCCESS(mdr_profile_table(4, x, y, &p[1]));
+    CHECK_SUCCESS(mdr_profile_from_mdr_table(4, x, y, &p[2]));
+    CHECK_SUCCESS(mdr_profile_area_function(3, tip, 0.0, 1.0, &p[3]));
+    CHECK_SUCCESS(mdr_profile_sum(2, (const mdr_profile *const *)p, &p[4]));
+    for (int i = 0; i < 5; i++) {
+        CHECK_SUCCESS(mdr_profile_mdr(p[i], 3, r, more(out, 3)));
+        CHECK_SUCCESS(mdr_profile_height(p[i], 3, r, more(out, 3)));
+        mdr_profile_free(&p[i]);
+    }
+}
+
+static void media(numbers *out)
+{
+    static const double a[3] = {0.05, 1.0, 20.0};
+    double scale = 2.0;
+    mdr_medium *m[5] = {coating(10.0), coating(0.1), grading(), NULL, NULL};
+    CHECK_SUCCESS(mdr_medium_graded_callback(rising, constant_nu, &scale, 4.0, MDR_MODEL_GAO_SERIES, NULL, &m[3]));
+    CHECK_SUCCESS(mdr_medium_pair(m[0], m[2], &m[4]));
+    for (int i = 0; i < 5; i++) {
+        CHECK_SUCCESS(mdr_medium_modulus(m[i], 3, a, more(out, 3)));
+        CHECK_SUCCESS(mdr_medium_tangential_modulus(m[i], 3, a, more(out, 3)));
+        if (i < 3) CHECK_SUCCESS(mdr_medium_torsional_stiffness(m[i], 3, a, more(out, 3)));
+    }
+    for (int i = 0; i < 5; i++) mdr_medium_free(&m[i]);
+}
+
+/* Up to radii at which a state takes a thousand unknowns, which LAPACK solves for. */
+static void states(numbers *out)
+{
+    static const double a[3] = {0.1, 30.0, 9000.0}, F[2] = {0.1, 50.0}, r[2] = {0.0, 0.99};
+    for (int i = 0; i < 4; i++) {
+        mdr_contact *c = ball_on(i < 2 ? coating(i == 0 ? 30.0 : 0.03) : i == 2 ? grading() : coating(2.0), 0.0);
+        const int n = i < 2 ? 3 : 2;
+        CHECK_SUCCESS(mdr_contact_from_radius(c, n, a, NULL, NULL, more(out, n), NULL));
+        CHECK_SUCCESS(mdr_contact_from_force(c, 2, F, more(out, 2), NULL, NULL, NULL));
+        const mdr_state state = state_at(c, 1.0);
+        CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, 2, r, more(out, 2)));
+        CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_DISPLACEMENT, &state, 1, (const double[1]){2.5}, more(out, 1)));
+        CHECK_SUCCESS(mdr_contact_energy(c, &state, more(out, 1), NULL));
+        CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, more(out, 1), NULL));
+        mdr_contact_free(&c);
+    }
+}
+
+static void interior(numbers *out)
+{
+    static const double r[2] = {0.3, 1.2}, z[2] = {0.5, 1.5};
+    for (int i = 0; i < 3; i++) {
+        mdr_contact *c = ball_on(i < 2 ? coating(i == 0 ? 30.0 : 0.1) : grading(), 0.0);
+        const mdr_state state = state_at(c, 1.0);
+        mdr_interior *points = (mdr_interior *)more(out, 2 * (int)(sizeof(mdr_interior) / sizeof(double)));
+        CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.2, 2, r, z, NULL, points));
+        if (i < 2) CHECK_SUCCESS(mdr_contact_layer_energies(c, MDR_BODY_LOWER, &state, 2, more(out, 2), &(int){0}));
+        mdr_contact_free(&c);
+    }
+}
+
+static const double moduli[2] = {2.0, 0.5}, times[2] = {0.3, 3.0};
+
+static mdr_contact *ball_on_polymer(int i)
+{
+    const double h = 1.0;
+    mdr_material *polymer = NULL, *base = NULL;
+    mdr_medium *m = NULL;
+    CHECK_SUCCESS(i == 3 ? mdr_material_power_law(1.0, 1.0, 0.2, 0.5, &polymer)
+                         : mdr_material_viscoelastic(1.0, 2, moduli, times, 0.0, 0.4, 0.0, &polymer));
+    CHECK_SUCCESS(mdr_material_elastic(10.0, 0.3, &base));
+    CHECK_SUCCESS(mdr_medium_viscoelastic(i > 0, (const mdr_material *const[1]){polymer}, &h,
+                                          i == 0 ? polymer : i == 1 ? NULL : base, MDR_MODEL_EXACT, NULL, &m));
+    mdr_material_free(&polymer);
+    mdr_material_free(&base);
+    return ball_on(m, 0.0);
+}
+
+/* Homogeneous and on a rigid base, which relax in proportion, and two that are marched. */
+static void histories(numbers *out)
+{
+    static const double t[4] = {0.0, 0.5, 1.0, 4.0}, d[4] = {0.0, 0.2, 0.1, 0.05}, again[4] = {0.0, 0.2, 0.1, 0.2};
+    for (int i = 0; i < 4; i++) {
+        mdr_contact *c = ball_on_polymer(i);
+        CHECK_SUCCESS(mdr_contact_history(c, MDR_GIVEN_DEPTH, 1e-4, 4, t, d, NULL, more(out, 4), more(out, 4)));
+        if (i == 2) CHECK_SUCCESS(mdr_contact_history(c, MDR_GIVEN_DEPTH, 1e-4, 4, t, again, NULL, NULL, more(out, 4)));
+        if (i == 0) CHECK_SUCCESS(mdr_contact_history(c, MDR_GIVEN_FORCE, 1e-4, 4, t, d, more(out, 4), NULL, NULL));
+        mdr_contact_free(&c);
+    }
+}
+
+static void responses(numbers *out)
+{
+    static const double omega[3] = {0.1, 1.0, 10.0}, a[3] = {0.2, 1.0, 4.0};
+    for (int i = 0; i < 4; i++) {
+        mdr_contact *c = ball_on_polymer(i);
+        CHECK_SUCCESS(mdr_contact_dynamic_stiffness(c, 3, omega, a, more(out, 3), more(out, 3)));
+        CHECK_SUCCESS(mdr_contact_step_response(c, MDR_STEP_CREEP, 0.7, 2, omega, more(out, 2)));
+        mdr_contact_free(&c);
+    }
+}
+
+static void loops(numbers *out)
+{
+    mdr_contact *c = ball_on(coating(10.0), 0.02);
+    mdr_loop *loop = NULL;
+    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_FORCE, 1, more(out, 1), more(out, 1), more(out, 1), NULL));
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.1, 5, 0.0, &loop));
+    CHECK_SUCCESS(mdr_loop_path(loop, 8, NULL, NULL, more(out, 8), more(out, 8)));
+    CHECK_SUCCESS(mdr_loop_dissipated_energy(loop, more(out, 1)));
+    mdr_loop_free(&loop);
+    mdr_contact_free(&c);
+}
+
+static void friction(numbers *out)
+{
+    static const double depth[3] = {0.05, 0.1, 0.08}, shift[3] = {0.0, 0.005, -0.005};
+    for (int i = 0; i < 2; i++) {
+        mdr_contact *c = ball_on(coating(i == 0 ? 1.0 : 5.0), 0.0);
+        mdr_friction *f = NULL;
+        mdr_friction_history *h = NULL;
+        mdr_tangential_state sheared[3];
+        mdr_state reached[3];
+        const mdr_state state = state_at(c, 0.7);
+        CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
+        CHECK_SUCCESS(mdr_friction_sliding(f, &state, more(out, 1), NULL));
+        CHECK_SUCCESS(mdr_friction_states(f, &state, MDR_GIVEN_SHIFT, 1, shift + 1, sheared));
+        *more(out, 1) = sheared[0].tangential_force;
+        CHECK_SUCCESS(mdr_friction_field(f, &state, sheared, MDR_FIELD_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
+        CHECK_SUCCESS(mdr_friction_loop(f, &state, MDR_GIVEN_SHIFT, 0.004, 5, more(out, 5), more(out, 5), more(out, 1)));
+        CHECK_SUCCESS(mdr_friction_history_new(f, 0.12, 20, &h));
+        CHECK_SUCCESS(mdr_friction_history_advance(h, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 3, depth, shift, reached, sheared));
+        for (int j = 0; j < 3; j++) *more(out, 1) = sheared[j].tangential_force;
+        mdr_friction_history_free(&h);
+        mdr_friction_free(&f);
+        mdr_contact_free(&c);
+    }
+}
+
+static void torsion(numbers *out)
+{
+    mdr_medium *m = NULL;
+    mdr_friction *f = NULL;
+    mdr_torsional_state twisted;
+    CHECK_SUCCESS(mdr_medium_homogeneous(2.0, 0.3, &m));
+    mdr_contact *c = ball_on(m, 0.0);
+    const mdr_state state = state_at(c, 0.7);
+    CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
+    CHECK_SUCCESS(mdr_torsion_states(f, &state, MDR_GIVEN_TWIST, 1, (const double[1]){0.01}, &twisted));
+    *more(out, 1) = twisted.torque;
+    CHECK_SUCCESS(mdr_torsion_sliding(f, &state, more(out, 1)));
+    CHECK_SUCCESS(mdr_torsion_field(f, &state, &twisted, MDR_FIELD_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
+    CHECK_SUCCESS(mdr_torsion_loop(f, &state, MDR_GIVEN_TWIST, 0.01, 5, more(out, 5), more(out, 5), more(out, 1)));
+    mdr_friction_free(&f);
+    mdr_contact_free(&c);
+}
+
+static void laws(numbers *out)
+{
+    static const double d[2] = {0.01, 0.15};
+    for (int i = 0; i < 3; i++) {
+        mdr_contact *c = ball_on(i < 2 ? coating(10.0) : grading(), i == 1 ? 0.02 : 0.0);
+        mdr_law *law = NULL, *copy = NULL;
+        char *content = NULL;
+        int length = 0;
+        CHECK_SUCCESS(mdr_law_new(c, 0.2, NULL, &law));
+        CHECK_SUCCESS(mdr_law_write(law, NULL, 0, &length));
+        content = malloc((size_t)length);
+        CHECK_SUCCESS(mdr_law_write(law, content, length, &length));
+        CHECK_SUCCESS(mdr_law_read(content, length, &copy));
+        free(content);
+        CHECK_SUCCESS(mdr_law_from_depth(copy, MDR_ON_UNLOADING, 2, d, more(out, 2), more(out, 2), more(out, 2), more(out, 2)));
+        CHECK_SUCCESS(mdr_law_energy(law, MDR_ON_UNLOADING, 2, d, more(out, 2)));
+        mdr_law_free(&copy);
+        mdr_law_free(&law);
+        mdr_contact_free(&c);
+    }
+}
+
+static void friction_laws(numbers *out)
+{
+    mdr_contact *c = ball_on(coating(5.0), 0.0);
+    mdr_friction *f = NULL;
+    mdr_friction_law *law = NULL;
+    mdr_friction_law_facts facts;
+    mdr_friction_memory memory = {0};
+    CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
+    CHECK_SUCCESS(mdr_friction_law_new(f, 0.2, NULL, &law));
+    CHECK_SUCCESS(mdr_friction_law_info(law, &facts));
+    *more(out, 1) = facts.highest_sliding_shift;
+    CHECK_SUCCESS(mdr_friction_law_advance(law, 1, (const double[1]){0.1}, (const double[3]){0.002, 0.001, 0.0}, &memory));
+    for (int i = 0; i < 3; i++) *more(out, 1) = memory.force[i];
+    mdr_friction_law_free(&law);
+    mdr_friction_free(&f);
+    mdr_contact_free(&c);
+}
+
+/* E of a film, and the same from a relaxing body. */
+static void fits(numbers *out)
+{
+    enum { POINTS = 6, MOST = 20 };
+    static const double film[6] = {5.0, 0.25, 1.0, 1.0, 0.35, 1.0};
+    static const double rest[9] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
+    double d[POINTS], F[POINTS], values[MOST];
+    mdr_fit_problem problem;
+    mdr_fit_parameter parameters[MOST] = {{0}};
+    int count = 0;
+
+    mdr_fit_problem_init(&problem);
+    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
+    problem.medium = MDR_FIT_MEDIUM_STACK;
+    CHECK_SUCCESS(mdr_fit_parameter_count(&problem, &count));
+    CHECK_INT(count, 16);
+    for (int i = 0; i < count && i < MOST; i++) {
+        const double value = i == 0 ? 5.0 : i < 7 ? film[i - 1] : rest[i - 7];
+        parameters[i] = (mdr_fit_parameter){value, -INFINITY, INFINITY, 0.0, 0.0, i == 1};
+    }
+    problem.parameter_count = count;
+    problem.parameters = parameters;
+    for (int i = 0; i < POINTS; i++) d[i] = 0.02 * (i + 1);
+    CHECK_SUCCESS(mdr_fit_predict(&problem, POINTS, d, d, NULL, F, NULL));
+    parameters[1].value = 4.0;
+    for (int i = 0; i < POINTS; i++) F[i] *= 1.0 + 0.01 * (i % 2);
+    CHECK_SUCCESS(mdr_fit_solve(&problem, POINTS, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, more(out, POINTS), NULL, NULL));
+    *more(out, 1) = values[1];
+    CHECK_SUCCESS(mdr_fit_interval(&problem, POINTS, d, F, NULL, F, 1, 0.9, more(out, 1), more(out, 1)));
+    CHECK_SUCCESS(mdr_fit_quantile(0.9, 5.0, more(out, 1)));
+}
+
+static void lateral(numbers *out)
+{
+    static const double ball[7] = {0.0, 0.0, 1.0, 0.5}, spacing[3] = {0.5, 0.5, 0.5}, E[2] = {1.0, 2.0}, nu[2] = {0.3, 0.2};
+    static const double x[3] = {-1.0, 0.0, 0.5}, zero[1] = {0.0}, a[1] = {0.7};
+    static const int kind[1] = {MDR_SHAPE_BALL}, size[3] = {2, 2, 1}, labels[4] = {0, 1, 1, 0};
+    mdr_structure *s[3] = {NULL};
+    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, ball, E + 1, nu + 1, NULL, &s[0]));
+    CHECK_SUCCESS(mdr_structure_voxels(size, labels, 2, E, nu, spacing, 1.0, 0.3, NULL, &s[1]));
+    CHECK_SUCCESS(mdr_structure_callback(inclusion, NULL, 0.3, NULL, &s[2]));
+    for (int i = 0; i < 3; i++) {
+        mdr_medium *m = NULL;
+        CHECK_SUCCESS(mdr_structure_modulus(s[i], 1, zero, zero, a, more(out, 1)));
+        if (i == 0) CHECK_SUCCESS(mdr_structure_medium(s[i], 0.0, 0.0, 0.1, 1.0, 5, &m));
+        if (i == 0) CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, more(out, 1)));
+        mdr_medium_free(&m);
+        mdr_structure_free(&s[i]);
+    }
+    CHECK_SUCCESS(mdr_lateral_cells(0.3, 1.0, 0.1, 0.6, 2, x, 2, x, more(out, 4), more(out, 4)));
+    CHECK_SUCCESS(mdr_lateral_rule(1, 0.3, more(out, 18), more(out, 12)));
+}
+
+static void closed_forms(numbers *out)
+{
+    static const double a[3] = {0.1, 1.0, 10.0};
+    CHECK_SUCCESS(mdr_coated_paraboloid_force(3, a, 5.0, 2.0, 1.0, 1.0, more(out, 3)));
+    CHECK_SUCCESS(mdr_coated_cone_force(3, a, 0.3, 2.0, 1.0, 1.0, more(out, 3)));
+    CHECK_SUCCESS(mdr_coated_paraboloid_adhesive_depth(3, a, 5.0, 2.0, 1.0, 1.0, 0.1, more(out, 3)));
+    CHECK_SUCCESS(mdr_reduced_adhesive_depth(3, a, 2.0, 1.0, more(out, 3)));
+    CHECK_SUCCESS(mdr_adhesive_radius_scale(5.0, 1.0, 0.1, more(out, 1)));
+    CHECK_SUCCESS(mdr_weight_i0(3, a, 0.3, more(out, 3)));
+    CHECK_SUCCESS(mdr_weight_j1(3, a, 0.3, more(out, 3)));
+    CHECK_SUCCESS(mdr_weight_j0_tangential(3, a, 0.3, more(out, 3)));
+}
+
+static const long_call long_calls[] = {
+    {"profiles", profiles},         {"media", media},     {"states", states},           {"interior", interior},
+    {"histories", histories},       {"responses", responses}, {"loops", loops},         {"friction", friction},
+    {"torsion", torsion},           {"laws", laws},       {"friction laws", friction_laws}, {"fits", fits},
+    {"lateral", lateral},           {"closed forms", closed_forms},
+};
+
+enum { LONG_CALLS = sizeof long_calls / sizeof *long_calls };
+
+#endif
