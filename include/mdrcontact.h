@@ -41,6 +41,13 @@
  * mdr_structure_callback() keeps the user's function and context). A handle never changes after its creation, but for
  * mdr_friction_history, which must not be used by two threads at a time.
  *
+ * @par Rounding
+ * Every function that computes does so rounding to nearest, with denormal numbers and without traps of exceptions, and sets what the
+ * calling thread had again; flags of exceptions stay set, as after any computation. User functions are called in this arithmetic
+ * and leave it as it is. States of laws, which take nanoseconds - mdr_law_force(), mdr_law_at_depth(), mdr_law_at_force(),
+ * mdr_law_follow(), mdr_law_from_depth(), mdr_law_from_force(), mdr_law_energy() and mdrcontact_law.h -, compute in the caller's:
+ * under another rounding mode they differ in the last digits, by 1e-14.
+ *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
  * Functions of arrays share the work among several threads of their own (OpenMP) where mdr_set_threads() allows it.

@@ -4,6 +4,8 @@
 !> In comments the unit of each number stands in brackets: [length], [modulus] (that of pressure), [1] for none; any consistent
 !> set does. Angles are in radian. Equation numbers are those of the source; `theory 5` is section 5 of docs/theory.md, which
 !> states the equations.
+!>
+!> The procedures compute in the caller's arithmetic, which must be the default: rounding to nearest.
 module mdrcontact
     use mdrcontact_body, only: body_t
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions

@@ -4,7 +4,7 @@
 !> The caller says how many threads; nothing is remembered between calls. Called from within a parallel region, all stays on the
 !> calling thread.
 module mdrcontact_batch
-    use, intrinsic :: iso_c_binding, only: c_int, c_loc, c_null_ptr
+    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_loc, c_null_ptr
     use mdrcontact_cancel, only: check_cancelled, help
     use mdrcontact_error, only: count_text, error_cancelled, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
@@ -46,6 +46,19 @@ module mdrcontact_batch
         end subroutine mapped
     end interface
 
+    interface
+        !> A thread of a team may round otherwise than the one that started it: arithmetic.h.
+        subroutine mdrcontact_set_arithmetic(before) bind(C)
+            import :: c_int64_t
+            integer(c_int64_t), intent(out) :: before(*)
+        end subroutine mdrcontact_set_arithmetic
+
+        subroutine mdrcontact_set_arithmetic_back(before) bind(C)
+            import :: c_int64_t
+            integer(c_int64_t), intent(in) :: before(*)
+        end subroutine mdrcontact_set_arithmetic_back
+    end interface
+
     type, extends(batch_t) :: map_batch_t
         class(map_t), pointer :: map => null()
         real(wp), pointer, contiguous :: x(:) => null(), y(:) => null()
@@ -70,6 +83,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, blocks, team, failed
         integer(c_int), target, volatile :: is_told
+        integer(c_int64_t) :: before(16)
 
         if (allocated(error) .or. n < 1) return
         blocks = (n - 1)/block + 1
@@ -85,7 +99,8 @@ contains
         failed = blocks + 1
         ! Dynamic: blocks begin in ascending order, and those after a failed one need not begin.
         is_told = 0
-        !$omp parallel num_threads(team) default(shared)
+        !$omp parallel num_threads(team) default(shared) private(before)
+        call mdrcontact_set_arithmetic(before)
         call help(c_loc(is_told))
         !$omp do schedule(dynamic)
         do i = 1, blocks
@@ -93,6 +108,7 @@ contains
         end do
         !$omp end do
         call help(c_null_ptr)
+        call mdrcontact_set_arithmetic_back(before)
         !$omp end parallel
     end subroutine run_batch
 

@@ -17,7 +17,7 @@ endif()
 # Global symbols: mdr_... in both libraries; in the static one also the module procedures, the C functions that Fortran calls and the
 # objects of GSL that it refers to.
 string(REGEX MATCHALL "[^\n]+ [TDBRCVW] [^\n]+" global "${symbols}")
-list(FILTER global EXCLUDE REGEX " [TDBRCVW] (mdr_[a-z0-9_]+|gsl_[a-z_]+|mdrcontact_[a-z_]+|__mdrcontact_.*|__copy_.*|\\.gomp_critical_user_mdrcontact_.*)$")
+list(FILTER global EXCLUDE REGEX " [TDBRCVW] (mdr_[a-z0-9_]+|gsl_[a-z_]+|mdrcontact_[a-z0-9_]+|__mdrcontact_.*|__copy_.*|\\.gomp_critical_user_mdrcontact_.*)$")
 if(global)
   string(REPLACE ";" "\n" global "${global}")
   message(FATAL_ERROR "global symbols in ${library}:\n${global}")

@@ -23,6 +23,13 @@ def test_types_and_structures_are_those_of_the_header(tmp_path):
         assert path.read_text(encoding="utf-8") == kept.read_text(encoding="utf-8"), f"{kept} is out of date: run {program.name}"
 
 
+def test_entries_are_those_of_the_header(tmp_path):
+    made, kept = tmp_path / "entries.c", ROOT / "src" / "mdrcontact" / "api" / "entries.c"
+    program = ROOT / "tools" / "write_entries.py"
+    subprocess.run([sys.executable, program, ROOT / "include" / "mdrcontact.h", made], check=True)
+    assert made.read_text(encoding="utf-8") == kept.read_text(encoding="utf-8"), f"{kept} is out of date: run {program.name}"
+
+
 def test_every_function_of_the_types_exists():
     text = (ROOT / "python" / "mdrcontact" / "_native.pyi").read_text(encoding="utf-8")
     names = [line.split("(")[0].removeprefix("def ") for line in text.splitlines() if line.startswith("def ")]

@@ -20,7 +20,8 @@ module mdrcontact_api_adhesion
 
 contains
 
-    function mdr_contact_pull_off(c, control, capacity, d, a, f, count) result(status) bind(C)
+    function mdr_contact_pull_off(c, control, capacity, d, a, f, count) result(status) &
+        bind(C, name="mdrcontact_entry_contact_pull_off")
         type(c_ptr), value :: c
         integer(c_int), value :: control, capacity
         real(c_double), intent(inout), optional :: d(*), a(*), f(*)
@@ -47,7 +48,8 @@ contains
         if (present(f)) f(:n) = all_states(:n)%force
     end function mdr_contact_pull_off
 
-    function mdr_loop_new(c, control, largest, points, spring_stiffness, out) result(status) bind(C)
+    function mdr_loop_new(c, control, largest, points, spring_stiffness, out) result(status) &
+        bind(C, name="mdrcontact_entry_loop_new")
         type(c_ptr), value :: c
         integer(c_int), value :: control, points
         real(c_double), value :: spring_stiffness, largest
@@ -120,7 +122,7 @@ contains
         if (m > 0) index(:m) = int(loop%jumps(:m) - 1, c_int)
     end function mdr_loop_jumps
 
-    function mdr_loop_dissipated_energy(l, energy) result(status) bind(C)
+    function mdr_loop_dissipated_energy(l, energy) result(status) bind(C, name="mdrcontact_entry_loop_dissipated_energy")
         type(c_ptr), value :: l
         real(c_double), intent(inout), optional :: energy
         integer(c_int) :: status

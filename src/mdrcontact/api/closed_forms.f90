@@ -16,7 +16,7 @@ module mdrcontact_api_closed_forms
 contains
 
     function mdr_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear, thickness, out) &
-        result(status) bind(C)
+        result(status) bind(C, name="mdrcontact_entry_coated_paraboloid_force")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
         real(c_double), value :: radius, coating_shear, substrate_shear, thickness
@@ -30,7 +30,7 @@ contains
     end function mdr_coated_paraboloid_force
 
     function mdr_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness, out) &
-        result(status) bind(C)
+        result(status) bind(C, name="mdrcontact_entry_coated_cone_force")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
         real(c_double), value :: inclination, coating_shear, substrate_shear, thickness
@@ -44,7 +44,7 @@ contains
     end function mdr_coated_cone_force
 
     function mdr_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear, thickness, work_of_adhesion, out) &
-        result(status) bind(C)
+        result(status) bind(C, name="mdrcontact_entry_coated_paraboloid_adhesive_depth")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
         real(c_double), value :: radius, coating_shear, substrate_shear, thickness, work_of_adhesion
@@ -59,7 +59,8 @@ contains
                             [radius, coating_shear, substrate_shear, thickness, work_of_adhesion], out, error)
     end function mdr_coated_paraboloid_adhesive_depth
 
-    function mdr_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out) result(status) bind(C)
+    function mdr_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out) result(status) &
+        bind(C, name="mdrcontact_entry_adhesive_radius_scale")
         real(c_double), value :: radius, substrate_shear, work_of_adhesion
         real(c_double), intent(inout), optional :: out
         integer(c_int) :: status
@@ -75,7 +76,8 @@ contains
         status = status_of(error)
     end function mdr_adhesive_radius_scale
 
-    function mdr_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out) result(status) bind(C)
+    function mdr_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out) result(status) &
+        bind(C, name="mdrcontact_entry_adhesive_depth_scale")
         real(c_double), value :: radius, substrate_shear, work_of_adhesion
         real(c_double), intent(inout), optional :: out
         integer(c_int) :: status
@@ -92,7 +94,7 @@ contains
     end function mdr_adhesive_depth_scale
 
     function mdr_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out) &
-        result(status) bind(C)
+        result(status) bind(C, name="mdrcontact_entry_reduced_adhesive_depth")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: reduced_radius(*)
         real(c_double), value :: shear_ratio, reduced_thickness

@@ -44,7 +44,7 @@ contains
         options%size = c_sizeof(options)
     end subroutine mdr_contact_options_init
 
-    function mdr_contact_new(profile, medium, options, out) result(status) bind(C)
+    function mdr_contact_new(profile, medium, options, out) result(status) bind(C, name="mdrcontact_entry_contact_new")
         type(c_ptr), value :: profile, medium, options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -94,7 +94,7 @@ contains
         call new_radius_law_from_table(zeta, radius, "zeta", values, error)
     end subroutine read_zeta
 
-    function mdr_contact_from_depth(c, n, in, d, a, f, k) result(status) bind(C)
+    function mdr_contact_from_depth(c, n, in, d, a, f, k) result(status) bind(C, name="mdrcontact_entry_contact_from_depth")
         type(c_ptr), value :: c
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: in(*)
@@ -104,7 +104,7 @@ contains
         status = write_columns(c, given_depth, n, in, d, a, f, k)
     end function mdr_contact_from_depth
 
-    function mdr_contact_from_force(c, n, in, d, a, f, k) result(status) bind(C)
+    function mdr_contact_from_force(c, n, in, d, a, f, k) result(status) bind(C, name="mdrcontact_entry_contact_from_force")
         type(c_ptr), value :: c
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: in(*)
@@ -114,7 +114,7 @@ contains
         status = write_columns(c, given_force, n, in, d, a, f, k)
     end function mdr_contact_from_force
 
-    function mdr_contact_from_radius(c, n, in, d, a, f, k) result(status) bind(C)
+    function mdr_contact_from_radius(c, n, in, d, a, f, k) result(status) bind(C, name="mdrcontact_entry_contact_from_radius")
         type(c_ptr), value :: c
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: in(*)
@@ -143,7 +143,7 @@ contains
         if (present(k)) k(:n) = states%stiffness
     end function write_columns
 
-    function mdr_contact_states(c, given, branch, n, in, out) result(status) bind(C)
+    function mdr_contact_states(c, given, branch, n, in, out) result(status) bind(C, name="mdrcontact_entry_contact_states")
         type(c_ptr), value :: c
         integer(c_int), value :: given, branch, n
         real(c_double), intent(in), optional :: in(*)
@@ -180,7 +180,7 @@ contains
         call contact_states(contact, given, in(:n), states, error, branch, wanted_threads())
     end subroutine solve
 
-    function mdr_contact_field(c, field, state, n, r, out) result(status) bind(C)
+    function mdr_contact_field(c, field, state, n, r, out) result(status) bind(C, name="mdrcontact_entry_contact_field")
         type(c_ptr), value :: c
         integer(c_int), value :: field, n
         type(contact_state_t), intent(in), optional :: state
@@ -203,7 +203,8 @@ contains
         status = status_of(error)
     end function mdr_contact_field
 
-    function mdr_contact_lowest_pressure(c, state, pressure, r) result(status) bind(C)
+    function mdr_contact_lowest_pressure(c, state, pressure, r) result(status) &
+        bind(C, name="mdrcontact_entry_contact_lowest_pressure")
         type(c_ptr), value :: c
         type(contact_state_t), intent(in), optional :: state
         real(c_double), intent(inout), optional :: pressure, r
@@ -221,7 +222,7 @@ contains
         if (present(r)) r = place
     end function mdr_contact_lowest_pressure
 
-    function mdr_contact_energy(c, state, lower, upper) result(status) bind(C)
+    function mdr_contact_energy(c, state, lower, upper) result(status) bind(C, name="mdrcontact_entry_contact_energy")
         type(c_ptr), value :: c
         type(contact_state_t), intent(in), optional :: state
         real(c_double), intent(inout), optional :: lower, upper
@@ -240,7 +241,8 @@ contains
         if (present(upper)) upper = values(2)
     end function mdr_contact_energy
 
-    function mdr_contact_warnings(c, state, buffer, length, warnings) result(status) bind(C)
+    function mdr_contact_warnings(c, state, buffer, length, warnings) result(status) &
+        bind(C, name="mdrcontact_entry_contact_warnings")
         type(c_ptr), value :: c, buffer
         type(contact_state_t), intent(in), optional :: state
         integer(c_int), value :: length

@@ -33,7 +33,7 @@ contains
 
     function mdr_fit_solve(problem, n, x, y, given, sd, values, covariance, widening, at_bound, weakest_direction, fitted, &
                            residuals, summary) &
-        result(status) bind(C)
+        result(status) bind(C, name="mdrcontact_entry_fit_solve")
         type(c_ptr), value :: problem
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*), y(*), given(*), sd(*)
@@ -87,7 +87,7 @@ contains
         end if
     end function mdr_fit_solve
 
-    function mdr_fit_predict(problem, n, x, y, given, fitted, radius) result(status) bind(C)
+    function mdr_fit_predict(problem, n, x, y, given, fitted, radius) result(status) bind(C, name="mdrcontact_entry_fit_predict")
         type(c_ptr), value :: problem
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*), y(*), given(*)
@@ -114,7 +114,8 @@ contains
         if (present(radius)) radius(:n) = radii
     end function mdr_fit_predict
 
-    function mdr_fit_interval(problem, n, x, y, given, sd, position, level, lower, upper) result(status) bind(C)
+    function mdr_fit_interval(problem, n, x, y, given, sd, position, level, lower, upper) result(status) &
+        bind(C, name="mdrcontact_entry_fit_interval")
         type(c_ptr), value :: problem
         integer(c_int), value :: n, position
         real(c_double), intent(in), optional :: x(*), y(*), given(*), sd(*)
@@ -149,7 +150,7 @@ contains
         status = status_of(error)
     end function mdr_fit_interval
 
-    function mdr_fit_quantile(level, degrees_of_freedom, factor) result(status) bind(C)
+    function mdr_fit_quantile(level, degrees_of_freedom, factor) result(status) bind(C, name="mdrcontact_entry_fit_quantile")
         real(c_double), value :: level, degrees_of_freedom
         real(c_double), intent(inout), optional :: factor
         integer(c_int) :: status

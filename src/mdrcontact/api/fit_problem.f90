@@ -74,7 +74,7 @@ contains
         problem%size = c_sizeof(problem)
     end subroutine mdr_fit_problem_init
 
-    function mdr_fit_parameter_count(problem, count) result(status) bind(C)
+    function mdr_fit_parameter_count(problem, count) result(status) bind(C, name="mdrcontact_entry_fit_parameter_count")
         type(c_ptr), value :: problem
         integer(c_int), intent(inout), optional :: count
         integer(c_int) :: status

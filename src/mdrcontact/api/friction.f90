@@ -21,7 +21,7 @@ module mdrcontact_api_friction
 
 contains
 
-    function mdr_friction_new(c, coefficient, out) result(status) bind(C)
+    function mdr_friction_new(c, coefficient, out) result(status) bind(C, name="mdrcontact_entry_friction_new")
         type(c_ptr), value :: c
         real(c_double), value :: coefficient
         type(c_ptr), intent(inout), optional :: out
@@ -67,7 +67,7 @@ contains
         end if
     end subroutine solve
 
-    function mdr_friction_states(f, state, given, n, in, out) result(status) bind(C)
+    function mdr_friction_states(f, state, given, n, in, out) result(status) bind(C, name="mdrcontact_entry_friction_states")
         type(c_ptr), value :: f
         type(contact_state_t), intent(in), optional :: state
         integer(c_int), value :: given, n
@@ -102,7 +102,7 @@ contains
         end do
     end function mdr_friction_states
 
-    function mdr_friction_sliding(f, state, shift, force) result(status) bind(C)
+    function mdr_friction_sliding(f, state, shift, force) result(status) bind(C, name="mdrcontact_entry_friction_sliding")
         type(c_ptr), value :: f
         type(contact_state_t), intent(in), optional :: state
         real(c_double), intent(inout), optional :: shift, force
@@ -118,7 +118,7 @@ contains
         if (present(force)) force = shear%sliding_force
     end function mdr_friction_sliding
 
-    function mdr_friction_field(f, state, shear, field, n, r, out) result(status) bind(C)
+    function mdr_friction_field(f, state, shear, field, n, r, out) result(status) bind(C, name="mdrcontact_entry_friction_field")
         type(c_ptr), value :: f
         type(contact_state_t), intent(in), optional :: state
         type(tangential_state_t), intent(in), optional :: shear
@@ -147,7 +147,8 @@ contains
         status = status_of(error)
     end function mdr_friction_field
 
-    function mdr_friction_loop(f, state, given, amplitude, n, shift, force, dissipated) result(status) bind(C)
+    function mdr_friction_loop(f, state, given, amplitude, n, shift, force, dissipated) result(status) &
+        bind(C, name="mdrcontact_entry_friction_loop")
         type(c_ptr), value :: f
         type(contact_state_t), intent(in), optional :: state
         integer(c_int), value :: given, n
@@ -179,7 +180,8 @@ contains
         dissipated = 4.0_c_double*turn%dissipated_energy
     end function mdr_friction_loop
 
-    function mdr_friction_history_new(f, largest_depth, rings, out) result(status) bind(C)
+    function mdr_friction_history_new(f, largest_depth, rings, out) result(status) &
+        bind(C, name="mdrcontact_entry_friction_history_new")
         type(c_ptr), value :: f
         real(c_double), value :: largest_depth
         integer(c_int), value :: rings
@@ -197,7 +199,7 @@ contains
         status = hand_over(object, out, error)
     end function mdr_friction_history_new
 
-    function mdr_friction_history_copy(h, out) result(status) bind(C)
+    function mdr_friction_history_copy(h, out) result(status) bind(C, name="mdrcontact_entry_friction_history_copy")
         type(c_ptr), value :: h
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -214,7 +216,7 @@ contains
     end function mdr_friction_history_copy
 
     function mdr_friction_history_advance(h, normal_given, tangential_given, n, normal, tangential, states, out) &
-        result(status) bind(C)
+        result(status) bind(C, name="mdrcontact_entry_friction_history_advance")
         type(c_ptr), value :: h
         integer(c_int), value :: normal_given, tangential_given, n
         real(c_double), intent(in), optional :: normal(*), tangential(*)

@@ -30,7 +30,8 @@ module mdrcontact_api_friction_law
 
 contains
 
-    function mdr_friction_law_new(f, largest_depth, sliders, options, out) result(status) bind(C)
+    function mdr_friction_law_new(f, largest_depth, sliders, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_friction_law_new")
         type(c_ptr), value :: f, options
         real(c_double), value :: largest_depth
         integer(c_int), value :: sliders
@@ -53,7 +54,8 @@ contains
         status = hand_over(object, out, error)
     end function mdr_friction_law_new
 
-    function mdr_friction_law_advance(law, n, force, shift, tangent, memory, traction) result(status) bind(C)
+    function mdr_friction_law_advance(law, n, force, shift, tangent, memory, traction) result(status) &
+        bind(C, name="mdrcontact_entry_friction_law_advance")
         type(c_ptr), value :: law, tangent
         integer(c_int), value :: n
         real(c_double), intent(in), optional, target :: force(n), shift(3, n)
@@ -66,7 +68,8 @@ contains
         status = status_of(error)
     end function mdr_friction_law_advance
 
-    function mdr_friction_law_try(law, n, force, shift, tangent, memory, traction) result(status) bind(C)
+    function mdr_friction_law_try(law, n, force, shift, tangent, memory, traction) result(status) &
+        bind(C, name="mdrcontact_entry_friction_law_try")
         type(c_ptr), value :: law, tangent
         integer(c_int), value :: n
         real(c_double), intent(in), optional, target :: force(n), shift(3, n)
@@ -105,7 +108,8 @@ contains
         call inside%steps(steps, wanted_threads(), error)
     end subroutine do_steps
 
-    function mdr_friction_law_energies(law, n, memory, stored, dissipated) result(status) bind(C)
+    function mdr_friction_law_energies(law, n, memory, stored, dissipated) result(status) &
+        bind(C, name="mdrcontact_entry_friction_law_energies")
         type(c_ptr), value :: law, memory
         integer(c_int), value :: n
         real(c_double), intent(inout), optional :: stored(n), dissipated(n)
@@ -134,7 +138,7 @@ contains
         status = status_of(error)
     end function mdr_friction_law_energies
 
-    function mdr_friction_law_turn(law, n, normal, spin, memory) result(status) bind(C)
+    function mdr_friction_law_turn(law, n, normal, spin, memory) result(status) bind(C, name="mdrcontact_entry_friction_law_turn")
         type(c_ptr), value :: law, memory
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: normal(3, n), spin(n)
@@ -181,7 +185,7 @@ contains
         if (.not. allocated(error)) call c_f_pointer(memory, records, [inside%memory_size(), max(int(n), 0)])
     end subroutine open_records
 
-    function mdr_friction_law_info(law, facts) result(status) bind(C)
+    function mdr_friction_law_info(law, facts) result(status) bind(C, name="mdrcontact_entry_friction_law_info")
         type(c_ptr), value :: law
         type(c_friction_law_facts_t), intent(inout), optional :: facts
         integer(c_int) :: status

@@ -16,7 +16,8 @@ module mdrcontact_api_history
 
 contains
 
-    function mdr_contact_history(c, given, tolerance, n, time, in, d, a, f) result(status) bind(C)
+    function mdr_contact_history(c, given, tolerance, n, time, in, d, a, f) result(status) &
+        bind(C, name="mdrcontact_entry_contact_history")
         type(c_ptr), value :: c
         integer(c_int), value :: given, n
         real(c_double), value :: tolerance
@@ -49,7 +50,8 @@ contains
         if (present(f)) f(:n) = values(:, 3)
     end function mdr_contact_history
 
-    function mdr_contact_dynamic_stiffness(c, n, omega, radius, storage, loss) result(status) bind(C)
+    function mdr_contact_dynamic_stiffness(c, n, omega, radius, storage, loss) result(status) &
+        bind(C, name="mdrcontact_entry_contact_dynamic_stiffness")
         type(c_ptr), value :: c
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: omega(*), radius(*)
@@ -82,7 +84,8 @@ contains
         loss(:n) = aimag(values)
     end function mdr_contact_dynamic_stiffness
 
-    function mdr_contact_step_response(c, step, radius, n, time, out) result(status) bind(C)
+    function mdr_contact_step_response(c, step, radius, n, time, out) result(status) &
+        bind(C, name="mdrcontact_entry_contact_step_response")
         type(c_ptr), value :: c
         integer(c_int), value :: step, n
         real(c_double), value :: radius

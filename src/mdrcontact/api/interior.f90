@@ -18,7 +18,8 @@ module mdrcontact_api_interior
 
 contains
 
-    function mdr_contact_interior(c, body, state, side, friction, n, r, z, angle, out) result(status) bind(C)
+    function mdr_contact_interior(c, body, state, side, friction, n, r, z, angle, out) result(status) &
+        bind(C, name="mdrcontact_entry_contact_interior")
         type(c_ptr), value :: c
         integer(c_int), value :: body, side, n
         type(contact_state_t), intent(in), optional :: state
@@ -61,7 +62,8 @@ contains
         status = status_of(error)
     end function mdr_contact_interior
 
-    function mdr_contact_layer_energies(c, body, state, capacity, out, count) result(status) bind(C)
+    function mdr_contact_layer_energies(c, body, state, capacity, out, count) result(status) &
+        bind(C, name="mdrcontact_entry_contact_layer_energies")
         type(c_ptr), value :: c
         integer(c_int), value :: body, capacity
         type(contact_state_t), intent(in), optional :: state

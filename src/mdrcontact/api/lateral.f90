@@ -17,7 +17,7 @@ module mdrcontact_api_lateral
 
 contains
 
-    function mdr_lateral_density(n, rho, z, nu, shear, poisson) result(status) bind(C)
+    function mdr_lateral_density(n, rho, z, nu, shear, poisson) result(status) bind(C, name="mdrcontact_entry_lateral_density")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: rho(*), z(*)
         real(c_double), value :: nu
@@ -39,7 +39,8 @@ contains
         status = status_of(error)
     end function mdr_lateral_density
 
-    function mdr_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson) result(status) bind(C)
+    function mdr_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson) result(status) &
+        bind(C, name="mdrcontact_entry_lateral_cells")
         real(c_double), value :: nu, a, z_top, z_bottom
         integer(c_int), value :: nx, ny
         real(c_double), intent(in), optional :: x(*), y(*)
@@ -82,7 +83,7 @@ contains
         status = status_of(error)
     end function mdr_lateral_cells
 
-    function mdr_lateral_rule(order, nu, points, weights) result(status) bind(C)
+    function mdr_lateral_rule(order, nu, points, weights) result(status) bind(C, name="mdrcontact_entry_lateral_rule")
         integer(c_int), value :: order
         real(c_double), value :: nu
         real(c_double), intent(inout), optional :: points(3, *), weights(2, *)

@@ -47,7 +47,7 @@ contains
         options%size = c_sizeof(options)
     end subroutine mdr_law_options_init
 
-    function mdr_law_new(contact, largest_depth, options, out) result(status) bind(C)
+    function mdr_law_new(contact, largest_depth, options, out) result(status) bind(C, name="mdrcontact_entry_law_new")
         type(c_ptr), value :: contact, options
         real(c_double), value :: largest_depth
         type(c_ptr), intent(inout), optional :: out
@@ -80,7 +80,7 @@ contains
         if (.not. allocated(error)) call read_text(given%description, chosen%description, error)
     end subroutine read_law_options
 
-    function mdr_law_with_radius(law, radius, out) result(status) bind(C)
+    function mdr_law_with_radius(law, radius, out) result(status) bind(C, name="mdrcontact_entry_law_with_radius")
         type(c_ptr), value :: law
         real(c_double), value :: radius
         type(c_ptr), intent(inout), optional :: out
@@ -185,7 +185,7 @@ contains
         point = found
     end function mdr_law_follow
 
-    function mdr_law_info(law, facts) result(status) bind(C)
+    function mdr_law_info(law, facts) result(status) bind(C, name="mdrcontact_entry_law_info")
         type(c_ptr), value :: law
         type(c_law_facts_t), intent(inout), optional :: facts
         integer(c_int) :: status

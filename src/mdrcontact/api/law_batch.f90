@@ -24,7 +24,8 @@ contains
         status = write_points(law, .true., branch, n, "d", d, f, slope, a, k)
     end function mdr_law_from_depth
 
-    function mdr_law_from_force(law, branch, n, f, d, compliance, a, k) result(status) bind(C)
+    function mdr_law_from_force(law, branch, n, f, d, compliance, a, k) result(status) &
+        bind(C)
         type(c_ptr), value :: law
         integer(c_int), value :: branch, n
         real(c_double), intent(in), optional :: f(n)

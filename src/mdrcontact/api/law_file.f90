@@ -16,7 +16,7 @@ module mdrcontact_api_law_file
 
 contains
 
-    function mdr_law_save(law, path) result(status) bind(C)
+    function mdr_law_save(law, path) result(status) bind(C, name="mdrcontact_entry_law_save")
         type(c_ptr), value :: law, path
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
@@ -29,7 +29,7 @@ contains
         status = status_of(error)
     end function mdr_law_save
 
-    function mdr_friction_law_save(law, path) result(status) bind(C)
+    function mdr_friction_law_save(law, path) result(status) bind(C, name="mdrcontact_entry_friction_law_save")
         type(c_ptr), value :: law, path
         integer(c_int) :: status
         type(friction_law_t), pointer :: inside
@@ -42,7 +42,7 @@ contains
         status = status_of(error)
     end function mdr_friction_law_save
 
-    function mdr_law_load(path, out) result(status) bind(C)
+    function mdr_law_load(path, out) result(status) bind(C, name="mdrcontact_entry_law_load")
         type(c_ptr), value :: path
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -58,7 +58,7 @@ contains
         status = hand_over(object, out, error)
     end function mdr_law_load
 
-    function mdr_friction_law_load(path, out) result(status) bind(C)
+    function mdr_friction_law_load(path, out) result(status) bind(C, name="mdrcontact_entry_friction_law_load")
         type(c_ptr), value :: path
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -74,7 +74,7 @@ contains
         status = hand_over(object, out, error)
     end function mdr_friction_law_load
 
-    function mdr_law_write(law, buffer, length, full_length) result(status) bind(C)
+    function mdr_law_write(law, buffer, length, full_length) result(status) bind(C, name="mdrcontact_entry_law_write")
         type(c_ptr), value :: law, buffer
         integer(c_int), value :: length
         integer(c_int), intent(inout), optional :: full_length
@@ -89,7 +89,8 @@ contains
         status = write_content(text, buffer, length, full_length, error)
     end function mdr_law_write
 
-    function mdr_friction_law_write(law, buffer, length, full_length) result(status) bind(C)
+    function mdr_friction_law_write(law, buffer, length, full_length) result(status) &
+        bind(C, name="mdrcontact_entry_friction_law_write")
         type(c_ptr), value :: law, buffer
         integer(c_int), value :: length
         integer(c_int), intent(inout), optional :: full_length
@@ -104,7 +105,7 @@ contains
         status = write_content(text, buffer, length, full_length, error)
     end function mdr_friction_law_write
 
-    function mdr_law_read(buffer, length, out) result(status) bind(C)
+    function mdr_law_read(buffer, length, out) result(status) bind(C, name="mdrcontact_entry_law_read")
         type(c_ptr), value :: buffer
         integer(c_int), value :: length
         type(c_ptr), intent(inout), optional :: out
@@ -121,7 +122,7 @@ contains
         status = hand_over(object, out, error)
     end function mdr_law_read
 
-    function mdr_friction_law_read(buffer, length, out) result(status) bind(C)
+    function mdr_friction_law_read(buffer, length, out) result(status) bind(C, name="mdrcontact_entry_friction_law_read")
         type(c_ptr), value :: buffer
         integer(c_int), value :: length
         type(c_ptr), intent(inout), optional :: out

@@ -22,7 +22,7 @@ module mdrcontact_api_layered
 contains
 
     function mdr_medium_coated(coating_e, coating_nu, thickness, substrate_e, substrate_nu, model, options, out) &
-        result(status) bind(C)
+        result(status) bind(C, name="mdrcontact_entry_medium_coated")
         real(c_double), value :: coating_e, coating_nu, thickness, substrate_e, substrate_nu
         integer(c_int), value :: model
         type(c_ptr), value :: options
@@ -37,7 +37,8 @@ contains
         status = deliver_model(body, model, options, out, error)
     end function mdr_medium_coated
 
-    function mdr_medium_layered(n, e, nu, thickness, substrate_e, substrate_nu, model, options, out) result(status) bind(C)
+    function mdr_medium_layered(n, e, nu, thickness, substrate_e, substrate_nu, model, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_medium_layered")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: e(*), nu(*), thickness(*)
         real(c_double), value :: substrate_e, substrate_nu
@@ -60,7 +61,7 @@ contains
         status = deliver_model(body, model, options, out, error)
     end function mdr_medium_layered
 
-    function mdr_medium_graded(n, z, e, nu, model, options, out) result(status) bind(C)
+    function mdr_medium_graded(n, z, e, nu, model, options, out) result(status) bind(C, name="mdrcontact_entry_medium_graded")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: z(*), e(*), nu(*)
         integer(c_int), value :: model
@@ -79,7 +80,8 @@ contains
         status = deliver_model(body, model, options, out, error)
     end function mdr_medium_graded
 
-    function mdr_medium_graded_callback(e, nu, context, depth, model, options, out) result(status) bind(C)
+    function mdr_medium_graded_callback(e, nu, context, depth, model, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_medium_graded_callback")
         type(c_funptr), value :: e, nu
         type(c_ptr), value :: context
         real(c_double), value :: depth
@@ -97,7 +99,7 @@ contains
         status = deliver_model(body, model, options, out, error)
     end function mdr_medium_graded_callback
 
-    function mdr_medium_power_graded(e0, z0, exponent, nu, out) result(status) bind(C)
+    function mdr_medium_power_graded(e0, z0, exponent, nu, out) result(status) bind(C, name="mdrcontact_entry_medium_power_graded")
         real(c_double), value :: e0, z0, exponent, nu
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status

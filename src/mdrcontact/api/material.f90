@@ -23,7 +23,7 @@ module mdrcontact_api_material
 
 contains
 
-    function mdr_material_elastic(e, nu, out) result(status) bind(C)
+    function mdr_material_elastic(e, nu, out) result(status) bind(C, name="mdrcontact_entry_material_elastic")
         real(c_double), value :: e, nu
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -37,7 +37,7 @@ contains
     end function mdr_material_elastic
 
     function mdr_material_viscoelastic(relaxed_shear_modulus, n, moduli, times, viscosity, nu, bulk_modulus, out) &
-        result(status) bind(C)
+        result(status) bind(C, name="mdrcontact_entry_material_viscoelastic")
         real(c_double), value :: relaxed_shear_modulus, viscosity, nu, bulk_modulus
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: moduli(*), times(*)
@@ -60,7 +60,8 @@ contains
         status = deliver(rheology, out, error)
     end function mdr_material_viscoelastic
 
-    function mdr_material_power_law(modulus, time, exponent, nu, out) result(status) bind(C)
+    function mdr_material_power_law(modulus, time, exponent, nu, out) result(status) &
+        bind(C, name="mdrcontact_entry_material_power_law")
         real(c_double), value :: modulus, time, exponent, nu
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -71,7 +72,7 @@ contains
         status = deliver(rheology, out, error)
     end function mdr_material_power_law
 
-    function mdr_material_relaxation(m, n, t, out) result(status) bind(C)
+    function mdr_material_relaxation(m, n, t, out) result(status) bind(C, name="mdrcontact_entry_material_relaxation")
         type(c_ptr), value :: m
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: t(*)
@@ -81,7 +82,7 @@ contains
         status = in_time(m, n, t, out, .false.)
     end function mdr_material_relaxation
 
-    function mdr_material_creep(m, n, t, out) result(status) bind(C)
+    function mdr_material_creep(m, n, t, out) result(status) bind(C, name="mdrcontact_entry_material_creep")
         type(c_ptr), value :: m
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: t(*)
@@ -125,7 +126,8 @@ contains
         status = status_of(error)
     end function in_time
 
-    function mdr_material_complex_modulus(m, n, omega, storage, loss) result(status) bind(C)
+    function mdr_material_complex_modulus(m, n, omega, storage, loss) result(status) &
+        bind(C, name="mdrcontact_entry_material_complex_modulus")
         type(c_ptr), value :: m
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: omega(*)
@@ -156,7 +158,7 @@ contains
         status = status_of(error)
     end function mdr_material_complex_modulus
 
-    function mdr_material_limit(m, limit, e, nu) result(status) bind(C)
+    function mdr_material_limit(m, limit, e, nu) result(status) bind(C, name="mdrcontact_entry_material_limit")
         type(c_ptr), value :: m
         integer(c_int), value :: limit
         real(c_double), intent(inout), optional :: e, nu
@@ -180,7 +182,8 @@ contains
         if (present(nu)) nu = material%poisson
     end function mdr_material_limit
 
-    function mdr_medium_viscoelastic(n, materials, thickness, substrate, model, options, out) result(status) bind(C)
+    function mdr_medium_viscoelastic(n, materials, thickness, substrate, model, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_medium_viscoelastic")
         integer(c_int), value :: n
         type(c_ptr), intent(in), optional :: materials(*)
         real(c_double), intent(in), optional :: thickness(*)

@@ -22,7 +22,7 @@ module mdrcontact_api_medium
 
 contains
 
-    function mdr_medium_homogeneous(e, nu, out) result(status) bind(C)
+    function mdr_medium_homogeneous(e, nu, out) result(status) bind(C, name="mdrcontact_entry_medium_homogeneous")
         real(c_double), value :: e, nu
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -35,7 +35,7 @@ contains
         status = deliver(medium, out, error)
     end function mdr_medium_homogeneous
 
-    function mdr_medium_contact_modulus(contact_modulus, out) result(status) bind(C)
+    function mdr_medium_contact_modulus(contact_modulus, out) result(status) bind(C, name="mdrcontact_entry_medium_contact_modulus")
         real(c_double), value :: contact_modulus
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -46,7 +46,7 @@ contains
         status = deliver(medium, out, error)
     end function mdr_medium_contact_modulus
 
-    function mdr_medium_rigid(out) result(status) bind(C)
+    function mdr_medium_rigid(out) result(status) bind(C, name="mdrcontact_entry_medium_rigid")
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(homogeneous_t) :: medium
@@ -56,7 +56,7 @@ contains
         status = deliver(medium, out, error)
     end function mdr_medium_rigid
 
-    function mdr_medium_pair(lower, upper, out) result(status) bind(C)
+    function mdr_medium_pair(lower, upper, out) result(status) bind(C, name="mdrcontact_entry_medium_pair")
         type(c_ptr), value :: lower, upper
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -72,7 +72,7 @@ contains
         status = hand_over(object, out, error)
     end function mdr_medium_pair
 
-    function mdr_medium_modulus(m, n, a, out) result(status) bind(C)
+    function mdr_medium_modulus(m, n, a, out) result(status) bind(C, name="mdrcontact_entry_medium_modulus")
         type(c_ptr), value :: m
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
@@ -82,7 +82,7 @@ contains
         status = write_values(m, of_modulus, n, a, out)
     end function mdr_medium_modulus
 
-    function mdr_medium_stiffness(m, n, a, out) result(status) bind(C)
+    function mdr_medium_stiffness(m, n, a, out) result(status) bind(C, name="mdrcontact_entry_medium_stiffness")
         type(c_ptr), value :: m
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
@@ -92,7 +92,7 @@ contains
         status = write_values(m, of_stiffness, n, a, out)
     end function mdr_medium_stiffness
 
-    function mdr_medium_tangential_modulus(m, n, a, out) result(status) bind(C)
+    function mdr_medium_tangential_modulus(m, n, a, out) result(status) bind(C, name="mdrcontact_entry_medium_tangential_modulus")
         type(c_ptr), value :: m
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)
@@ -102,7 +102,7 @@ contains
         status = write_values(m, of_tangential_modulus, n, a, out)
     end function mdr_medium_tangential_modulus
 
-    function mdr_medium_torsional_stiffness(m, n, a, out) result(status) bind(C)
+    function mdr_medium_torsional_stiffness(m, n, a, out) result(status) bind(C, name="mdrcontact_entry_medium_torsional_stiffness")
         type(c_ptr), value :: m
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*)

@@ -13,7 +13,7 @@ module mdrcontact_api_medium_data
 
 contains
 
-    function mdr_medium_table(n, a, moduli, out) result(status) bind(C)
+    function mdr_medium_table(n, a, moduli, out) result(status) bind(C, name="mdrcontact_entry_medium_table")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: a(*), moduli(*)
         type(c_ptr), intent(inout), optional :: out
@@ -37,7 +37,8 @@ contains
         status = hand_over(object, out, error)
     end function mdr_medium_table
 
-    function mdr_medium_callback(modulus, context, smallest_radius, largest_radius, out) result(status) bind(C)
+    function mdr_medium_callback(modulus, context, smallest_radius, largest_radius, out) result(status) &
+        bind(C, name="mdrcontact_entry_medium_callback")
         type(c_funptr), value :: modulus
         type(c_ptr), value :: context
         real(c_double), value :: smallest_radius, largest_radius

@@ -17,7 +17,7 @@ module mdrcontact_api_profile
 
 contains
 
-    function mdr_profile_paraboloid(radius, out) result(status) bind(C)
+    function mdr_profile_paraboloid(radius, out) result(status) bind(C, name="mdrcontact_entry_profile_paraboloid")
         real(c_double), value :: radius
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -28,7 +28,7 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_paraboloid
 
-    function mdr_profile_sphere(radius, out) result(status) bind(C)
+    function mdr_profile_sphere(radius, out) result(status) bind(C, name="mdrcontact_entry_profile_sphere")
         real(c_double), value :: radius
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -39,7 +39,7 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_sphere
 
-    function mdr_profile_cone(inclination, out) result(status) bind(C)
+    function mdr_profile_cone(inclination, out) result(status) bind(C, name="mdrcontact_entry_profile_cone")
         real(c_double), value :: inclination
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -50,7 +50,7 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_cone
 
-    function mdr_profile_power(exponent, coefficient, out) result(status) bind(C)
+    function mdr_profile_power(exponent, coefficient, out) result(status) bind(C, name="mdrcontact_entry_profile_power")
         real(c_double), value :: exponent, coefficient
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -61,7 +61,7 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_power
 
-    function mdr_profile_flat_punch(radius, out) result(status) bind(C)
+    function mdr_profile_flat_punch(radius, out) result(status) bind(C, name="mdrcontact_entry_profile_flat_punch")
         real(c_double), value :: radius
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -72,7 +72,7 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_flat_punch
 
-    function mdr_profile_flat_cone(end_radius, inclination, out) result(status) bind(C)
+    function mdr_profile_flat_cone(end_radius, inclination, out) result(status) bind(C, name="mdrcontact_entry_profile_flat_cone")
         real(c_double), value :: end_radius, inclination
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -83,7 +83,8 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_flat_cone
 
-    function mdr_profile_flat_paraboloid(end_radius, radius, out) result(status) bind(C)
+    function mdr_profile_flat_paraboloid(end_radius, radius, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_flat_paraboloid")
         real(c_double), value :: end_radius, radius
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -94,7 +95,8 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_flat_paraboloid
 
-    function mdr_profile_rounded_cone(blend_radius, inclination, out) result(status) bind(C)
+    function mdr_profile_rounded_cone(blend_radius, inclination, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_rounded_cone")
         real(c_double), value :: blend_radius, inclination
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status

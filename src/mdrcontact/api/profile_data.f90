@@ -17,7 +17,8 @@ module mdrcontact_api_profile_data
 
 contains
 
-    function mdr_profile_area_function(n, coefficients, min_height, max_height, out) result(status) bind(C)
+    function mdr_profile_area_function(n, coefficients, min_height, max_height, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_area_function")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: coefficients(*)
         real(c_double), value :: min_height, max_height
@@ -36,7 +37,7 @@ contains
         status = hand_over(object, out, error)
     end function mdr_profile_area_function
 
-    function mdr_profile_table(n, r, f, out) result(status) bind(C)
+    function mdr_profile_table(n, r, f, out) result(status) bind(C, name="mdrcontact_entry_profile_table")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: r(*), f(*)
         type(c_ptr), intent(inout), optional :: out
@@ -55,7 +56,7 @@ contains
         status = hand_over(object, out, error)
     end function mdr_profile_table
 
-    function mdr_profile_from_mdr_table(n, x, g, out) result(status) bind(C)
+    function mdr_profile_from_mdr_table(n, x, g, out) result(status) bind(C, name="mdrcontact_entry_profile_from_mdr_table")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*), g(*)
         type(c_ptr), intent(inout), optional :: out
@@ -74,7 +75,8 @@ contains
         status = hand_over(object, out, error)
     end function mdr_profile_from_mdr_table
 
-    function mdr_profile_callback(height, context, largest_radius, out) result(status) bind(C)
+    function mdr_profile_callback(height, context, largest_radius, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_callback")
         type(c_funptr), value :: height
         type(c_ptr), value :: context
         real(c_double), value :: largest_radius
@@ -92,7 +94,7 @@ contains
         status = hand_over(object, out, error)
     end function mdr_profile_callback
 
-    function mdr_profile_sum(n, terms, out) result(status) bind(C)
+    function mdr_profile_sum(n, terms, out) result(status) bind(C, name="mdrcontact_entry_profile_sum")
         integer(c_int), value :: n
         type(c_ptr), intent(in), optional :: terms(*)
         type(c_ptr), intent(inout), optional :: out

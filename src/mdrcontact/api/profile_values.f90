@@ -15,7 +15,7 @@ module mdrcontact_api_profile_values
 
 contains
 
-    function mdr_profile_height(p, n, r, out) result(status) bind(C)
+    function mdr_profile_height(p, n, r, out) result(status) bind(C, name="mdrcontact_entry_profile_height")
         type(c_ptr), value :: p
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: r(*)
@@ -25,7 +25,7 @@ contains
         status = write_values(p, of_height, n, "r", r, out)
     end function mdr_profile_height
 
-    function mdr_profile_slope(p, n, r, out) result(status) bind(C)
+    function mdr_profile_slope(p, n, r, out) result(status) bind(C, name="mdrcontact_entry_profile_slope")
         type(c_ptr), value :: p
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: r(*)
@@ -35,7 +35,7 @@ contains
         status = write_values(p, of_slope, n, "r", r, out)
     end function mdr_profile_slope
 
-    function mdr_profile_mdr(p, n, x, out) result(status) bind(C)
+    function mdr_profile_mdr(p, n, x, out) result(status) bind(C, name="mdrcontact_entry_profile_mdr")
         type(c_ptr), value :: p
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*)
@@ -45,7 +45,7 @@ contains
         status = write_values(p, of_mdr, n, "x", x, out)
     end function mdr_profile_mdr
 
-    function mdr_profile_mdr_slope(p, n, x, out) result(status) bind(C)
+    function mdr_profile_mdr_slope(p, n, x, out) result(status) bind(C, name="mdrcontact_entry_profile_mdr_slope")
         type(c_ptr), value :: p
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*)

@@ -62,7 +62,8 @@ contains
         if (present(options)) options = default_options()
     end subroutine mdr_structure_options_init
 
-    function mdr_structure_shapes(e, nu, n, kind, parameters, shape_e, shape_nu, options, out) result(status) bind(C)
+    function mdr_structure_shapes(e, nu, n, kind, parameters, shape_e, shape_nu, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_structure_shapes")
         real(c_double), value :: e, nu
         integer(c_int), value :: n
         integer(c_int), intent(in), optional :: kind(*)
@@ -106,7 +107,8 @@ contains
         status = hand_over(object, out, error)
     end function mdr_structure_shapes
 
-    function mdr_structure_voxels(size, labels, phases, e, nu, spacing, below_e, below_nu, options, out) result(status) bind(C)
+    function mdr_structure_voxels(size, labels, phases, e, nu, spacing, below_e, below_nu, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_structure_voxels")
         integer(c_int), intent(in), optional :: size(3), labels(*)
         integer(c_int), value :: phases
         real(c_double), intent(in), optional :: e(*), nu(*), spacing(3)
@@ -159,7 +161,8 @@ contains
         status = hand_over(object, out, error)
     end function mdr_structure_voxels
 
-    function mdr_structure_callback(field, context, reference_nu, options, out) result(status) bind(C)
+    function mdr_structure_callback(field, context, reference_nu, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_structure_callback")
         type(c_funptr), value :: field
         type(c_ptr), value :: context
         real(c_double), value :: reference_nu
@@ -182,7 +185,7 @@ contains
         status = deliver(structure, out, error)
     end function mdr_structure_callback
 
-    function mdr_structure_modulus(s, n, x, y, a, out) result(status) bind(C)
+    function mdr_structure_modulus(s, n, x, y, a, out) result(status) bind(C, name="mdrcontact_entry_structure_modulus")
         type(c_ptr), value :: s
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: x(*), y(*), a(*)
@@ -204,7 +207,8 @@ contains
         status = status_of(error)
     end function mdr_structure_modulus
 
-    function mdr_structure_medium(s, x, y, smallest_radius, largest_radius, points, out) result(status) bind(C)
+    function mdr_structure_medium(s, x, y, smallest_radius, largest_radius, points, out) result(status) &
+        bind(C, name="mdrcontact_entry_structure_medium")
         type(c_ptr), value :: s
         real(c_double), value :: x, y, smallest_radius, largest_radius
         integer(c_int), value :: points

@@ -47,7 +47,7 @@ contains
         end if
     end subroutine solve
 
-    function mdr_torsion_states(f, state, given, n, in, out) result(status) bind(C)
+    function mdr_torsion_states(f, state, given, n, in, out) result(status) bind(C, name="mdrcontact_entry_torsion_states")
         type(c_ptr), value :: f
         type(contact_state_t), intent(in), optional :: state
         integer(c_int), value :: given, n
@@ -82,7 +82,7 @@ contains
         status = status_of(error)
     end function mdr_torsion_states
 
-    function mdr_torsion_sliding(f, state, torque) result(status) bind(C)
+    function mdr_torsion_sliding(f, state, torque) result(status) bind(C, name="mdrcontact_entry_torsion_sliding")
         type(c_ptr), value :: f
         type(contact_state_t), intent(in), optional :: state
         real(c_double), intent(inout), optional :: torque
@@ -97,7 +97,7 @@ contains
         if (.not. allocated(error)) torque = torsion%sliding_torque
     end function mdr_torsion_sliding
 
-    function mdr_torsion_field(f, state, twisted, field, n, r, out) result(status) bind(C)
+    function mdr_torsion_field(f, state, twisted, field, n, r, out) result(status) bind(C, name="mdrcontact_entry_torsion_field")
         type(c_ptr), value :: f
         type(contact_state_t), intent(in), optional :: state
         type(torsional_state_t), intent(in), optional :: twisted
@@ -126,7 +126,8 @@ contains
         status = status_of(error)
     end function mdr_torsion_field
 
-    function mdr_torsion_loop(f, state, given, amplitude, n, twist, torque, dissipated) result(status) bind(C)
+    function mdr_torsion_loop(f, state, given, amplitude, n, twist, torque, dissipated) result(status) &
+        bind(C, name="mdrcontact_entry_torsion_loop")
         type(c_ptr), value :: f
         type(contact_state_t), intent(in), optional :: state
         integer(c_int), value :: given, n

@@ -14,7 +14,7 @@ module mdrcontact_api_weights
 
 contains
 
-    function mdr_weight_phi(n, xi, nu, out) result(status) bind(C)
+    function mdr_weight_phi(n, xi, nu, out) result(status) bind(C, name="mdrcontact_entry_weight_phi")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: xi(*)
         real(c_double), value :: nu
@@ -24,7 +24,7 @@ contains
         status = write_weights(of_i0_slope, n, xi, nu, out)
     end function mdr_weight_phi
 
-    function mdr_weight_i0(n, xi, nu, out) result(status) bind(C)
+    function mdr_weight_i0(n, xi, nu, out) result(status) bind(C, name="mdrcontact_entry_weight_i0")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: xi(*)
         real(c_double), value :: nu
@@ -34,7 +34,7 @@ contains
         status = write_weights(of_i0, n, xi, nu, out)
     end function mdr_weight_i0
 
-    function mdr_weight_i1(n, xi, nu, out) result(status) bind(C)
+    function mdr_weight_i1(n, xi, nu, out) result(status) bind(C, name="mdrcontact_entry_weight_i1")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: xi(*)
         real(c_double), value :: nu
@@ -44,7 +44,7 @@ contains
         status = write_weights(of_i1, n, xi, nu, out)
     end function mdr_weight_i1
 
-    function mdr_weight_j0(n, xi, nu, out) result(status) bind(C)
+    function mdr_weight_j0(n, xi, nu, out) result(status) bind(C, name="mdrcontact_entry_weight_j0")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: xi(*)
         real(c_double), value :: nu
@@ -54,7 +54,7 @@ contains
         status = write_weights(of_j0, n, xi, nu, out)
     end function mdr_weight_j0
 
-    function mdr_weight_j1(n, xi, nu, out) result(status) bind(C)
+    function mdr_weight_j1(n, xi, nu, out) result(status) bind(C, name="mdrcontact_entry_weight_j1")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: xi(*)
         real(c_double), value :: nu
@@ -64,7 +64,7 @@ contains
         status = write_weights(of_j1, n, xi, nu, out)
     end function mdr_weight_j1
 
-    function mdr_weight_i0_tangential(n, xi, nu, out) result(status) bind(C)
+    function mdr_weight_i0_tangential(n, xi, nu, out) result(status) bind(C, name="mdrcontact_entry_weight_i0_tangential")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: xi(*)
         real(c_double), value :: nu
@@ -74,7 +74,7 @@ contains
         status = write_weights(of_i0_tangential, n, xi, nu, out)
     end function mdr_weight_i0_tangential
 
-    function mdr_weight_j0_tangential(n, xi, nu, out) result(status) bind(C)
+    function mdr_weight_j0_tangential(n, xi, nu, out) result(status) bind(C, name="mdrcontact_entry_weight_j0_tangential")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: xi(*)
         real(c_double), value :: nu

@@ -1,0 +1,1325 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/write_entries.py. */
+#include "../arithmetic.h"
+#include "mdrcontact.h"
+
+int mdrcontact_entry_profile_paraboloid(double radius, mdr_profile **out);
+int mdr_profile_paraboloid(double radius, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_paraboloid(radius, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_paraboloid(radius, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_sphere(double radius, mdr_profile **out);
+int mdr_profile_sphere(double radius, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_sphere(radius, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_sphere(radius, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_cone(double inclination, mdr_profile **out);
+int mdr_profile_cone(double inclination, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_cone(inclination, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_cone(inclination, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_power(double exponent, double coefficient, mdr_profile **out);
+int mdr_profile_power(double exponent, double coefficient, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_power(exponent, coefficient, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_power(exponent, coefficient, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_flat_punch(double radius, mdr_profile **out);
+int mdr_profile_flat_punch(double radius, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_flat_punch(radius, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_flat_punch(radius, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_flat_cone(double end_radius, double inclination, mdr_profile **out);
+int mdr_profile_flat_cone(double end_radius, double inclination, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_flat_cone(end_radius, inclination, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_flat_cone(end_radius, inclination, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_flat_paraboloid(double end_radius, double radius, mdr_profile **out);
+int mdr_profile_flat_paraboloid(double end_radius, double radius, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_flat_paraboloid(end_radius, radius, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_flat_paraboloid(end_radius, radius, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_rounded_cone(double blend_radius, double inclination, mdr_profile **out);
+int mdr_profile_rounded_cone(double blend_radius, double inclination, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_rounded_cone(blend_radius, inclination, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_rounded_cone(blend_radius, inclination, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_area_function(int n, const double coefficients[], double min_height, double max_height,
+        mdr_profile **out);
+int mdr_profile_area_function(int n, const double coefficients[], double min_height, double max_height, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_area_function(n, coefficients, min_height, max_height, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_area_function(n, coefficients, min_height, max_height, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_table(int n, const double r[], const double f[], mdr_profile **out);
+int mdr_profile_table(int n, const double r[], const double f[], mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_table(n, r, f, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_table(n, r, f, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_callback(mdr_function height, void *context, double largest_radius, mdr_profile **out);
+int mdr_profile_callback(mdr_function height, void *context, double largest_radius, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_callback(height, context, largest_radius, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_callback(height, context, largest_radius, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_sum(int n, const mdr_profile *const terms[], mdr_profile **out);
+int mdr_profile_sum(int n, const mdr_profile *const terms[], mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_sum(n, terms, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_sum(n, terms, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_from_mdr_table(int n, const double x[], const double g[], mdr_profile **out);
+int mdr_profile_from_mdr_table(int n, const double x[], const double g[], mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_from_mdr_table(n, x, g, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_from_mdr_table(n, x, g, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_height(const mdr_profile *p, int n, const double r[], double out[]);
+int mdr_profile_height(const mdr_profile *p, int n, const double r[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_height(p, n, r, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_height(p, n, r, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_slope(const mdr_profile *p, int n, const double r[], double out[]);
+int mdr_profile_slope(const mdr_profile *p, int n, const double r[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_slope(p, n, r, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_slope(p, n, r, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_mdr(const mdr_profile *p, int n, const double x[], double out[]);
+int mdr_profile_mdr(const mdr_profile *p, int n, const double x[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_mdr(p, n, x, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_mdr(p, n, x, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_profile_mdr_slope(const mdr_profile *p, int n, const double x[], double out[]);
+int mdr_profile_mdr_slope(const mdr_profile *p, int n, const double x[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_mdr_slope(p, n, x, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_profile_mdr_slope(p, n, x, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_homogeneous(double E, double nu, mdr_medium **out);
+int mdr_medium_homogeneous(double E, double nu, mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_homogeneous(E, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_homogeneous(E, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_contact_modulus(double contact_modulus, mdr_medium **out);
+int mdr_medium_contact_modulus(double contact_modulus, mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_contact_modulus(contact_modulus, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_contact_modulus(contact_modulus, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_coated(double coating_E, double coating_nu, double thickness, double substrate_E, double substrate_nu,
+        int model, const mdr_medium_options *options, mdr_medium **out);
+int mdr_medium_coated(double coating_E, double coating_nu, double thickness, double substrate_E, double substrate_nu, int model,
+        const mdr_medium_options *options, mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_coated(coating_E, coating_nu, thickness, substrate_E, substrate_nu,
+        model, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_coated(coating_E, coating_nu, thickness, substrate_E, substrate_nu, model, options,
+        out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_layered(int n, const double E[], const double nu[], const double thickness[], double substrate_E,
+        double substrate_nu, int model, const mdr_medium_options *options, mdr_medium **out);
+int mdr_medium_layered(int n, const double E[], const double nu[], const double thickness[], double substrate_E,
+        double substrate_nu, int model, const mdr_medium_options *options, mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_layered(n, E, nu, thickness, substrate_E, substrate_nu, model, options,
+        out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_layered(n, E, nu, thickness, substrate_E, substrate_nu, model, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_graded(int n, const double z[], const double E[], const double nu[], int model,
+        const mdr_medium_options *options, mdr_medium **out);
+int mdr_medium_graded(int n, const double z[], const double E[], const double nu[], int model, const mdr_medium_options *options,
+        mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_graded(n, z, E, nu, model, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_graded(n, z, E, nu, model, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_graded_callback(mdr_function E, mdr_function nu, void *context, double depth, int model,
+        const mdr_medium_options *options, mdr_medium **out);
+int mdr_medium_graded_callback(mdr_function E, mdr_function nu, void *context, double depth, int model,
+        const mdr_medium_options *options, mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_graded_callback(E, nu, context, depth, model, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_graded_callback(E, nu, context, depth, model, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_power_graded(double E0, double z0, double exponent, double nu, mdr_medium **out);
+int mdr_medium_power_graded(double E0, double z0, double exponent, double nu, mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_power_graded(E0, z0, exponent, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_power_graded(E0, z0, exponent, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_rigid(mdr_medium **out);
+int mdr_medium_rigid(mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_rigid(out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_rigid(out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_pair(const mdr_medium *lower, const mdr_medium *upper, mdr_medium **out);
+int mdr_medium_pair(const mdr_medium *lower, const mdr_medium *upper, mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_pair(lower, upper, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_pair(lower, upper, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_elastic(double E, double nu, mdr_material **out);
+int mdr_material_elastic(double E, double nu, mdr_material **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_elastic(E, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_elastic(E, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[],
+        double viscosity, double nu, double bulk_modulus, mdr_material **out);
+int mdr_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[], double viscosity,
+        double nu, double bulk_modulus, mdr_material **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_viscoelastic(relaxed_shear_modulus, n, moduli, times, viscosity, nu,
+        bulk_modulus, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_viscoelastic(relaxed_shear_modulus, n, moduli, times, viscosity, nu, bulk_modulus,
+        out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out);
+int mdr_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_power_law(modulus, time, exponent, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_power_law(modulus, time, exponent, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_relaxation(const mdr_material *m, int n, const double t[], double out[]);
+int mdr_material_relaxation(const mdr_material *m, int n, const double t[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_relaxation(m, n, t, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_relaxation(m, n, t, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_creep(const mdr_material *m, int n, const double t[], double out[]);
+int mdr_material_creep(const mdr_material *m, int n, const double t[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_creep(m, n, t, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_creep(m, n, t, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[]);
+int mdr_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_complex_modulus(m, n, omega, storage, loss);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_complex_modulus(m, n, omega, storage, loss);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_limit(const mdr_material *m, int limit, double *E, double *nu);
+int mdr_material_limit(const mdr_material *m, int limit, double *E, double *nu)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_limit(m, limit, E, nu);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_limit(m, limit, E, nu);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_viscoelastic(int n, const mdr_material *const materials[], const double thickness[],
+        const mdr_material *substrate, int model, const mdr_medium_options *options, mdr_medium **out);
+int mdr_medium_viscoelastic(int n, const mdr_material *const materials[], const double thickness[], const mdr_material *substrate,
+        int model, const mdr_medium_options *options, mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_viscoelastic(n, materials, thickness, substrate, model, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_viscoelastic(n, materials, thickness, substrate, model, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_table(int n, const double a[], const double moduli[], mdr_medium **out);
+int mdr_medium_table(int n, const double a[], const double moduli[], mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_table(n, a, moduli, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_table(n, a, moduli, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_callback(mdr_function modulus, void *context, double smallest_radius, double largest_radius,
+        mdr_medium **out);
+int mdr_medium_callback(mdr_function modulus, void *context, double smallest_radius, double largest_radius, mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_callback(modulus, context, smallest_radius, largest_radius, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_callback(modulus, context, smallest_radius, largest_radius, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_modulus(const mdr_medium *m, int n, const double a[], double out[]);
+int mdr_medium_modulus(const mdr_medium *m, int n, const double a[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_modulus(m, n, a, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_modulus(m, n, a, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
+int mdr_medium_stiffness(const mdr_medium *m, int n, const double a[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_stiffness(m, n, a, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_stiffness(m, n, a, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_tangential_modulus(const mdr_medium *m, int n, const double a[], double out[]);
+int mdr_medium_tangential_modulus(const mdr_medium *m, int n, const double a[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_tangential_modulus(m, n, a, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_tangential_modulus(m, n, a, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_medium_torsional_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
+int mdr_medium_torsional_stiffness(const mdr_medium *m, int n, const double a[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_torsional_stiffness(m, n, a, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_torsional_stiffness(m, n, a, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_weight_phi(int n, const double xi[], double nu, double out[]);
+int mdr_weight_phi(int n, const double xi[], double nu, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_weight_phi(n, xi, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_weight_phi(n, xi, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_weight_i0(int n, const double xi[], double nu, double out[]);
+int mdr_weight_i0(int n, const double xi[], double nu, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_weight_i0(n, xi, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_weight_i0(n, xi, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_weight_i1(int n, const double xi[], double nu, double out[]);
+int mdr_weight_i1(int n, const double xi[], double nu, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_weight_i1(n, xi, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_weight_i1(n, xi, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_weight_j0(int n, const double xi[], double nu, double out[]);
+int mdr_weight_j0(int n, const double xi[], double nu, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_weight_j0(n, xi, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_weight_j0(n, xi, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_weight_j1(int n, const double xi[], double nu, double out[]);
+int mdr_weight_j1(int n, const double xi[], double nu, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_weight_j1(n, xi, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_weight_j1(n, xi, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_weight_i0_tangential(int n, const double xi[], double nu, double out[]);
+int mdr_weight_i0_tangential(int n, const double xi[], double nu, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_weight_i0_tangential(n, xi, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_weight_i0_tangential(n, xi, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_weight_j0_tangential(int n, const double xi[], double nu, double out[]);
+int mdr_weight_j0_tangential(int n, const double xi[], double nu, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_weight_j0_tangential(n, xi, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_weight_j0_tangential(n, xi, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_new(const mdr_profile *profile, const mdr_medium *medium, const mdr_contact_options *options,
+        mdr_contact **out);
+int mdr_contact_new(const mdr_profile *profile, const mdr_medium *medium, const mdr_contact_options *options, mdr_contact **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_new(profile, medium, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_new(profile, medium, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_states(const mdr_contact *c, int given, int branch, int n, const double in[], mdr_state out[]);
+int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const double in[], mdr_state out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_states(c, given, branch, n, in, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_states(c, given, branch, n, in, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_from_depth(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[],
+        double k[]);
+int mdr_contact_from_depth(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_from_depth(c, n, in, d, a, F, k);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_from_depth(c, n, in, d, a, F, k);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_from_force(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[],
+        double k[]);
+int mdr_contact_from_force(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_from_force(c, n, in, d, a, F, k);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_from_force(c, n, in, d, a, F, k);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[],
+        double k[]);
+int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_from_radius(c, n, in, d, a, F, k);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_from_radius(c, n, in, d, a, F, k);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_history(const mdr_contact *c, int given, double tolerance, int n, const double time[],
+        const double in[], double d[], double a[], double F[]);
+int mdr_contact_history(const mdr_contact *c, int given, double tolerance, int n, const double time[], const double in[],
+        double d[], double a[], double F[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_history(c, given, tolerance, n, time, in, d, a, F);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_history(c, given, tolerance, n, time, in, d, a, F);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_dynamic_stiffness(const mdr_contact *c, int n, const double omega[], const double radius[],
+        double storage[], double loss[]);
+int mdr_contact_dynamic_stiffness(const mdr_contact *c, int n, const double omega[], const double radius[], double storage[],
+        double loss[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_dynamic_stiffness(c, n, omega, radius, storage, loss);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_dynamic_stiffness(c, n, omega, radius, storage, loss);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_step_response(const mdr_contact *c, int step, double radius, int n, const double time[], double out[]);
+int mdr_contact_step_response(const mdr_contact *c, int step, double radius, int n, const double time[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_step_response(c, step, radius, n, time, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_step_response(c, step, radius, n, time, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper);
+int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_energy(c, state, lower, upper);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_energy(c, state, lower, upper);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_field(const mdr_contact *c, int field, const mdr_state *state, int n, const double r[], double out[]);
+int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, int n, const double r[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_field(c, field, state, n, r, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_field(c, field, state, n, r, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_lowest_pressure(const mdr_contact *c, const mdr_state *state, double *pressure, double *r);
+int mdr_contact_lowest_pressure(const mdr_contact *c, const mdr_state *state, double *pressure, double *r)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_lowest_pressure(c, state, pressure, r);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_lowest_pressure(c, state, pressure, r);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_warnings(const mdr_contact *c, const mdr_state *state, char *buffer, int length, int *warnings);
+int mdr_contact_warnings(const mdr_contact *c, const mdr_state *state, char *buffer, int length, int *warnings)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_warnings(c, state, buffer, length, warnings);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_warnings(c, state, buffer, length, warnings);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_interior(const mdr_contact *c, int body, const mdr_state *state, int side, double friction, int n,
+        const double r[], const double z[], const double angle[], mdr_interior out[]);
+int mdr_contact_interior(const mdr_contact *c, int body, const mdr_state *state, int side, double friction, int n, const double r[],
+        const double z[], const double angle[], mdr_interior out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_interior(c, body, state, side, friction, n, r, z, angle, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_interior(c, body, state, side, friction, n, r, z, angle, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[],
+        int *count);
+int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[], int *count)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_layer_energies(c, body, state, capacity, out, count);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_layer_energies(c, body, state, capacity, out, count);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_new(const mdr_contact *c, double coefficient, mdr_friction **out);
+int mdr_friction_new(const mdr_contact *c, double coefficient, mdr_friction **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_new(c, coefficient, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_new(c, coefficient, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
+        mdr_tangential_state out[]);
+int mdr_friction_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
+        mdr_tangential_state out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_states(f, state, given, n, in, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_states(f, state, given, n, in, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_sliding(const mdr_friction *f, const mdr_state *state, double *shift, double *force);
+int mdr_friction_sliding(const mdr_friction *f, const mdr_state *state, double *shift, double *force)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_sliding(f, state, shift, force);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_sliding(f, state, shift, force);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_field(const mdr_friction *f, const mdr_state *state, const mdr_tangential_state *shear, int field,
+        int n, const double r[], double out[]);
+int mdr_friction_field(const mdr_friction *f, const mdr_state *state, const mdr_tangential_state *shear, int field, int n,
+        const double r[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_field(f, state, shear, field, n, r, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_field(f, state, shear, field, n, r, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n,
+        double shift[], double force[], double *dissipated);
+int mdr_friction_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double shift[],
+        double force[], double *dissipated)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_loop(f, state, given, amplitude, n, shift, force, dissipated);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_loop(f, state, given, amplitude, n, shift, force, dissipated);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_torsion_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
+        mdr_torsional_state out[]);
+int mdr_torsion_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
+        mdr_torsional_state out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_torsion_states(f, state, given, n, in, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_torsion_states(f, state, given, n, in, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_torsion_sliding(const mdr_friction *f, const mdr_state *state, double *torque);
+int mdr_torsion_sliding(const mdr_friction *f, const mdr_state *state, double *torque)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_torsion_sliding(f, state, torque);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_torsion_sliding(f, state, torque);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_torsion_field(const mdr_friction *f, const mdr_state *state, const mdr_torsional_state *twisted, int field,
+        int n, const double r[], double out[]);
+int mdr_torsion_field(const mdr_friction *f, const mdr_state *state, const mdr_torsional_state *twisted, int field, int n,
+        const double r[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_torsion_field(f, state, twisted, field, n, r, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_torsion_field(f, state, twisted, field, n, r, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_torsion_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double twist[],
+        double torque[], double *dissipated);
+int mdr_torsion_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double twist[],
+        double torque[], double *dissipated)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_torsion_loop(f, state, given, amplitude, n, twist, torque, dissipated);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_torsion_loop(f, state, given, amplitude, n, twist, torque, dissipated);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_history_new(const mdr_friction *f, double largest_depth, int rings, mdr_friction_history **out);
+int mdr_friction_history_new(const mdr_friction *f, double largest_depth, int rings, mdr_friction_history **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_history_new(f, largest_depth, rings, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_history_new(f, largest_depth, rings, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_history_copy(const mdr_friction_history *h, mdr_friction_history **out);
+int mdr_friction_history_copy(const mdr_friction_history *h, mdr_friction_history **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_history_copy(h, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_history_copy(h, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_history_advance(mdr_friction_history *h, int normal_given, int tangential_given, int n,
+        const double normal[], const double tangential[], mdr_state states[], mdr_tangential_state out[]);
+int mdr_friction_history_advance(mdr_friction_history *h, int normal_given, int tangential_given, int n, const double normal[],
+        const double tangential[], mdr_state states[], mdr_tangential_state out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_history_advance(h, normal_given, tangential_given, n, normal,
+        tangential, states, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_history_advance(h, normal_given, tangential_given, n, normal, tangential, states,
+        out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[],
+        int *count);
+int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_pull_off(c, control, capacity, d, a, F, count);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_pull_off(c, control, capacity, d, a, F, count);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_loop_new(const mdr_contact *c, int control, double largest, int points, double spring_stiffness,
+        mdr_loop **out);
+int mdr_loop_new(const mdr_contact *c, int control, double largest, int points, double spring_stiffness, mdr_loop **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_loop_new(c, control, largest, points, spring_stiffness, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_loop_new(c, control, largest, points, spring_stiffness, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_loop_dissipated_energy(const mdr_loop *l, double *energy);
+int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_loop_dissipated_energy(l, energy);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_loop_dissipated_energy(l, energy);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+        double thickness, double out[]);
+int mdr_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+        double thickness, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear,
+        thickness, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear, thickness, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
+        double thickness, double out[]);
+int mdr_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
+        double thickness, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness,
+        out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear,
+        double substrate_shear, double thickness, double work_of_adhesion, double out[]);
+int mdr_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+        double thickness, double work_of_adhesion, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear,
+        thickness, work_of_adhesion, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear, thickness,
+        work_of_adhesion, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
+int mdr_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
+int mdr_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness,
+        double out[]);
+int mdr_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[],
+        const double shape_E[], const double shape_nu[], const mdr_structure_options *options, mdr_structure **out);
+int mdr_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[], const double shape_E[],
+        const double shape_nu[], const mdr_structure_options *options, mdr_structure **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_shapes(E, nu, n, kind, parameters, shape_E, shape_nu, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_structure_shapes(E, nu, n, kind, parameters, shape_E, shape_nu, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_structure_voxels(const int size[3], const int labels[], int phases, const double E[], const double nu[],
+        const double spacing[3], double below_E, double below_nu, const mdr_structure_options *options, mdr_structure **out);
+int mdr_structure_voxels(const int size[3], const int labels[], int phases, const double E[], const double nu[],
+        const double spacing[3], double below_E, double below_nu, const mdr_structure_options *options, mdr_structure **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_voxels(size, labels, phases, E, nu, spacing, below_E, below_nu,
+        options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_structure_voxels(size, labels, phases, E, nu, spacing, below_E, below_nu, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_structure_callback(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
+        mdr_structure **out);
+int mdr_structure_callback(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
+        mdr_structure **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_callback(field, context, reference_nu, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_structure_callback(field, context, reference_nu, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_structure_modulus(const mdr_structure *s, int n, const double x[], const double y[], const double a[],
+        double out[]);
+int mdr_structure_modulus(const mdr_structure *s, int n, const double x[], const double y[], const double a[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_modulus(s, n, x, y, a, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_structure_modulus(s, n, x, y, a, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius,
+        int points, mdr_medium **out);
+int mdr_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius, int points,
+        mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_medium(s, x, y, smallest_radius, largest_radius, points, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_structure_medium(s, x, y, smallest_radius, largest_radius, points, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[]);
+int mdr_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_lateral_density(n, rho, z, nu, shear, poisson);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_lateral_density(n, rho, z, nu, shear, poisson);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx, const double x[], int ny,
+        const double y[], double shear[], double poisson[]);
+int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx, const double x[], int ny, const double y[],
+        double shear[], double poisson[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_lateral_rule(int order, double nu, double points[], double weights[]);
+int mdr_lateral_rule(int order, double nu, double points[], double weights[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_lateral_rule(order, nu, points, weights);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_lateral_rule(order, nu, points, weights);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_options *options, mdr_law **out);
+int mdr_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_options *options, mdr_law **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_law_new(contact, largest_depth, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_law_new(contact, largest_depth, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_law_with_radius(const mdr_law *law, double radius, mdr_law **out);
+int mdr_law_with_radius(const mdr_law *law, double radius, mdr_law **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_law_with_radius(law, radius, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_law_with_radius(law, radius, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_law_info(const mdr_law *law, mdr_law_facts *facts);
+int mdr_law_info(const mdr_law *law, mdr_law_facts *facts)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_law_info(law, facts);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_law_info(law, facts);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_law_save(const mdr_law *law, const char *path);
+int mdr_law_save(const mdr_law *law, const char *path)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_law_save(law, path);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_law_save(law, path);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_law_load(const char *path, mdr_law **out);
+int mdr_law_load(const char *path, mdr_law **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_law_load(path, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_law_load(path, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_law_write(const mdr_law *law, char *buffer, int length, int *full_length);
+int mdr_law_write(const mdr_law *law, char *buffer, int length, int *full_length)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_law_write(law, buffer, length, full_length);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_law_write(law, buffer, length, full_length);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_law_read(const char *buffer, int length, mdr_law **out);
+int mdr_law_read(const char *buffer, int length, mdr_law **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_law_read(buffer, length, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_law_read(buffer, length, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_law_new(const mdr_friction *f, double largest_depth, int sliders, const mdr_law_options *options,
+        mdr_friction_law **out);
+int mdr_friction_law_new(const mdr_friction *f, double largest_depth, int sliders, const mdr_law_options *options,
+        mdr_friction_law **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_new(f, largest_depth, sliders, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_law_new(f, largest_depth, sliders, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_law_advance(const mdr_friction_law *law, int n, const double force[], const double shift[],
+        double tangent[], double memory[], double T[]);
+int mdr_friction_law_advance(const mdr_friction_law *law, int n, const double force[], const double shift[], double tangent[],
+        double memory[], double T[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_advance(law, n, force, shift, tangent, memory, T);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_law_advance(law, n, force, shift, tangent, memory, T);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_law_try(const mdr_friction_law *law, int n, const double force[], const double shift[],
+        double tangent[], const double memory[], double T[]);
+int mdr_friction_law_try(const mdr_friction_law *law, int n, const double force[], const double shift[], double tangent[],
+        const double memory[], double T[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_try(law, n, force, shift, tangent, memory, T);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_law_try(law, n, force, shift, tangent, memory, T);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_law_energies(const mdr_friction_law *law, int n, const double memory[], double stored[],
+        double dissipated[]);
+int mdr_friction_law_energies(const mdr_friction_law *law, int n, const double memory[], double stored[], double dissipated[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_energies(law, n, memory, stored, dissipated);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_law_energies(law, n, memory, stored, dissipated);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_law_turn(const mdr_friction_law *law, int n, const double normal[], const double spin[],
+        double memory[]);
+int mdr_friction_law_turn(const mdr_friction_law *law, int n, const double normal[], const double spin[], double memory[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_turn(law, n, normal, spin, memory);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_law_turn(law, n, normal, spin, memory);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_law_info(const mdr_friction_law *law, mdr_friction_law_facts *facts);
+int mdr_friction_law_info(const mdr_friction_law *law, mdr_friction_law_facts *facts)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_info(law, facts);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_law_info(law, facts);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_law_save(const mdr_friction_law *law, const char *path);
+int mdr_friction_law_save(const mdr_friction_law *law, const char *path)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_save(law, path);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_law_save(law, path);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_law_load(const char *path, mdr_friction_law **out);
+int mdr_friction_law_load(const char *path, mdr_friction_law **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_load(path, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_law_load(path, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_law_write(const mdr_friction_law *law, char *buffer, int length, int *full_length);
+int mdr_friction_law_write(const mdr_friction_law *law, char *buffer, int length, int *full_length)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_write(law, buffer, length, full_length);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_law_write(law, buffer, length, full_length);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_friction_law_read(const char *buffer, int length, mdr_friction_law **out);
+int mdr_friction_law_read(const char *buffer, int length, mdr_friction_law **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_read(buffer, length, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_friction_law_read(buffer, length, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_fit_parameter_count(const mdr_fit_problem *problem, int *count);
+int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_fit_parameter_count(problem, count);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_fit_parameter_count(problem, count);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
+        const double sd[], double values[], double covariance[], double widening[], int at_bound[], double weakest_direction[],
+        double fitted[], double residuals[], mdr_fit_summary *summary);
+int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
+        const double sd[], double values[], double covariance[], double widening[], int at_bound[], double weakest_direction[],
+        double fitted[], double residuals[], mdr_fit_summary *summary)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_fit_solve(problem, n, x, y, given, sd, values, covariance, widening, at_bound,
+        weakest_direction, fitted, residuals, summary);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_fit_solve(problem, n, x, y, given, sd, values, covariance, widening, at_bound,
+        weakest_direction, fitted, residuals, summary);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
+        double fitted[], double radius[]);
+int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
+        double fitted[], double radius[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_fit_predict(problem, n, x, y, given, fitted, radius);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_fit_predict(problem, n, x, y, given, fitted, radius);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_fit_interval(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
+        const double sd[], int position, double level, double *lower, double *upper);
+int mdr_fit_interval(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
+        const double sd[], int position, double level, double *lower, double *upper)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_fit_interval(problem, n, x, y, given, sd, position, level, lower, upper);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_fit_interval(problem, n, x, y, given, sd, position, level, lower, upper);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_fit_quantile(double level, double degrees_of_freedom, double *factor);
+int mdr_fit_quantile(double level, double degrees_of_freedom, double *factor)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_fit_quantile(level, degrees_of_freedom, factor);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_fit_quantile(level, degrees_of_freedom, factor);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}

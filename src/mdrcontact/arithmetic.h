@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The arithmetic that the library computes in: results rounded to nearest, no number replaced by 0 because it is small, no traps. A host
+ * may have set another one for the calling thread; it gets that back.
+ */
+#ifndef MDRCONTACT_ARITHMETIC_H
+#define MDRCONTACT_ARITHMETIC_H
+
+#include <fenv.h>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+void mdrcontact_set_arithmetic(fenv_t *callers);
+void mdrcontact_set_arithmetic_back(const fenv_t *callers);
+
+/* Whether the thread computes as the library does: some nanoseconds. */
+static inline int arithmetic_is_set(void)
+{
+#ifdef __SSE2__
+    enum { FLAGS = 0x3f, MASKED_NEAREST = 0x1f80 };
+    return (_mm_getcsr() & ~(unsigned)FLAGS) == MASKED_NEAREST;
+#else
+    return fegetround() == FE_TONEAREST;
+#endif
+}
+
+#endif

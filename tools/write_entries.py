@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The C side of the functions of the header: write_entries.py HEADER C_FILE.
+
+Each function mdr_x sets the arithmetic of the library, calls mdrcontact_entry_x, which Fortran defines, and sets the caller's
+arithmetic again. Functions that do not compute, or take nanoseconds, are left to themselves. A file that is up to date is left alone.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "python" / "src"))
+from wrap_header import prototypes, without_comments, write  # noqa: E402
+
+# Functions without computation, and states of laws: under another rounding mode these differ in the last digits.
+DIRECT = re.compile(
+    r"mdr_(version|status_name|last_error|last_failure|set_\w+|\w+_free|\w+_options_init|fit_problem_init|model_(name|from_name|info)"
+    r"|law_(force|at_depth|at_force|follow|from_depth|from_force|energy|description)|friction_law_description|loop_(size|path|jumps))"
+)
+LONGEST_LINE = 132
+TOP = """/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/write_entries.py. */
+#include "../arithmetic.h"
+#include "mdrcontact.h"
+"""
+
+
+def folded(line):
+    """A line of C, broken after commas where it is too long."""
+    lines = [""]
+    for part in re.split(r"(?<=, )", line):
+        if len(lines[-1] + part.rstrip()) > LONGEST_LINE:
+            lines.append("        ")
+        lines[-1] += part
+    return [line.rstrip() for line in lines]
+
+
+def entry(name, words):
+    """Both declarations and the body."""
+    inner = name.replace("mdr_", "mdrcontact_entry_", 1)
+    names = ", ".join(re.fullmatch(r".*?(\w+)(\[\d*\])?", word)[1] for word in words)
+    taken = ", ".join(words)
+    call = f"{inner}({names});"
+    lines = [f"int {inner}({taken});", f"int {name}({taken})", "{", f"    if (arithmetic_is_set()) return {call}"]
+    lines += ["    fenv_t callers;", "    mdrcontact_set_arithmetic(&callers);", f"    const int status = {call}"]
+    lines += ["    mdrcontact_set_arithmetic_back(&callers);", "    return status;", "}", ""]
+    return [part for line in lines for part in folded(line)]
+
+
+def main(header, c_file):
+    """See the top of this file."""
+    functions = [(name, words) for result, name, words in prototypes(without_comments(header)) if result == "int"]
+    lines = [line for name, words in functions if not DIRECT.fullmatch(name) for line in entry(name, words)]
+    write(Path(c_file), TOP.split("\n") + lines[:-1])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
