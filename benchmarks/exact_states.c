@@ -310,7 +310,7 @@ typedef struct curve {
 static void solve_fit(void *with)
 {
     curve *c = with;
-    mdr_fit_summary summary;
+    mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
     check(mdr_fit_solve(&c->problem, FIT_POINTS, c->depth, c->force, NULL, c->sd, NULL, NULL, NULL, NULL, NULL, NULL, NULL,
                         &summary));
 }
@@ -322,7 +322,7 @@ static void fit_cost(void)
     static curve c;
     unsigned long long state = 20140101;
     int count;
-    mdr_fit_problem_init(&c.problem);
+    c.problem = MDR_SIZED(mdr_fit_problem);
     c.problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
     c.problem.medium = MDR_FIT_MEDIUM_STACK;
     c.problem.parameters = c.parameters;

@@ -306,7 +306,7 @@ int main(void)
     double *many = malloc(MANY * sizeof *many), *found = malloc(MANY * sizeof *found);
     unsigned long long state = 20140101;
     mdr_law *law = NULL, *gao_law = NULL;
-    mdr_law_facts facts;
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     mdr_contact *contact = coated_contact(1), *gao = coated_contact(0);
 
     if (!depths || !forces || !exact || !many || !found) return EXIT_FAILURE;

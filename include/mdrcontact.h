@@ -31,9 +31,12 @@
  * output array may be the input array itself; otherwise arrays must not overlap. Error messages count entries from 1,
  * indices in arguments and results begin at 0.
  *
- * @par Structures of options
- * They begin with their size, which their ..._init function sets: call it before anything else, then change members. A program that
- * was compiled with fewer members than the library has gets the defaults of the rest. MDR_EINVALID for a size that cannot be.
+ * @par Structures that grow
+ * Options, problems and what the library says of its objects may get more members in later versions. They begin with their size,
+ * which the program sets: `mdr_law_options options = MDR_SIZED(mdr_law_options);` - all other members are 0 then, which stands for
+ * the default; where 0 is a value, too, a member `..._is_given` says that it is meant. The library reads and writes the members
+ * that both it and the program know: a program runs with older and newer libraries than the header it was compiled with.
+ * MDR_EINVALID for a size that cannot be, and for members that are not 0 and that the library does not know.
  *
  * @par Handles and who frees them
  * They are made by the functions with an argument `out`, belong to the caller, and are freed by mdr_profile_free() and so on, which
@@ -42,9 +45,9 @@
  * mdr_friction_history, which must not be used by two threads at a time.
  *
  * @par Rounding
- * Every function that computes does so rounding to nearest, with denormal numbers and without traps of exceptions, and sets what the
- * calling thread had again; flags of exceptions stay set, as after any computation. User functions are called in this arithmetic
- * and leave it as it is. States of laws, which take nanoseconds - mdr_law_force(), mdr_law_at_depth(), mdr_law_at_force(),
+ * Every function that computes does so rounding to nearest, with denormal numbers and without traps of exceptions, and then sets
+ * the calling thread's own arithmetic again; flags of exceptions stay set, as after any computation. User functions are called in
+ * this arithmetic and leave it as it is. States of laws, which take nanoseconds - mdr_law_force(), mdr_law_at_depth(), mdr_law_at_force(),
  * mdr_law_follow(), mdr_law_from_depth(), mdr_law_from_force(), mdr_law_energy() and mdrcontact_law.h -, compute in the caller's:
  * under another rounding mode they differ in the last digits, by 1e-14.
  *
@@ -61,6 +64,19 @@
 #define MDRCONTACT_H
 
 #include <stddef.h>
+
+/** A structure that grows, `type`, with its size; all else in it is 0. */
+#ifdef __cplusplus
+template <typename T> inline T mdr_sized()
+{
+    T made = T();
+    made.size = sizeof(T);
+    return made;
+}
+#define MDR_SIZED(type) mdr_sized<type>()
+#else
+#define MDR_SIZED(type) ((type){.size = sizeof(type)})
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -108,15 +124,17 @@ int mdr_last_error(char *buffer, int length);
 /** The parts of a failure, for programs that put the words together themselves; mdr_last_error() says "entry 3 of xi = -1 is not
  *  allowed: ..." of the argument "xi", the entry 3 and the text " = -1 is not allowed: ...". */
 typedef struct mdr_failure {
+    size_t size;         /**< Of this structure; MDR_SIZED sets it. */
     int status;        /**< One of enum mdr_status; MDR_SUCCESS before the first failure. */
     int entry;         /**< Which entry of an array it is about, from 1; 0: none. */
     char argument[64]; /**< The argument that the text begins with; empty if the text stands alone. */
     char text[1024];   /**< What is wrong with it. */
 } mdr_failure;
 
-/** The calling thread's last failure.
- *  @param failure  receives it; NULL is allowed */
-void mdr_last_failure(mdr_failure *failure);
+/** The calling thread's last failure, which this call leaves as it is.
+ *  @param failure  begun by MDR_SIZED; receives it
+ *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a size that cannot be */
+int mdr_last_failure(mdr_failure *failure);
 
 /**
  * How many threads the calling thread's functions of arrays may use from now on: 1 at first. Each thread of a program has its own
@@ -330,6 +348,7 @@ enum mdr_model_base {
 
 /** What a model takes. */
 typedef struct mdr_model_facts {
+    size_t size;          /**< Of this structure; MDR_SIZED sets it. */
     double largest_ratio; /**< It is valid up to this a/h; INFINITY where there is no limit. */
     int base;             /**< One of enum mdr_model_base. */
     int takes_layers;     /**< 1: any number of layers; 0: one coating. */
@@ -338,11 +357,12 @@ typedef struct mdr_model_facts {
     char name[24];        /**< Its name. */
     char constant[24];    /**< The member of mdr_medium_options that is a number which a fit can find; empty if there is none. */
     char option[24];      /**< Another member that concerns it; empty if there is none. */
+    double default_constant; /**< The default of the member that `constant` names; 0 if there is none. */
 } mdr_model_facts;
 
 /** What a model takes.
  *  @param model  one of enum mdr_model
- *  @param facts  receives it */
+ *  @param facts  begun by MDR_SIZED; receives it */
 int mdr_model_info(int model, mdr_model_facts *facts);
 
 /** Which Poisson's ratio enters I0 of Gao's weights, which the source leaves open. */
@@ -353,19 +373,17 @@ enum mdr_weight_nu {
     MDR_WEIGHT_NU_GIVEN = 3      /**< The number weight_nu. */
 };
 
-/** What a model leaves to choose. Set by mdr_medium_options_init(), then changed; a model looks only at what concerns it. */
+/** What a model leaves to choose. Begun by MDR_SIZED; a model looks only at what concerns it. */
 typedef struct mdr_medium_options {
-    size_t size;          /**< Of this structure; set by mdr_medium_options_init(). */
+    size_t size;          /**< Of this structure; MDR_SIZED sets it. */
     double alpha;         /**< Doerner-Nix, Mencik: decay constant > 0 [1]; default 1. */
     double wave_factor;   /**< Wave: q a > 0 [1]; default pi/2. */
     int weight_nu_choice; /**< Gao: one of enum mdr_weight_nu; default MDR_WEIGHT_NU_SURFACE. */
-    double weight_nu;     /**< Gao: the number for MDR_WEIGHT_NU_GIVEN, -1 < nu <= 1/2; default 1/2. */
+    double weight_nu;     /**< Gao: the number for MDR_WEIGHT_NU_GIVEN, -1 < nu <= 1/2. */
     double tolerance;     /**< Exact: relative tolerance, 1e-12 to 1e-2; default 1e-10. */
     double exponent;      /**< Gao's power mean: p, -1 (series) to 1 (parallel), 0 for the logarithm's; default -0.65. */
+    int exponent_is_given; /**< Not 0: an exponent of 0 is meant. */
 } mdr_medium_options;
-
-/** Sets all options to their defaults. options = NULL is allowed. Never fails. */
-void mdr_medium_options_init(mdr_medium_options *options);
 
 /** Homogeneous half-space of one material, equations (1)-(8); E_eff = E/(1 - nu^2).
  *  @param E    Young's modulus > 0 [modulus]
@@ -641,10 +659,10 @@ enum mdr_control {
     MDR_CONTROL_SPRING = 2 /**< The far end of a spring that presses the indenter, d + F/stiffness; loops only. */
 };
 
-/** What a contact can have beyond indenter and medium. Set by mdr_contact_options_init(), then changed. The arrays are
+/** What a contact can have beyond indenter and medium. Begun by MDR_SIZED. The arrays are
  *  copied by mdr_contact_new(). */
 typedef struct mdr_contact_options {
-    size_t size;               /**< Of this structure; set by mdr_contact_options_init(). */
+    size_t size;               /**< Of this structure; MDR_SIZED sets it. */
     int zeta_count;            /**< Size of the table of zeta in (9), d = zeta(a) g(a), at least 3; default 0: zeta = 1. */
     const double *zeta_radius; /**< [zeta_count] contact radii > 0, strictly ascending; contacts reach the last one [length]. */
     const double *zeta;        /**< [zeta_count] zeta > 0 [1]; zeta(a) g(a) must not decrease. */
@@ -653,9 +671,6 @@ typedef struct mdr_contact_options {
     int zeta_is_exact;         /**< Not 0: instead of a table, the zeta of the same coated, layered or graded body solved exactly,
                                     for radii up to 1000 thicknesses, so that E_eff is the only approximation; default 0. */
 } mdr_contact_options;
-
-/** Sets all options to their defaults. options = NULL is allowed. Never fails. */
-void mdr_contact_options_init(mdr_contact_options *options);
 
 /** The contact of an indenter with a medium, both of which are copied.
  *  @param profile  indenter
@@ -1227,11 +1242,11 @@ enum mdr_shape {
     MDR_SHAPE_BOX = 5         /**< x_low, x_high, y_low, y_high, z_top, z_bottom, ascending in pairs. */
 };
 
-/** What a structure leaves to choose. Set by mdr_structure_options_init(), then changed; a structure looks only at what concerns
+/** What a structure leaves to choose. Begun by MDR_SIZED; a structure looks only at what concerns
  *  it. */
 typedef struct mdr_structure_options {
-    size_t size;         /**< Of this structure; set by mdr_structure_options_init(). */
-    double reference_nu; /**< Poisson's ratio of the weights, -1 < nu <= 1/2 [1]; default NAN: that of the background, or the mean
+    size_t size;         /**< Of this structure; MDR_SIZED sets it. */
+    double reference_nu; /**< Poisson's ratio of the weights, -1 < nu <= 1/2 [1]; default: that of the background, or the mean
                               over all voxels. */
     double tolerance;    /**< Shapes, functions: relative error of G_eff and nu_eff, 1e-10 to 0.1; default 1e-5. */
     int padded;          /**< Voxels: 0: the array repeats itself in x and y (default); else one material lies beside it. */
@@ -1242,10 +1257,9 @@ typedef struct mdr_structure_options {
     double origin[2];    /**< Voxels: x and y of the array's lower corner; default 0 [length]. */
     double exponent;     /**< p of the power mean G_eff = [sum w G^p]^(1/p): -1 (series) to 1 (parallel, the default), 0 for the
                               logarithm's. At one Poisson's ratio the exact E_eff lies between those of -1 and 1. */
+    int reference_nu_is_given; /**< Not 0: a reference_nu of 0 is meant. */
+    int exponent_is_given;     /**< Not 0: an exponent of 0 is meant. */
 } mdr_structure_options;
-
-/** Sets all options to their defaults. options = NULL is allowed. Never fails. */
-void mdr_structure_options_init(mdr_structure_options *options);
 
 /** Bodies in a background; where they overlap, the later one is there. What lies above the surface z = 0 does not count.
  *  @param E           Young's modulus of the background > 0 [modulus]
@@ -1352,9 +1366,9 @@ int mdr_lateral_rule(int order, double nu, double points[], double weights[]);
  *  mdr_law_read(), freed by mdr_law_free(). */
 typedef struct mdr_law mdr_law;
 
-/** What a law can be asked for. Set by mdr_law_options_init(), then changed. */
+/** What a law can be asked for. Begun by MDR_SIZED. */
 typedef struct mdr_law_options {
-    size_t size;             /**< Of this structure; set by mdr_law_options_init(). */
+    size_t size;             /**< Of this structure; MDR_SIZED sets it. */
     double smallest_depth;   /**< Without adhesion: depth > 0 from which on the tolerance holds, at most half the largest; nearer
                                   to first touch the law follows a power of d. Default 0: 1e-4 of the largest [length]. */
     double tolerance;        /**< Of F, a and k, relative, 1e-12 to 1e-2; with adhesion relative to |F| + |d dF/dd|;
@@ -1376,9 +1390,6 @@ typedef struct mdr_law_point {
     double beyond;    /**< How far d lies beyond the largest depth, where the numbers are those of a tangent and no longer those of
                            the contact; 0 within the range [length]. */
 } mdr_law_point;
-
-/** Sets all options to their defaults. options = NULL is allowed. Never fails. */
-void mdr_law_options_init(mdr_law_options *options);
 
 /** Compiles the law of a contact.
  *  @param contact        contact, with or without adhesion
@@ -1468,6 +1479,7 @@ int mdr_law_energy(const mdr_law *law, int branch, int n, const double d[], doub
 
 /** What a law is. */
 typedef struct mdr_law_facts {
+    size_t size;            /**< Of this structure; MDR_SIZED sets it. */
     double lowest_depth;    /**< The compiled range begins here: at pull-off with adhesion [length]. */
     double highest_depth;   /**< The compiled range ends here [length]. */
     double lowest_force;    /**< The same for the force [modulus length^2]. */
@@ -1483,7 +1495,7 @@ typedef struct mdr_law_facts {
 
 /** What a law is.
  *  @param law    law
- *  @param facts  receives it */
+ *  @param facts  begun by MDR_SIZED; receives it */
 int mdr_law_info(const mdr_law *law, mdr_law_facts *facts);
 
 /** The problem a law was made from, in the words of the options.
@@ -1591,6 +1603,7 @@ int mdr_friction_law_turn(const mdr_friction_law *law, int n, const double norma
 
 /** What a law with friction is. */
 typedef struct mdr_friction_law_facts {
+    size_t size;                  /**< Of this structure; MDR_SIZED sets it. */
     double coefficient;           /**< Of friction [1]. */
     double highest_force;         /**< The largest normal force of the compiled range [modulus length^2]. */
     double highest_sliding_shift; /**< The shift of first shear at which the contact slides under that force [length]. */
@@ -1607,7 +1620,7 @@ typedef struct mdr_friction_law_facts {
 
 /** What a law with friction is.
  *  @param law    law
- *  @param facts  receives it */
+ *  @param facts  begun by MDR_SIZED; receives it */
 int mdr_friction_law_info(const mdr_friction_law *law, mdr_friction_law_facts *facts);
 
 /** The problem a law with friction was made from, in the words of the options.
@@ -1732,9 +1745,9 @@ typedef struct mdr_fit_parameter {
     int is_free;     /**< 0: fixed; else the fit may change it. */
 } mdr_fit_parameter;
 
-/** The question of a fit. Set by mdr_fit_problem_init(), then changed. Handles and parameters are only read, during the call. */
+/** The question of a fit. Begun by MDR_SIZED. Handles and parameters are only read, during the call. */
 typedef struct mdr_fit_problem {
-    size_t size;                         /**< Of this structure; set by mdr_fit_problem_init(). */
+    size_t size;                         /**< Of this structure; MDR_SIZED sets it. */
     int data_kind;                       /**< One of enum mdr_fit_data_kind; default MDR_FIT_FORCE_DEPTH. */
     int indenter;                        /**< One of enum mdr_fit_indenter; default MDR_FIT_INDENTER_GIVEN. */
     const mdr_profile *profile;          /**< For MDR_FIT_INDENTER_GIVEN. */
@@ -1747,10 +1760,10 @@ typedef struct mdr_fit_problem {
     int adhesion_rule;                   /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
     int loss;                            /**< One of enum mdr_fit_loss; default MDR_FIT_LINEAR. */
     double loss_scale;                   /**< Standard deviations > 0 beyond which a residual counts less; default 1.345. */
-    int sd_is_absolute;                  /**< 1: the standard deviations of the data are known; 0: only their ratios; default 1. */
+    int sd_is_relative;                  /**< Not 0: of the standard deviations of the data only the ratios are known; default 0. */
     int max_iterations;                  /**< Of one search, at least 1; default 100. */
-    int check_units;                     /**< 1: data more than 300 times larger or smaller than the model at the start are refused;
-                                              default 1. */
+    int any_units;                       /**< 0: data more than 300 times larger or smaller than the model at the start are refused;
+                                              default 0. */
     int parameter_count;                 /**< See mdr_fit_parameter_count(). */
     const mdr_fit_parameter *parameters; /**< [parameter_count] those of indenter, medium, counterbody, and instrument. */
     int prior_count;                     /**< Rows of prior_weights >= 0; default 0. */
@@ -1762,8 +1775,8 @@ typedef struct mdr_fit_problem {
                                               In a fit the readings say which points are in contact, in mdr_fit_predict() the
                                               model does. For MDR_FIT_DYNAMIC_STIFFNESS of enum mdr_fit_part. */
     int counterbody;                     /**< The upper one of two deformable bodies, as in mdr_medium_pair(): one of enum
-                                              mdr_fit_medium; default MDR_FIT_MEDIUM_NONE: the indenter is rigid, or
-                                              MDR_FIT_INDENTER_MODULUS says how stiff. */
+                                              mdr_fit_medium; default MDR_FIT_MEDIUM_GIVEN, and none where counterbody_object is
+                                              NULL: the indenter is rigid, or MDR_FIT_INDENTER_MODULUS says how stiff. */
     const mdr_medium *counterbody_object; /**< As `medium_object`. */
     int counterbody_model;               /**< As `model`. */
     int counterbody_layers;              /**< As `layers`. */
@@ -1771,13 +1784,13 @@ typedef struct mdr_fit_problem {
     int is_elastic;                      /**< Of MDR_FIT_STIFFNESS_DEPTH: 1: nothing has yielded, loading and unloading are one curve,
                                               and the surface sinks in as under the indenter itself; 0 (default): it sinks in as
                                               under the smooth indenter that MDR_FIT_CONTACT_DEPTH_FACTOR stands for. */
+    int model_is_given;                  /**< Not 0: a model of 0, MDR_MODEL_GAO, is meant. */
+    int counterbody_model_is_given;      /**< As `model_is_given`. */
 } mdr_fit_problem;
-
-/** Sets everything to its default. problem = NULL is allowed. Never fails. */
-void mdr_fit_problem_init(mdr_fit_problem *problem);
 
 /** What speaks for or against a fit. */
 typedef struct mdr_fit_summary {
+    size_t size;               /**< Of this structure; MDR_SIZED sets it. */
     int converged;             /**< 1, or 0: the parameters are the best point found. */
     int iterations;            /**< Steps of the search. */
     int evaluations;           /**< How often the model was computed at all data. */
@@ -1816,7 +1829,7 @@ int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
  *  @param weakest_direction  [m] or NULL: the relative change of the free parameters that the data determine least
  *  @param fitted             [n] or NULL: the model at the data, in the unit of y
  *  @param residuals          [n] or NULL: (y - model)/standard deviation [1]
- *  @param summary            or NULL: what speaks for or against the fit
+ *  @param summary            or NULL; begun by MDR_SIZED: what speaks for or against the fit
  *  @return MDR_EINVALID also for data in other units than the start, or too few; what the model answers at the start */
 int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
                   const double sd[], double values[], double covariance[], double widening[], int at_bound[],

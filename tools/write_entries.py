@@ -2,7 +2,8 @@
 """The C side of the functions of the header: write_entries.py HEADER C_FILE.
 
 Each function mdr_x sets the arithmetic of the library, calls mdrcontact_entry_x, which Fortran defines, and sets the caller's
-arithmetic again. Functions that do not compute, or take nanoseconds, are left to themselves. A file that is up to date is left alone.
+arithmetic again. Functions that do not compute, or take nanoseconds, are left to themselves. A file that is up to date is left
+alone.
 """
 
 import re
@@ -14,7 +15,7 @@ from wrap_header import prototypes, without_comments, write  # noqa: E402
 
 # Functions without computation, and states of laws: under another rounding mode these differ in the last digits.
 DIRECT = re.compile(
-    r"mdr_(version|status_name|last_error|last_failure|set_\w+|\w+_free|\w+_options_init|fit_problem_init|model_(name|from_name|info)"
+    r"mdr_(version|status_name|last_error|last_failure|set_\w+|\w+_free|model_(name|from_name|info)"
     r"|law_(force|at_depth|at_force|follow|from_depth|from_force|energy|description)|friction_law_description|loop_(size|path|jumps))"
 )
 LONGEST_LINE = 132

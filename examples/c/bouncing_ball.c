@@ -33,7 +33,7 @@ static mdr_law *painted_plate(double ball_radius, double largest_depth)
     mdr_law *law = NULL;
     mdr_law_options options;
 
-    mdr_law_options_init(&options);
+    options = MDR_SIZED(mdr_law_options);
     options.description = "steel ball R = 1 mm on 25 um epoxy on aluminium, SI units";
     check(mdr_profile_paraboloid(ball_radius, &ball));
     check(mdr_medium_coated(3e9, 0.35, 25e-6, 70e9, 0.33, MDR_MODEL_EXACT, NULL, &plate));
@@ -50,7 +50,7 @@ int main(int argc, char *argv[])
     const double pi = acos(-1.0), radius = 1e-3, gravity = 9.81, step = 2e-8;
     const double mass = 4.0 / 3.0 * pi * radius * radius * radius * 7850.0;
     mdr_law *law = painted_plate(radius, 20e-6);
-    mdr_law_facts facts;
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     double d = -1e-6, v = 0.1, force = 0.0, work = 0.0, deepest = 0.0, strongest = 0.0;
     int steps = 0, in_contact = 0;
 

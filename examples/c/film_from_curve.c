@@ -72,7 +72,7 @@ static void set_problem(mdr_fit_problem *problem, mdr_fit_parameter numbers[COUN
     numbers[FILM_THICKNESS].prior_sd = 10;
     numbers[INSTRUMENT + MDR_FIT_DEPTH_OFFSET].is_free = 1;
 
-    mdr_fit_problem_init(problem);
+    *problem = MDR_SIZED(mdr_fit_problem);
     problem->data_kind = MDR_FIT_FORCE_DEPTH;
     problem->indenter = MDR_FIT_INDENTER_SPHERE;
     problem->medium = MDR_FIT_MEDIUM_STACK;
@@ -86,7 +86,7 @@ int main(int argc, char *argv[])
     static double depth[MOST_POINTS], load[MOST_POINTS], sd[MOST_POINTS];
     mdr_fit_problem problem;
     mdr_fit_parameter numbers[COUNT];
-    mdr_fit_summary summary;
+    mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
     double values[COUNT], covariance[COUNT * COUNT], lower, upper;
     const int offset = INSTRUMENT + MDR_FIT_DEPTH_OFFSET;
     int n;

@@ -53,7 +53,7 @@ static mdr_law *two_grains(void)
     mdr_law *law = NULL;
     mdr_law_options options;
 
-    mdr_law_options_init(&options);
+    options = MDR_SIZED(mdr_law_options);
     options.continue_beyond = 1;
     check(mdr_profile_paraboloid(0.25 * diameter, &gap));
     check(mdr_medium_coated(3e9, 0.35, 20e-6, 70e9, 0.22, MDR_MODEL_EXACT, NULL, &grain));

@@ -26,7 +26,7 @@ class Refusal(Exception):
     """What the library says of a failure, in parts."""
 
     def __init__(self, status: int) -> None:
-        failure = np.zeros(1, _layout.failure)
+        failure = record(_layout.failure)
         _native.last_failure(address(failure))
         self.status = status
         argument, text = (failure[0][name].decode("utf-8", "replace") for name in ("argument", "text"))
@@ -53,6 +53,13 @@ def number(name: str, value: Any) -> float:
     if array.ndim or array.dtype.kind not in "iuf":
         raise ArgumentTypeError(f"{name} = {value!r} is not allowed: it must be a real number")
     return float(array)
+
+
+def not_zero(name: str, value: Any) -> float:
+    """`value` as a float; the library takes 0 for the default."""
+    if number(name, value) == 0.0:
+        raise InvalidArgumentError(f"{name} = {value!r} is not allowed: it must not be 0")
+    return float(value)
 
 
 def whole(name: str, value: Any, smallest: int, largest: int | None = None) -> int:
@@ -148,11 +155,11 @@ def complex_values(name: str, values: ArrayLike, function: Callable[[NDArray[np.
     return both
 
 
-def record(layout: np.dtype[Any], init: Callable[[int], None] | None = None, **members: Any) -> NDArray[Any]:
-    """A structure of the header: its defaults, and members that are not; an array of one, whose address is `address(...)`."""
+def record(layout: np.dtype[Any], **members: Any) -> NDArray[Any]:
+    """A structure of the header with its size, and members that are not 0; an array of one, whose address is `address(...)`."""
     made = np.zeros(1, layout)
-    if init is not None:
-        init(made.ctypes.data)
+    if "size" in (layout.names or ()):
+        made["size"] = layout.itemsize
     for name, value in members.items():
         made[name] = value
     return made

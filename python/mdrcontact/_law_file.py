@@ -11,8 +11,8 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _layout, _native
-from ._boundary import Handle, address, call, number, record
+from . import _layout
+from ._boundary import Handle, address, call, not_zero, number, record
 from ._files import replace
 from .errors import ArgumentTypeError, FileError, InvalidArgumentError
 
@@ -101,7 +101,7 @@ def law_options(
     if smallest_depth is not None and smallest == 0.0:
         raise InvalidArgumentError("smallest_depth = 0.0 is not allowed: it must be greater than 0")
     text = np.frombuffer(words.encode() + b"\0", np.uint8)
-    chosen = record(_layout.law_options, _native.law_options_init, smallest_depth=smallest,
-                    tolerance=number("tolerance", tolerance), description=address(text),
+    chosen = record(_layout.law_options, smallest_depth=smallest,
+                    tolerance=not_zero("tolerance", tolerance), description=address(text),
                     continue_beyond=bool(continue_beyond))  # fmt: skip
     return chosen, text

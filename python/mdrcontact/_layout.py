@@ -5,6 +5,7 @@ import numpy as np
 
 failure = np.dtype(
     [
+        ("size", np.uintp),
         ("status", np.intc),
         ("entry", np.intc),
         ("argument", "S64"),
@@ -14,6 +15,7 @@ failure = np.dtype(
 )
 model_facts = np.dtype(
     [
+        ("size", np.uintp),
         ("largest_ratio", np.float64),
         ("base", np.intc),
         ("takes_layers", np.intc),
@@ -22,6 +24,7 @@ model_facts = np.dtype(
         ("name", "S24"),
         ("constant", "S24"),
         ("option", "S24"),
+        ("default_constant", np.float64),
     ],
     align=True,
 )
@@ -34,6 +37,7 @@ medium_options = np.dtype(
         ("weight_nu", np.float64),
         ("tolerance", np.float64),
         ("exponent", np.float64),
+        ("exponent_is_given", np.intc),
     ],
     align=True,
 )
@@ -106,6 +110,8 @@ structure_options = np.dtype(
         ("beside_nu", np.float64),
         ("origin", np.float64, (2,)),
         ("exponent", np.float64),
+        ("reference_nu_is_given", np.intc),
+        ("exponent_is_given", np.intc),
     ],
     align=True,
 )
@@ -133,6 +139,7 @@ law_point = np.dtype(
 )
 law_facts = np.dtype(
     [
+        ("size", np.uintp),
         ("lowest_depth", np.float64),
         ("highest_depth", np.float64),
         ("lowest_force", np.float64),
@@ -149,6 +156,7 @@ law_facts = np.dtype(
 )
 friction_law_facts = np.dtype(
     [
+        ("size", np.uintp),
         ("coefficient", np.float64),
         ("highest_force", np.float64),
         ("highest_sliding_shift", np.float64),
@@ -187,9 +195,9 @@ fit_problem = np.dtype(
         ("adhesion_rule", np.intc),
         ("loss", np.intc),
         ("loss_scale", np.float64),
-        ("sd_is_absolute", np.intc),
+        ("sd_is_relative", np.intc),
         ("max_iterations", np.intc),
-        ("check_units", np.intc),
+        ("any_units", np.intc),
         ("parameter_count", np.intc),
         ("parameters", np.uintp),
         ("prior_count", np.intc),
@@ -201,11 +209,14 @@ fit_problem = np.dtype(
         ("counterbody_layers", np.intc),
         ("counterbody_options", np.uintp),
         ("is_elastic", np.intc),
+        ("model_is_given", np.intc),
+        ("counterbody_model_is_given", np.intc),
     ],
     align=True,
 )
 fit_summary = np.dtype(
     [
+        ("size", np.uintp),
         ("converged", np.intc),
         ("iterations", np.intc),
         ("evaluations", np.intc),

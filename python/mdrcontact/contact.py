@@ -102,7 +102,7 @@ class Contact(Value):
         is_exact = isinstance(zeta, str) and zeta == "exact"
         given: Any = zeta if zeta is None or is_exact else _table(zeta)
         columns = [np.array(column) for column in (((), ()) if is_exact or given is None else given)]
-        options = record(_layout.contact_options, _native.contact_options_init, work_of_adhesion=gamma, adhesion_rule=rule,
+        options = record(_layout.contact_options, work_of_adhesion=gamma, adhesion_rule=rule,
                          zeta_count=len(columns[0]), zeta_radius=address(columns[0]), zeta=address(columns[1]),
                          zeta_is_exact=int(is_exact))  # fmt: skip
         created = _native.contact_new(indenter._handle.address, medium._handle.address, address(options))

@@ -50,12 +50,12 @@ module mdrcontact_batch
         !> A thread of a team may round otherwise than the one that started it: arithmetic.h.
         subroutine mdrcontact_set_arithmetic(before) bind(C)
             import :: c_int64_t
-            integer(c_int64_t), intent(out) :: before(*)
+            integer(c_int64_t), intent(out) :: before(16)
         end subroutine mdrcontact_set_arithmetic
 
         subroutine mdrcontact_set_arithmetic_back(before) bind(C)
             import :: c_int64_t
-            integer(c_int64_t), intent(in) :: before(*)
+            integer(c_int64_t), intent(in) :: before(16)
         end subroutine mdrcontact_set_arithmetic_back
     end interface
 

@@ -11,5 +11,7 @@ int main()
     if (mdr_law_view_force(&view, 0.5, &F) != MDR_ENULL || mdr_law_view_force_slope(&view, 0.5, &F, &slope) != MDR_ENULL) return 1;
     mdr_law_point point;
     if (mdr_law_view_state(&view, 0.5, &point) != MDR_ENULL) return 1;
+    const mdr_law_options options = MDR_SIZED(mdr_law_options);
+    if (options.size != sizeof options || options.tolerance != 0.0 || options.description != nullptr) return 1;
     return p == nullptr ? 0 : 1;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * One case of every kind of call that takes long, from making the objects to freeing them: their numbers go to an array. What must hold
- * for all of them, whatever thread and rounding mode they are called in, is tested by running the list.
+ * One case of every kind of call that takes long, from making the objects to freeing them: their numbers go to an array. What must
+ * hold for all of them, whatever thread and rounding mode they are called in, is tested by running the list.
  */
 #ifndef LONG_CALLS_H
 #define LONG_CALLS_H
@@ -82,7 +82,7 @@ static mdr_contact *ball_on(mdr_medium *m, double work_of_adhesion)
     mdr_profile *p = NULL;
     mdr_contact *c = NULL;
     mdr_contact_options options;
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = work_of_adhesion;
     CHECK_SUCCESS(mdr_profile_paraboloid(5.0, &p));
     CHECK_SUCCESS(mdr_contact_new(p, m, &options, &c));
@@ -100,7 +100,8 @@ static mdr_state state_at(const mdr_contact *c, double a)
 
 static void profiles(numbers *out)
 {
-    static const double x[4] = {0.0, 0.3, 1.0, 2.0}, y[4] = {0.0, 0.1, 0.7, 2.0}, tip[3] = {24.5, 0.3, 0.01}, r[3] = {0.01, 0.4, 0.9};
+    static const double x[4] = {0.0, 0.3, 1.0, 2.0}, y[4] = {0.0, 0.1, 0.7, 2.0}, tip[3] = {24.5, 0.3, 0.01};
+    static const double r[3] = {0.01, 0.4, 0.9};
     mdr_profile *p[5] = {NULL};
     CHECK_SUCCESS(mdr_profile_callback(bowl, NULL, 2.0, &p[0]));
     CHECK_SUCCESS(mdr_profile_table(4, x, y, &p[1]));
@@ -263,7 +264,7 @@ static void laws(numbers *out)
         mdr_law *law = NULL, *copy = NULL;
         char *content = NULL;
         int length = 0, sum = 0;
-        mdr_law_facts facts;
+        mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
         CHECK_SUCCESS(mdr_law_new(c, 0.2, NULL, &law));
         CHECK_SUCCESS(mdr_law_write(law, NULL, 0, &length));
         content = malloc((size_t)length);
@@ -286,7 +287,7 @@ static void friction_laws(numbers *out)
     mdr_contact *c = ball_on(coating(5.0), 0.0);
     mdr_friction *f = NULL;
     mdr_friction_law *law = NULL;
-    mdr_friction_law_facts facts;
+    mdr_friction_law_facts facts = MDR_SIZED(mdr_friction_law_facts);
     mdr_friction_memory memory = {0};
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
     CHECK_SUCCESS(mdr_friction_law_new(f, 0.2, NULL, &law));
@@ -311,7 +312,7 @@ static void fits(numbers *out)
     mdr_fit_parameter parameters[MOST] = {{0}};
     int count = 0;
 
-    mdr_fit_problem_init(&problem);
+    problem = MDR_SIZED(mdr_fit_problem);
     problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
     problem.medium = MDR_FIT_MEDIUM_STACK;
     CHECK_SUCCESS(mdr_fit_parameter_count(&problem, &count));

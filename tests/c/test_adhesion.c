@@ -24,7 +24,7 @@ static void options_refuse(void)
     mdr_contact *c = NULL;
     mdr_contact_options options;
 
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     for (int i = 0; i < 4; i++) {
         options.work_of_adhesion = bad[i];
         CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "work_of_adhesion = ");
@@ -107,7 +107,7 @@ int main(void)
     for (int rule = MDR_ADHESION_AUTOMATIC; rule <= MDR_ADHESION_ENERGY; rule++) {
         mdr_contact *c = NULL;
         mdr_contact_options options;
-        mdr_contact_options_init(&options);
+        options = MDR_SIZED(mdr_contact_options);
         options.work_of_adhesion = work;
         options.adhesion_rule = rule;
         CHECK_SUCCESS(new_contact(&options, &c));

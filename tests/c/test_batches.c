@@ -25,7 +25,7 @@ static void make(objects *o)
     const double sphere[7] = {0.5, 0.0, 1.0, 0.4}, E = 9.0, nu = 0.2;
     mdr_contact_options options;
 
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = 0.01;
     CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &o->profile));
     CHECK_SUCCESS(mdr_medium_coated(9.0, 0.3, 1.0, 3.0, 0.4, MDR_MODEL_GAO, NULL, &o->medium));

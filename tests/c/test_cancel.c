@@ -80,13 +80,13 @@ static int fit(void)
     mdr_fit_parameter p[NUMBERS];
     double y[POINTS];
 
-    mdr_fit_problem_init(&problem);
+    problem = MDR_SIZED(mdr_fit_problem);
     problem.data_kind = MDR_FIT_FORCE_DEPTH;
     problem.indenter = MDR_FIT_INDENTER_CONE;
     problem.medium = MDR_FIT_MEDIUM_GRADED;
     problem.model = MDR_MODEL_EXACT;
     problem.layers = 12;
-    problem.check_units = 0;
+    problem.any_units = 1;
     problem.parameter_count = NUMBERS;
     problem.parameters = p;
     for (int i = 0; i < NUMBERS; i++) p[i] = (mdr_fit_parameter){0.0, -INFINITY, INFINITY, 0.0, 0.0, 0};

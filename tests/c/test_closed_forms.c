@@ -58,7 +58,7 @@ static void against_the_contact(void)
     CHECK_SUCCESS(mdr_coated_cone_force(3, a, phi, G0, G1, h, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-12);
     CHECK_SUCCESS(mdr_contact_free(&c));
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = work;
     options.adhesion_rule = MDR_ADHESION_PAPER;
     CHECK_SUCCESS(mdr_contact_new(paraboloid, m, &options, &c));

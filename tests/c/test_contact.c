@@ -32,7 +32,7 @@ static void creation_refuses(void)
     CHECK_STATUS(mdr_contact_new(p, m, NULL, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_contact_new((mdr_profile *)(void *)m, m, NULL, &c), MDR_EINVALID, "profile is not an mdr_profile");
     CHECK_STATUS(mdr_contact_new(p, (mdr_medium *)(void *)p, NULL, &c), MDR_EINVALID, "medium is not an mdr_medium");
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.zeta_count = -1;
     CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "zeta_count = -1");
     double radius[3] = {0.1, 1.0, 10.0}, zeta[3] = {1.0, 1.1, 1.2};
@@ -257,7 +257,7 @@ static void zeta_scales_the_depth(void)
     mdr_contact *c = NULL;
     mdr_contact_options options;
 
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.zeta_count = 3;
     options.zeta_radius = radius;
     options.zeta = zeta;

@@ -82,13 +82,13 @@ static void test_counts(void)
     mdr_fit_problem problem;
     int count = 7;
 
-    mdr_fit_problem_init(&problem);
+    problem = MDR_SIZED(mdr_fit_problem);
     problem.indenter = MDR_FIT_INDENTER_SPHERE;
     problem.medium = MDR_FIT_MEDIUM_STACK;
     problem.layers = INT_MAX;
     CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "layers = 2147483647");
-    problem.layers = 0;
-    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "layers = 0");
+    problem.layers = -1;
+    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "layers = -1");
     CHECK_INT(count, 7);
 }
 

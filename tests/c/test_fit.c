@@ -9,11 +9,12 @@ static void fill(mdr_fit_problem *problem, mdr_fit_parameter parameters[NUMBERS]
 {
     static const double values[NUMBERS] = { 10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1 };
 
-    mdr_fit_problem_init(problem);
+    *problem = MDR_SIZED(mdr_fit_problem);
     problem->data_kind = MDR_FIT_FORCE_DEPTH;
     problem->indenter = MDR_FIT_INDENTER_PARABOLOID;
     problem->medium = MDR_FIT_MEDIUM_STACK;
     problem->model = MDR_MODEL_GAO;
+    problem->model_is_given = 1;
     problem->options = NULL;
     problem->parameter_count = NUMBERS;
     problem->parameters = parameters;
@@ -30,7 +31,7 @@ static void truth_comes_back(void)
            direction[NUMBERS];
     double fitted[POINTS], residuals[POINTS], lower, upper;
     int at_bound[NUMBERS], count;
-    mdr_fit_summary summary;
+    mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
     mdr_profile *profile = NULL;
     mdr_medium *medium = NULL;
     mdr_contact *contact = NULL;
@@ -115,14 +116,16 @@ static void counterbody(void)
     for (int i = 0; i < 2; i++) {
         CHECK_CLOSE(paired[i], 1.0 / (1.0 / apart[i] + 1.0 / stiff), 1e-12);
     }
-    problem.counterbody_layers = 0;
-    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "counterbody_layers = 0 ");
+    problem.counterbody_layers = -1;
+    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "counterbody_layers = -1 ");
     problem.counterbody_layers = 1;
     problem.counterbody = 99;
     CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "counterbody = 99 ");
-    problem.counterbody = MDR_FIT_MEDIUM_GIVEN; /* and none is */
+    problem.counterbody = MDR_FIT_MEDIUM_GIVEN; /* and none is: there is no counterbody */
     problem.parameter_count = COUNT - 2;
-    CHECK_STATUS(mdr_fit_predict(&problem, 2, a, y, NULL, paired, NULL), MDR_ENULL, "counterbody_object is NULL");
+    for (int i = 7; i < COUNT - 2; i++) parameters[i].value = values[i + 2];
+    CHECK_SUCCESS(mdr_fit_predict(&problem, 2, a, y, NULL, paired, NULL));
+    for (int i = 0; i < 2; i++) CHECK_CLOSE(paired[i], apart[i], 0.0);
     problem.medium = MDR_FIT_MEDIUM_NONE;
     CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "medium = -1");
 }
@@ -191,7 +194,7 @@ static void one_reading_does_not_determine_two_numbers(void)
     const double d[3] = { -2e-8, -1e-8, 1e-8 };
     mdr_fit_problem problem;
     mdr_fit_parameter parameters[NUMBERS];
-    mdr_fit_summary summary;
+    mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
     double values[COUNT], covariance[COUNT * COUNT];
 
     fill(&problem, parameters);

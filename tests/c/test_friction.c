@@ -272,12 +272,12 @@ static void laws(void)
     mdr_law_options options;
     mdr_state state, deepest;
     mdr_tangential_state exact;
-    mdr_friction_law_facts facts;
+    mdr_friction_law_facts facts = MDR_SIZED(mdr_friction_law_facts);
     double memory[2 * MEMORY] = {0.0}, before[MEMORY], T[6], again[6], tangent[24], stored[2], dissipated[2];
     double shift[6] = {0.0}, force[2], sliding;
 
     CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
-    mdr_law_options_init(&options);
+    options = MDR_SIZED(mdr_law_options);
     options.tolerance = 1e-8;
     CHECK_SUCCESS(mdr_friction_law_new(f, 0.1, 0, &options, &law));
     CHECK_SUCCESS(mdr_friction_law_info(law, &facts));
@@ -407,13 +407,13 @@ static void law_files(void)
     mdr_friction_law *law = NULL, *again = NULL;
     mdr_law *normal = NULL;
     mdr_law_options options;
-    mdr_friction_law_facts facts, other;
+    mdr_friction_law_facts facts = MDR_SIZED(mdr_friction_law_facts), other = MDR_SIZED(mdr_friction_law_facts);
     double memory[2 * MEMORY] = {0.0}, T[3], shift[3] = {0.0}, force = 0.02;
     char words[32], *content;
     int length = 0, second = 0;
 
     CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
-    mdr_law_options_init(&options);
+    options = MDR_SIZED(mdr_law_options);
     options.description = "a ball on steel";
     options.continue_beyond = 1;
     CHECK_SUCCESS(mdr_friction_law_new(f, 0.1, 0, &options, &law));

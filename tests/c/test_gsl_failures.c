@@ -156,9 +156,9 @@ static int fit(void)
     static const double values[10] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
     mdr_fit_parameter p[10];
     mdr_fit_problem problem;
-    mdr_fit_summary summary;
+    mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
     int status;
-    mdr_fit_problem_init(&problem);
+    problem = MDR_SIZED(mdr_fit_problem);
     problem.data_kind = MDR_FIT_FORCE_DEPTH;
     problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
     problem.medium = MDR_FIT_MEDIUM_GIVEN;
@@ -190,7 +190,7 @@ static void check_refusal(const char *name, enum refused which, int (*call)(void
 
 int main(void)
 {
-    mdr_contact_options_init(&sticky);
+    sticky = MDR_SIZED(mdr_contact_options);
     sticky.work_of_adhesion = 0.02;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
     CHECK_SUCCESS(mdr_medium_layered(2, E, nu, h, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));

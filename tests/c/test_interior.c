@@ -9,7 +9,7 @@ static mdr_contact *on_film(double work_of_adhesion)
     mdr_contact *c = NULL;
     mdr_contact_options options;
 
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = work_of_adhesion;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
     CHECK_SUCCESS(mdr_medium_coated(450.0, 0.25, 1.0, 210.0, 0.3, MDR_MODEL_EXACT, NULL, &m));

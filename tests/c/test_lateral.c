@@ -40,10 +40,10 @@ static void refusals(void)
     CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, -1, kind, good, E, nu, NULL, &s), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, NULL, good, E, nu, NULL, &s), MDR_ENULL, "kind is NULL");
     CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, NULL, NULL), MDR_ENULL, "out is NULL");
-    mdr_structure_options_init(&options);
+    options = MDR_SIZED(mdr_structure_options);
     options.tolerance = NAN;
     CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, &options, &s), MDR_EINVALID, "tolerance = NaN");
-    mdr_structure_options_init(&options);
+    options = MDR_SIZED(mdr_structure_options);
     options.reference_nu = 0.7;
     CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, &options, &s), MDR_EINVALID, "reference_nu = 0.7");
     CHECK_STATUS(mdr_structure_voxels(NULL, label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_ENULL, "size is NULL");
@@ -52,14 +52,14 @@ static void refusals(void)
     CHECK_STATUS(mdr_structure_voxels(size, wrong_label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID, "labels");
     CHECK_STATUS(mdr_structure_voxels(size, label, 0, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID, "phases = 0");
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, flat, 1.0, 0.3, NULL, &s), MDR_EINVALID, "spacing 3 = 0");
-    mdr_structure_options_init(&options);
+    options = MDR_SIZED(mdr_structure_options);
     options.padded = 1;
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID, "beside E = 0");
-    mdr_structure_options_init(&options);
+    options = MDR_SIZED(mdr_structure_options);
     options.images = 1000000000;
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID,
                  "images = 1000000000 is not allowed: it must be from 1 to 100");
-    mdr_structure_options_init(&options);
+    options = MDR_SIZED(mdr_structure_options);
     options.exponent = 1.5;
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID, "exponent = 1.5");
     CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, &options, &s), MDR_EINVALID, "exponent = 1.5");
@@ -99,9 +99,10 @@ static void layers(int model, double exponent)
     mdr_medium_options mean;
     mdr_structure_options options;
 
-    mdr_medium_options_init(&mean);
-    mdr_structure_options_init(&options);
+    mean = MDR_SIZED(mdr_medium_options);
+    options = MDR_SIZED(mdr_structure_options);
     mean.exponent = options.exponent = exponent;
+    mean.exponent_is_given = options.exponent_is_given = 1;
     CHECK_SUCCESS(mdr_medium_coated(5.0, 0.3, 0.6, 1.0, 0.3, model, &mean, &reference));
     CHECK_SUCCESS(mdr_medium_modulus(reference, 3, nan_free, expected));
     CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, layer, E, nu, &options, &shapes));
@@ -161,7 +162,7 @@ static void callback_structure(void)
     mdr_structure *s = NULL;
     mdr_structure_options options;
 
-    mdr_structure_options_init(&options);
+    options = MDR_SIZED(mdr_structure_options);
     options.tolerance = 1e-4;
     CHECK_SUCCESS(mdr_structure_callback(wavy, &contrast, 0.5, &options, &s));
     CHECK_SUCCESS(mdr_structure_modulus(s, 1, &crest, &y, &a, &high));

@@ -11,7 +11,7 @@ static mdr_contact *contact_with(double work_of_adhesion)
     mdr_contact *contact = NULL;
     mdr_contact_options options;
 
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = work_of_adhesion;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
     CHECK_SUCCESS(mdr_medium_coated(3.0, 0.3, 0.5, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));
@@ -64,7 +64,7 @@ static void test_history(void)
 {
     mdr_contact *contact = contact_with(0.02);
     mdr_law *law = NULL;
-    mdr_law_facts facts;
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     int segment = 0;
     double F = 1.0, pull_off_depth, below;
     mdr_law_point point;
@@ -98,15 +98,14 @@ static void test_files(void)
     mdr_contact *contact = contact_with(0.0);
     mdr_law *law = NULL, *again = NULL, *copy = NULL;
     mdr_law_options options;
-    mdr_law_facts facts;
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     char text[64] = "";
     int length = 0;
     double one, other;
     const char *path = "test_law.mdrlaw";
     FILE *file;
 
-    mdr_law_options_init(&options);
-    CHECK_CLOSE(options.tolerance, 1e-9, 0.0);
+    options = MDR_SIZED(mdr_law_options);
     options.tolerance = 1e-6;
     options.description = "a ball on a film";
     CHECK_SUCCESS(mdr_law_new(contact, 1.0, &options, &law));

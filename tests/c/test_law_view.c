@@ -16,8 +16,8 @@ static mdr_law *law_with(double work_of_adhesion, double flat, int continue_beyo
     mdr_contact_options options;
     mdr_law_options law_options;
 
-    mdr_contact_options_init(&options);
-    mdr_law_options_init(&law_options);
+    options = MDR_SIZED(mdr_contact_options);
+    law_options = MDR_SIZED(mdr_law_options);
     options.work_of_adhesion = work_of_adhesion;
     law_options.continue_beyond = continue_beyond;
     if (flat > 0.0) {
@@ -117,7 +117,7 @@ static void test_beyond(void)
     mdr_law *law = law_with(0.0, 0.0, 1);
     mdr_law_point last, point;
     mdr_law_view view;
-    mdr_law_facts facts;
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     double F, U, d;
 
     CHECK_SUCCESS(mdr_law_info(law, &facts));

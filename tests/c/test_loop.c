@@ -15,7 +15,7 @@ static mdr_contact *new_contact(double gamma)
     mdr_contact *c = NULL;
     mdr_contact_options options;
 
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = gamma;
     CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
@@ -167,7 +167,7 @@ static void loss_does_not_depend_on_the_load(const mdr_contact *paraboloid)
     mdr_contact *punch = NULL;
     mdr_loop *l = NULL;
 
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = work;
     CHECK_SUCCESS(mdr_profile_flat_punch(radius, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));

@@ -27,7 +27,7 @@ static void coated_refuses(void)
     mdr_medium *m = NULL;
     mdr_medium_options options;
 
-    mdr_medium_options_init(&options);
+    options = MDR_SIZED(mdr_medium_options);
     CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
     for (size_t i = 0; i < SIZE(bad_moduli); i++) {
         const double bad = bad_moduli[i];
@@ -123,7 +123,7 @@ static void gao_values(void)
     const double E0 = 72.0, nu0 = 0.17, h = 0.5, E1 = 165.0, nu1 = 0.22, a[3] = {0.05, 0.4, 6.0};
     mdr_medium_options options;
 
-    mdr_medium_options_init(&options);
+    options = MDR_SIZED(mdr_medium_options);
     for (int in_series = 0; in_series < 2; in_series++) {
         const int model = in_series ? MDR_MODEL_GAO_SERIES : MDR_MODEL_GAO;
         for (int choice = 0; choice < 4; choice++) {
@@ -227,14 +227,14 @@ static void published_models(void)
 static void options_of_published_models(void)
 {
     const double h = 0.25, a[1] = {0.2};
-    const double bad[4] = {0.0, -1.0, NAN, INFINITY};
+    const double bad[4] = {-0.5, -1.0, NAN, INFINITY};
     const int with_alpha[3] = {MDR_MODEL_DOERNER_NIX, MDR_MODEL_MENCIK_EXPONENTIAL, MDR_MODEL_MENCIK_RECIPROCAL};
     double found[1];
     mdr_medium *m = NULL;
     mdr_medium_options options;
 
     for (int i = 0; i < 3; i++) {
-        mdr_medium_options_init(&options);
+        options = MDR_SIZED(mdr_medium_options);
         options.alpha = 0.7;
         const double x = with_alpha[i] == MDR_MODEL_DOERNER_NIX ? a[0] / (0.7 * h) : 0.7 * a[0] / h;
         CHECK_SUCCESS(mdr_medium_coated(400.0, 0.2, h, 70.0, 0.33, with_alpha[i], &options, &m));
@@ -246,7 +246,7 @@ static void options_of_published_models(void)
             CHECK_STATUS(mdr_medium_coated(400.0, 0.2, h, 70.0, 0.33, with_alpha[i], &options, &m), MDR_EINVALID, "alpha = ");
         }
     }
-    mdr_medium_options_init(&options);
+    options = MDR_SIZED(mdr_medium_options);
     options.wave_factor = 0.4;
     CHECK_SUCCESS(mdr_medium_coated(3.0 * 5.0, 0.5, h, 3.0 * 2.0, 0.5, MDR_MODEL_WAVE, &options, &m));
     CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, found));
@@ -307,7 +307,7 @@ static void bottom_effect(void)
 /* The names of the table of models, both ways. */
 static void model_names(void)
 {
-    mdr_model_facts facts;
+    mdr_model_facts facts = MDR_SIZED(mdr_model_facts);
     char name[20] = "untouched";
     int model = -1;
 

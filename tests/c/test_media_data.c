@@ -24,7 +24,7 @@ static void layered_refuses(void)
     CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 0.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate E = 0");
     CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, NAN, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate nu = NaN");
     CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_WAVE, NULL, &m), MDR_EINVALID, "model = 3");
-    mdr_medium_options_init(&options);
+    options = MDR_SIZED(mdr_medium_options);
     options.weight_nu_choice = -1;
     CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "weight_nu_choice = -1");
     CHECK_TRUE(m == NULL);

@@ -5,7 +5,7 @@
 static void refusals(void)
 {
     const double E[2] = {2.0, 3.0}, nu[2] = {0.3, 0.2}, h[2] = {0.1, 0.2}, bad_E[2] = {2.0, NAN}, bad_h[2] = {0.1, -0.2};
-    const double bad_tolerance[4] = {0.0, -1.0, NAN, INFINITY};
+    const double bad_tolerance[4] = {-1e-5, -1.0, NAN, INFINITY};
     mdr_medium *m = NULL;
     mdr_medium_options options;
 
@@ -18,7 +18,7 @@ static void refusals(void)
     CHECK_STATUS(mdr_medium_layered(2, bad_E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 2 E = NaN");
     CHECK_STATUS(mdr_medium_layered(2, E, nu, bad_h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "entry 2 of thickness");
     CHECK_STATUS(mdr_medium_layered(0, NULL, NULL, NULL, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "at least one");
-    mdr_medium_options_init(&options);
+    options = MDR_SIZED(mdr_medium_options);
     for (int i = 0; i < 4; i++) {
         options.tolerance = bad_tolerance[i];
         CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "tolerance = ");
@@ -96,7 +96,7 @@ static void exact_zeta_of_a_model(void)
 
     CHECK_SUCCESS(mdr_medium_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_EXACT, NULL, &exact));
     CHECK_SUCCESS(mdr_medium_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_GAO, NULL, &model));
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.zeta_is_exact = 1;
     CHECK_SUCCESS(mdr_profile_sphere(5.5, &p));
     CHECK_SUCCESS(mdr_contact_new(p, exact, NULL, &c));

@@ -63,8 +63,8 @@ int main(void)
     for (int i = 0; i < COUNT; i++) in[i] = 1e-6 * (i + 1);
     fill_untouched(COUNT, out);
     memset(large_text, 'x', LARGE_TEXT);
-    mdr_law_options_init(&law_options);
-    mdr_fit_problem_init(&problem);
+    law_options = MDR_SIZED(mdr_law_options);
+    problem = MDR_SIZED(mdr_fit_problem);
     problem.data_kind = MDR_FIT_FORCE_DEPTH;
     problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
     problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;

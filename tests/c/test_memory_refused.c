@@ -202,7 +202,7 @@ static int contact_scaled(void)
 {
     mdr_contact_options options;
     mdr_contact *c = NULL;
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     options.zeta_count = POINTS - 1;
     options.zeta_radius = x + 1;
     options.zeta = one;
@@ -263,7 +263,7 @@ static int law_of(const mdr_contact *c, double tolerance)
 {
     mdr_law_options options;
     mdr_law *made = NULL;
-    mdr_law_options_init(&options);
+    options = MDR_SIZED(mdr_law_options);
     options.tolerance = tolerance;
     return mdr_law_new(c, 0.3, &options, &made);
 }
@@ -311,13 +311,13 @@ static int fit(trial t, const double *given)
 {
     mdr_fit_problem problem;
     mdr_fit_parameter p[NUMBERS - 1];
-    mdr_fit_problem_init(&problem);
+    problem = MDR_SIZED(mdr_fit_problem);
     problem.data_kind = t.data_kind;
     problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
     problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;
     problem.parameters = p;
     problem.parameter_count = NUMBERS - 1;
-    problem.check_units = 0;
+    problem.any_units = 1;
     problem.loss = t.loss;
     problem.max_iterations = 2;
     if (t.use_branch) problem.branch = branches;
@@ -411,7 +411,7 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &on_film));
     CHECK_SUCCESS(mdr_contact_new(tip, half_space, NULL, &by_tip));
     CHECK_SUCCESS(mdr_structure_voxels(size, labels, 2, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
-    mdr_law_options_init(&options);
+    options = MDR_SIZED(mdr_law_options);
     options.tolerance = 1e-12;
     CHECK_SUCCESS(mdr_law_new(contact, 0.5, &options, &law));
 
@@ -430,13 +430,13 @@ int main(void)
     CHECK_SUCCESS(mdr_medium_pair(film, half_space, &two));
     CHECK_SUCCESS(mdr_contact_new(ball, two, NULL, &on_pair));
     CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, NULL, &gao));
-    mdr_contact_options_init(&chosen);
+    chosen = MDR_SIZED(mdr_contact_options);
     chosen.zeta_count = POINTS - 1;
     chosen.zeta_radius = x + 1;
     chosen.zeta = one;
     CHECK_SUCCESS(mdr_contact_new(ball, film, &chosen, &scaled));
     CHECK_SUCCESS(mdr_contact_new(ball, gao, &chosen, &scaled_gao));
-    mdr_contact_options_init(&chosen);
+    chosen = MDR_SIZED(mdr_contact_options);
     chosen.work_of_adhesion = 1e-3;
     CHECK_SUCCESS(mdr_contact_new(ball, coating, &chosen, &adhesive));
     CHECK_SUCCESS(mdr_friction_new(coated, 0.3, &rubbed_coating));

@@ -19,7 +19,7 @@ int main(void)
     static const double numbers[NUMBERS] = { 1e-6, 1e9, 0.3, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1 };
     mdr_fit_problem problem;
     mdr_fit_parameter parameters[NUMBERS];
-    mdr_fit_summary summary;
+    mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
     mdr_profile *profile = NULL;
     mdr_medium *medium = NULL;
     mdr_contact *contact = NULL;
@@ -31,7 +31,7 @@ int main(void)
     for (int i = 0; i < POINTS; i++) d[i] = 5e-9 * (i + 1);
     CHECK_INT(mdr_contact_from_depth(contact, POINTS, d, NULL, NULL, F, NULL), MDR_SUCCESS);
 
-    mdr_fit_problem_init(&problem);
+    problem = MDR_SIZED(mdr_fit_problem);
     problem.indenter = MDR_FIT_INDENTER_SPHERE;
     problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;
     problem.parameter_count = NUMBERS;

@@ -90,7 +90,7 @@ static void make_media(shared *s)
     static const double a[POINTS] = {0.01, 0.5, 2.0};
     mdr_medium_options loose;
 
-    mdr_medium_options_init(&loose);
+    loose = MDR_SIZED(mdr_medium_options);
     loose.tolerance = 1e-4;
     CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &s->media[0]));
     CHECK_SUCCESS(mdr_medium_layered(LAYERS, E, nu, h, 1.0, 0.4, MDR_MODEL_GAO, NULL, &s->media[1]));
@@ -109,7 +109,7 @@ static void make_structures(shared *s)
     static const int kind[1] = {MDR_SHAPE_BALL}, size[3] = {2, 2, 1}, labels[4] = {0, 1, 1, 0};
     mdr_structure_options loose;
 
-    mdr_structure_options_init(&loose);
+    loose = MDR_SIZED(mdr_structure_options);
     loose.tolerance = 1e-2;
     CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, sphere, E + 1, nu + 1, &loose, &s->shapes));
     CHECK_SUCCESS(mdr_structure_voxels(size, labels, PHASES, E, nu, spacing, 1.0, 0.3, NULL, &s->voxels));
@@ -121,7 +121,7 @@ static void make_fit(shared *s)
     static const double values[10] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
     int count = 0;
 
-    mdr_fit_problem_init(&s->fit);
+    s->fit = MDR_SIZED(mdr_fit_problem);
     s->fit.data_kind = MDR_FIT_FORCE_DEPTH;
     s->fit.indenter = MDR_FIT_INDENTER_PARABOLOID;
     s->fit.medium = MDR_FIT_MEDIUM_GIVEN;
@@ -147,11 +147,11 @@ static void make(shared *s)
     CHECK_SUCCESS(mdr_profile_sum(2, terms, &s->sum));
     make_media(s);
     for (int i = 0; i < CONTACTS; i++) CHECK_SUCCESS(mdr_contact_new(s->cone, s->media[i], NULL, &s->contacts[i]));
-    mdr_contact_options_init(&sticky);
+    sticky = MDR_SIZED(mdr_contact_options);
     sticky.work_of_adhesion = 0.02;
     CHECK_SUCCESS(mdr_contact_new(s->cone, s->media[1], &sticky, &s->adhesive));
     CHECK_SUCCESS(mdr_loop_new(s->adhesive, MDR_CONTROL_DEPTH, 0.3, POINTS, 0.0, &s->loop));
-    mdr_law_options_init(&loose);
+    loose = MDR_SIZED(mdr_law_options);
     loose.tolerance = 1e-4;
     CHECK_SUCCESS(mdr_law_new(s->adhesive, 1.0, &loose, &s->law));
     make_structures(s);

@@ -267,14 +267,15 @@ def _stack(medium: Any) -> MediumNumbers:
     coated = isinstance(medium, media.Coated)
     layers = [(medium.coating, medium.thickness)] if coated else list(medium.layers)
     options = dict(medium.options)
-    chosen, constant = settings(medium.model, options), MODELS[medium.model].constant
+    chosen, model = settings(medium.model, options), MODELS[medium.model]
+    constant = model.constant
     names, values = [], []
     for i, (material, h) in enumerate(layers):
         of = ("coating.", "") if coated else (f"layers[{i}].",) * 2
         names += [f"{of[0]}E", f"{of[0]}nu", f"{of[1]}thickness"]
         values += [material.E, material.nu, h]
     names += ["substrate.E", "substrate.nu", constant]
-    values += [*base(medium.substrate), float(chosen.record[constant][0]) if constant else 1.0]
+    values += [*base(medium.substrate), float(options.get(constant, model.default_constant)) if constant else 1.0]
 
     def build(v: Sequence[float]) -> Any:
         substrate = RIGID if medium.substrate is RIGID else Elastic(v[-3], v[-2])

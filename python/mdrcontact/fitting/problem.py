@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _layout, _native
-from .._boundary import Refusal, address, number, outcome, record, whole
+from .._boundary import Refusal, address, not_zero, outcome, record, whole
 from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..medium import Pair
@@ -105,7 +105,7 @@ class Problem(NamedTuple):
         n, m = len(self.data.x), self.table.shape[1]
         numbers, points = [np.zeros(m) for _ in range(3)], [np.zeros(n) for _ in range(2)]
         found: list[NDArray[Any]] = [numbers[0], np.zeros((m, m)), numbers[1], np.zeros(m, np.intc), numbers[2], *points]
-        summary = np.zeros(1, _layout.fit_summary)
+        summary = record(_layout.fit_summary)
         self.call(_native.fit_solve, *map(address, found), address(summary))
         return *found, summary[0]
 
@@ -174,22 +174,22 @@ def make_problem(
         raise InvalidArgumentError("too few points: there are none")
     problem = record(
         _layout.fit_problem,
-        _native.fit_problem_init,
         data_kind=data.code,
         indenter=parts[0].code,
         profile=indenter._handle.address,
         medium=parts[1].numbers.code,
         medium_object=parts[1].body._handle.address,
         model=parts[1].model,
+        model_is_given=True,
         layers=parts[1].layers,
         options=address(parts[1].options),
         **_counterbody(parts[1].counterbody),
         adhesion_rule=rule,
         loss=loss_code,
-        loss_scale=number("loss_scale", loss_scale),
-        sd_is_absolute=bool(sd_is_absolute),
+        loss_scale=not_zero("loss_scale", loss_scale),
+        sd_is_relative=not sd_is_absolute,
         max_iterations=whole("max_iterations", max_iterations, 1),
-        check_units=bool(check_units),
+        any_units=not check_units,
         is_elastic=is_elastic,
     )
     return Problem(data, *parts, names, chosen, problem, table, weights, is_paired, given)
@@ -223,6 +223,7 @@ def _counterbody(upper: MediumNumbers | None) -> dict[str, Any]:
         "counterbody": upper.numbers.code,
         "counterbody_object": upper.body._handle.address,
         "counterbody_model": upper.model,
+        "counterbody_model_is_given": True,
         "counterbody_layers": upper.layers,
         "counterbody_options": address(upper.options),
     }

@@ -99,7 +99,7 @@ class FitResult:
     @property
     def noise_is_known(self) -> bool:
         """Whether the standard deviations of the data were given as absolute ones."""
-        return self.data.sd is not None and bool(self.problem.record["sd_is_absolute"][0])
+        return self.data.sd is not None and not self.problem.record["sd_is_relative"][0]
 
     @property
     def correlation(self) -> Array:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _layout, _native
-from .._boundary import address, number, numbers, record, together
+from .._boundary import address, not_zero, number, numbers, record, together
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from .structure import Structure, elastic, exponent_of_mean
@@ -176,8 +176,8 @@ class Shapes(Structure):
                 raise InvalidArgumentError(f"{body!r} is not allowed: a coordinate is missing or too many")
             table[i, : row.size] = row
         nu = base.nu if self.reference_nu is None else number("reference_nu", self.reference_nu)
-        chosen = {"reference_nu": nu, "tolerance": tolerance, "exponent": exponent}
-        options = record(_layout.structure_options, _native.structure_options_init, **chosen)
+        chosen = {"reference_nu": nu, "tolerance": not_zero("tolerance", tolerance), "exponent": exponent}
+        options = record(_layout.structure_options, reference_nu_is_given=True, exponent_is_given=True, **chosen)
         kinds, moduli = [_KINDS.index(type(b)) for b in known], [b.material.E for b in known]
         ratios = [b.material.nu for b in known]
         created = _native.structure_shapes(base.E, base.nu, kinds, table, moduli, ratios, address(options))

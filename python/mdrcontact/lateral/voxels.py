@@ -120,8 +120,8 @@ class Voxels(Structure):
             beside = self.beside if isinstance(self.beside, Elastic) else self.below
             cells = np.ascontiguousarray(self.labels, dtype=np.intc)
             options = record(
-                _layout.structure_options, _native.structure_options_init, reference_nu=self.reference_nu, padded=padded,
-                images=self.images, beside_E=beside.E, beside_nu=beside.nu, origin=self.origin, exponent=self.exponent,
+                _layout.structure_options, reference_nu=self.reference_nu, padded=padded, images=self.images, beside_E=beside.E,
+                beside_nu=beside.nu, origin=self.origin, exponent=self.exponent, reference_nu_is_given=True, exponent_is_given=True,
             )  # fmt: skip
             moduli, ratios = [m.E for m in self.phases], [m.nu for m in self.phases]
             bodies = address(cells), moduli, ratios, self.spacing[::-1], self.below.E, self.below.nu

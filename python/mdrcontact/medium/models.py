@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeVar
 from numpy.typing import NDArray
 
 from .. import _layout, _native
-from .._boundary import address, number, record
+from .._boundary import address, not_zero, number, record
 from .._choices import nearest
 from ..errors import InvalidArgumentError
 from .base import Medium
@@ -25,6 +25,8 @@ class Model(NamedTuple):
     options: tuple[str, ...]
     constant: str
     """the option that is a number which a fit can vary, or nothing"""
+    default_constant: float
+    """its default"""
     needs_rigid_base: bool
     allows_rigid_base: bool
     layers: bool
@@ -36,11 +38,11 @@ def _models() -> Iterator[tuple[str, Model]]:
         facts = record(_layout.model_facts)
         if _native.model_info(code, address(facts)):
             return
-        _, base, layers, graded, _, name, *options = facts[0].tolist()
+        _, _, base, layers, graded, _, name, *options, default = facts[0].tolist()
         constant, option = (words.decode() for words in options)
         options = tuple(words for words in (constant, option) if words)
         rigid = base == _layout.BASE_RIGID, base != _layout.BASE_ELASTIC
-        yield name.decode(), Model(code, options, constant, *rigid, bool(layers), bool(graded))
+        yield name.decode(), Model(code, options, constant, default, *rigid, bool(layers), bool(graded))
 
 
 MODELS: Mapping[str, Model] = dict(sorted(_models(), key=lambda entry: entry[0] == "exact"))
@@ -70,7 +72,7 @@ def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, gr
     known = {name: row for name, row in MODELS.items() if row.layers >= layers and row.graded >= graded}
     if not isinstance(model, str) or model not in known:
         raise InvalidArgumentError(f"model = {model!r} is not allowed: {nearest(str(model), known)}")
-    values = record(_layout.medium_options, _native.medium_options_init)
+    values = record(_layout.medium_options)
     given: dict[str, float | str] = {}
     for name, value in options.items():
         if name not in known[model].options:
@@ -80,8 +82,10 @@ def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, gr
             given[name] = value
             values["weight_nu_choice"] = _weight_nu(value)
             continue
-        given[name] = number(name, value)
+        given[name] = number(name, value) if name in ("weight_nu", "exponent") else not_zero(name, value)
         values[name] = given[name]
+        if name == "exponent":
+            values["exponent_is_given"] = True
         if name == "weight_nu":
             values["weight_nu_choice"] = _layout.WEIGHT_NU_GIVEN
     return Settings(known[model].code, values, given)

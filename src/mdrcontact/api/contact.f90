@@ -19,7 +19,7 @@ module mdrcontact_api_contact
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_table, radius_law_t
     implicit none (type, external)
     private
-    public :: mdr_contact_options_init, mdr_contact_new
+    public :: mdr_contact_new
     public :: mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius
     public :: mdr_contact_states, mdr_contact_field, mdr_contact_lowest_pressure, mdr_contact_energy, mdr_contact_warnings
 
@@ -35,14 +35,6 @@ module mdrcontact_api_contact
     end type c_contact_options_t
 
 contains
-
-    subroutine mdr_contact_options_init(options) bind(C)
-        type(c_contact_options_t), intent(inout), optional :: options
-
-        if (.not. present(options)) return
-        options = c_contact_options_t()
-        options%size = c_sizeof(options)
-    end subroutine mdr_contact_options_init
 
     function mdr_contact_new(profile, medium, options, out) result(status) bind(C, name="mdrcontact_entry_contact_new")
         type(c_ptr), value :: profile, medium, options

@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The inversion of measured data, for C.
 module mdrcontact_api_fit
-    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_results, make_room
     use mdrcontact_api_fit_problem, only: read_data, read_problem
+    use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit, only: fit_result_t, solve_fit
@@ -16,17 +17,18 @@ module mdrcontact_api_fit
 
     !> struct mdr_fit_summary
     type, bind(C) :: c_fit_summary_t
-        integer(c_int) :: converged
-        integer(c_int) :: iterations
-        integer(c_int) :: evaluations
-        real(c_double) :: chi_square
-        real(c_double) :: prior_chi_square
-        real(c_double) :: degrees_of_freedom
-        real(c_double) :: noise
-        real(c_double) :: log_likelihood
-        real(c_double) :: pattern_probability
-        real(c_double) :: weakest
-        real(c_double) :: lag_correlation
+        integer(c_size_t) :: size = 0_c_size_t
+        integer(c_int) :: converged = 0_c_int
+        integer(c_int) :: iterations = 0_c_int
+        integer(c_int) :: evaluations = 0_c_int
+        real(c_double) :: chi_square = 0.0_c_double
+        real(c_double) :: prior_chi_square = 0.0_c_double
+        real(c_double) :: degrees_of_freedom = 0.0_c_double
+        real(c_double) :: noise = 0.0_c_double
+        real(c_double) :: log_likelihood = 0.0_c_double
+        real(c_double) :: pattern_probability = 0.0_c_double
+        real(c_double) :: weakest = 0.0_c_double
+        real(c_double) :: lag_correlation = 0.0_c_double
     end type c_fit_summary_t
 
 contains
@@ -40,8 +42,10 @@ contains
         real(c_double), intent(inout), optional :: values(*), covariance(*), widening(*), weakest_direction(*), &
                                                    fitted(*), residuals(*)
         integer(c_int), intent(inout), optional :: at_bound(*)
-        type(c_fit_summary_t), intent(inout), optional :: summary
+        type(c_ptr), value :: summary
         integer(c_int) :: status
+        type(c_fit_summary_t), target :: made
+        integer(c_size_t) :: used
         type(fit_problem_t) :: chosen
         type(c_ptr) :: branch
         type(fit_data_t) :: data
@@ -51,6 +55,7 @@ contains
 
         call read_problem(problem, chosen, branch, error)
         if (.not. allocated(error)) call read_data(branch, n, x, y, given, sd, data, error)
+        if (c_associated(summary)) call check_size(error, "summary", summary, c_sizeof(made), used)
         if (.not. allocated(error)) call solve_fit(chosen, data, fit, error)
         if (.not. allocated(error)) call check_results(error, fit%fitted)
         if (.not. allocated(error)) call check_results(error, fit%residuals)
@@ -80,10 +85,11 @@ contains
                 end do
             end do
         end if
-        if (present(summary)) then
-            summary = c_fit_summary_t(merge(1_c_int, 0_c_int, fit%converged), int(fit%iterations, c_int), &
-                                      int(fit%evaluations, c_int), fit%chi_square, fit%prior_chi_square, fit%degrees_of_freedom, &
-                                      fit%noise, fit%log_likelihood, fit%pattern_probability, fit%weakest, fit%lag_correlation)
+        if (c_associated(summary)) then
+            made = c_fit_summary_t(used, merge(1_c_int, 0_c_int, fit%converged), int(fit%iterations, c_int), &
+                                   int(fit%evaluations, c_int), fit%chi_square, fit%prior_chi_square, fit%degrees_of_freedom, &
+                                   fit%noise, fit%log_likelihood, fit%pattern_probability, fit%weakest, fit%lag_correlation)
+            call write_facts(summary, c_loc(made), used)
         end if
     end function mdr_fit_solve
 

@@ -8,18 +8,17 @@ module mdrcontact_api_fit_problem
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_count_from, check_count_within, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_fit_body, only: indenter_given
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_none, medium_viscoelastic
-    use mdrcontact_fit_problem, only: check_problem, data_force_depth, fit_data_t, fit_problem_t, loss_linear, parameter_count
+    use mdrcontact_fit_problem, only: check_problem, fit_data_t, fit_problem_t, parameter_count
     use mdrcontact_medium, only: medium_t
     use mdrcontact_model, only: models
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
     public :: read_problem, read_data
-    public :: mdr_fit_problem_init, mdr_fit_parameter_count
+    public :: mdr_fit_parameter_count
 
     !> struct mdr_fit_parameter
     type, bind(C) :: c_fit_parameter_t
@@ -34,45 +33,39 @@ module mdrcontact_api_fit_problem
     !> struct mdr_fit_problem
     type, bind(C) :: c_fit_problem_t
         integer(c_size_t) :: size = 0_c_size_t
-        integer(c_int) :: data_kind = int(data_force_depth, c_int)
-        integer(c_int) :: indenter = int(indenter_given, c_int)
+        integer(c_int) :: data_kind = 0_c_int
+        integer(c_int) :: indenter = 0_c_int
         type(c_ptr) :: profile = c_null_ptr
-        integer(c_int) :: medium = int(medium_given, c_int)
+        integer(c_int) :: medium = 0_c_int
         type(c_ptr) :: medium_object = c_null_ptr
-        integer(c_int) :: model = int(models%exact, c_int)
-        integer(c_int) :: layers = 1_c_int
+        integer(c_int) :: model = 0_c_int
+        integer(c_int) :: layers = 0_c_int
         type(c_ptr) :: options = c_null_ptr
-        integer(c_int) :: adhesion_rule = int(adhesion_automatic, c_int)
-        integer(c_int) :: loss = int(loss_linear, c_int)
-        real(c_double) :: loss_scale = 1.345_c_double
-        integer(c_int) :: sd_is_absolute = 1_c_int
-        integer(c_int) :: max_iterations = 100_c_int
-        integer(c_int) :: check_units = 1_c_int
+        integer(c_int) :: adhesion_rule = 0_c_int
+        integer(c_int) :: loss = 0_c_int
+        real(c_double) :: loss_scale = 0.0_c_double
+        integer(c_int) :: sd_is_relative = 0_c_int
+        integer(c_int) :: max_iterations = 0_c_int
+        integer(c_int) :: any_units = 0_c_int
         integer(c_int) :: parameter_count = 0_c_int
         type(c_ptr) :: parameters = c_null_ptr
         integer(c_int) :: prior_count = 0_c_int
         type(c_ptr) :: prior_weights = c_null_ptr
         type(c_ptr) :: branch = c_null_ptr
-        integer(c_int) :: counterbody = int(medium_none, c_int)
+        integer(c_int) :: counterbody = 0_c_int
         type(c_ptr) :: counterbody_object = c_null_ptr
-        integer(c_int) :: counterbody_model = int(models%exact, c_int)
-        integer(c_int) :: counterbody_layers = 1_c_int
+        integer(c_int) :: counterbody_model = 0_c_int
+        integer(c_int) :: counterbody_layers = 0_c_int
         type(c_ptr) :: counterbody_options = c_null_ptr
         integer(c_int) :: is_elastic = 0_c_int
+        integer(c_int) :: model_is_given = 0_c_int
+        integer(c_int) :: counterbody_model_is_given = 0_c_int
     end type c_fit_problem_t
 
     !> More are no layers whose parameters can be counted.
     integer, parameter :: most_layers = 100000
 
 contains
-
-    subroutine mdr_fit_problem_init(problem) bind(C)
-        type(c_fit_problem_t), intent(inout), optional :: problem
-
-        if (.not. present(problem)) return
-        problem = c_fit_problem_t()
-        problem%size = c_sizeof(problem)
-    end subroutine mdr_fit_problem_init
 
     function mdr_fit_parameter_count(problem, count) result(status) bind(C, name="mdrcontact_entry_fit_parameter_count")
         type(c_ptr), value :: problem
@@ -106,24 +99,28 @@ contains
         type(fit_problem_t), intent(out) :: problem
         type(error_t), allocatable, intent(inout) :: error
 
-        call read_choice(given%medium, given%model, "layers", given%layers, given%options, problem%body%medium, error)
-        call read_choice(given%counterbody, given%counterbody_model, "counterbody_layers", given%counterbody_layers, &
-                         given%counterbody_options, problem%body%counterbody, error)
+        call read_choice(given%medium, given%model, given%model_is_given, "layers", given%layers, given%options, &
+                         problem%body%medium, error)
+        call read_choice(given%counterbody, given%counterbody_model, given%counterbody_model_is_given, "counterbody_layers", &
+                         given%counterbody_layers, given%counterbody_options, problem%body%counterbody, error)
+        if (problem%body%counterbody%kind == medium_given .and. .not. c_associated(given%counterbody_object)) then
+            problem%body%counterbody%kind = medium_none
+        end if
         call take_pattern(given%medium_object, "medium_object", problem%body%medium, error)
         call take_pattern(given%counterbody_object, "counterbody_object", problem%body%counterbody, error)
-        problem%data_kind = int(given%data_kind)
+        if (given%data_kind /= 0) problem%data_kind = int(given%data_kind)
         problem%body%indenter = int(given%indenter)
         problem%adhesion_rule = int(given%adhesion_rule)
         problem%loss = int(given%loss)
-        problem%loss_scale = given%loss_scale
-        problem%sd_is_absolute = given%sd_is_absolute /= 0
-        problem%max_iterations = int(given%max_iterations)
-        problem%check_units = given%check_units /= 0
+        if (given%loss_scale /= 0.0_c_double) problem%loss_scale = given%loss_scale
+        problem%sd_is_absolute = given%sd_is_relative == 0
+        if (given%max_iterations /= 0) problem%max_iterations = int(given%max_iterations)
+        problem%check_units = given%any_units == 0
         problem%is_elastic = given%is_elastic /= 0
     end subroutine read_kinds
 
-    subroutine read_choice(kind, model, name, layers, options, choice, error)
-        integer(c_int), intent(in) :: kind, model
+    subroutine read_choice(kind, model, model_is_given, name, layers, options, choice, error)
+        integer(c_int), intent(in) :: kind, model, model_is_given
         !> of the argument `layers`
         character(len=*), intent(in) :: name
         integer(c_int), intent(in) :: layers
@@ -131,11 +128,12 @@ contains
         type(medium_choice_t), intent(out) :: choice
         type(error_t), allocatable, intent(inout) :: error
 
-        call check_count_within(error, name, int(layers), 1, most_layers)
+        call check_count_within(error, name, merge(1, int(layers), layers == 0), 1, most_layers)
         call read_medium_options(error, options, choice%options)
         choice%kind = int(kind)
         choice%model = int(model)
-        choice%layers = int(layers)
+        if (model == 0 .and. model_is_given == 0) choice%model = models%exact
+        choice%layers = max(int(layers), 1)
     end subroutine read_choice
 
     !> The whole problem, checked.

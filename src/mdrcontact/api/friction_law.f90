@@ -1,10 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Compiled laws of contacts with friction, for C.
 module mdrcontact_api_friction_law
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_law, only: read_law_options
+    use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_api_text, only: write_text
     use mdrcontact_error, only: error_t, raise_at
@@ -19,6 +20,7 @@ module mdrcontact_api_friction_law
 
     !> struct mdr_friction_law_facts
     type, bind(C) :: c_friction_law_facts_t
+        integer(c_size_t) :: size = 0_c_size_t
         real(c_double) :: coefficient = 0.0_c_double
         real(c_double) :: highest_force = 0.0_c_double, highest_sliding_shift = 0.0_c_double
         real(c_double) :: tolerance = 0.0_c_double
@@ -186,22 +188,24 @@ contains
     end subroutine open_records
 
     function mdr_friction_law_info(law, facts) result(status) bind(C, name="mdrcontact_entry_friction_law_info")
-        type(c_ptr), value :: law
-        type(c_friction_law_facts_t), intent(inout), optional :: facts
+        type(c_ptr), value :: law, facts
         integer(c_int) :: status
         type(friction_law_t), pointer :: inside
+        type(c_friction_law_facts_t), target :: made
+        integer(c_size_t) :: used
         type(error_t), allocatable :: error
 
         call open_handle(law, "law", inside, error)
-        call check_given(error, "facts", present(facts))
+        call check_size(error, "facts", facts, c_sizeof(made), used)
         status = status_of(error)
         if (allocated(error)) return
         associate (table => inside%law%by_force)
-            facts = c_friction_law_facts_t(inside%coefficient, table%highest, inside%coefficient*inside%law%by_depth%highest, &
+            made = c_friction_law_facts_t(used, inside%coefficient, table%highest, inside%coefficient*inside%law%by_depth%highest, &
                                            inside%law%tolerance, inside%first_shear_error, inside%path_error, &
                                            int(inside%memory_size(), c_int), int(inside%sliders, c_int), &
                                            len(inside%law%description, kind=c_int), merge(1_c_int, 0_c_int, table%continued))
         end associate
+        call write_facts(facts, c_loc(made), used)
     end function mdr_friction_law_info
 
     function mdr_friction_law_description(law, buffer, length) result(status) bind(C)

@@ -3,30 +3,31 @@
 module mdrcontact_api_law
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_handles, only: hand_over, open_handle
-    use mdrcontact_api_options, only: read_options
+    use mdrcontact_api_options, only: check_size, read_options, write_facts
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_api_text, only: read_text, write_text
     use mdrcontact_contact, only: check_branch, contact_t
     use mdrcontact_error, only: error_t
     use mdrcontact_law, only: contact_law_t, law_point_t
     use mdrcontact_law_evaluate, only: law_view_t, view_of
-    use mdrcontact_law_from_contact, only: default_law_tolerance, law_options_t, new_contact_law
+    use mdrcontact_law_from_contact, only: law_options_t, new_contact_law
     implicit none (type, external)
     private
-    public :: mdr_law_options_init, mdr_law_new, mdr_law_with_radius, mdrcontact_law_at_depth, &
+    public :: mdr_law_new, mdr_law_with_radius, mdrcontact_law_at_depth, &
               mdr_law_view_of, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_law_options
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
         integer(c_size_t) :: size = 0_c_size_t
         real(c_double) :: smallest_depth = 0.0_c_double
-        real(c_double) :: tolerance = default_law_tolerance
+        real(c_double) :: tolerance = 0.0_c_double
         type(c_ptr) :: description = c_null_ptr
         integer(c_int) :: continue_beyond = 0_c_int
     end type c_law_options_t
 
     !> struct mdr_law_facts
     type, bind(C) :: c_law_facts_t
+        integer(c_size_t) :: size = 0_c_size_t
         real(c_double) :: lowest_depth = 0.0_c_double, highest_depth = 0.0_c_double
         real(c_double) :: lowest_force = 0.0_c_double, highest_force = 0.0_c_double
         real(c_double) :: tolerance = 0.0_c_double, error = 0.0_c_double
@@ -38,14 +39,6 @@ module mdrcontact_api_law
     end type c_law_facts_t
 
 contains
-
-    subroutine mdr_law_options_init(options) bind(C)
-        type(c_law_options_t), intent(inout), optional :: options
-
-        if (.not. present(options)) return
-        options = c_law_options_t()
-        options%size = c_sizeof(options)
-    end subroutine mdr_law_options_init
 
     function mdr_law_new(contact, largest_depth, options, out) result(status) bind(C, name="mdrcontact_entry_law_new")
         type(c_ptr), value :: contact, options
@@ -75,7 +68,7 @@ contains
 
         call read_options(error, "options", options, c_loc(given), c_sizeof(given))
         chosen%smallest_depth = given%smallest_depth
-        chosen%tolerance = given%tolerance
+        if (given%tolerance /= 0.0_c_double) chosen%tolerance = given%tolerance
         chosen%continue_beyond = given%continue_beyond /= 0_c_int
         if (.not. allocated(error)) call read_text(given%description, chosen%description, error)
     end subroutine read_law_options
@@ -187,19 +180,22 @@ contains
 
     function mdr_law_info(law, facts) result(status) bind(C, name="mdrcontact_entry_law_info")
         type(c_ptr), value :: law
-        type(c_law_facts_t), intent(inout), optional :: facts
+        type(c_ptr), value :: facts
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
+        type(c_law_facts_t), target :: made
+        integer(c_size_t) :: used
         type(error_t), allocatable :: error
 
         call open_handle(law, "law", inside, error)
-        call check_given(error, "facts", present(facts))
+        call check_size(error, "facts", facts, c_sizeof(made), used)
         status = status_of(error)
         if (allocated(error)) return
-        facts = c_law_facts_t(inside%by_depth%lowest, inside%by_depth%highest, inside%by_force%lowest, inside%by_force%highest, &
-                              inside%tolerance, inside%error, int(inside%solutions, c_int), &
+        made = c_law_facts_t(used, inside%by_depth%lowest, inside%by_depth%highest, inside%by_force%lowest, &
+                             inside%by_force%highest, inside%tolerance, inside%error, int(inside%solutions, c_int), &
                               merge(1_c_int, 0_c_int, inside%by_depth%adhesive), size(inside%by_depth%segments, kind=c_int), &
                               len(inside%description, kind=c_int), merge(1_c_int, 0_c_int, inside%by_depth%continued))
+        call write_facts(facts, c_loc(made), used)
     end function mdr_law_info
 
     function mdr_law_description(law, buffer, length) result(status) bind(C)

@@ -3,20 +3,21 @@
 module mdrcontact_api_medium_options
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_loc, c_null_char, c_ptr, c_size_t, c_sizeof
-    use mdrcontact_api_options, only: read_options
+    use mdrcontact_api_options, only: check_size, read_options, write_facts
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: check_count_from, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_model, only: find_model, model_options_t, model_position, model_table
+    use mdrcontact_model, only: find_model, model_options_t, model_position, model_table, option_names, option_values
     implicit none (type, external)
     private
     public :: read_medium_options
-    public :: mdr_medium_options_init, mdr_model_name, mdr_model_from_name, mdr_model_info
+    public :: mdr_model_name, mdr_model_from_name, mdr_model_info
 
     !> struct mdr_medium_options
     type, bind(C) :: c_medium_options_t
         integer(c_size_t) :: size = 0_c_size_t
-        type(model_options_t) :: options = model_options_t()
+        type(model_options_t) :: options = model_options_t(0.0_wp, 0.0_wp, 0, 0.0_wp, 0.0_wp, 0.0_wp)
+        integer(c_int) :: exponent_is_given = 0_c_int
     end type c_medium_options_t
 
     !> Room for a name, with the null character that ends it.
@@ -24,30 +25,31 @@ module mdrcontact_api_medium_options
 
     !> struct mdr_model_facts
     type, bind(C) :: c_model_facts_t
-        real(c_double) :: largest_ratio
-        integer(c_int) :: base, takes_layers, takes_graded, spherical_only
-        character(kind=c_char) :: name(name_room), constant(name_room), option(name_room)
+        integer(c_size_t) :: size = 0_c_size_t
+        real(c_double) :: largest_ratio = 0.0_c_double
+        integer(c_int) :: base = 0_c_int, takes_layers = 0_c_int, takes_graded = 0_c_int, spherical_only = 0_c_int
+        character(kind=c_char), dimension(name_room) :: name = c_null_char, constant = c_null_char, option = c_null_char
+        real(c_double) :: default_constant = 0.0_c_double
     end type c_model_facts_t
 
 contains
 
-    subroutine mdr_medium_options_init(options) bind(C)
-        type(c_medium_options_t), intent(inout), optional :: options
-
-        if (.not. present(options)) return
-        options = c_medium_options_t()
-        options%size = c_sizeof(options)
-    end subroutine mdr_medium_options_init
-
     !> What the caller gave, or the defaults for a null pointer.
-    subroutine read_medium_options(error, given, options)
+    subroutine read_medium_options(error, structure, options)
         type(error_t), allocatable, intent(inout) :: error
-        type(c_ptr), intent(in) :: given
+        type(c_ptr), intent(in) :: structure
         type(model_options_t), intent(out) :: options
         type(c_medium_options_t), target :: chosen
 
-        call read_options(error, "options", given, c_loc(chosen), c_sizeof(chosen))
-        options = chosen%options
+        call read_options(error, "options", structure, c_loc(chosen), c_sizeof(chosen))
+        associate (given => chosen%options)
+            if (given%alpha /= 0.0_wp) options%alpha = given%alpha
+            if (given%wave_factor /= 0.0_wp) options%wave_factor = given%wave_factor
+            options%weight_nu_choice = given%weight_nu_choice
+            options%weight_nu = given%weight_nu
+            if (given%tolerance /= 0.0_wp) options%tolerance = given%tolerance
+            if (given%exponent /= 0.0_wp .or. chosen%exponent_is_given /= 0_c_int) options%exponent = given%exponent
+        end associate
     end subroutine read_medium_options
 
     function mdr_model_name(model, length, name) result(status) bind(C)
@@ -67,27 +69,31 @@ contains
 
     function mdr_model_info(model, facts) result(status) bind(C)
         integer(c_int), value :: model
-        type(c_model_facts_t), intent(inout), optional :: facts
+        type(c_ptr), value :: facts
         integer(c_int) :: status
+        type(c_model_facts_t), target :: made
         type(error_t), allocatable :: error
         integer :: position
+        integer(c_size_t) :: used
 
         position = model_position(int(model))
-        call check_given(error, "facts", present(facts))
+        call check_size(error, "facts", facts, c_sizeof(made), used)
         if (position == 0) call raise_model(error, model)
         status = status_of(error)
         if (allocated(error)) return
         associate (row => model_table(position))
-            facts%base = int(row%base, c_int)
-            facts%takes_layers = merge(1_c_int, 0_c_int, row%layers)
-            facts%takes_graded = merge(1_c_int, 0_c_int, row%graded)
-            facts%spherical_only = merge(1_c_int, 0_c_int, row%spherical_only)
-            facts%largest_ratio = row%largest_ratio
-            if (row%largest_ratio >= huge(1.0_wp)) facts%largest_ratio = ieee_value(1.0_c_double, ieee_positive_inf)
-            call write_name(row%name, facts%name)
-            call write_name(row%constant, facts%constant)
-            call write_name(row%option, facts%option)
+            made%base = int(row%base, c_int)
+            made%takes_layers = merge(1_c_int, 0_c_int, row%layers)
+            made%takes_graded = merge(1_c_int, 0_c_int, row%graded)
+            made%spherical_only = merge(1_c_int, 0_c_int, row%spherical_only)
+            made%largest_ratio = row%largest_ratio
+            if (row%largest_ratio >= huge(1.0_wp)) made%largest_ratio = ieee_value(1.0_c_double, ieee_positive_inf)
+            call write_name(row%name, made%name)
+            call write_name(row%constant, made%constant)
+            call write_name(row%option, made%option)
+            made%default_constant = sum(option_values(model_options_t()), mask=option_names == row%constant)
         end associate
+        call write_facts(facts, c_loc(made), used)
     end function mdr_model_info
 
     function mdr_model_from_name(name, model) result(status) bind(C)

@@ -1,19 +1,20 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Option structures of the caller. They begin with their size, which their ..._init function sets: a program that was compiled when
-!> a structure had fewer members gives fewer, and the rest keep their defaults.
+!> Structures of the caller that grow from version to version. They begin with their size, which the caller's header sets: the
+!> program may have been compiled with fewer members than the library has, or with more.
 module mdrcontact_api_options
-    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int8_t, c_ptr, c_size_t
+    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int8_t, c_ptr, c_size_t, c_associated
+    use mdrcontact_api_status, only: check_given
     use mdrcontact_error, only: error_invalid, error_t, raise
     implicit none (type, external)
     private
-    public :: read_options
+    public :: check_size, read_options, write_facts
 
-    !> The size itself, and what all sizes are multiples of.
-    integer(c_size_t), parameter :: smallest = 8_c_size_t, step = 4_c_size_t
+    !> The size itself, what all sizes are multiples of, and more than any structure will have.
+    integer(c_size_t), parameter :: smallest = 8_c_size_t, step = 4_c_size_t, largest = 4096_c_size_t
 
 contains
 
-    !> Overwrites the defaults with what the caller gave, which may be nothing.
+    !> Overwrites the defaults with what the caller gave, which may be nothing. Members the caller does not know stay 0.
     subroutine read_options(error, name, given, chosen, full)
         type(error_t), allocatable, intent(inout) :: error
         !> the argument's name
@@ -24,22 +25,59 @@ contains
         type(c_ptr), intent(in) :: chosen
         !> its size
         integer(c_size_t), intent(in) :: full
-        integer(c_size_t), pointer :: size
         integer(c_int8_t), pointer :: from(:), to(:)
-        character(len=20) :: found, most
+        integer(c_size_t) :: used
 
         if (allocated(error) .or. .not. c_associated(given)) return
-        call c_f_pointer(given, size)
-        if (size < smallest .or. size > full .or. mod(size, step) /= 0) then
-            write (found, "(i0)") size
-            write (most, "(i0)") full
-            call raise(error, error_invalid, name//"->size = "//trim(found)//" is not allowed: it must be what the structure's "// &
-                       "_init function sets, at most "//trim(most))
-            return
-        end if
-        call c_f_pointer(given, from, [size])
-        call c_f_pointer(chosen, to, [size])
+        call check_size(error, name, given, full, used)
+        if (allocated(error)) return
+        call c_f_pointer(given, from, [used])
+        call c_f_pointer(chosen, to, [used])
         to = from
     end subroutine read_options
+
+    !> Writes to the caller's structure, which check_size() has let pass, as many members as it has; its size stays.
+    subroutine write_facts(given, made, used)
+        type(c_ptr), intent(in) :: given
+        !> address of the library's structure
+        type(c_ptr), intent(in) :: made
+        !> of check_size
+        integer(c_size_t), intent(in) :: used
+        integer(c_int8_t), pointer :: from(:), to(:)
+
+        call c_f_pointer(made, from, [used])
+        call c_f_pointer(given, to, [used])
+        to(smallest + 1:) = from(smallest + 1:)
+    end subroutine write_facts
+
+    !> How many bytes of a structure both the caller and the library know. What only the caller knows must be 0.
+    subroutine check_size(error, name, given, full, used)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        type(c_ptr), intent(in) :: given
+        !> size of the library's structure
+        integer(c_size_t), intent(in) :: full
+        integer(c_size_t), intent(out) :: used
+        integer(c_size_t), pointer :: size
+        integer(c_int8_t), pointer :: bytes(:)
+        character(len=20) :: found
+
+        used = 0_c_size_t
+        call check_given(error, name, c_associated(given))
+        if (allocated(error)) return
+        call c_f_pointer(given, size)
+        if (size < smallest .or. size > largest .or. mod(size, step) /= 0) then
+            write (found, "(i0)") size
+            call raise(error, error_invalid, name//"->size = "//trim(found)//" is not allowed: it must be that of the "// &
+                       "structure, as MDR_SIZED sets it")
+            return
+        end if
+        used = min(size, full)
+        call c_f_pointer(given, bytes, [size])
+        if (any(bytes(full + 1:) /= 0_c_int8_t)) then
+            call raise(error, error_invalid, name//" has members that this library does not know: the program was "// &
+                       "compiled with the header of a newer one; leave them 0, or use the newer library")
+        end if
+    end subroutine check_size
 
 end module mdrcontact_api_options

@@ -41,9 +41,15 @@ void mdrcontact_store_error(int status, const char *words, int length, const cha
     copy(last_failure.text, (int)sizeof last_failure.text, words + length - text_length, text_length);
 }
 
-void mdr_last_failure(mdr_failure *failure)
+/* A size that cannot be is not a failure to remember: the caller is about to read another one. */
+int mdr_last_failure(mdr_failure *failure)
 {
-    if (failure != NULL) *failure = last_failure;
+    if (failure == NULL) return MDR_ENULL;
+    if (failure->size < sizeof failure->size) return MDR_EINVALID;
+    const size_t size = failure->size < sizeof last_failure ? failure->size : sizeof last_failure;
+    last_failure.size = failure->size;
+    memcpy(failure, &last_failure, size);
+    return MDR_SUCCESS;
 }
 
 int mdrcontact_wanted_threads(void)

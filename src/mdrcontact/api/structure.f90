@@ -3,7 +3,6 @@
 module mdrcontact_api_structure
     use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, &
                                            c_associated, c_size_t, c_sizeof
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, make_room
     use mdrcontact_api_handles, only: deliver, hand_over, open_handle
     use mdrcontact_api_options, only: read_options
@@ -21,19 +20,20 @@ module mdrcontact_api_structure
     use mdrcontact_medium_tabulated, only: tabulated_medium_t
     implicit none (type, external)
     private
-    public :: mdr_structure_options_init, mdr_structure_shapes, mdr_structure_voxels, mdr_structure_callback, &
+    public :: mdr_structure_shapes, mdr_structure_voxels, mdr_structure_callback, &
               mdr_structure_modulus, mdr_structure_medium
 
     !> struct mdr_structure_options; the order of the components is that of the header.
     type, bind(C) :: structure_options_t
         integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: reference_nu
-        real(c_double) :: tolerance = 1.0e-5_c_double
+        real(c_double) :: reference_nu = 0.0_c_double
+        real(c_double) :: tolerance = 0.0_c_double
         integer(c_int) :: padded = 0_c_int
-        integer(c_int) :: images = 1_c_int
+        integer(c_int) :: images = 0_c_int
         real(c_double) :: beside_e = 0.0_c_double, beside_nu = 0.0_c_double
         real(c_double) :: origin(2) = 0.0_c_double
-        real(c_double) :: exponent = 1.0_c_double
+        real(c_double) :: exponent = 0.0_c_double
+        integer(c_int) :: reference_nu_is_given = 0_c_int, exponent_is_given = 0_c_int
     end type structure_options_t
 
     !> A C function E(x, y, z), nu(x, y, z).
@@ -56,12 +56,6 @@ module mdrcontact_api_structure
 
 contains
 
-    subroutine mdr_structure_options_init(options) bind(C)
-        type(structure_options_t), intent(inout), optional :: options
-
-        if (present(options)) options = default_options()
-    end subroutine mdr_structure_options_init
-
     function mdr_structure_shapes(e, nu, n, kind, parameters, shape_e, shape_nu, options, out) result(status) &
         bind(C, name="mdrcontact_entry_structure_shapes")
         real(c_double), value :: e, nu
@@ -80,9 +74,8 @@ contains
         integer :: i, stat
 
         allocate (structure)
-        chosen = default_options()
-        call read_options(error, "options", options, c_loc(chosen), c_sizeof(chosen))
         call new_material(background, e, nu, error)
+        call read_structure_options(error, options, chosen)
         call check_count(error, n)
         call check_array(error, "kind", n, present(kind))
         call check_array(error, "parameters", n, present(parameters))
@@ -100,7 +93,7 @@ contains
             end do
         end if
         if (.not. allocated(error)) then
-            if (ieee_is_nan(chosen%reference_nu)) chosen%reference_nu = nu
+            if (chosen%reference_nu_is_given == 0_c_int) chosen%reference_nu = nu
             call new_shapes(structure, background, shapes, error, chosen%reference_nu, chosen%tolerance, chosen%exponent)
         end if
         call move_alloc(structure, object)
@@ -127,8 +120,7 @@ contains
         integer :: stat
 
         allocate (structure)
-        chosen = default_options()
-        call read_options(error, "options", options, c_loc(chosen), c_sizeof(chosen))
+        call read_structure_options(error, options, chosen)
         call check_given(error, "size", present(size))
         call check_given(error, "labels", present(labels))
         call check_given(error, "spacing", present(spacing))
@@ -151,7 +143,7 @@ contains
             call check_memory(error, stat)
         end if
         if (.not. allocated(error)) then
-            if (.not. ieee_is_nan(chosen%reference_nu)) reference_nu = chosen%reference_nu
+            if (chosen%reference_nu_is_given /= 0_c_int) reference_nu = chosen%reference_nu
             ! C counts phases from 0
             call copy_labels(labels, cells)
             call new_voxels(structure, cells, materials, spacing, below, error, beside, chosen%origin, int(chosen%images), &
@@ -174,8 +166,7 @@ contains
         type(structure_options_t), target :: chosen
         type(error_t), allocatable :: error
 
-        chosen = default_options()
-        call read_options(error, "options", options, c_loc(chosen), c_sizeof(chosen))
+        call read_structure_options(error, options, chosen)
         call check_given(error, "field", c_associated(field))
         wrapped%function = field
         wrapped%context = context
@@ -228,12 +219,18 @@ contains
         status = hand_over(object, out, error)
     end function mdr_structure_medium
 
-    function default_options() result(options)
-        type(structure_options_t) :: options
+    !> What the caller gave, with the defaults of the rest.
+    subroutine read_structure_options(error, structure, options)
+        type(error_t), allocatable, intent(inout) :: error
+        type(c_ptr), intent(in) :: structure
+        type(structure_options_t), intent(out), target :: options
 
-        options%size = c_sizeof(options)
-        options%reference_nu = ieee_value(1.0_c_double, ieee_quiet_nan)
-    end function default_options
+        call read_options(error, "options", structure, c_loc(options), c_sizeof(options))
+        if (options%reference_nu /= 0.0_c_double) options%reference_nu_is_given = 1_c_int
+        if (options%tolerance == 0.0_c_double) options%tolerance = 1.0e-5_c_double
+        if (options%images == 0_c_int) options%images = 1_c_int
+        if (options%exponent == 0.0_c_double .and. options%exponent_is_given == 0_c_int) options%exponent = 1.0_c_double
+    end subroutine read_structure_options
 
     subroutine check_materials(n, e, nu, materials, error)
         integer(c_int), intent(in) :: n

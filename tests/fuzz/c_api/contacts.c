@@ -19,7 +19,7 @@ void fuzz_contacts(world *w)
     int status, is_exact = 0;
 
     for (int i = 0; i < SLOTS; i++) is_exact = is_exact || (medium && medium == w->media[i] && w->medium_is_exact[i]);
-    mdr_contact_options_init(&options);
+    options = MDR_SIZED(mdr_contact_options);
     if (take_byte(in) % 3 == 0) {
         chosen = &options;
         if (!afford(w, is_exact ? 4 * PRICE_OF_ADHESION : PRICE_OF_ADHESION)) return;

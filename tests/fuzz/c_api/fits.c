@@ -62,11 +62,11 @@ static void fit(world *w, choices of)
     double values[MOST_NUMBERS], covariance[MOST_NUMBERS * MOST_NUMBERS], weakest[MOST_NUMBERS], lower, upper;
     double weights[2 * MOST_NUMBERS];
     mdr_fit_parameter parameters[MOST_NUMBERS];
-    mdr_fit_summary summary;
+    mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
     mdr_fit_problem problem;
     int status, count = 0, n = take_count(in), at_bound[MOST_NUMBERS], branch[MOST_POINTS];
 
-    mdr_fit_problem_init(&problem);
+    problem = MDR_SIZED(mdr_fit_problem);
     problem.data_kind = take_code(in, of.kinds);
     problem.indenter = take_choice(in, of.indenters);
     problem.profile = some_profile(w);
@@ -75,9 +75,9 @@ static void fit(world *w, choices of)
     problem.layers = take_code(in, 2);
     problem.adhesion_rule = take_choice(in, 3);
     problem.loss = take_choice(in, 3);
-    problem.sd_is_absolute = take_choice(in, 2);
+    problem.sd_is_relative = take_choice(in, 2);
     problem.max_iterations = 5;
-    problem.check_units = take_choice(in, 2);
+    problem.any_units = take_choice(in, 2);
     if (problem.medium == MDR_FIT_MEDIUM_GIVEN || problem.medium == MDR_FIT_MEDIUM_VISCOELASTIC) {
         const int slot = take_byte(in) % SLOTS;
         if (!w->medium_is_exact[slot]) problem.medium_object = w->media[slot];

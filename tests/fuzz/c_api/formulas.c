@@ -47,7 +47,7 @@ void fuzz_lists(world *w)
     const int model = take_choice(&w->in, MDR_MODEL_GAO_POWER + 2), length = take_choice(&w->in, 30);
     const int order = take_choice(&w->in, 4);
     double points[3 * POINTS], weights[2 * POINTS];
-    mdr_model_facts facts;
+    mdr_model_facts facts = MDR_SIZED(mdr_model_facts);
     char name[30];
     int status, again = -1;
 

@@ -18,7 +18,7 @@ static void make(world *w)
     mdr_law_options options, *chosen = &options;
     mdr_law *made = NULL;
 
-    mdr_law_options_init(&options);
+    options = MDR_SIZED(mdr_law_options);
     options.tolerance = 1e-4;
     if (take_chance(&w->in)) {
         options.smallest_depth = take_number(&w->in);
@@ -98,7 +98,7 @@ static void write_and_read(world *w)
 {
     const mdr_law *law = some_law(w);
     mdr_law *again = NULL;
-    mdr_law_facts facts;
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     char words[8];
     int length = 0, second = 0, status;
 

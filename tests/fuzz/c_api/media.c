@@ -10,7 +10,7 @@ enum { PRICE_OF_EXACT = 30, PRICE_OF_EXACT_GRADED = 60, PRICE_OF_SAMPLED = 10 };
 static const mdr_medium_options *take_options(input *in, int *model, mdr_medium_options *options)
 {
     *model = take_choice(in, MDR_MODEL_EXACT + 1);
-    mdr_medium_options_init(options);
+    *options = MDR_SIZED(mdr_medium_options);
     options->tolerance = 1e-4; /* cheaper */
     if (!take_chance(in)) return options;
     if (take_chance(in)) return NULL;

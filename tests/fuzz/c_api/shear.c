@@ -33,7 +33,7 @@ enum { MOST_SLIDERS = 16, MOST_MEMORY = 11 + 3 * MOST_SLIDERS };
 /* What it is; and what was written is read again. */
 static void write_and_read(const mdr_friction_law *law)
 {
-    mdr_friction_law_facts facts;
+    mdr_friction_law_facts facts = MDR_SIZED(mdr_friction_law_facts);
     mdr_friction_law *again = NULL;
     char words[8];
     int length = 0, second = 0, status;
@@ -62,7 +62,7 @@ static void compile(world *w)
     int slot, status;
     const mdr_contact *contact = some_contact(w, &slot);
 
-    mdr_law_options_init(&options);
+    options = MDR_SIZED(mdr_law_options);
     options.tolerance = take_chance(&w->in) ? take_number(&w->in) : 1e-3;
     options.continue_beyond = take_byte(&w->in) % 2;
     if (!afford(w, w->contact_is_exact[slot] ? PRICE_OF_EXACT_LAW : PRICE_OF_LAW)) return;

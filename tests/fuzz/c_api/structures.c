@@ -10,7 +10,7 @@ static user_function field; /* a structure keeps its function: it lives as long 
 
 static const mdr_structure_options *take_options(input *in, mdr_structure_options *options)
 {
-    mdr_structure_options_init(options);
+    *options = MDR_SIZED(mdr_structure_options);
     options->tolerance = 1e-2; /* cheaper */
     if (!take_chance(in)) return options;
     options->reference_nu = take_ratio(in);

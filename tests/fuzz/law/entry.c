@@ -43,7 +43,7 @@ static void finding(const char *what)
 
 static void evaluate(const mdr_law *law)
 {
-    mdr_law_facts facts;
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     mdr_law_point point;
     double x[DEPTHS], v[4][DEPTHS];
     char words[16];
@@ -78,7 +78,7 @@ static void evaluate(const mdr_law *law)
 /* A law with friction, led along a path. */
 static void rub(const mdr_friction_law *law)
 {
-    mdr_friction_law_facts facts;
+    mdr_friction_law_facts facts = MDR_SIZED(mdr_friction_law_facts);
     double T[3], tangent[12];
     int length = 0;
 

@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Programs that were compiled with the header of an older or a newer library: their structures that grow are shorter or longer. The
+ * library reads and writes what both know and nothing beside it, whatever stands there.
+ */
+#include "check.h"
+
+enum { GUARD = 64, CANARY = 0x5a, LONGER = 24 };
+
+/* What a program of another version has of a structure, with guards around it. */
+typedef struct other_version {
+    size_t size;
+    unsigned char *memory;
+} other_version;
+
+static other_version version_of(const void *known, size_t full, size_t size)
+{
+    other_version v = {size, malloc(size + 2 * GUARD)};
+    memset(v.memory, CANARY, size + 2 * GUARD);
+    memset(v.memory + GUARD, 0, size);
+    memcpy(v.memory + GUARD, known, size < full ? size : full);
+    memcpy(v.memory + GUARD, &size, sizeof size);
+    return v;
+}
+
+static void *content(const other_version *v) { return v->memory + GUARD; }
+
+static void done(other_version *v)
+{
+    size_t size;
+    for (int i = 0; i < GUARD; i++) {
+        CHECK_INT(v->memory[i], CANARY);
+        CHECK_INT(v->memory[GUARD + v->size + (size_t)i], CANARY);
+    }
+    memcpy(&size, content(v), sizeof size);
+    CHECK_TRUE(size == v->size);
+    free(v->memory);
+}
+
+typedef struct objects {
+    mdr_profile *ball;
+    mdr_medium *film;
+    mdr_contact *contact;
+    mdr_friction *friction;
+    mdr_law *law;
+    mdr_friction_law *friction_law;
+} objects;
+
+/* Each use gives a structure of another version to the library. */
+typedef int (*use)(const objects *o, void *structure);
+
+static int use_medium(const objects *o, void *structure)
+{
+    mdr_medium *m = NULL;
+    (void)o;
+    const int status = mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_POWER, structure, &m);
+    mdr_medium_free(&m);
+    return status;
+}
+
+static int use_contact(const objects *o, void *structure)
+{
+    mdr_contact *c = NULL;
+    const int status = mdr_contact_new(o->ball, o->film, structure, &c);
+    mdr_contact_free(&c);
+    return status;
+}
+
+static int use_law(const objects *o, void *structure)
+{
+    mdr_law *law = NULL;
+    const int status = mdr_law_new(o->contact, 0.1, structure, &law);
+    mdr_law_free(&law);
+    return status;
+}
+
+static int use_structure(const objects *o, void *structure)
+{
+    mdr_structure *s = NULL;
+    (void)o;
+    const int status = mdr_structure_shapes(1.0, 0.3, 0, NULL, NULL, NULL, NULL, structure, &s);
+    mdr_structure_free(&s);
+    return status;
+}
+
+static int use_problem(const objects *o, void *structure)
+{
+    int count;
+    (void)o;
+    return mdr_fit_parameter_count(structure, &count);
+}
+
+static int use_model_facts(const objects *o, void *structure)
+{
+    (void)o;
+    return mdr_model_info(MDR_MODEL_EXACT, structure);
+}
+
+static int use_law_facts(const objects *o, void *structure) { return mdr_law_info(o->law, structure); }
+
+static int use_friction_law_facts(const objects *o, void *structure) { return mdr_friction_law_info(o->friction_law, structure); }
+
+static int use_failure(const objects *o, void *structure)
+{
+    (void)o;
+    return mdr_last_failure(structure);
+}
+
+static int use_summary(const objects *o, void *structure)
+{
+    static const double d[4] = {0.1, 0.2, 0.3, 0.4}, F[4] = {1.0, 3.0, 5.0, 8.0};
+    static const double rest[9] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
+    mdr_fit_parameter parameters[10] = {{1.0, 0.1, 100.0, 0.0, 0.0, 1}};
+    mdr_fit_problem problem = MDR_SIZED(mdr_fit_problem);
+    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
+    problem.medium_object = o->film;
+    problem.parameter_count = 10;
+    problem.parameters = parameters;
+    for (int i = 0; i < 9; i++) parameters[i + 1] = (mdr_fit_parameter){rest[i], -INFINITY, INFINITY, 0.0, 0.0, 0};
+    return mdr_fit_solve(&problem, 4, d, F, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, structure);
+}
+
+static void every_size(const objects *o, use function, const void *known, size_t full, int is_filled)
+{
+    for (size_t size = sizeof(size_t); size <= full + LONGER; size += size < full && full - size < 8 ? full - size : 8) {
+        other_version v = version_of(known, full, size);
+        CHECK_SUCCESS(function(o, content(&v)));
+        /* what the library does not know stays 0, what it fills begins behind the size */
+        for (size_t i = full; i < size; i++) CHECK_INT(((unsigned char *)content(&v))[i], 0);
+        if (!is_filled && size > sizeof size) {
+            const size_t both = (size < full ? size : full) - sizeof size;
+            CHECK_TRUE(memcmp((unsigned char *)content(&v) + sizeof size, (const unsigned char *)known + sizeof size, both) == 0);
+        }
+        done(&v);
+    }
+    if (function == use_failure) return;
+    other_version newer = version_of(known, full, full + LONGER);
+    ((unsigned char *)content(&newer))[full + LONGER - 1] = 1;
+    CHECK_STATUS(function(o, content(&newer)), MDR_EINVALID, "the header of a newer one");
+    done(&newer);
+}
+
+#define EVERY_SIZE(function, type, is_filled) \
+    do { \
+        const type known = MDR_SIZED(type); \
+        every_size(&o, function, &known, sizeof known, is_filled); \
+    } while (0)
+
+/* A shorter structure gets what it has room for. */
+static void what_is_known_is_written(const objects *o)
+{
+    mdr_law_facts all = MDR_SIZED(mdr_law_facts), few = all;
+    CHECK_SUCCESS(mdr_law_info(o->law, &all));
+    CHECK_TRUE(all.highest_depth >= 0.1 && all.segments == 1);
+    few.size = offsetof(mdr_law_facts, tolerance);
+    CHECK_SUCCESS(mdr_law_info(o->law, &few));
+    CHECK_TRUE(few.highest_force == all.highest_force && few.tolerance == 0.0 && few.segments == 0);
+    CHECK_STATUS(mdr_law_info(o->law, &(mdr_law_facts){0}), MDR_EINVALID, "facts->size = 0");
+    mdr_failure failure = MDR_SIZED(mdr_failure);
+    CHECK_SUCCESS(mdr_last_failure(&failure));
+    CHECK_INT(failure.status, MDR_EINVALID);
+    CHECK_INT(mdr_last_failure(NULL), MDR_ENULL);
+    CHECK_INT(mdr_last_failure(&(mdr_failure){0}), MDR_EINVALID);
+}
+
+/* 0 is the default; where it is a value, too, that has to be said. */
+static void defaults(void)
+{
+    static const double a[1] = {1.0};
+    const double p[4] = {-0.65, -0.65, 0.0, 0.3};
+    double none, found[4];
+    mdr_medium *m = NULL;
+    CHECK_SUCCESS(mdr_medium_coated(9.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_POWER, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, &none));
+    mdr_medium_free(&m);
+    for (int i = 0; i < 4; i++) {
+        mdr_medium_options options = MDR_SIZED(mdr_medium_options);
+        options.exponent = i == 0 ? 0.0 : p[i];
+        options.exponent_is_given = i == 2;
+        CHECK_SUCCESS(mdr_medium_coated(9.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_POWER, &options, &m));
+        CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, &found[i]));
+        mdr_medium_free(&m);
+    }
+    CHECK_CLOSE(found[0], none, 0.0);
+    CHECK_CLOSE(found[1], none, 0.0);
+    CHECK_TRUE(found[2] > found[1] && found[3] > found[2]);
+}
+
+int main(void)
+{
+    objects o = {NULL, NULL, NULL, NULL, NULL, NULL};
+    mdr_medium *base = NULL;
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &o.ball));
+    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &base));
+    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, NULL, &o.film));
+    CHECK_SUCCESS(mdr_contact_new(o.ball, base, NULL, &o.contact));
+    CHECK_SUCCESS(mdr_law_new(o.contact, 0.1, NULL, &o.law));
+    CHECK_SUCCESS(mdr_friction_new(o.contact, 0.3, &o.friction));
+    CHECK_SUCCESS(mdr_friction_law_new(o.friction, 0.1, NULL, &o.friction_law));
+    EVERY_SIZE(use_medium, mdr_medium_options, 0);
+    EVERY_SIZE(use_contact, mdr_contact_options, 0);
+    EVERY_SIZE(use_law, mdr_law_options, 0);
+    EVERY_SIZE(use_structure, mdr_structure_options, 0);
+    EVERY_SIZE(use_problem, mdr_fit_problem, 0);
+    EVERY_SIZE(use_model_facts, mdr_model_facts, 1);
+    EVERY_SIZE(use_law_facts, mdr_law_facts, 1);
+    EVERY_SIZE(use_friction_law_facts, mdr_friction_law_facts, 1);
+    EVERY_SIZE(use_summary, mdr_fit_summary, 1);
+    EVERY_SIZE(use_failure, mdr_failure, 1);
+    what_is_known_is_written(&o);
+    defaults();
+    mdr_friction_law_free(&o.friction_law);
+    mdr_friction_free(&o.friction);
+    mdr_law_free(&o.law);
+    mdr_contact_free(&o.contact);
+    mdr_medium_free(&o.film);
+    mdr_medium_free(&base);
+    mdr_profile_free(&o.ball);
+    return check_report("structures that grow");
+}
