@@ -288,13 +288,14 @@ static void friction_laws(numbers *out)
     mdr_friction *f = NULL;
     mdr_friction_law *law = NULL;
     mdr_friction_law_facts facts = MDR_SIZED(mdr_friction_law_facts);
-    mdr_friction_memory memory = {0};
+    double memory[35] = {0.0}, T[3];
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
-    CHECK_SUCCESS(mdr_friction_law_new(f, 0.2, NULL, &law));
+    CHECK_SUCCESS(mdr_friction_law_new(f, 0.2, 0, NULL, &law));
     CHECK_SUCCESS(mdr_friction_law_info(law, &facts));
     *more(out, 1) = facts.highest_sliding_shift;
-    CHECK_SUCCESS(mdr_friction_law_advance(law, 1, (const double[1]){0.1}, (const double[3]){0.002, 0.001, 0.0}, &memory));
-    for (int i = 0; i < 3; i++) *more(out, 1) = memory.force[i];
+    CHECK_INT(facts.memory_size, 35);
+    CHECK_SUCCESS(mdr_friction_law_advance(law, 1, (const double[1]){0.1}, (const double[3]){0.002, 0.001, 0.0}, NULL, memory, T));
+    for (int i = 0; i < 3; i++) *more(out, 1) = T[i];
     mdr_friction_law_free(&law);
     mdr_friction_free(&f);
     mdr_contact_free(&c);

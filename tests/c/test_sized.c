@@ -196,7 +196,7 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_new(o.ball, base, NULL, &o.contact));
     CHECK_SUCCESS(mdr_law_new(o.contact, 0.1, NULL, &o.law));
     CHECK_SUCCESS(mdr_friction_new(o.contact, 0.3, &o.friction));
-    CHECK_SUCCESS(mdr_friction_law_new(o.friction, 0.1, NULL, &o.friction_law));
+    CHECK_SUCCESS(mdr_friction_law_new(o.friction, 0.1, 0, NULL, &o.friction_law));
     EVERY_SIZE(use_medium, mdr_medium_options, 0);
     EVERY_SIZE(use_contact, mdr_contact_options, 0);
     EVERY_SIZE(use_law, mdr_law_options, 0);

@@ -16,6 +16,7 @@ CORPUS = sorted((FUZZ / "corpus" / "readers").iterdir())
 HEADER = Path(__file__).parents[2] / "include" / "mdrcontact.h"
 NOT_FUZZED = {
     "mdr_version": "takes nothing",
+    "mdr_sized": "what MDR_SIZED is in C++",
     "mdr_law_save": "writes a file; mdr_law_write has the same content",
     "mdr_law_load": "reads a file; mdr_law_read has the same content",
     "mdr_friction_law_save": "writes a file; mdr_friction_law_write has the same content",

@@ -206,7 +206,7 @@ contains
         type(equation_t) :: equation
         real(wp), allocatable :: forward(:, :), rest(:, :), known(:), work(:, :)
         real(wp) :: beyond, tail
-        integer :: i, j, m, sides, stat
+        integer :: m, sides, stat
 
         m = 2*n
         solution%unknowns = n
@@ -234,11 +234,8 @@ contains
             rest = rhs(n + 1:, :)
             rhs(:n, :) = forward
             call solve_upper(n, m, sides, h, rhs)
-            do j = 1, n
-                do i = 1, sides
-                    rest(:, i) = rest(:, i) - rhs(j, i)*h(n + 1:, j)
-                end do
-            end do
+            work(:, :sides) = matmul(h(n + 1:, :), rhs(:n, :sides))
+            rest(:, :sides) = rest(:, :sides) - work(:, :sides)
             call add_rest(n, m, a, equation%mean, equation%rise, h, forward, rest, known(n + 1:), tail, solution, work(:, 1), &
                           work(:, 2), work(:, 3), work(:, 4), work(:, 5), work(:, 6))
             if (present(profile)) then
