@@ -366,7 +366,7 @@ static void turning_planes(void)
     mdr_contact *c = on_half_space();
     mdr_friction *f = NULL;
     mdr_friction_law *law = NULL;
-    mdr_friction_law_facts facts;
+    mdr_friction_law_facts facts = MDR_SIZED(mdr_friction_law_facts);
     double memory[2 * MEMORY] = {0.0}, before[2 * MEMORY], T[6], turned[6], force[2], normal[6] = {0.0, 0.0, 1.0, 0.0, 0.0, 1.0};
     const double tilted[6] = {0.0, 0.6, 0.8, 0.0, 0.0, 1.0}, spin[2] = {0.0, acos(-1.0)}, still[6] = {0.0};
     double shift[6] = {1e-3, 2e-3, 0.0, 1e-3, 2e-3, 0.0};

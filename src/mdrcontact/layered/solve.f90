@@ -359,7 +359,8 @@ contains
         integer, intent(in) :: n, m
         real(wp), intent(inout) :: a(m, n)
         logical, intent(out) :: done
-        integer :: j, k, info
+        real(wp) :: factor
+        integer :: i, j, k, info
 
         if (n >= large) then
             call dpotrf("L", n, a, m, info)
@@ -371,7 +372,11 @@ contains
             if (.not. a(j, j) > 0.0_wp) return
             a(j:n, j) = a(j:n, j)/sqrt(a(j, j))
             do k = j + 1, n
-                a(k:n, k) = a(k:n, k) - a(k, j)*a(k:n, j)
+                factor = a(k, j)
+                !GCC$ ivdep
+                do i = k, n
+                    a(i, k) = a(i, k) - factor*a(i, j)
+                end do
             end do
         end do
         done = .true.

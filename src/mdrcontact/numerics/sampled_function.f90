@@ -22,9 +22,9 @@ module mdrcontact_numerics_sampled_function
     integer, parameter :: most_panels = 20000
     !> Where a series is compared with its function, in the panel's variable: in two gaps between its nodes, or in all of them and
     !> beyond the outermost ones.
-    integer :: gap
     real(wp), parameter :: in_some(2) = [cos(0.35_wp*pi), cos(0.6_wp*pi)]
-    real(wp), parameter :: in_all(nodes + 1) = (1.0_wp - 1.0e-6_wp)*[(cos(pi*gap/nodes), gap=0, nodes)]
+    integer, parameter :: gaps(nodes + 1) = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20]
+    real(wp), parameter :: in_all(nodes + 1) = (1.0_wp - 1.0e-6_wp)*cos(pi*real(gaps, wp)/nodes)
     !> By how much more than the last coefficients a series may miss its function.
     real(wp), parameter :: margin = 10.0_wp
     !> A panel is not halved below this length relative to its distance from 0.
