@@ -37,7 +37,7 @@ def largest_force(row: int, law: mdr.ContactLaw) -> np.ndarray:
 
 def main() -> None:
     film = mdr.Coated(mdr.Elastic(3e9, 0.35), 300e-9, mdr.Elastic(163e9, 0.22))
-    law = mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(50e-9), film), largest_depth=100e-9)
+    law = mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(200e-9), film), largest_depth=100e-9)
     rows = range(0, PIXELS, CHUNK)
     try:
         import dask

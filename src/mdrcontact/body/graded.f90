@@ -467,6 +467,7 @@ contains
         class(graded_body_t), intent(in) :: self
         !> > 0, and others, ascending from there on [length]
         real(wp), intent(in) :: first, depths(:)
+        !> ascending from 0 [length]
         real(wp), allocatable, intent(out) :: faces(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: antiderivative(nodes + 1, nodes), t(nodes)

@@ -27,7 +27,9 @@ module mdrcontact_contact_warnings
 
     !> One warning: its code and what it means, as a sentence without a full stop.
     type :: contact_warning_t
+        !> one of warning_...
         integer :: code = 0
+        !> what it means
         character(len=240) :: text = ""
     end type contact_warning_t
 

@@ -33,6 +33,7 @@ module mdrcontact_field_gradient_states
     !> in the fit. Under a smooth load a stress is off by 1/20 of the misfit.
     real(wp), parameter :: tolerance = 3.0e-9_wp, refused = 2.0e-7_wp, ridge = 1.0e-13_wp
 
+    !> States of a graded body.
     type, extends(states_t) :: gradient_states_t
         private
         !> depths of the ends of the steps, 0 first, and which of them the depths in use are [a]

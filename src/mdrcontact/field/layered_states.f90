@@ -10,6 +10,7 @@ module mdrcontact_field_layered_states
     private
     public :: layered_states_t, new_layered_states
 
+    !> States of a body of homogeneous layers.
     type, extends(states_t) :: layered_states_t
         private
         !> lengths in units of a

@@ -6,7 +6,7 @@ module mdrcontact_layered_shared
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_body, only: body_t
-    use mdrcontact_layered_tabulate, only: attempts, tabulate_kernel
+    use mdrcontact_layered_tabulate, only: attempts, elastic_misfit, tabulate_kernel
     use mdrcontact_layered_waves, only: wave_table_t
     implicit none (type, external)
     private
@@ -34,12 +34,15 @@ module mdrcontact_layered_shared
 contains
 
     !> The kernel of a body: that of one made before where both are the same but for their size.
-    subroutine shared_kernel(shared, surface, kernel, error)
+    subroutine shared_kernel(shared, surface, kernel, error, allowed)
         type(layered_shared_t), intent(inout) :: shared
         class(body_t), intent(in) :: surface
         type(kernel_t), intent(out) :: kernel
         type(error_t), allocatable, intent(out) :: error
+        !> by how much the table may miss chi, in parts of its largest value; default: as little as of an elastic body
+        real(wp), intent(in), optional :: allowed
         real(wp), allocatable :: ratios(:)
+        real(wp) :: misfit
         integer :: i, stat
 
         call surface%ratios(ratios, error)
@@ -55,7 +58,9 @@ contains
         if (i > most_kernels) then
             i = shared%oldest
             if (allocated(shared%kernels(i)%ratios)) deallocate (shared%kernels(i)%ratios)
-            call tabulate_kernel(shared%kernels(i)%kernel, surface, shared%tables, error)
+            misfit = elastic_misfit
+            if (present(allowed)) misfit = allowed
+            call tabulate_kernel(shared%kernels(i)%kernel, surface, shared%tables, misfit, error)
             if (allocated(error)) return
             call move_alloc(ratios, shared%kernels(i)%ratios)
             shared%oldest = modulo(i, most_kernels) + 1

@@ -17,15 +17,15 @@ module mdrcontact_layered_tabulate
     use mdrcontact_numerics_chebyshev, only: series_of_values
     implicit none (type, external)
     private
-    public :: tabulate_kernel, attempts, powers_from_values, stiff
+    public :: tabulate_kernel, attempts, elastic_misfit, powers_from_values, stiff
 
     !> Octaves of y at most.
     integer, parameter :: most_octaves = 128
     !> From this sigma(0) on rounding of X(0) would be seen in d and F; and octaves of y in which X may be X(0) and little less.
     real(wp), parameter :: stiff = 1.0e3_wp
     integer, parameter :: most_plateau = 40
-    !> By how much the table may miss chi, in parts of its largest value.
-    real(wp), parameter :: allowed = 1.0e-10_wp
+    !> By how much the table of an elastic body may miss chi, in parts of its largest value.
+    real(wp), parameter :: elastic_misfit = 1.0e-10_wp
     !> A body no deeper than so many thicknesses of its first layer is one of layers, not a grading.
     real(wp), parameter :: coarse = 100.0_wp
     !> Rays tried in turn, pi/denominator, and panels in an octave of wavenumbers on each.
@@ -36,11 +36,13 @@ module mdrcontact_layered_tabulate
 contains
 
     !> The table of X for a body.
-    subroutine tabulate_kernel(kernel, surface, tables, error)
+    subroutine tabulate_kernel(kernel, surface, tables, allowed, error)
         type(kernel_t), intent(out) :: kernel
         class(body_t), intent(in) :: surface
         !> what bodies share; filled as far as it is needed
         type(wave_table_t), intent(inout) :: tables(attempts)
+        !> by how much it may miss chi, in parts of its largest value
+        real(wp), intent(in) :: allowed
         type(error_t), allocatable, intent(out) :: error
         type(ray_t) :: ray
         integer :: attempt
