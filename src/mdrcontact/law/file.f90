@@ -121,7 +121,7 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         more(:own_numbers) = [real(law%sliders, wp), law%coefficient, law%first_shear_error, law%path_error, real(shares, wp)]
-        if (shares > 0) more(own_numbers + 1:) = reshape(law%levels%share, [shares])
+        if (shares > 0) more(own_numbers + 1:) = reshape(transpose(law%levels%share), [shares])
         call put(law%law, more, of_friction, text, error)
     end subroutine friction_law_to_text
 
@@ -158,7 +158,7 @@ contains
         if (size(shares) == 0) return
         associate (count => share_index(law%levels%count, law%levels%count))
             if (size(shares) == share_nodes*count) then
-                law%levels%share = reshape(shares, [share_nodes, count])
+                law%levels%share = reshape(shares, [count, share_nodes], order=[2, 1])
             else
                 call raise_unsound(error)
             end if

@@ -17,7 +17,7 @@ module mdrcontact_law_friction
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial_with_slope
     use mdrcontact_law_levels, only: fewest_sliders, levels_t, most_sliders, new_levels
     use mdrcontact_law_sliders, only: at_lost, at_shift, is_record, keep, motion_t, move, part, record_size, &
-                                     stored_energy, tangent_of, total_of, turn_record
+                                     stored_energy, tangent_of, turn_record
     use mdrcontact_law_table, only: law_table_t
     implicit none (type, external)
     private
@@ -231,7 +231,7 @@ contains
             return
         end if
         call move(self%levels, self%coefficient, self%sliders, force, level, compliance, shift, memory, motion)
-        traction = total_of(motion)
+        traction = motion%total
         if (present(tangent)) then
             call tangent_of(self%levels, self%coefficient, force, level, compliance, memory(at_shift), motion, tangent)
         end if
@@ -323,15 +323,16 @@ contains
         class(friction_law_t), intent(in) :: self
         real(wp), intent(in), contiguous :: memory(:)
         type(error_t), allocatable, intent(inout) :: error
-        integer :: i, moderate
+        real(wp) :: refused
+        integer :: i
         logical :: sound
 
         ! a loop that is vectorized; no NaN is moderate
-        moderate = 0
+        refused = 0.0_wp
         do i = 1, size(memory)
-            moderate = moderate + merge(1, 0, abs(memory(i)) <= largest)
+            refused = max(refused, merge(0.0_wp, 1.0_wp, abs(memory(i)) <= largest))
         end do
-        sound = moderate == size(memory)
+        sound = .not. refused > 0.0_wp
         if (sound) sound = size(memory) == self%memory_size()
         if (sound) sound = is_record(self%levels, self%sliders, self%mark, memory)
         if (sound) return

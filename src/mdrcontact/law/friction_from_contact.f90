@@ -62,7 +62,7 @@ contains
         integer :: m, stat
 
         associate (levels => self%levels)
-            allocate (levels%share(share_nodes, share_index(levels%count, levels%count)), stat=stat)
+            allocate (levels%share(share_index(levels%count, levels%count), share_nodes), stat=stat)
             call check_memory(error, stat)
             if (.not. allocated(error)) call find_radii(levels, friction, radii, error)
             at_level = 1.0_wp
@@ -73,15 +73,15 @@ contains
                 ! nothing slips at the edge: what is beyond the level itself is known from above alone
                 at_level(m) = 2.0_wp*half_way(m) - at_next(m)
                 associate (first => share_index(1, m), last => share_index(m, m))
-                    levels%share(1, first:last) = at_level(:m)
-                    levels%share(2, first:last) = 4.0_wp*half_way(:m) - 3.0_wp*at_level(:m) - at_next(:m)
-                    levels%share(3, first:last) = 2.0_wp*(at_level(:m) + at_next(:m)) - 4.0_wp*half_way(:m)
+                    levels%share(first:last, 1) = at_level(:m)
+                    levels%share(first:last, 2) = 4.0_wp*half_way(:m) - 3.0_wp*at_level(:m) - at_next(:m)
+                    levels%share(first:last, 3) = 2.0_wp*(at_level(:m) + at_next(:m)) - 4.0_wp*half_way(:m)
                 end associate
                 at_level = at_next
             end do
             at_level(levels%count) = 1.0_wp
-            levels%share(:, share_index(1, levels%count):) = 0.0_wp
-            levels%share(1, share_index(1, levels%count):) = at_level
+            levels%share(share_index(1, levels%count):, :) = 0.0_wp
+            levels%share(share_index(1, levels%count):, 1) = at_level
             if (superposed(levels)) deallocate (levels%share)
         end associate
     end subroutine find_shares
@@ -92,7 +92,7 @@ contains
         logical :: within
         real(wp), parameter :: unnoticed = 1.0e-3_wp
 
-        within = all(abs(levels%share(1, :) - 1.0_wp) < unnoticed) .and. all(abs(levels%share(2:, :)) < unnoticed)
+        within = all(abs(levels%share(:, 1) - 1.0_wp) < unnoticed) .and. all(abs(levels%share(:, 2:)) < unnoticed)
     end function superposed
 
     !> Contact radii at the levels.

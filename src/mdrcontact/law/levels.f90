@@ -13,7 +13,7 @@ module mdrcontact_law_levels
     use mdrcontact_law_evaluate, only: point_at
     implicit none (type, external)
     private
-    public :: levels_t, new_levels, load_beyond, loads_beyond, apply_shares, share_of, share_index
+    public :: levels_t, new_levels, load_beyond, loads_beyond, slopes_beyond, share_of, share_index
     public :: fewest_sliders, most_sliders, most_levels, share_nodes
 
     !> Sliders of a law, and levels whatever its range.
@@ -28,7 +28,7 @@ module mdrcontact_law_levels
         integer :: count = 0
         !> S_l [length], F_l [modulus length^2] and k_l = dF/dS there [modulus length], (0:count + 1)
         real(wp), allocatable :: shift(:), force(:), stiffness(:)
-        !> the shares, (share_nodes, share_index(count, count)); not allocated where all are 1
+        !> the shares, (share_index(count, count), share_nodes); not allocated where all are 1
         real(wp), allocatable :: share(:, :)
     end type levels_t
 
@@ -89,22 +89,55 @@ contains
         end if
     end subroutine load_beyond
 
-    !> The same for levels in a row, without branches.
-    pure subroutine loads_beyond(self, first, count, force, shift, loads)
+    !> P for levels in a row, without branches; S_m < S, S <= S_m+1.
+    pure subroutine loads_beyond(self, first, count, m, force, shift, loads)
         type(levels_t), intent(in) :: self
-        integer, intent(in) :: first, count
+        integer, intent(in) :: first, count, m
         !> F and S of the contact
         real(wp), intent(in) :: force, shift
-        real(wp), intent(inout), contiguous :: loads(:)
-        real(wp) :: above
-        integer :: i
+        real(wp), intent(out) :: loads(count)
+        real(wp) :: above, width, x, share
+        integer :: i, place
 
         do i = 1, count
             above = shift - self%shift(first + i - 1)
             loads(i) = max((force - self%force(first + i - 1)) - self%stiffness(first + i - 1)*max(above, 0.0_wp), 0.0_wp)
             loads(i) = merge(loads(i), 0.0_wp, above > 0.0_wp)
         end do
+        if (.not. allocated(self%share) .or. m < first) return
+        call place_between(self, m, shift, x, width)
+        place = share_index(first, m) - 1
+        do i = 1, min(count, m - first + 1)
+            share = self%share(place + i, 1) + x*(self%share(place + i, 2) + x*self%share(place + i, 3))
+            loads(i) = min(loads(i)*share, force)
+        end do
     end subroutine loads_beyond
+
+    !> The derivatives of P with respect to F for levels in a row, without branches; S_m < S, S <= S_m+1.
+    pure subroutine slopes_beyond(self, first, count, m, force, shift, compliance, slopes)
+        type(levels_t), intent(in) :: self
+        integer, intent(in) :: first, count, m
+        !> F, S and dS/dF of the contact
+        real(wp), intent(in) :: force, shift, compliance
+        real(wp), intent(out) :: slopes(count)
+        real(wp) :: loads(most_levels + most_sliders), above, width, x, share, share_slope
+        integer :: i, place
+
+        do i = 1, count
+            above = shift - self%shift(first + i - 1)
+            loads(i) = max((force - self%force(first + i - 1)) - self%stiffness(first + i - 1)*max(above, 0.0_wp), 0.0_wp)
+            loads(i) = merge(loads(i), 0.0_wp, above > 0.0_wp)
+            slopes(i) = merge(1.0_wp - self%stiffness(first + i - 1)*compliance, 0.0_wp, loads(i) > 0.0_wp)
+        end do
+        if (.not. allocated(self%share) .or. m < first) return
+        call place_between(self, m, shift, x, width)
+        place = share_index(first, m) - 1
+        do i = 1, min(count, m - first + 1)
+            share = self%share(place + i, 1) + x*(self%share(place + i, 2) + x*self%share(place + i, 3))
+            share_slope = (self%share(place + i, 2) + 2.0_wp*x*self%share(place + i, 3))*(compliance/width)
+            slopes(i) = merge(1.0_wp, share*slopes(i) + share_slope*loads(i), share*loads(i) > force)
+        end do
+    end subroutine slopes_beyond
 
     !> The factor of that where springs interact, and its derivative with respect to S; S_m < S, S <= S_m+1.
     pure subroutine share_of(self, l, m, shift, share, slope)
@@ -116,30 +149,11 @@ contains
         real(wp) :: width, x
 
         call place_between(self, m, shift, x, width)
-        associate (c => self%share(:, share_index(l, m)))
+        associate (c => self%share(share_index(l, m), :))
             share = c(1) + x*(c(2) + x*c(3))
             slope = (c(2) + 2.0_wp*x*c(3))/width
         end associate
     end subroutine share_of
-
-    !> loads_beyond times the factors of levels in a row, none of them larger than F.
-    pure subroutine apply_shares(self, first, count, m, force, shift, loads)
-        type(levels_t), intent(in) :: self
-        integer, intent(in) :: first, count, m
-        !> F and S of the contact
-        real(wp), intent(in) :: force, shift
-        real(wp), intent(inout), contiguous :: loads(:)
-        real(wp) :: width, x
-        integer :: i, place
-
-        call place_between(self, m, shift, x, width)
-        place = share_index(first, m) - 1
-        do i = 1, min(count, m - first + 1)
-            associate (c => self%share(:, place + i))
-                loads(i) = min(loads(i)*(c(1) + x*(c(2) + x*c(3))), force)
-            end associate
-        end do
-    end subroutine apply_shares
 
     !> Where S stands between levels m and m + 1, and how far these are apart; beyond the last level all stays as it is there.
     pure subroutine place_between(self, m, shift, x, width)

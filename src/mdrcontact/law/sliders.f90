@@ -10,10 +10,10 @@
 !> them open. As the contact grows past the last level the core takes in its neighbour; as it shrinks, the core is divided.
 module mdrcontact_law_sliders
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_levels, only: apply_shares, levels_t, load_beyond, loads_beyond, most_levels, most_sliders, share_of
+    use mdrcontact_law_levels, only: levels_t, load_beyond, loads_beyond, most_levels, most_sliders, share_of, slopes_beyond
     implicit none (type, external)
     private
-    public :: motion_t, record_size, is_record, move, total_of, tangent_of, keep, part, stored_energy, turn_record
+    public :: motion_t, record_size, is_record, move, tangent_of, keep, part, stored_energy, turn_record
     public :: at_shift, at_lost
 
     !> Places in a record: the mark of its law, 0 before the first step; number of the level below which all is the core, 0 where
@@ -21,7 +21,7 @@ module mdrcontact_law_sliders
     !> normal of the tangent plane, 0 while it is not known; x, y and z of the sliders' t follow.
     integer, parameter :: at_law = 1, at_base = 2, at_used = 3, at_shift = 4, at_top = 5, at_lost = 8, at_normal = 9, head = 11
     !> A slider that came to its limit in the step before is within it, whatever rounding says: it sticks if the shift turns back.
-    real(wp), parameter :: within = 1.0_wp + 16.0_wp*epsilon(1.0_wp)
+    real(wp), parameter :: within = 1.0_wp + 16.0_wp*epsilon(1.0_wp), slips = 1.0_wp/within
     integer, parameter :: most = most_sliders + most_levels + 1
 
     !> A step: its sliders, those of levels passed in it included.
@@ -36,8 +36,12 @@ module mdrcontact_law_sliders
         logical :: is_slow
         !> K, P of the springs from a slider on, mu B, A
         real(wp) :: stiffness(0:most), beyond(0:most), strength(0:most), newborn(0:most)
-        !> y, and min(1, mu B/|y|)
-        real(wp) :: load(0:most, 3), factor(0:most)
+        !> y, 1/|y|, min(1, mu B/|y|), t = y times that, and t.(y - t)
+        real(wp) :: load(0:most, 3), inverse(0:most), factor(0:most), borne(0:most, 3), slipped(0:most)
+        !> T
+        real(wp) :: total(3)
+        !> whether a slider bore more before the step than its strength is now, but for rounding
+        logical :: is_weaker
     end type motion_t
 
 contains
@@ -82,8 +86,7 @@ contains
         real(wp) :: size_of_way, before
 
         call begin(levels, shift, record, motion)
-        call find_stiffnesses(levels, motion)
-        call find_strengths(levels, mu, force, shift, motion)
+        call find_sliders(levels, mu, force, shift, motion)
         motion%shift = way
         motion%growth = 0.0_wp
         motion%first_newborn = motion%used
@@ -96,7 +99,8 @@ contains
             motion%is_slow = size_of_way <= mu*(shift - before)
             motion%growth = way/max(shift - before, size_of_way/mu)
         end if
-        call load_sliders(sliders, record, motion)
+        call load_sliders(sliders, record(head + 1:), motion)
+        call limit_sliders(motion)
     end subroutine move
 
     !> The sliders of a step: those of the record, and those of levels that are passed.
@@ -125,47 +129,43 @@ contains
         end do
     end subroutine begin
 
-    !> K before the step.
-    pure subroutine find_stiffnesses(levels, motion)
-        type(levels_t), intent(in) :: levels
-        type(motion_t), intent(inout) :: motion
-        integer :: i
-
-        associate (k => levels%stiffness, base => motion%base, top => motion%top(3))
-            motion%stiffness(0) = min(k(base), top)
-            do i = 1, motion%used - 1
-                motion%stiffness(i) = min(k(base + i), top) - min(k(base + i - 1), top)
-            end do
-        end associate
-    end subroutine find_stiffnesses
-
-    !> P and mu B.
-    pure subroutine find_strengths(levels, mu, force, shift, motion)
+    !> K before the step, P and mu B.
+    pure subroutine find_sliders(levels, mu, force, shift, motion)
         type(levels_t), intent(in) :: levels
         real(wp), intent(in) :: mu, force, shift
         type(motion_t), intent(inout) :: motion
-        integer :: i, rising
+        real(wp) :: drop, top
+        integer :: i
 
+        call loads_beyond(levels, motion%base, motion%used, motion%cell, force, shift, motion%beyond(1:motion%used))
         motion%beyond(0) = force
         motion%beyond(motion%used) = 0.0_wp
-        call loads_beyond(levels, motion%base, motion%used - 1, force, shift, motion%beyond(1:))
-        if (allocated(levels%share) .and. motion%cell >= motion%base) then
-            call apply_shares(levels, motion%base, motion%used - 1, motion%cell, force, shift, motion%beyond(1:))
-        end if
-        ! what is left of no springs at a flat end is rounding, and shares have errors of their own: T <= mu F does not
-        rising = 0
-        do i = 0, motion%used - 1
-            rising = rising + merge(1, 0, motion%beyond(i) < motion%beyond(i + 1))
-        end do
-        if (rising > 0) then
-            do i = motion%used - 1, 1, -1
-                motion%beyond(i) = min(max(motion%beyond(i), motion%beyond(i + 1)), force)
+        top = motion%top(3)
+        drop = 0.0_wp
+        associate (k => levels%stiffness, base => motion%base)
+            do i = 0, motion%used - 1
+                motion%stiffness(i) = min(k(base + i), top) - min(k(base + i - 1), top)
+                motion%strength(i) = mu*max(motion%beyond(i) - motion%beyond(i + 1), 0.0_wp)
+                drop = min(drop, motion%beyond(i) - motion%beyond(i + 1))
             end do
-        end if
+            motion%stiffness(0) = min(k(base), top)
+        end associate
+        if (drop < 0.0_wp) call settle(mu, force, motion)
+    end subroutine find_sliders
+
+    !> What is left of no springs at a flat end is rounding, and shares have errors of their own: T <= mu F does not.
+    pure subroutine settle(mu, force, motion)
+        real(wp), intent(in) :: mu, force
+        type(motion_t), intent(inout) :: motion
+        integer :: i
+
+        do i = motion%used - 1, 1, -1
+            motion%beyond(i) = min(max(motion%beyond(i), motion%beyond(i + 1)), force)
+        end do
         do i = 0, motion%used - 1
             motion%strength(i) = mu*max(motion%beyond(i) - motion%beyond(i + 1), 0.0_wp)
         end do
-    end subroutine find_strengths
+    end subroutine settle
 
     !> P_l and its derivative with respect to F.
     pure subroutine strength_beyond(levels, l, cell, force, shift, compliance, load, slope)
@@ -203,46 +203,59 @@ contains
         motion%newborn(motion%before - 1) = max(load - above, 0.0_wp)
     end subroutine find_newborn
 
-    !> y, and what part of it is within the strength.
-    pure subroutine load_sliders(sliders, record, motion)
+    !> y.
+    pure subroutine load_sliders(sliders, t, motion)
         integer, intent(in) :: sliders
-        real(wp), intent(in), contiguous :: record(:)
+        !> before the step
+        real(wp), intent(in) :: t(sliders, 3)
         type(motion_t), intent(inout) :: motion
-        real(wp) :: length
-        integer :: i, axis, place
+        real(wp) :: excess
+        integer :: i, axis
 
-        do axis = 1, 3
-            place = head + 1 + (axis - 1)*sliders
+        excess = 0.0_wp
+        associate (k => motion%stiffness, way => motion%shift)
             do i = 0, motion%before - 1
-                motion%load(i, axis) = record(place + i) + motion%stiffness(i)*motion%shift(axis)
+                motion%load(i, 1) = t(i + 1, 1) + k(i)*way(1)
+                motion%load(i, 2) = t(i + 1, 2) + k(i)*way(2)
+                motion%load(i, 3) = t(i + 1, 3) + k(i)*way(3)
+                excess = max(excess, (t(i + 1, 1)**2 + t(i + 1, 2)**2 + t(i + 1, 3)**2) - (within*motion%strength(i))**2)
             end do
-            do i = motion%before, motion%used - 1
-                motion%load(i, axis) = 0.0_wp
-            end do
-            do i = motion%first_newborn, motion%used - 1
+        end associate
+        motion%is_weaker = excess > 0.0_wp
+        do i = motion%first_newborn, motion%used - 1
+            do axis = 1, 3
+                if (i >= motion%before) motion%load(i, axis) = 0.0_wp
                 motion%load(i, axis) = motion%load(i, axis) + motion%newborn(i)*motion%growth(axis)
             end do
         end do
-        do i = 0, motion%used - 1
-            length = sqrt(motion%load(i, 1)**2 + motion%load(i, 2)**2 + motion%load(i, 3)**2)
-            ! one quotient whatever happens: no branch in the loop
-            motion%factor(i) = min(length, motion%strength(i))/max(length, tiny(1.0_wp))
-        end do
     end subroutine load_sliders
 
-    !> T.
-    pure function total_of(motion) result(total)
-        type(motion_t), intent(in) :: motion
-        real(wp) :: total(3)
+    !> t and their sum: what of y is within the strengths, without branches.
+    pure subroutine limit_sliders(motion)
+        type(motion_t), intent(inout) :: motion
+        real(wp) :: squared, inverse, factor, x, y, z
         integer :: i
 
-        total = 0.0_wp
+        x = 0.0_wp
+        y = 0.0_wp
+        z = 0.0_wp
+        !$omp simd simdlen(2) private(squared, inverse, factor) reduction(+:x, y, z)
         do i = 0, motion%used - 1
-            total(1) = total(1) + motion%factor(i)*motion%load(i, 1)
-            total(2) = total(2) + motion%factor(i)*motion%load(i, 2)
-            total(3) = total(3) + motion%factor(i)*motion%load(i, 3)
+            squared = motion%load(i, 1)**2 + motion%load(i, 2)**2 + motion%load(i, 3)**2
+            inverse = 1.0_wp/max(sqrt(squared), tiny(1.0_wp))
+            factor = min(motion%strength(i)*inverse, 1.0_wp)
+            motion%inverse(i) = inverse
+            motion%factor(i) = factor
+            motion%slipped(i) = (factor*(1.0_wp - factor))*squared
+            motion%borne(i, 1) = factor*motion%load(i, 1)
+            motion%borne(i, 2) = factor*motion%load(i, 2)
+            motion%borne(i, 3) = factor*motion%load(i, 3)
+            x = x + motion%borne(i, 1)
+            y = y + motion%borne(i, 2)
+            z = z + motion%borne(i, 3)
         end do
-    end function total_of
+        motion%total = [x, y, z]
+    end subroutine limit_sliders
 
     !> The derivatives of T with respect to ds, (1:3, i), and F, (4, i), of its component i.
     pure subroutine tangent_of(levels, mu, force, shift, compliance, before, motion, tangent)
@@ -252,72 +265,114 @@ contains
         real(wp), intent(in) :: before
         type(motion_t), intent(in) :: motion
         real(wp), intent(out) :: tangent(4, 3)
-        real(wp) :: growth(3, 3), growth_by_force(3), by_way(3, 3), by_force(3), n(3), squared, stuck
-        real(wp) :: load, slope, above, strength_slope, born, born_above
+        real(wp) :: slopes(0:most)
+
+        slopes(0) = 1.0_wp
+        call slopes_beyond(levels, motion%base, motion%used, motion%cell, force, shift, compliance, slopes(1:motion%used))
+        slopes(motion%used) = 0.0_wp
+        call old_tangent(mu, slopes, motion, tangent)
+        if (motion%first_newborn == motion%used) return
+        call add_newborn(levels, mu, force, shift, compliance, before, slopes, motion, tangent)
+    end subroutine tangent_of
+
+    !> What sliders bring in which no spring touched.
+    pure subroutine old_tangent(mu, slopes, motion, tangent)
+        real(wp), intent(in) :: mu
+        type(motion_t), intent(in) :: motion
+        !> dP/dF of the springs from a slider on
+        real(wp), intent(in) :: slopes(0:most)
+        real(wp), intent(out) :: tangent(4, 3)
+        real(wp), dimension(0:most) :: along, turning, sliding
+        real(wp) :: part
+        integer :: i
+
+        ! K min(1, mu B/|y|), of those that slip for themselves, and their mu dB/dF, without branches
+        do i = 0, motion%first_newborn - 1
+            part = motion%strength(i)*motion%inverse(i)
+            along(i) = merge(motion%factor(i), 1.0_wp, part < slips)*motion%stiffness(i)
+            part = merge(part, 1.0_wp, motion%inverse(i) < 1.0_wp/tiny(1.0_wp))
+            turning(i) = merge(along(i), 0.0_wp, part < slips)
+            sliding(i) = merge(mu*(slopes(i) - slopes(i + 1)), 0.0_wp, part < slips)
+        end do
+        call sum_up(motion%first_newborn, along, turning, sliding, motion%inverse, motion%load, tangent)
+    end subroutine old_tangent
+
+    !> The sums of along I - turning n n^T, and of sliding n, n = y/|y|.
+    pure subroutine sum_up(count, along, turning, sliding, inverse, load, tangent)
+        integer, intent(in) :: count
+        real(wp), intent(in), dimension(0:most) :: along, turning, sliding, inverse
+        real(wp), intent(in) :: load(0:most, 3)
+        real(wp), intent(out) :: tangent(4, 3)
+        real(wp) :: all, xx, xy, xz, yy, yz, zz, fx, fy, fz, n1, n2, n3
+        integer :: i
+
+        all = 0.0_wp
+        xx = 0.0_wp
+        xy = 0.0_wp
+        xz = 0.0_wp
+        yy = 0.0_wp
+        yz = 0.0_wp
+        zz = 0.0_wp
+        fx = 0.0_wp
+        fy = 0.0_wp
+        fz = 0.0_wp
+        !$omp simd simdlen(2) private(n1, n2, n3) reduction(+:all, xx, xy, xz, yy, yz, zz, fx, fy, fz)
+        do i = 0, count - 1
+            n1 = inverse(i)*load(i, 1)
+            n2 = inverse(i)*load(i, 2)
+            n3 = inverse(i)*load(i, 3)
+            all = all + along(i)
+            xx = xx + (turning(i)*n1)*n1
+            xy = xy + (turning(i)*n1)*n2
+            xz = xz + (turning(i)*n1)*n3
+            yy = yy + (turning(i)*n2)*n2
+            yz = yz + (turning(i)*n2)*n3
+            zz = zz + (turning(i)*n3)*n3
+            fx = fx + sliding(i)*n1
+            fy = fy + sliding(i)*n2
+            fz = fz + sliding(i)*n3
+        end do
+        tangent(:, 1) = [all - xx, -xy, -xz, fx]
+        tangent(:, 2) = [-xy, all - yy, -yz, fy]
+        tangent(:, 3) = [-xz, -yz, all - zz, fz]
+    end subroutine sum_up
+
+    !> What sliders bring in which springs touched.
+    pure subroutine add_newborn(levels, mu, force, shift, compliance, before, slopes, motion, tangent)
+        type(levels_t), intent(in) :: levels
+        !> as of tangent_of
+        real(wp), intent(in) :: mu, force, shift, compliance, before
+        type(motion_t), intent(in) :: motion
+        !> dP/dF of the springs from a slider on
+        real(wp), intent(in) :: slopes(0:most)
+        real(wp), intent(inout) :: tangent(4, 3)
+        real(wp) :: growth(3, 3), growth_by_force(3), by_way(3, 3), by_force(3), n(3), load, born, above
         integer :: i, j
 
         call growth_slopes(mu, shift, compliance, before, motion, growth, growth_by_force)
-        tangent = 0.0_wp
-        stuck = 0.0_wp
         above = 0.0_wp
-        born_above = 0.0_wp
-        do i = motion%used - 1, 0, -1
-            slope = 1.0_wp
-            if (i > 0) call strength_beyond(levels, motion%base + i - 1, motion%cell, force, shift, compliance, load, slope)
-            strength_slope = mu*(slope - above)
-            above = slope
-            by_force = 0.0_wp
-            by_way = 0.0_wp
-            if (i >= motion%first_newborn) then
-                born = 1.0_wp - motion%top(3)*compliance
-                if (i >= motion%before) call load_beyond(levels, motion%base + i - 1, force, shift, compliance, load, born)
-                by_force = (born - born_above)*motion%growth + motion%newborn(i)*growth_by_force
-                by_way = motion%newborn(i)*growth
-                born_above = born
-            end if
-            squared = motion%load(i, 1)**2 + motion%load(i, 2)**2 + motion%load(i, 3)**2
-            if (squared > (within*motion%strength(i))**2) then
-                ! K I turns with n
-                n = motion%load(i, :)/sqrt(squared)
-                if (i < motion%first_newborn) then
-                    call add_slip(motion%factor(i)*motion%stiffness(i), strength_slope, n, tangent)
-                    cycle
-                end if
-                do j = 1, 3
-                    by_way(j, j) = by_way(j, j) + motion%stiffness(i)
-                end do
-                by_force = motion%factor(i)*(by_force - dot_product(n, by_force)*n) + strength_slope*n
+        do i = motion%used - 1, motion%first_newborn, -1
+            born = 1.0_wp - motion%top(3)*compliance
+            if (i >= motion%before) call load_beyond(levels, motion%base + i - 1, force, shift, compliance, load, born)
+            by_force = (born - above)*motion%growth + motion%newborn(i)*growth_by_force
+            above = born
+            by_way = motion%newborn(i)*growth
+            do j = 1, 3
+                by_way(j, j) = by_way(j, j) + motion%stiffness(i)
+            end do
+            if (motion%strength(i)*motion%inverse(i) < slips) then
+                n = motion%load(i, :)*motion%inverse(i)
+                by_force = motion%factor(i)*(by_force - dot_product(n, by_force)*n) + mu*(slopes(i) - slopes(i + 1))*n
                 do j = 1, 3
                     by_way(:, j) = motion%factor(i)*(by_way(:, j) - dot_product(n, by_way(:, j))*n)
                 end do
             else if (.not. motion%strength(i) > 0.0_wp) then
                 cycle
-            else
-                stuck = stuck + motion%stiffness(i)
-                if (i < motion%first_newborn) cycle
             end if
             tangent(:3, :) = tangent(:3, :) + transpose(by_way)
             tangent(4, :) = tangent(4, :) + by_force
         end do
-        do j = 1, 3
-            tangent(j, j) = tangent(j, j) + stuck
-        end do
-    end subroutine tangent_of
-
-    !> What a slider brings that slips: |t| = mu B along n.
-    pure subroutine add_slip(stiffness, strength_slope, n, tangent)
-        !> K mu B/|y|, and mu dB/dF
-        real(wp), intent(in) :: stiffness, strength_slope
-        real(wp), intent(in) :: n(3)
-        real(wp), intent(inout) :: tangent(4, 3)
-        integer :: i
-
-        do i = 1, 3
-            tangent(:3, i) = tangent(:3, i) - (stiffness*n(i))*n
-            tangent(i, i) = tangent(i, i) + stiffness
-            tangent(4, i) = tangent(4, i) + strength_slope*n(i)
-        end do
-    end subroutine add_slip
+    end subroutine add_newborn
 
     !> The derivatives of g.
     pure subroutine growth_slopes(mu, shift, compliance, before, motion, by_way, by_force)
@@ -351,27 +406,22 @@ contains
         real(wp), intent(in) :: mu
         integer, intent(in) :: sliders
         real(wp), intent(in) :: force, shift, compliance
-        type(motion_t), intent(in) :: motion
+        !> K becomes that after the step
+        type(motion_t), intent(inout) :: motion
         real(wp), intent(in) :: mark
         real(wp), intent(inout), contiguous :: record(:)
         real(wp) :: top
-        integer :: i, axis, place, merged
+        integer :: i, merged
 
         merged = max(motion%used - sliders, 0)
         top = motion%top(3)
         if (shift > motion%top(1)) top = max(1.0_wp/compliance, top)
-        call count_slip(levels, sliders, top, motion, record)
-        if (merged > 0) call count_merger(levels, top, merged, motion, record(at_lost))
-        do axis = 1, 3
-            place = head + 1 + (axis - 1)*sliders
-            record(place) = 0.0_wp
-            do i = 0, merged
-                record(place) = record(place) + motion%factor(i)*motion%load(i, axis)
-            end do
-            do i = merged + 1, motion%used - 1
-                record(place + i - merged) = motion%factor(i)*motion%load(i, axis)
-            end do
+        do i = motion%first_newborn, motion%used - 1
+            motion%stiffness(i) = stiffness_of(levels, motion%base, i, top)
         end do
+        call count_slip(sliders, motion, record(head + 1:), record(at_lost))
+        if (merged > 0) call count_merger(merged, motion, record(at_lost))
+        call keep_loads(sliders, merged, motion, record(head + 1:))
         record(at_law) = mark
         record(at_base) = motion%base + merged
         record(at_used) = motion%used - merged
@@ -383,49 +433,60 @@ contains
         end if
     end subroutine keep
 
-    !> What slip takes in a step: t.(y - t)/K of each slider, and what its load was above its limit before it moved. Along a line
-    !> under constant F that is exact, however long the step.
-    pure subroutine count_slip(levels, sliders, top, motion, record)
-        type(levels_t), intent(in) :: levels
-        integer, intent(in) :: sliders
-        !> k at the upper end of the last slider after the step
-        real(wp), intent(in) :: top
+    !> t after the step, those of the sliders that the core takes in added to its own.
+    pure subroutine keep_loads(sliders, merged, motion, t)
+        integer, intent(in) :: sliders, merged
         type(motion_t), intent(in) :: motion
-        !> before the step; its energy grows
-        real(wp), intent(inout), contiguous :: record(:)
-        real(wp) :: stiffness, squared, lost, before
+        real(wp), intent(inout) :: t(sliders, 3)
         integer :: i
 
-        lost = 0.0_wp
-        do i = 0, motion%used - 1
-            if (motion%factor(i) >= 1.0_wp) cycle
-            stiffness = motion%stiffness(i)
-            if (i >= motion%first_newborn) stiffness = stiffness_of(levels, motion%base, i, top)
-            if (.not. stiffness > 0.0_wp) cycle
-            squared = motion%load(i, 1)**2 + motion%load(i, 2)**2 + motion%load(i, 3)**2
-            lost = lost + motion%factor(i)*(1.0_wp - motion%factor(i))*squared/stiffness
-            if (i >= motion%before) cycle
-            before = record(head + 1 + i)**2 + record(head + 1 + i + sliders)**2 + record(head + 1 + i + 2*sliders)**2
-            if (before > motion%strength(i)**2) lost = lost + (sqrt(before) - motion%strength(i))**2/(2.0_wp*stiffness)
+        do i = merged, motion%used - 1
+            t(i + 1 - merged, 1) = motion%borne(i, 1)
+            t(i + 1 - merged, 2) = motion%borne(i, 2)
+            t(i + 1 - merged, 3) = motion%borne(i, 3)
         end do
-        record(at_lost) = record(at_lost) + lost
+        do i = merged - 1, 0, -1
+            t(1, :) = t(1, :) + motion%borne(i, :)
+        end do
+    end subroutine keep_loads
+
+    !> What slip takes in a step: t.(y - t)/K of each slider, and what its load was above its limit before it moved. Along a line
+    !> under constant F that is exact, however long the step.
+    pure subroutine count_slip(sliders, motion, t, lost)
+        integer, intent(in) :: sliders
+        !> with K after the step
+        type(motion_t), intent(in) :: motion
+        !> before the step
+        real(wp), intent(in) :: t(sliders, 3)
+        !> to which it is added
+        real(wp), intent(inout) :: lost
+        integer :: i
+
+        associate (k => motion%stiffness, strength => motion%strength)
+            do i = 0, motion%used - 1
+                lost = lost + merge(motion%slipped(i), 0.0_wp, k(i) > 0.0_wp)/max(k(i), tiny(1.0_wp))
+            end do
+            if (.not. motion%is_weaker) return
+            do i = 0, motion%before - 1
+                if (k(i) > 0.0_wp) lost = lost + max(norm2(t(i + 1, :)) - strength(i), 0.0_wp)**2/(2.0_wp*k(i))
+            end do
+        end associate
     end subroutine count_slip
 
     !> What is lost as the core takes in its neighbours, whose displacements are not its own.
-    pure subroutine count_merger(levels, top, merged, motion, lost)
-        type(levels_t), intent(in) :: levels
-        real(wp), intent(in) :: top
+    pure subroutine count_merger(merged, motion, lost)
         integer, intent(in) :: merged
+        !> with K after the step
         type(motion_t), intent(in) :: motion
         real(wp), intent(inout) :: lost
         real(wp) :: core(3), slider(3), stiffness, own
         integer :: i
 
-        core = motion%factor(0)*motion%load(0, :)
-        stiffness = stiffness_of(levels, motion%base, 0, top)
+        core = motion%borne(0, :)
+        stiffness = motion%stiffness(0)
         do i = 1, merged
-            slider = motion%factor(i)*motion%load(i, :)
-            own = stiffness_of(levels, motion%base, i, top)
+            slider = motion%borne(i, :)
+            own = motion%stiffness(i)
             if (own > 0.0_wp .and. stiffness > 0.0_wp) then
                 lost = lost + sum((own*core - stiffness*slider)**2)/(2.0_wp*own*stiffness*(own + stiffness))
             end if
