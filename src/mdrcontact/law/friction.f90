@@ -224,9 +224,9 @@ contains
         real(wp), intent(out), optional :: tangent(4, 3)
         type(motion_t) :: motion
 
-        traction = 0.0_wp
-        if (present(tangent)) tangent = 0.0_wp
         if (.not. force > nothing*self%law%by_force%highest) then
+            traction = 0.0_wp
+            if (present(tangent)) tangent = 0.0_wp
             if (.not. is_trial) call part(self%levels, self%sliders, self%mark, memory)
             return
         end if
@@ -323,16 +323,17 @@ contains
         class(friction_law_t), intent(in) :: self
         real(wp), intent(in), contiguous :: memory(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: refused
+        real(wp) :: total
         integer :: i
         logical :: sound
 
-        ! a loop that is vectorized; no NaN is moderate
-        refused = 0.0_wp
+        ! a loop that is vectorized; of a NaN and of infinity too
+        total = 0.0_wp
+        !$omp simd simdlen(2) reduction(+:total)
         do i = 1, size(memory)
-            refused = max(refused, merge(0.0_wp, 1.0_wp, abs(memory(i)) <= largest))
+            total = total + abs(memory(i))
         end do
-        sound = .not. refused > 0.0_wp
+        sound = total <= largest*size(memory)
         if (sound) sound = size(memory) == self%memory_size()
         if (sound) sound = is_record(self%levels, self%sliders, self%mark, memory)
         if (sound) return

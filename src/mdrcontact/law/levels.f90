@@ -96,22 +96,33 @@ contains
         !> F and S of the contact
         real(wp), intent(in) :: force, shift
         real(wp), intent(out) :: loads(count)
-        real(wp) :: above, width, x, share
+        real(wp) :: width, x
         integer :: i, place
 
-        do i = 1, count
-            above = shift - self%shift(first + i - 1)
-            loads(i) = max((force - self%force(first + i - 1)) - self%stiffness(first + i - 1)*max(above, 0.0_wp), 0.0_wp)
-            loads(i) = merge(loads(i), 0.0_wp, above > 0.0_wp)
-        end do
+        call superposed_loads(count, self%shift(first), self%force(first), self%stiffness(first), force, shift, loads)
         if (.not. allocated(self%share) .or. m < first) return
         call place_between(self, m, shift, x, width)
         place = share_index(first, m) - 1
-        do i = 1, min(count, m - first + 1)
-            share = self%share(place + i, 1) + x*(self%share(place + i, 2) + x*self%share(place + i, 3))
-            loads(i) = min(loads(i)*share, force)
-        end do
+        associate (c => self%share)
+            do i = 1, min(count, m - first + 1)
+                loads(i) = min(loads(i)*(c(place + i, 1) + x*(c(place + i, 2) + x*c(place + i, 3))), force)
+            end do
+        end associate
     end subroutine loads_beyond
+
+    !> load_beyond for levels in a row. F <= F_l where S <= S_l.
+    pure subroutine superposed_loads(count, level_shift, level_force, stiffness, force, shift, loads)
+        integer, intent(in) :: count
+        real(wp), intent(in), dimension(count) :: level_shift, level_force, stiffness
+        !> F and S of the contact
+        real(wp), intent(in) :: force, shift
+        real(wp), intent(out) :: loads(count)
+        integer :: i
+
+        do i = 1, count
+            loads(i) = max((force - level_force(i)) - stiffness(i)*max(shift - level_shift(i), 0.0_wp), 0.0_wp)
+        end do
+    end subroutine superposed_loads
 
     !> The derivatives of P with respect to F for levels in a row, without branches; S_m < S, S <= S_m+1.
     pure subroutine slopes_beyond(self, first, count, m, force, shift, compliance, slopes)
@@ -120,23 +131,28 @@ contains
         !> F, S and dS/dF of the contact
         real(wp), intent(in) :: force, shift, compliance
         real(wp), intent(out) :: slopes(count)
-        real(wp) :: loads(most_levels + most_sliders), above, width, x, share, share_slope
+        real(wp) :: loads(most_levels + most_sliders), width, x, share, share_slope
         integer :: i, place
 
-        do i = 1, count
-            above = shift - self%shift(first + i - 1)
-            loads(i) = max((force - self%force(first + i - 1)) - self%stiffness(first + i - 1)*max(above, 0.0_wp), 0.0_wp)
-            loads(i) = merge(loads(i), 0.0_wp, above > 0.0_wp)
-            slopes(i) = merge(1.0_wp - self%stiffness(first + i - 1)*compliance, 0.0_wp, loads(i) > 0.0_wp)
-        end do
+        call superposed_loads(count, self%shift(first), self%force(first), self%stiffness(first), force, shift, loads)
+        ! the last level may be the one that is never reached
+        associate (k => self%stiffness, highest => 1.0_wp/compliance)
+            !$omp simd
+            do i = 1, count
+                slopes(i) = merge(1.0_wp - min(k(first + i - 1), highest)*compliance, 0.0_wp, loads(i) > 0.0_wp)
+            end do
+        end associate
         if (.not. allocated(self%share) .or. m < first) return
         call place_between(self, m, shift, x, width)
         place = share_index(first, m) - 1
-        do i = 1, min(count, m - first + 1)
-            share = self%share(place + i, 1) + x*(self%share(place + i, 2) + x*self%share(place + i, 3))
-            share_slope = (self%share(place + i, 2) + 2.0_wp*x*self%share(place + i, 3))*(compliance/width)
-            slopes(i) = merge(1.0_wp, share*slopes(i) + share_slope*loads(i), share*loads(i) > force)
-        end do
+        associate (c => self%share)
+            !$omp simd private(share, share_slope)
+            do i = 1, min(count, m - first + 1)
+                share = c(place + i, 1) + x*(c(place + i, 2) + x*c(place + i, 3))
+                share_slope = (c(place + i, 2) + 2.0_wp*x*c(place + i, 3))*(compliance/width)
+                slopes(i) = merge(1.0_wp, share*slopes(i) + share_slope*loads(i), share*loads(i) > force)
+            end do
+        end associate
     end subroutine slopes_beyond
 
     !> The factor of that where springs interact, and its derivative with respect to S; S_m < S, S <= S_m+1.

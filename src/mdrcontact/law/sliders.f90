@@ -22,6 +22,8 @@ module mdrcontact_law_sliders
     integer, parameter :: at_law = 1, at_base = 2, at_used = 3, at_shift = 4, at_top = 5, at_lost = 8, at_normal = 9, head = 11
     !> A slider that came to its limit in the step before is within it, whatever rounding says: it sticks if the shift turns back.
     real(wp), parameter :: within = 1.0_wp + 16.0_wp*epsilon(1.0_wp), slips = 1.0_wp/within
+    !> No slip takes more energy, and none where there is no stiffness.
+    real(wp), parameter :: most_lost = 1.0e150_wp
     integer, parameter :: most = most_sliders + most_levels + 1
 
     !> A step: its sliders, those of levels passed in it included.
@@ -283,16 +285,15 @@ contains
         real(wp), intent(in) :: slopes(0:most)
         real(wp), intent(out) :: tangent(4, 3)
         real(wp), dimension(0:most) :: along, turning, sliding
-        real(wp) :: part
+        real(wp) :: slides
         integer :: i
 
-        ! K min(1, mu B/|y|), of those that slip for themselves, and their mu dB/dF, without branches
+        ! K min(1, mu B/|y|), the same of those that slip, and their mu dB/dF, without branches
         do i = 0, motion%first_newborn - 1
-            part = motion%strength(i)*motion%inverse(i)
-            along(i) = merge(motion%factor(i), 1.0_wp, part < slips)*motion%stiffness(i)
-            part = merge(part, 1.0_wp, motion%inverse(i) < 1.0_wp/tiny(1.0_wp))
-            turning(i) = merge(along(i), 0.0_wp, part < slips)
-            sliding(i) = merge(mu*(slopes(i) - slopes(i + 1)), 0.0_wp, part < slips)
+            slides = merge(1.0_wp, 0.0_wp, motion%strength(i)*motion%inverse(i) < slips)
+            along(i) = motion%factor(i)*motion%stiffness(i)
+            turning(i) = slides*along(i)
+            sliding(i) = (slides*mu)*(slopes(i) - slopes(i + 1))
         end do
         call sum_up(motion%first_newborn, along, turning, sliding, motion%inverse, motion%load, tangent)
     end subroutine old_tangent
@@ -463,8 +464,9 @@ contains
         integer :: i
 
         associate (k => motion%stiffness, strength => motion%strength)
+            !$omp simd simdlen(2) reduction(+:lost)
             do i = 0, motion%used - 1
-                lost = lost + merge(motion%slipped(i), 0.0_wp, k(i) > 0.0_wp)/max(k(i), tiny(1.0_wp))
+                lost = lost + min(motion%slipped(i), most_lost*k(i))/max(k(i), tiny(1.0_wp))
             end do
             if (.not. motion%is_weaker) return
             do i = 0, motion%before - 1
