@@ -40,8 +40,8 @@ module mdrcontact_law_sliders
         real(wp) :: stiffness(0:most), beyond(0:most), strength(0:most), newborn(0:most)
         !> y, 1/|y|, min(1, mu B/|y|), t = y times that, and t.(y - t)
         real(wp) :: load(0:most, 3), inverse(0:most), factor(0:most), borne(0:most, 3), slipped(0:most)
-        !> T
-        real(wp) :: total(3)
+        !> |t|^2 before the step, and T after it
+        real(wp) :: former(0:most), total(3)
         !> whether a slider bore more before the step than its strength is now, but for rounding
         logical :: is_weaker
     end type motion_t
@@ -88,7 +88,7 @@ contains
         real(wp) :: size_of_way, before
 
         call begin(levels, shift, record, motion)
-        call find_sliders(levels, mu, force, shift, motion)
+        call find_sliders(levels, force, shift, motion)
         motion%shift = way
         motion%growth = 0.0_wp
         motion%first_newborn = motion%used
@@ -102,6 +102,7 @@ contains
             motion%growth = way/max(shift - before, size_of_way/mu)
         end if
         call load_sliders(sliders, record(head + 1:), motion)
+        call find_strengths(mu, motion)
         call limit_sliders(motion)
     end subroutine move
 
@@ -131,38 +132,49 @@ contains
         end do
     end subroutine begin
 
-    !> K before the step, P and mu B.
-    pure subroutine find_sliders(levels, mu, force, shift, motion)
+    !> K before the step, and P.
+    pure subroutine find_sliders(levels, force, shift, motion)
         type(levels_t), intent(in) :: levels
-        real(wp), intent(in) :: mu, force, shift
+        real(wp), intent(in) :: force, shift
         type(motion_t), intent(inout) :: motion
-        real(wp) :: drop, top
+        real(wp) :: top
         integer :: i
 
-        call loads_beyond(levels, motion%base, motion%used, motion%cell, force, shift, motion%beyond(1:motion%used))
-        motion%beyond(0) = force
-        motion%beyond(motion%used) = 0.0_wp
         top = motion%top(3)
-        drop = 0.0_wp
         associate (k => levels%stiffness, base => motion%base)
             do i = 0, motion%used - 1
                 motion%stiffness(i) = min(k(base + i), top) - min(k(base + i - 1), top)
-                motion%strength(i) = mu*max(motion%beyond(i) - motion%beyond(i + 1), 0.0_wp)
-                drop = min(drop, motion%beyond(i) - motion%beyond(i + 1))
             end do
             motion%stiffness(0) = min(k(base), top)
         end associate
-        if (drop < 0.0_wp) call settle(mu, force, motion)
+        call loads_beyond(levels, motion%base, motion%used, motion%cell, force, shift, motion%beyond(1:motion%used))
+        motion%beyond(0) = force
+        motion%beyond(motion%used) = 0.0_wp
     end subroutine find_sliders
 
+    !> mu B. Later than P, which a processor reads across what it has just written only after a while.
+    pure subroutine find_strengths(mu, motion)
+        real(wp), intent(in) :: mu
+        type(motion_t), intent(inout) :: motion
+        real(wp) :: drop
+        integer :: i
+
+        drop = 0.0_wp
+        do i = 0, motion%used - 1
+            motion%strength(i) = mu*max(motion%beyond(i) - motion%beyond(i + 1), 0.0_wp)
+            drop = min(drop, motion%beyond(i) - motion%beyond(i + 1))
+        end do
+        if (drop < 0.0_wp) call settle(mu, motion)
+    end subroutine find_strengths
+
     !> What is left of no springs at a flat end is rounding, and shares have errors of their own: T <= mu F does not.
-    pure subroutine settle(mu, force, motion)
-        real(wp), intent(in) :: mu, force
+    pure subroutine settle(mu, motion)
+        real(wp), intent(in) :: mu
         type(motion_t), intent(inout) :: motion
         integer :: i
 
         do i = motion%used - 1, 1, -1
-            motion%beyond(i) = min(max(motion%beyond(i), motion%beyond(i + 1)), force)
+            motion%beyond(i) = min(max(motion%beyond(i), motion%beyond(i + 1)), motion%beyond(0))
         end do
         do i = 0, motion%used - 1
             motion%strength(i) = mu*max(motion%beyond(i) - motion%beyond(i + 1), 0.0_wp)
@@ -211,22 +223,22 @@ contains
         !> before the step
         real(wp), intent(in) :: t(sliders, 3)
         type(motion_t), intent(inout) :: motion
-        real(wp) :: excess
         integer :: i, axis
 
-        excess = 0.0_wp
         associate (k => motion%stiffness, way => motion%shift)
             do i = 0, motion%before - 1
                 motion%load(i, 1) = t(i + 1, 1) + k(i)*way(1)
                 motion%load(i, 2) = t(i + 1, 2) + k(i)*way(2)
                 motion%load(i, 3) = t(i + 1, 3) + k(i)*way(3)
-                excess = max(excess, (t(i + 1, 1)**2 + t(i + 1, 2)**2 + t(i + 1, 3)**2) - (within*motion%strength(i))**2)
+                motion%former(i) = t(i + 1, 1)**2 + t(i + 1, 2)**2 + t(i + 1, 3)**2
             end do
         end associate
-        motion%is_weaker = excess > 0.0_wp
         do i = motion%first_newborn, motion%used - 1
+            if (i >= motion%before) then
+                motion%former(i) = 0.0_wp
+                motion%load(i, :) = 0.0_wp
+            end if
             do axis = 1, 3
-                if (i >= motion%before) motion%load(i, axis) = 0.0_wp
                 motion%load(i, axis) = motion%load(i, axis) + motion%newborn(i)*motion%growth(axis)
             end do
         end do
@@ -235,17 +247,19 @@ contains
     !> t and their sum: what of y is within the strengths, without branches.
     pure subroutine limit_sliders(motion)
         type(motion_t), intent(inout) :: motion
-        real(wp) :: squared, inverse, factor, x, y, z
+        real(wp) :: squared, inverse, factor, excess, x, y, z
         integer :: i
 
+        excess = 0.0_wp
         x = 0.0_wp
         y = 0.0_wp
         z = 0.0_wp
-        !$omp simd simdlen(2) private(squared, inverse, factor) reduction(+:x, y, z)
+        !$omp simd simdlen(2) private(squared, inverse, factor) reduction(+:x, y, z) reduction(max:excess)
         do i = 0, motion%used - 1
             squared = motion%load(i, 1)**2 + motion%load(i, 2)**2 + motion%load(i, 3)**2
             inverse = 1.0_wp/max(sqrt(squared), tiny(1.0_wp))
             factor = min(motion%strength(i)*inverse, 1.0_wp)
+            excess = max(excess, motion%former(i) - (within*motion%strength(i))**2)
             motion%inverse(i) = inverse
             motion%factor(i) = factor
             motion%slipped(i) = (factor*(1.0_wp - factor))*squared
@@ -257,6 +271,7 @@ contains
             z = z + motion%borne(i, 3)
         end do
         motion%total = [x, y, z]
+        motion%is_weaker = excess > 0.0_wp
     end subroutine limit_sliders
 
     !> The derivatives of T with respect to ds, (1:3, i), and F, (4, i), of its component i.
@@ -420,7 +435,7 @@ contains
         do i = motion%first_newborn, motion%used - 1
             motion%stiffness(i) = stiffness_of(levels, motion%base, i, top)
         end do
-        call count_slip(sliders, motion, record(head + 1:), record(at_lost))
+        call count_slip(motion, record(at_lost))
         if (merged > 0) call count_merger(merged, motion, record(at_lost))
         call keep_loads(sliders, merged, motion, record(head + 1:))
         record(at_law) = mark
@@ -453,12 +468,9 @@ contains
 
     !> What slip takes in a step: t.(y - t)/K of each slider, and what its load was above its limit before it moved. Along a line
     !> under constant F that is exact, however long the step.
-    pure subroutine count_slip(sliders, motion, t, lost)
-        integer, intent(in) :: sliders
+    pure subroutine count_slip(motion, lost)
         !> with K after the step
         type(motion_t), intent(in) :: motion
-        !> before the step
-        real(wp), intent(in) :: t(sliders, 3)
         !> to which it is added
         real(wp), intent(inout) :: lost
         integer :: i
@@ -470,7 +482,7 @@ contains
             end do
             if (.not. motion%is_weaker) return
             do i = 0, motion%before - 1
-                if (k(i) > 0.0_wp) lost = lost + max(norm2(t(i + 1, :)) - strength(i), 0.0_wp)**2/(2.0_wp*k(i))
+                if (k(i) > 0.0_wp) lost = lost + max(sqrt(motion%former(i)) - strength(i), 0.0_wp)**2/(2.0_wp*k(i))
             end do
         end associate
     end subroutine count_slip
