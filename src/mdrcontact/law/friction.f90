@@ -23,6 +23,7 @@ module mdrcontact_law_friction
     private
     public :: friction_law_t, contact_steps_t, default_sliders, find_levels, check_sliders
 
+    !> How many sliders stand for the springs of a contact where the caller does not say.
     integer, parameter :: default_sliders = 8
 
     !> The law of a contact with friction. It never changes. What a contact remembers is a record of the caller's, an array of
@@ -32,10 +33,12 @@ module mdrcontact_law_friction
         type(contact_law_t), allocatable :: law
         !> mu [1]
         real(wp) :: coefficient = 0.0_wp
+        !> how many sliders stand for the springs
         integer :: sliders = default_sliders
         !> largest error of T found, relative to mu F: in first shear; along cycles of depth and shift against the exact history,
         !> relative to the largest mu F, -1 where there is none
         real(wp) :: first_shear_error = 0.0_wp, path_error = -1.0_wp
+        !> strengths and stiffnesses of the sliders over S
         type(levels_t) :: levels
         !> what tells its records from those of another law, >= 1
         real(wp) :: mark = 0.0_wp
@@ -107,6 +110,7 @@ contains
         self%mark = 2.0_wp**33 + digits
     end subroutine find_levels
 
+    !> Raises unless so many sliders can stand for the springs.
     pure subroutine check_sliders(error, sliders)
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: sliders
@@ -146,7 +150,9 @@ contains
         class(friction_law_t), intent(in) :: self
         !> as of advance
         real(wp), intent(in) :: force, shift(3)
+        !> the record, as of advance
         real(wp), intent(in), contiguous :: memory(:)
+        !> tangential force on the medium at the end of the step [modulus length^2]
         real(wp), intent(out) :: traction(3)
         type(error_t), allocatable, intent(out) :: error
         !> as of advance
@@ -259,8 +265,12 @@ contains
     !> Energy stored in the springs, and dissipated since the first step [modulus length^3].
     pure subroutine energies(self, memory, stored, dissipated, error)
         class(friction_law_t), intent(in) :: self
+        !> the record, as of advance
         real(wp), intent(in), contiguous :: memory(:)
-        real(wp), intent(out) :: stored, dissipated
+        !> what the springs hold, and what slip has taken since the first step [modulus length^3]
+        real(wp), intent(out) :: stored
+        !> see stored
+        real(wp), intent(out) :: dissipated
         type(error_t), allocatable, intent(out) :: error
 
         stored = 0.0_wp
@@ -279,6 +289,7 @@ contains
         real(wp), intent(in) :: normal(3)
         !> angle by which the bodies have turned about the normal, on average of both: (w1 + w2).n/2 dt [1]
         real(wp), intent(in) :: spin
+        !> the record, as of advance
         real(wp), intent(inout), contiguous :: memory(:)
         type(error_t), allocatable, intent(out) :: error
 
