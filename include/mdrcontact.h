@@ -57,7 +57,7 @@
  * Only freeing a handle needs the certainty that no other thread uses it. GSL's error handler, which would end the program, is
  * switched off for the process when an object is made; a program with a GSL handler of its own sets it again afterwards.
  *
- * A call takes up to 48 kB of the calling thread's stack, and what user functions take on top. 128 kB, as threads have under musl,
+ * A call takes up to 56 kB of the calling thread's stack, and what user functions take on top. 128 kB, as threads have under musl,
  * are enough, also where the BLAS keeps data of each thread there (OpenBLAS: 60 kB).
  */
 #ifndef MDRCONTACT_H
