@@ -1366,7 +1366,7 @@ int mdr_lateral_rule(int order, double nu, double points[], double weights[]);
  *  mdr_law_read(), freed by mdr_law_free(). */
 typedef struct mdr_law mdr_law;
 
-/** What a law can be asked for. Begun by MDR_SIZED. */
+/** What a law is made with. Begun by MDR_SIZED. */
 typedef struct mdr_law_options {
     size_t size;             /**< Of this structure; MDR_SIZED sets it. */
     double smallest_depth;   /**< Without adhesion: depth > 0 from which on the tolerance holds, at most half the largest; nearer
