@@ -26,12 +26,12 @@ module mdrcontact_layered_panels
     real(wp), parameter :: shortest = 1.0e-8_wp
     !> The same for the quadrature of X.
     real(wp), parameter :: shortest_near = 1.0e-13_wp
-    !> Pressures at smaller radii are those at this one, relative to the contact radius.
-    real(wp), parameter :: tiny_radius = 1.0e-12_wp
+    !> Closer to the axis, relative to the contact radius, pressures are continued by a power of r: the rounding of v/r shows there.
+    real(wp), parameter :: near_axis = 1.0e-4_wp
     !> More panels are not tried.
     integer, parameter :: most_panels = 75
     !> Errors are estimated for places that far from a kink, relative to the contact radius: closer to one, rounding of v shows more
-    !> in p, as the root of the distance falls, and on the axis as the distance falls.
+    !> in p, as the root of the distance falls.
     real(wp), parameter :: near = 1.0e-2_wp
 
     !> v on the panels of a contact.
@@ -256,12 +256,33 @@ contains
         !> 0 <= r <= a [length]
         real(wp), intent(in) :: r
         real(wp) :: pressure
+        real(wp) :: first, values(3), ratio
+        integer :: i
+
+        first = near_axis*self%edges(size(self%edges))
+        if (r >= first) then
+            pressure = integral_from(self, r)
+            return
+        end if
+        ! c + b r^s through three places, each twice as far as the one before; s = 2 where they hardly differ
+        values = [(integral_from(self, first*2.0_wp**i), i=0, 2)]
+        ratio = 4.0_wp
+        if (abs(values(2) - values(1)) > 0.0_wp) ratio = (values(3) - values(2))/(values(2) - values(1))
+        if (.not. (ratio > 1.4_wp .and. ratio < 16.0_wp)) ratio = 4.0_wp
+        pressure = values(1) - (values(2) - values(1))*(1.0_wp - (r/first)**(log(ratio)/log(2.0_wp)))/(ratio - 1.0_wp)
+    end function smooth_pressure
+
+    !> The same by quadrature, r > 0.
+    pure function integral_from(self, r) result(pressure)
+        type(panels_t), intent(in) :: self
+        real(wp), intent(in) :: r
+        real(wp) :: pressure
         real(wp) :: from, low, high, x(nodes), slope(nodes), p(nodes, nodes), t(2), derivative(nodes, nodes), length
         integer :: panel, part, parts, k
 
         pressure = 0.0_wp
         ! x = r cosh(t) = r + 2 r sinh(t/2)^2
-        from = max(r, tiny_radius*self%edges(size(self%edges)))
+        from = r
         do panel = max(count(self%edges <= from), 1), size(self%edges) - 1
             length = self%edges(panel + 1) - self%edges(panel)
             low = angle(max(self%edges(panel), from))
@@ -292,6 +313,6 @@ contains
             t = 2.0_wp*asinh(sqrt(0.5_wp*(x - from)/from))
         end function angle
 
-    end function smooth_pressure
+    end function integral_from
 
 end module mdrcontact_layered_panels
