@@ -896,6 +896,17 @@ typedef struct mdr_interior {
 int mdr_contact_interior(const mdr_contact *c, int body, const mdr_state *state, int side, double friction, int n, const double r[],
                          const double z[], const double angle[], mdr_interior out[]);
 
+/** How far the field of mdr_contact_interior() is from what the contact has on its surface, by other equations: at r = 0.31 a, 0.62 a
+ *  and 0.9 a s_zz from -p(r), relative to the largest pressure there or the mean one, and u_z from d - f(r), of two bodies from the
+ *  body's part of it, relative to d or f(a). Under an approximate model s_zz alone, for its surface does not fit the indenter. Costs
+ *  about as much as three points on the surface; one call serves all points of a state.
+ *  @param c         contact
+ *  @param body      one of enum mdr_body
+ *  @param state     a state of this contact, with a radius > 0
+ *  @param deviation receives the largest of them [1]: 1e-8 or less is usual with the default tolerance of a medium
+ *  @return as mdr_contact_interior() */
+int mdr_contact_interior_error(const mdr_contact *c, int body, const mdr_state *state, double *deviation);
+
 /** Elastic energy in each layer of a body without friction, from the surface down, the half-space last (0 for a rigid base).
  *  Together they are the work of the pressure on the surface.
  *  @param c         contact

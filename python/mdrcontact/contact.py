@@ -18,7 +18,16 @@ from ._value import Value
 from ._warn import warn
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code
 from .critical import Critical
-from .errors import ArgumentTypeError, InvalidArgumentError, LargeStrainWarning, MDRError, NotOneDiscWarning, UnitsWarning
+from .errors import (
+    ArgumentTypeError,
+    InteriorAccuracyWarning,
+    InvalidArgumentError,
+    LargeStrainWarning,
+    MDRError,
+    NoConvergenceError,
+    NotOneDiscWarning,
+    UnitsWarning,
+)
 from .failure import Failure
 from .history import History
 from .interior import Interior
@@ -85,6 +94,8 @@ class Contact(Value):
     _looked_at: set[int] | None = field(init=False, repr=False, compare=False)
     _warned: list[Any] = field(init=False, repr=False, compare=False)
     """up to which depth no state needs to be looked at, then the kinds of warnings that were given"""
+    _compared: dict[tuple[str | float, ...], tuple[int, float | None]] = field(init=False, repr=False, compare=False)
+    """of the last body and state looked into: points so far, and their deviation on the surface once it is known"""
 
     def __init__(
         self,
@@ -109,7 +120,7 @@ class Contact(Value):
         self._set(_handle=Handle(created, _native.contact_free), indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given)
         may_open = gamma == 0.0 and getattr(medium, "model", None) == "exact" and not isinstance(indenter, Paraboloid)
-        self._set(_looked_at=set() if may_open else None, _warned=[-math.inf])
+        self._set(_looked_at=set() if may_open else None, _warned=[-math.inf], _compared={})
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
         """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.
@@ -311,8 +322,15 @@ class Contact(Value):
         Infinite where theory says so: on the surface at the edge of a flat punch or an adhesive contact, at the apex of a cone, at
         the edge of a flat end. Under an approximate model it is the field in the body under the model's own pressure, whose surface
         does not fit the indenter. Graded bodies take up to some seconds for each 64 depths.
+
+        The field of a state is compared with the contact's pressure and displacement on the surface, once it was given at 1000
+        points: an `InteriorAccuracyWarning` where it deviates by more than 1e-8 and 10 times the medium's tolerance, refused
+        beyond 1e-3.
         """
-        return interior.interior(self._handle.address, r, z, self._one(state), body, side, friction, angle)
+        row = self._one(state)
+        found = interior.interior(self._handle.address, r, z, row, body, side, friction, angle)
+        self._compare(body, row, np.size(found.s_zz))
+        return found
 
     def critical(self, state: State, body: str = "lower", friction: float = 0.0) -> Critical:
         """What decides whether a coating cracks, yields or peels: the largest stresses in each layer, at the surface outside the
@@ -388,6 +406,28 @@ class Contact(Value):
         buffer = np.zeros(1000, np.uint8)
         found = call(_native.contact_warnings, self._handle.address, self._one(state), address(buffer), buffer.size)
         return [code for code in _WARNINGS if found & code], bytes(buffer).rstrip(b"\0").decode().splitlines()
+
+    def _compare(self, body: str, row: list[float], points: int) -> None:
+        """Warns of a field inside that deviates from the surface of its contact, or refuses it."""
+        key: tuple[str | float, ...] = (body, *row)
+        so_far, deviation = self._compared.get(key, (0, None))
+        if deviation is None:
+            so_far += points
+            if so_far >= interior.ENOUGH_POINTS:
+                deviation = interior.deviation(self._handle.address, row, body)
+            self._compared.clear()
+            self._compared[key] = so_far, deviation
+        if deviation is None or deviation <= max(interior.USUAL, interior.TOLERANCES * self.medium._tolerance()):
+            return
+        text = (
+            f"displacements and stresses inside are off by about {deviation:.1e} of the depth and of the largest pressure: by that "
+            "they differ on the surface from the displacement and the pressure of the contact"
+        )
+        if deviation > interior.WRONG:
+            raise NoConvergenceError(text)
+        if InteriorAccuracyWarning not in self._warned:
+            self._warned.append(InteriorAccuracyWarning)
+            warn(text, InteriorAccuracyWarning)
 
     def _look_at(self, states: State) -> None:
         """Warns where the contact is not one disc: looks at the largest of the states and at some smaller ones, at a radius of

@@ -20,6 +20,7 @@ __all__ = [
     "BeyondRangeWarning",
     "LargeStrainWarning",
     "UnitsWarning",
+    "InteriorAccuracyWarning",
 ]
 
 
@@ -89,6 +90,12 @@ class LargeStrainWarning(MDRWarning):
 
 class UnitsWarning(MDRWarning):
     """Young's moduli of one contact are 1e9 apart or more: one of them may be in another unit, as GPa beside Pa."""
+
+
+class InteriorAccuracyWarning(MDRWarning):
+    """Displacements and stresses inside a body are off by more than 1e-8 of the depth and of the largest pressure, and 10 times the
+    tolerance of its medium: by about as much as the text says, s_zz and u_z at the surface differ from the contact's p(r) and
+    d - f(r)."""
 
 
 _BY_STATUS: dict[int, type[MDRError]] = {

@@ -9,13 +9,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import FloatOrArray, check, number, together
+from ._boundary import FloatOrArray, call, check, number, together
 from .adhesion import code
+from .errors import NoConvergenceError
 
 __all__ = ["Interior"]
 
 BODIES = {"lower": _layout.BODY_LOWER, "upper": _layout.BODY_UPPER}
 SIDES = {"below": _layout.SIDE_BELOW, "above": _layout.SIDE_ABOVE}
+USUAL, TOLERANCES = 1e-8, 10.0
+"""Deviations up to the larger one of the first and of so many tolerances of the medium bring no warning."""
+WRONG = 1e-3
+"""A deviation beyond which no field is given."""
+ENOUGH_POINTS = 1000
+"""A state with fewer points is not compared with the surface, which costs as much as two to three single points."""
 
 
 class Interior(NamedTuple):
@@ -89,6 +96,15 @@ def interior(
     )
     check(status, single=not radii.shape)
     return Interior(*(column.reshape(radii.shape) if radii.shape else float(column[0]) for column in field.T))
+
+
+def deviation(handle: int, state: list[float], body: str) -> float:
+    """By how much the field of a state differs from its contact on the surface; 0 where it is not known there, as near the surface
+    of a gradient that is too steep."""
+    try:
+        return float(call(_native.contact_interior_error, handle, code("body", body, BODIES), state))
+    except NoConvergenceError:
+        return 0.0
 
 
 def layer_energies(handle: int, state: list[float], body: str, layers: int) -> NDArray[np.float64]:

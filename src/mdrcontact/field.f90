@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The fields of a state of contact: line load, pressure, displacement, and stresses and energies inside the bodies.
 module mdrcontact_field
+    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
@@ -8,8 +9,10 @@ module mdrcontact_field
     use mdrcontact_error, only: check_finite, check_not_negative, error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_field_body_field, only: body_field
     use mdrcontact_field_energy, only: layer_energies
+    use mdrcontact_field_interior, only: components, s_zz, u_z
     use mdrcontact_field_load, only: load_t
-    use mdrcontact_kinds, only: wp
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_medium, only: lower_body, upper_body
     use mdrcontact_numerics_pick, only: pick
     implicit none (type, external)
     private
@@ -17,6 +20,8 @@ module mdrcontact_field
 
     !> Where the lowest pressure is looked for: so many radii, and again as many between the neighbours of the lowest.
     integer, parameter :: pressure_probes = 32, pressure_rounds = 3
+    !> Where the field inside a body is compared with the surface [a]: off the axis and the edge, where pressures may be infinite.
+    real(wp), parameter :: compared(3) = [0.31_wp, 0.62_wp, 0.9_wp]
 
     !> What gives the fields of its states; a contact is one.
     type :: fields_t
@@ -29,6 +34,7 @@ module mdrcontact_field
         procedure :: elastic_energy
         procedure :: lowest_pressure
         procedure :: interior
+        procedure :: interior_error
         procedure :: layer_energy
     end type fields_t
 
@@ -192,6 +198,43 @@ contains
             end if
         end associate
     end subroutine interior
+
+    !> How far the field inside a body is from what the state has on the surface: at some radii within the contact s_zz from -p(r),
+    !> relative to the largest pressure there and the mean one, and u_z from d - f(r), of two bodies from the body's part of it,
+    !> relative to d and to f(a). Under an approximate model s_zz alone, for its surface does not fit the indenter.
+    subroutine interior_error(self, state, upper, deviation, error)
+        class(fields_t), intent(in) :: self
+        !> with a radius > 0
+        type(contact_state_t), intent(in) :: state
+        !> whether the upper body is meant
+        logical, intent(in) :: upper
+        !> the largest of them [1]
+        real(wp), intent(out) :: deviation
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), dimension(size(compared)) :: r, pressure, motion
+        real(wp) :: field(size(compared), components)
+        logical :: is_finite(size(compared))
+
+        deviation = 0.0_wp
+        r = compared*state%radius
+        call self%interior(state, upper, r, 0.0_wp*r, .true., 0.0_wp, 0.0_wp*r, field, error, 1)
+        if (.not. allocated(error)) call self%pressure(state, r, pressure, error)
+        if (allocated(error)) return
+        is_finite = ieee_is_finite(pressure) .and. ieee_is_finite(field(:, s_zz))
+        if (.not. any(is_finite)) return
+        deviation = maxval(abs(field(:, s_zz) + pressure), mask=is_finite) &
+                    /max(abs(state%force)/(pi*state%radius**2), maxval(abs(pressure), mask=is_finite))
+        associate (equilibrium => self%equilibrium, medium => self%equilibrium%medium)
+            ! the springs of a homogeneous body are exact, though its modulus is an effective one
+            if (.not. (medium%is_exact() .or. medium%has_independent_springs())) return
+            motion = state%depth - equilibrium%profile%height(r)
+            if (medium%is_pair) call medium%take_share(equilibrium%profile, state%radius, state%excess, &
+                                                       merge(upper_body, lower_body, upper), r, motion, error)
+            if (allocated(error)) return
+            deviation = max(deviation, maxval(abs(field(:, u_z) - motion)) &
+                            /max(abs(state%depth), equilibrium%profile%height(state%radius)))
+        end associate
+    end subroutine interior_error
 
     !> Elastic energy of each layer of a body, from the surface down, the half-space last [modulus length^3].
     subroutine layer_energy(self, state, upper, energies, error)

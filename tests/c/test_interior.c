@@ -24,12 +24,14 @@ static void refusals(void)
     const double r[2] = {0.0, 0.5}, z[2] = {0.1, 0.2}, negative[2] = {0.0, -0.5};
     mdr_interior out[2];
     mdr_contact *c = on_film(0.0), *sticky = on_film(1.0);
+    const mdr_state nothing = {0.0, 0.0, 0.0, 0.0, 0.0};
     mdr_state state, sticky_state;
-    double energy[2];
+    double energy[2], deviation;
     int count = -7;
 
     fill_untouched(18, &out[0].u_r);
     fill_untouched(2, energy);
+    fill_untouched(1, &deviation);
     CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
     CHECK_SUCCESS(mdr_contact_states(sticky, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &sticky_state));
     CHECK_STATUS(mdr_contact_interior(NULL, 1, &state, 1, 0.0, 2, r, z, NULL, out), MDR_ENULL, "c is NULL");
@@ -48,6 +50,13 @@ static void refusals(void)
     CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, r, negative, NULL, out), MDR_EINVALID, "-0.5");
     CHECK_SUCCESS(mdr_contact_interior(c, 1, &state, 1, 0.0, 0, NULL, NULL, NULL, NULL));
     CHECK_UNTOUCHED(18, &out[0].u_r);
+    CHECK_STATUS(mdr_contact_interior_error(NULL, 1, &state, &deviation), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_interior_error(c, 3, &state, &deviation), MDR_EINVALID, "body = 3");
+    CHECK_STATUS(mdr_contact_interior_error(c, 2, &state, &deviation), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_contact_interior_error(c, 1, NULL, &deviation), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_contact_interior_error(c, 1, &nothing, &deviation), MDR_EINVALID, "radius");
+    CHECK_STATUS(mdr_contact_interior_error(c, 1, &state, NULL), MDR_ENULL, "deviation is NULL");
+    CHECK_UNTOUCHED(1, &deviation);
     CHECK_STATUS(mdr_contact_layer_energies(NULL, 1, &state, 2, energy, &count), MDR_ENULL, "c is NULL");
     CHECK_STATUS(mdr_contact_layer_energies(c, 2, &state, 2, energy, &count), MDR_EINVALID, "rigid");
     CHECK_STATUS(mdr_contact_layer_energies(c, 1, NULL, 2, energy, &count), MDR_ENULL, "state is NULL");
@@ -92,6 +101,26 @@ static void film_on_steel(void)
     CHECK_SUCCESS(mdr_contact_free(&c));
 }
 
+/* A state whose depth belongs to another one does not fit its surface, by as much. */
+static void deviation_from_the_surface(void)
+{
+    mdr_contact *c = on_film(0.0), *sticky = on_film(1.0);
+    mdr_state state;
+    double deviation;
+
+    CHECK_SUCCESS(mdr_contact_states(sticky, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_contact_interior_error(sticky, MDR_BODY_LOWER, &state, &deviation));
+    CHECK_TRUE(deviation < 1e-12);
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_contact_interior_error(c, MDR_BODY_LOWER, &state, &deviation));
+    CHECK_TRUE(deviation < 1e-12);
+    state.depth *= 1.001;
+    CHECK_SUCCESS(mdr_contact_interior_error(c, MDR_BODY_LOWER, &state, &deviation));
+    CHECK_CLOSE(deviation, 0.001 / 1.001, 1e-9);
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_contact_free(&sticky));
+}
+
 /* Two equal bodies: friction drags the upper one the other way, as the lower one seen from the other side. */
 static void friction_on_both_bodies(void)
 {
@@ -124,6 +153,7 @@ int main(void)
 {
     refusals();
     film_on_steel();
+    deviation_from_the_surface();
     friction_on_both_bodies();
     return check_report("interior");
 }

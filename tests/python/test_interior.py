@@ -2,12 +2,15 @@
 """Stresses inside bodies against tables of an independent solution, closed forms, and what is refused."""
 
 import csv
+import warnings
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import mdrcontact as mdr
+from mdrcontact import _native, interior
+from mdrcontact._boundary import call
 
 DATA = Path(__file__).parents[1] / "data"
 STEEL, TIN = mdr.Elastic(210.0, 0.3), mdr.Elastic(450.0, 0.25)
@@ -274,6 +277,68 @@ def test_sliding_on_a_graded_body_balances_and_obeys_hooke(r, z):
     assert shear * (d_t["u_r"] / r + d_r["u_t"] - here.u_t / r) == pytest.approx(here.s_rt, abs=1e-7)
     assert shear * (d_z["u_r"] + d_r["u_z"]) == pytest.approx(here.s_rz, abs=1e-7)
     assert shear * (d_z["u_t"] + d_t["u_z"] / r) == pytest.approx(here.s_tz, abs=1e-7)
+
+
+TIPS = [mdr.Paraboloid(1.0), mdr.Cone(0.3), mdr.Sphere(1.5), mdr.PowerLaw(30.0, 0.1), mdr.FlatEndedCone(0.5, 0.3),
+        mdr.RoundedCone(1e-4, 0.3), mdr.AreaFunction([24.5, 0.003], max_height=100.0)]  # fmt: skip
+SOFT = mdr.Elastic(1.0, 0.49)
+MEDIA = [mdr.Homogeneous(STEEL), mdr.Coated(TIN, 0.7, STEEL), mdr.Coated(SOFT, 0.3, STEEL), mdr.Coated(SOFT, 0.5, mdr.RIGID),
+         mdr.Coated(TIN, 0.7, STEEL, "gao"), mdr.Layered([(TIN, 0.2), (mdr.Elastic(50.0, 0.4), 0.4)], STEEL), mdr.Pair(STEEL, TIN),
+         mdr.Pair(mdr.Coated(TIN, 0.7, STEEL), STEEL), mdr.Pair(mdr.Coated(TIN, 0.7, STEEL, "gao"), STEEL)]  # fmt: skip
+
+
+def deviation(contact, state, body="lower"):
+    return call(_native.contact_interior_error, contact._handle.address, interior.BODIES[body], contact._one(state))
+
+
+@pytest.mark.parametrize("medium", MEDIA, ids=str)
+@pytest.mark.parametrize("tip", TIPS, ids=lambda tip: type(tip).__name__)
+def test_the_field_is_that_of_the_contact_on_the_surface(tip, medium):
+    contact = mdr.Contact(tip, medium)
+    for body in ("lower", "upper") if isinstance(medium, mdr.Pair) else ("lower",):
+        assert deviation(contact, contact.at_radius(1.0), body) < 1e-11
+
+
+def test_a_loose_tolerance_of_a_graded_body_is_seen():
+    """Its kernel is interpolated more coarsely, the states inside are not."""
+    moduli = [1.0, 100.0]
+    for tolerance, least, most in ((1e-10, 0.0, 1e-9), (1e-3, 1e-6, 1e-4)):
+        contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1.0], moduli, 0.3, tolerance=tolerance))
+        assert least <= deviation(contact, contact.at_radius(1.0)) < most
+
+
+@pytest.mark.parametrize("share", [1e-9, 1e-6, 1e-4])
+def test_the_deviation_is_as_large_as_what_was_spoiled(share):
+    """The depth of another state: u_z belongs to the load, d - f(r) to the depth."""
+    for contact in (CONTACT, mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(STEEL))):
+        state = contact.at_radius(1.0)
+        assert deviation(contact, state._replace(depth=state.depth * (1.0 + share))) == pytest.approx(share, rel=1e-3)
+
+
+def test_a_field_that_deviates_warns_once_and_is_refused_beyond():
+    medium = mdr.Coated(TIN, 1.0, STEEL)
+    contact, r = mdr.Contact(mdr.Paraboloid(1.0), medium), np.linspace(0.0, 2.0, 1000)
+    state = contact.at_radius(1.0)
+    off, wrong = (state._replace(depth=state.depth * factor) for factor in (1.0 + 1e-6, 1.01))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        contact.interior(r, 0.1, state)
+        contact.interior(r[:999], 0.1, off)
+    with pytest.warns(mdr.InteriorAccuracyWarning, match=r"off by about 1\.0e-06") as seen:
+        contact.interior(0.3, 0.1, off)
+        contact.interior(r, 0.1, off)
+    assert len(seen) == 1 and seen[0].filename == __file__
+    for _ in range(2):
+        with pytest.raises(mdr.NoConvergenceError, match=r"off by about 9\.9e-03"):
+            contact.interior(r, 0.1, wrong)
+    # what a tolerance allows brings no warning
+    loose = mdr.Contact(mdr.Paraboloid(1.0), mdr.Pair(mdr.Coated(TIN, 1.0, STEEL, tolerance=1e-6), STEEL))
+    state = loose.at_radius(1.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        loose.interior(r, 0.1, state._replace(depth=state.depth * (1.0 + 5e-6)))
+    with pytest.warns(mdr.InteriorAccuracyWarning):
+        loose.interior(r, 0.1, state._replace(depth=state.depth * (1.0 + 5e-5)))
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,10 @@ class Medium(Value):
         """Takes over what a compiled constructor returned, and the fields as they were understood."""
         self._set(_handle=Handle(created, _native.medium_free), **values)
 
+    def _tolerance(self) -> float:
+        """The tolerance that was given for its solution, 0 where none was."""
+        return 0.0
+
     def modulus(self, a: ArrayLike) -> FloatOrArray:
         """E_eff(a) [modulus] at contact radii a > 0 [length], any shape."""
         return evaluate("a", a, lambda radii: _native.medium_modulus(self._handle.address, radii))

@@ -112,6 +112,9 @@ class UnderModel(Medium):
         body = {name: value for name, value in self._given().items() if name not in dict(self.options)}
         return type(self)(**{**body, "model": model, **options})
 
+    def _tolerance(self) -> float:
+        return float(dict(self.options).get("tolerance", 0.0))
+
     def _given(self) -> dict[str, Any]:
         given = super()._given()
         options = given.pop("options")

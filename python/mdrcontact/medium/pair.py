@@ -36,6 +36,9 @@ class Pair(Medium):
         created = _native.medium_pair(handles[0].address, handles[1].address)
         self._own(created, lower=bodies[0], upper=bodies[1])
 
+    def _tolerance(self) -> float:
+        return max(body._tolerance() for body in (self.lower, self.upper) if isinstance(body, Medium))
+
     @property
     def model(self) -> str:
         """The model of the bodies: "exact", or that of the approximate one."""

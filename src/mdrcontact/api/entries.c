@@ -692,6 +692,17 @@ int mdr_contact_interior(const mdr_contact *c, int body, const mdr_state *state,
     return status;
 }
 
+int mdrcontact_entry_contact_interior_error(const mdr_contact *c, int body, const mdr_state *state, double *deviation);
+int mdr_contact_interior_error(const mdr_contact *c, int body, const mdr_state *state, double *deviation)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_interior_error(c, body, state, deviation);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_interior_error(c, body, state, deviation);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[],
         int *count);
 int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[], int *count)

@@ -2,7 +2,7 @@
 !> Stresses and displacements inside the bodies of a contact, for C.
 module mdrcontact_api_interior
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_results_or_infinity
+    use mdrcontact_api_arrays, only: check_array, check_count, check_results, check_results_or_infinity
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_contact, only: contact_t
@@ -11,7 +11,7 @@ module mdrcontact_api_interior
     use mdrcontact_field_interior, only: components
     implicit none (type, external)
     private
-    public :: mdr_contact_interior, mdr_contact_layer_energies
+    public :: mdr_contact_interior, mdr_contact_interior_error, mdr_contact_layer_energies
 
     !> enum mdr_body, enum mdr_side
     integer, parameter :: lower_body = 1, upper_body = 2, side_below = 1, side_above = 2
@@ -61,6 +61,27 @@ contains
         end if
         status = status_of(error)
     end function mdr_contact_interior
+
+    function mdr_contact_interior_error(c, body, state, deviation) result(status) &
+        bind(C, name="mdrcontact_entry_contact_interior_error")
+        type(c_ptr), value :: c
+        integer(c_int), value :: body
+        type(contact_state_t), intent(in), optional :: state
+        real(c_double), intent(inout), optional :: deviation
+        integer(c_int) :: status
+        type(contact_t), pointer :: contact
+        real(c_double) :: found
+        type(error_t), allocatable :: error
+
+        call open_handle(c, "c", contact, error)
+        call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
+        call check_given(error, "state", present(state))
+        call check_given(error, "deviation", present(deviation))
+        if (.not. allocated(error)) call contact%interior_error(state, body == upper_body, found, error)
+        if (.not. allocated(error)) call check_results(error, [found])
+        status = status_of(error)
+        if (.not. allocated(error)) deviation = found
+    end function mdr_contact_interior_error
 
     function mdr_contact_layer_energies(c, body, state, capacity, out, count) result(status) &
         bind(C, name="mdrcontact_entry_contact_layer_energies")

@@ -34,6 +34,9 @@ void fuzz_inside(world *w)
         if (isnan(inside[i].s_zz) || isnan(inside[i].s_rz)) finding("mdr_contact_interior", "success with NaN", i);
     }
     fill(out);
+    status = mdr_contact_interior_error(contact, body, &state, out);
+    judge("mdr_contact_interior_error", status, 1, out, NOT_NEGATIVE);
+    fill(out);
     status = mdr_contact_layer_energies(contact, body, &state, MOST_POINTS, out, &count);
     judge("mdr_contact_layer_energies", status, count < MOST_POINTS ? count : MOST_POINTS, out, FINITE);
     fill(pressure), fill(place);

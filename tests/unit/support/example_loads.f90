@@ -5,7 +5,7 @@ module example_loads
     use mdrcontact_kinds, only: half_pi, wp
     implicit none (type, external)
     private
-    public :: polynomial_load_t, hertz_load, cone_load, punch_load
+    public :: polynomial_load_t, rough_load_t, hertz_load, cone_load, punch_load
 
     type, extends(load_t) :: polynomial_load_t
         real(wp), allocatable :: coefficients(:)
@@ -13,7 +13,21 @@ module example_loads
         procedure :: slope
     end type polynomial_load_t
 
+    !> A parabola with waves of q' that are shorter than a thousandth of the panels a load may have: no panels follow them.
+    type, extends(load_t) :: rough_load_t
+    contains
+        procedure :: slope => rough_slope
+    end type rough_load_t
+
 contains
+
+    pure function rough_slope(self, start, distance) result(y)
+        class(rough_load_t), intent(in) :: self
+        real(wp), intent(in) :: start, distance(:)
+        real(wp) :: y(size(distance))
+
+        y = -(start + distance)/self%radius*(1.0_wp + 1.0e-3_wp*sin(1.0e6_wp*(start + distance)/self%radius))
+    end function rough_slope
 
     pure function slope(self, start, distance) result(y)
         class(polynomial_load_t), intent(in) :: self
