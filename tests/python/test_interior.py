@@ -299,6 +299,20 @@ def test_the_field_is_that_of_the_contact_on_the_surface(tip, medium):
         assert deviation(contact, contact.at_radius(1.0), body) < 1e-11
 
 
+def test_gradients_too_steep_for_images_are_refused_near_the_surface():
+    """Deeper the field is given, and not refused because there is nothing to compare it with."""
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1e-6], [1e3, 1.0], 0.3, "gao"))
+    state = contact.at_radius(1.0)
+    with pytest.raises(mdr.NoConvergenceError, match="too steeply there, take points deeper"):
+        contact.interior(0.3, 0.0, state)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        field = contact.interior(np.linspace(0.0, 1.0, 1000), 0.5, state)
+    same = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3)))
+    expected = same.interior(0.0, 0.5, same.at_radius(1.0)).s_zz * state.force / same.at_radius(1.0).force
+    assert field.s_zz[0] == pytest.approx(expected, rel=1e-2)
+
+
 def test_a_loose_tolerance_of_a_graded_body_is_seen():
     """Its kernel is interpolated more coarsely, the states inside are not."""
     moduli = [1.0, 100.0]
