@@ -13,7 +13,7 @@ module example_loads
         procedure :: slope
     end type polynomial_load_t
 
-    !> A parabola with waves of q' that are shorter than a thousandth of the panels a load may have: no panels follow them.
+    !> A parabola with waves of q' of 6e-6 a: a thousand panels of some nodes each do not follow them.
     type, extends(load_t) :: rough_load_t
     contains
         procedure :: slope => rough_slope
