@@ -537,3 +537,12 @@ def test_surface_fits_tips_whose_load_varies_beside_the_axis(tip, thickness):
     finite = np.isfinite(pressure)
     assert np.array_equal(finite, np.isfinite(field.s_zz))
     assert np.abs(field.s_zz[finite] + pressure[finite]).max() < 1e-10 * pressure[finite].max()
+
+
+@pytest.mark.parametrize("young", [(1.0, 30.0), (100.0, 1.0), (3.9, 0.35)])
+def test_pressures_of_graded_bodies_beside_the_axis(young):
+    contact = mdr.Contact(mdr.PowerLaw(3.0, 0.3), mdr.Graded([0.0, 0.84], young, 0.42))
+    state = contact.at_radius(0.4)
+    r = 0.4 * np.array([0.0, 1e-12, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 0.1])
+    p = np.asarray(contact.pressure(r, state))
+    assert np.max(np.abs(p + contact.interior(r, 0.0, state).s_zz)) < 1e-8 * p.max()

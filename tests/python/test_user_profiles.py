@@ -176,3 +176,15 @@ def test_tables_hold_at_the_apex():
     for a in np.geomspace(1e-12, 0.9, 20):
         depth, force = depth_and_force(lambda x: first + 2 * c2 * x + 3 * c3 * x * x, a, ())
         assert float(table.at_depth(depth).force) == pytest.approx(force, rel=1e-9), a
+
+
+@pytest.mark.parametrize("largest", [1.0, 16.0, 1e3])
+def test_a_corner_far_below_the_largest_radius(largest):
+    b = 1.25e-5
+    tip = mdr.CallableProfile(lambda r: r * r / (2.0 * b) if r < b else r - 0.5 * b, largest)
+    known = mdr.RoundedCone(b, math.atan(1.0))
+    x = b * np.array([0.5, 1.0, 1.01, 1.5, 4.0, 366.0, 7e4])
+    assert np.max(np.abs(tip.mdr(x) / known.mdr(x) - 1.0)) < 1e-9
+    half_space = mdr.Homogeneous(mdr.Elastic(1.0, 0.3))
+    of_user, of_shape = (mdr.Contact(profile, half_space)._silent().at_radius(x).force for profile in (tip, known))
+    assert np.max(np.abs(of_user / of_shape - 1.0)) < 1e-9

@@ -46,6 +46,8 @@ module mdrcontact_profile_sampled
     real(wp), parameter :: irrational = 0.8603335890193797_wp
     !> What scatter of f leaves of the accuracy of f and g at most.
     real(wp), parameter :: height_roughness = 20.0_wp, transform_roughness = 30.0_wp
+    !> No panel behind a break reaches further, relative to where it begins: it is as accurate as its largest value.
+    real(wp), parameter :: largest_step = 4.0_wp
     !> How often f is sampled anew with the corners that were found.
     integer, parameter :: most_rounds = 4
     !> Lengths below it, and above its inverse, are refused.
@@ -363,7 +365,8 @@ contains
     end function most_panels
 
     !> The edges of panels: start + (stop - start) first_edge 2^-count, ... towards the first break, a flat end's own radius before
-    !> them, then the breaks and the end. Behind a flat end and a break the transform has a square-root branch.
+    !> them, then the breaks, with steps between those far apart, and the end. Behind a flat end and a break the transform has a
+    !> square-root branch.
     pure subroutine plan_panels(flat_radius, breaks, largest, count, edges, roots, error)
         real(wp), intent(in) :: flat_radius, breaks(:), largest
         integer, intent(in) :: count
@@ -371,10 +374,12 @@ contains
         !> of each panel: whether it begins at such a branch
         logical, allocatable, intent(out) :: roots(:)
         type(error_t), allocatable, intent(inout) :: error
-        integer :: i, flat_ends, stat
+        integer :: i, j, k, flat_ends, steps(size(breaks)), stat
 
         flat_ends = merge(1, 0, flat_radius > 0.0_wp)
-        allocate (edges(flat_ends + count + size(breaks) + 2), stat=stat)
+        ! a little more than a whole number of steps is that number
+        steps = max(ceiling(log([breaks(2:), largest]/breaks)/log(largest_step) - 1.0e-6_wp), 1)
+        allocate (edges(flat_ends + count + sum(steps) + 2), stat=stat)
         if (stat == 0) allocate (roots(size(edges) - 1), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
@@ -382,11 +387,15 @@ contains
         do i = 0, count
             edges(flat_ends + i + 1) = flat_radius + (first_break(breaks, largest) - flat_radius)*first_edge*0.5_wp**(count - i)
         end do
-        edges(flat_ends + count + 2:size(edges) - 1) = breaks
-        edges(size(edges)) = largest
         roots(:flat_ends) = .true.
-        roots(flat_ends + 1:flat_ends + count + 1) = .false.
-        roots(flat_ends + count + 2:) = .true.
+        roots(flat_ends + 1:) = .false.
+        i = flat_ends + count + 2
+        do j = 1, size(breaks)
+            roots(i) = .true.
+            edges(i:i + steps(j) - 1) = breaks(j)*[(largest_step**k, k=0, steps(j) - 1)]
+            i = i + steps(j)
+        end do
+        edges(size(edges)) = largest
     end subroutine plan_panels
 
     pure function first_break(breaks, largest) result(radius)

@@ -175,11 +175,11 @@ def test_interfaces_are_bonded(tip, medium, share, f, angle):
 
 @relation(5, tip=d.closed_tips, medium=bodies, share=d.shares, depth=d.between(0.1, 3.0))
 def test_every_plane_carries_the_force(tip, medium, share, depth):
-    """-2 pi int s_zz r dr at a depth, by Gauss and Legendre and the tail of a point force, against F."""
+    """-2 pi int s_zz r dr at a depth, by Gauss and Legendre, against F."""
     contact, state, _ = state_of(tip, medium, share)
     z = float(within(medium, depth * state.radius))
     size = state.radius + z + (faces(medium)[-1] if faces(medium) else 0.0)
-    ends = np.concatenate([np.linspace(0.0, 2.0, 7) * state.radius, np.geomspace(2.0 * state.radius, 300.0 * size, 13)[1:]])
+    ends = np.concatenate([np.linspace(0.0, 2.0, 7) * state.radius, np.geomspace(2.0 * state.radius, 600.0 * size, 15)[1:]])
     nodes, weight = np.polynomial.legendre.leggauss(16)
     low, high = ends[:-1, None], ends[1:, None]
     r = 0.5 * (low + high) + 0.5 * (high - low) * nodes
@@ -336,7 +336,7 @@ def test_planes_of_graded_bodies_carry_the_force(tip, medium, depth, share):
     """-2 pi int s_zz r dr at a depth of a graded body against F."""
     contact, state, _ = state_of(tip, medium, share)
     z, size = depth * state.radius, state.radius + medium.z[-1]
-    ends = np.concatenate([np.linspace(0.0, 2.0, 5) * state.radius, np.geomspace(2.0 * state.radius, 100.0 * (size + z), 9)[1:]])
+    ends = np.concatenate([np.linspace(0.0, 2.0, 5) * state.radius, np.geomspace(2.0 * state.radius, 400.0 * (size + z), 20)[1:]])
     nodes, weight = np.polynomial.legendre.leggauss(10)
     low, high = ends[:-1, None], ends[1:, None]
     r = 0.5 * (low + high) + 0.5 * (high - low) * nodes
