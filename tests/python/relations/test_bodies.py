@@ -71,7 +71,8 @@ def test_thickness_to_zero_and_to_infinity(film, base, model):
     for first, second in zip(*errors, strict=True):
         # of first order, or of h/a ln(h/a)
         near(first, 0.0, 0.1, size=contrast)
-        near(second, 0.0, 0.5, size=first + 1e-9)
+        # the first may lie where the error changes its sign
+        near(second, 0.0, 0.5, size=first + 2e-3 * contrast)
 
 
 @relation(
