@@ -374,11 +374,16 @@ contains
         !> of each panel: whether it begins at such a branch
         logical, allocatable, intent(out) :: roots(:)
         type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: next
         integer :: i, j, k, flat_ends, steps(size(breaks)), stat
 
         flat_ends = merge(1, 0, flat_radius > 0.0_wp)
-        ! a little more than a whole number of steps is that number
-        steps = max(ceiling(log([breaks(2:), largest]/breaks)/log(largest_step) - 1.0e-6_wp), 1)
+        next = largest
+        do j = size(breaks), 1, -1
+            ! a little more than a whole number of steps is that number
+            steps(j) = max(ceiling(log(next/breaks(j))/log(largest_step) - 1.0e-6_wp), 1)
+            next = breaks(j)
+        end do
         allocate (edges(flat_ends + count + sum(steps) + 2), stat=stat)
         if (stat == 0) allocate (roots(size(edges) - 1), stat=stat)
         call check_memory(error, stat)
