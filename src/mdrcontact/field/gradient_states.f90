@@ -15,6 +15,7 @@ module mdrcontact_field_gradient_states
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dgels
     use mdrcontact_numerics_quadrature, only: new_antiderivative
+    use mdrcontact_numerics_small_matrices, only: inverse, times_matrix
     implicit none (type, external)
     private
     public :: gradient_states_t, new_gradient_states
@@ -339,16 +340,16 @@ contains
         m(:, :, last) = self%compliance(:, :, last)
         do i = last, seen + 1, -1
             p = series_at(self%series(:, :, :, i), k)
-            d = times(p(1:2, 1:2), m(:, :, i)) + p(1:2, 3:4)
-            t = times(p(3:4, 1:2), m(:, :, i)) + p(3:4, 3:4)
+            d = times_matrix(p(1:2, 1:2), m(:, :, i)) + p(1:2, 3:4)
+            t = times_matrix(p(3:4, 1:2), m(:, :, i)) + p(3:4, 3:4)
             down(:, :, i) = inverse(t)
-            m(:, :, i - 1) = times(d, down(:, :, i))
+            m(:, :, i - 1) = times_matrix(d, down(:, :, i))
         end do
         if (seen > 0) then
             p = series_at(self%from_surface(:, :, :, seen), k)
-            d = times(p(1:2, 1:2), m(:, :, seen)) + p(1:2, 3:4)
-            t = inverse(times(p(3:4, 1:2), m(:, :, seen)) + p(3:4, 3:4))
-            top = [matmul(times(d, t), load), load]
+            d = times_matrix(p(1:2, 1:2), m(:, :, seen)) + p(1:2, 3:4)
+            t = inverse(times_matrix(p(3:4, 1:2), m(:, :, seen)) + p(3:4, 3:4))
+            top = [matmul(times_matrix(d, t), load), load]
             traction(:, seen) = matmul(t, load)
         else
             top = [matmul(m(:, :, 0), load), load]
@@ -441,22 +442,5 @@ contains
             value = series(:, :, n) + k*value
         end do
     end function series_at
-
-    pure function times(a, b) result(c)
-        real(wp), intent(in) :: a(2, 2), b(2, 2)
-        real(wp) :: c(2, 2)
-
-        c(:, 1) = a(:, 1)*b(1, 1) + a(:, 2)*b(2, 1)
-        c(:, 2) = a(:, 1)*b(1, 2) + a(:, 2)*b(2, 2)
-    end function times
-
-    pure function inverse(m) result(other)
-        real(wp), intent(in) :: m(2, 2)
-        real(wp) :: other(2, 2)
-
-        other(:, 1) = [m(2, 2), -m(2, 1)]
-        other(:, 2) = [-m(1, 2), m(1, 1)]
-        other = other/(m(1, 1)*m(2, 2) - m(1, 2)*m(2, 1))
-    end function inverse
 
 end module mdrcontact_field_gradient_states

@@ -12,6 +12,7 @@ module mdrcontact_field_sweep
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_states, only: normal_rows, shear_rows
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_small_matrices, only: inverse, times_matrix, times_vector
     implicit none (type, external)
     private
     public :: sweep_t, new_sweep, layer_state, normal_rows, shear_rows
@@ -226,29 +227,5 @@ contains
         m(:, 1) = [1.0_wp, -1.0_wp]
         m(:, 2) = [t - (1.0_wp - 2.0_wp*nu), 2.0_wp*(1.0_wp - nu) - t]
     end function traction_up
-
-    pure function times_matrix(a, b) result(c)
-        real(wp), intent(in) :: a(2, 2), b(2, 2)
-        real(wp) :: c(2, 2)
-
-        c(:, 1) = a(:, 1)*b(1, 1) + a(:, 2)*b(2, 1)
-        c(:, 2) = a(:, 1)*b(1, 2) + a(:, 2)*b(2, 2)
-    end function times_matrix
-
-    pure function times_vector(a, b) result(c)
-        real(wp), intent(in) :: a(2, 2), b(2)
-        real(wp) :: c(2)
-
-        c = a(:, 1)*b(1) + a(:, 2)*b(2)
-    end function times_vector
-
-    pure function inverse(m) result(other)
-        real(wp), intent(in) :: m(2, 2)
-        real(wp) :: other(2, 2)
-
-        other(:, 1) = [m(2, 2), -m(2, 1)]
-        other(:, 2) = [-m(1, 2), m(1, 1)]
-        other = other/(m(1, 1)*m(2, 2) - m(1, 2)*m(2, 1))
-    end function inverse
 
 end module mdrcontact_field_sweep
