@@ -336,7 +336,7 @@ def test_planes_of_graded_bodies_carry_the_force(tip, medium, depth, share):
     """-2 pi int s_zz r dr at a depth of a graded body against F."""
     contact, state, _ = state_of(tip, medium, share)
     z, size = depth * state.radius, state.radius + medium.z[-1]
-    ends = np.concatenate([np.linspace(0.0, 2.0, 5) * state.radius, np.geomspace(2.0 * state.radius, 400.0 * (size + z), 20)[1:]])
+    ends = np.concatenate([np.linspace(0.0, 2.0, 5) * state.radius, np.geomspace(2.0 * state.radius, 400.0 * (size + z), 11)[1:]])
     nodes, weight = np.polynomial.legendre.leggauss(10)
     low, high = ends[:-1, None], ends[1:, None]
     r = 0.5 * (low + high) + 0.5 * (high - low) * nodes
