@@ -71,6 +71,13 @@ def test_ordinary_contacts_do_not_warn():
         for tip in (SPHERE, mdr.Cone(0.35)):
             mdr.Contact(tip, mdr.Coated(film, 500e-9, base)).at_depth([0.0, 1e-9, depth])
     mdr.Contact(SPHERE, mdr.Coated(mdr.Elastic(1e3, 0.49), 1e-4, mdr.Elastic(70e9, 0.2))).at_depth(1e-6)
+    # a stiff film on a polymer is bent by a pressure that strains it little
+    bent = mdr.Coated(mdr.Elastic(1000e9, 0.1), 500e-9, mdr.Elastic(3e9, 0.4))
+    state = mdr.Contact(mdr.Cone(0.85), bent).at_depth(2e-6)
+    assert state.force / (np.pi * state.radius**2) > 0.6 * state.stiffness / (2.0 * state.radius)
+    # an adhesive contact under no force presses in the middle what it pulls at the edge: it is carried by the base
+    adhesive = mdr.Coated(mdr.Elastic(100.0, 0.3), 0.1, mdr.Elastic(1.0, 0.3))
+    mdr.Contact(mdr.Cone(0.3), adhesive, work_of_adhesion=0.0316).at_force(0.0)
     on_gel = mdr.Pair(mdr.Coated(mdr.Elastic(1e9, 0.3), 1e-6, mdr.RIGID), mdr.Homogeneous(mdr.Elastic(1e6, 0.49)))
     mdr.Contact(mdr.Paraboloid(1e-3), on_gel).at_depth(5e-6)
 
