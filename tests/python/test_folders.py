@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which folder of src/mdrcontact may use which."""
+
+import re
+
+from conftest import ROOT
+
+SOURCE = ROOT / "src" / "mdrcontact"
+ORDER = [
+    {"base", "batch", "cancel", "error", "file", "gsl", "kinds", "lapack", "padded_text", "version"},
+    {"numerics"},
+    {"profile"},
+    {"material"},
+    {"body"},
+    {"line", "layered"},
+    {"medium", "model", "weights"},
+    {"contact"},
+    {"inside", "field"},
+    {"law"},
+    {"friction", "history"},
+    {"time"},
+    {"fit"},
+    {"lateral"},
+    {"api"},
+]
+"""Folders, and files without a folder, one place each. A file may use its own place and those before it."""
+EXCEPTIONS = {
+    ("contact.f90", "field"),
+    ("law/friction_from_contact.f90", "history"),
+    ("layered/exact.f90", "field"),
+    ("layered/exact.f90", "medium"),
+    ("layered/sampled.f90", "medium"),
+    ("layered/slip.f90", "field"),
+    ("layered/slip.f90", "medium"),
+    ("medium.f90", "field"),
+    ("medium/effective.f90", "field"),
+    ("medium/homogeneous.f90", "field"),
+    ("medium/superposed_slip.f90", "field"),
+    ("medium/twisted_slip.f90", "field"),
+}
+"""Files that use a later folder. This list may only become shorter."""
+USE = re.compile(r"^\s*use\s+(mdrcontact_\w+)", re.MULTILINE)
+
+
+def folder(path: str) -> str:
+    return path.split("/")[0].removesuffix(".f90")
+
+
+def test_folders_use_only_those_before_them():
+    """Read from all `use` lines; a module's name is its path."""
+    files = {path.relative_to(SOURCE).as_posix(): path.read_text() for path in SOURCE.rglob("*.f90")}
+    modules = {"mdrcontact_" + path.removesuffix(".f90").replace("/", "_"): folder(path) for path in files}
+    place = {name: i for i, names in enumerate(ORDER) for name in names}
+    uses = [(path, modules[module]) for path, text in files.items() for module in USE.findall(text)]
+    assert len(uses) > len(files)
+    later = {(path, used) for path, used in uses if place[used] > place[folder(path)]}
+    assert not later - EXCEPTIONS, "these use a folder that comes after theirs"
+    assert not EXCEPTIONS - later, "these are mended: take them off the list of exceptions"
