@@ -8,6 +8,7 @@ module mdrcontact_fit
     use mdrcontact_fit_correlation, only: correlated_spread
     use mdrcontact_fit_least_squares, only: minimize, outcome_t
     use mdrcontact_fit_problem, only: check_data, check_problem, fit_data_t, fit_problem_t, loss_linear
+    use mdrcontact_fit_proportional, only: divide_modulus
     use mdrcontact_fit_residuals, only: bend_slope, bent, fit_residuals_t, new_fit_residuals
     use mdrcontact_fit_order, only: median
     use mdrcontact_fit_pattern, only: pattern_test
@@ -91,6 +92,8 @@ contains
         if (.not. allocated(error)) call check_data(data, problem, error)
         if (allocated(error)) return
         centred = problem
+        call divide_modulus(centred, data, error)
+        if (allocated(error)) return
         allocate (lost(0))
         do round = 1, most_centres
             call new_variables(variables, centred, data, error)

@@ -73,6 +73,8 @@ module mdrcontact_fit_least_squares
     !> How a search ended.
     type :: outcome_t
         logical :: converged = .false.
+        !> no step lowered the sum of squares
+        logical :: is_stuck = .false.
         integer :: iterations = 0
         !> residuals (n) and their derivatives (n, p) at the end
         real(wp), allocatable :: r(:), jacobian(:, :)
@@ -134,6 +136,7 @@ contains
             outcome%jacobian(:, :) = 0.0_wp
         end if
         call read_vector(gsl_multifit_nlinear_position(workspace), u)
+        if (outcome%is_stuck .and. .not. outcome%converged) call look_both_ways(search, u, outcome)
         call gsl_multifit_nlinear_free(workspace)
         if (allocated(residuals%error)) deallocate (residuals%error)
         ! a model that was not computed to its end was a step refused
@@ -165,11 +168,42 @@ contains
                 sum_of_squares = sum(outcome%r**2)
                 outcome%converged = newton_decrement(outcome%jacobian, outcome%r) <= small_gain*sum_of_squares/size(outcome%r) &
                                     .or. sum_of_squares <= exact_sum
-                if (status == gsl_enoprog .or. refusals >= most_refusals) return
+                outcome%is_stuck = status == gsl_enoprog .or. refusals >= most_refusals
+                if (outcome%is_stuck) return
                 refusals = refusals + 1
             end if
         end do
     end subroutine iterate
+
+    !> Whether a search that is stuck is at the minimum by differences to both sides: those to one side hold half of the step times
+    !> the curvature, which is large where readings next to first contact all lie on one side of the model.
+    subroutine look_both_ways(search, u, outcome)
+        type(search_t), intent(inout) :: search
+        !> where it is
+        real(wp), intent(in) :: u(:)
+        type(outcome_t), intent(inout) :: outcome
+        real(wp), allocatable :: central(:, :)
+        real(wp) :: below, above, v(size(u))
+        integer :: i, stat
+
+        allocate (central(size(outcome%jacobian, 1), size(u)), stat=stat)
+        if (stat /= 0) return
+        associate (residuals => search%residuals)
+            do i = 1, size(u)
+                call residuals%neighbours(u, i, difference_step, below, above)
+                v = u
+                v(i) = above
+                call residuals%evaluate_counted(v, central(:, i))
+                if (allocated(residuals%error) .or. .not. above > below) return
+                v(i) = below
+                call residuals%evaluate_counted(v, search%moved_r)
+                if (allocated(residuals%error)) return
+                central(:, i) = (central(:, i) - search%moved_r)/(above - below)
+            end do
+        end associate
+        outcome%jacobian(:, :) = central
+        outcome%converged = newton_decrement(central, outcome%r) <= small_gain*sum(outcome%r**2)/size(outcome%r)
+    end subroutine look_both_ways
 
     function is_at_minimum(outcome, sum_of_squares) result(answer)
         type(outcome_t), intent(in) :: outcome

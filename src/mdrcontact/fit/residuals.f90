@@ -4,10 +4,10 @@ module mdrcontact_fit_residuals
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_fit_least_squares, only: residuals_t
     use mdrcontact_fit_predict, only: predict
-    use mdrcontact_fit_body, only: body_count, indenter_count
-    use mdrcontact_fit_medium_of, only: modulus_parameter
-    use mdrcontact_fit_problem, only: ascending_points, at_force_offset, at_frame_compliance, data_force_time, &
-                                      data_stiffness_depth, fit_data_t, fit_problem_t, joint_priors, loss_cauchy, loss_huber, &
+    use mdrcontact_fit_body, only: body_count
+    use mdrcontact_fit_proportional, only: proportional_modulus
+    use mdrcontact_fit_problem, only: ascending_points, at_force_offset, at_frame_compliance, data_stiffness_depth, &
+                                      fit_data_t, fit_problem_t, joint_priors, loss_cauchy, loss_huber, &
                                       loss_linear
     use mdrcontact_fit_variables, only: variables_t
     use mdrcontact_kinds, only: wp
@@ -40,7 +40,7 @@ module mdrcontact_fit_residuals
         integer :: loss = loss_linear
         !> what exact media have in common from one trial to the next
         type(layered_shared_t) :: shared
-        !> where forces in time are linear in a modulus: its position among the parameters, else 0, and that of the force offset
+        !> where forces are proportional to a modulus: its position among the parameters, else 0, and that of the force offset
         integer :: at_modulus = 0, at_offset = 0
         !> the last predictions, as many as a point and its neighbours are, and the one to be overwritten next
         type(prediction_t), allocatable :: recent(:)
@@ -84,8 +84,7 @@ contains
         call check_memory(error, stat)
         if (.not. allocated(error)) call set_spread(self)
         self%at_offset = body_count(problem%body) + at_force_offset
-        if (problem%data_kind == data_force_time) self%at_modulus = modulus_parameter(problem%body%medium)
-        if (self%at_modulus > 0) self%at_modulus = self%at_modulus + indenter_count(problem%body)
+        self%at_modulus = proportional_modulus(problem)
     end subroutine new_fit_residuals
 
     !> Standard deviations as the data have them.

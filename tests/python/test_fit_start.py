@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where fits of forces begin, and when they have converged."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import mdrcontact as mdr
+
+BALL, GEL = mdr.Paraboloid(5e-6), mdr.Homogeneous(mdr.Elastic(1.2e3, 0.5))
+FREE = ("E", "depth_offset", "force_offset")
+
+
+def approach(seed=0, tail=0.0, begin=-3e-6, end=2e-6):
+    """A curve with its baseline: contact begins at 0, force 2 nN; `tail` repels before it."""
+    depth = np.linspace(begin, end, 5000)
+    force = np.zeros_like(depth)
+    force[depth > 0.0] = np.asarray(mdr.Contact(BALL, GEL).at_depth(depth[depth > 0.0]).force)
+    force += tail * np.exp(np.minimum(depth, 0.0) / 6e-7) * (depth < 2e-8) + 2e-9
+    return mdr.ForceDepth(depth, force + 2e-12 * np.random.default_rng(seed).standard_normal(len(depth)))
+
+
+@pytest.mark.parametrize("factor", [1e-9, 1e3, 1e7])
+def test_the_modulus_of_a_homogeneous_body_begins_by_division(factor):
+    """Wherever the guess lies: it was refused from a factor of 300 on."""
+    found = mdr.fit(approach(), BALL, mdr.Homogeneous(mdr.Elastic(1.2e3 * factor, 0.5)), FREE)
+    near = mdr.fit(approach(), BALL, GEL, FREE)
+    assert found.converged
+    assert found.estimates["E"] == pytest.approx(near.estimates["E"], rel=1e-4)
+    assert found.estimates["E"] == pytest.approx(1.2e3, rel=0.01)
+
+
+def test_bounds_hold_where_a_search_begins():
+    guess = mdr.Homogeneous(mdr.Elastic(1.0, 0.5))
+    found = mdr.fit(approach(), BALL, guess, {"E": mdr.Free(1.0, upper=500.0), "depth_offset": None}, check_units=False)
+    assert found.estimates["E"] <= 500.0
+
+
+@pytest.mark.parametrize("seed", [3, 4, 5])
+def test_a_search_that_is_at_the_minimum_has_converged(seed):
+    """A force of long range before contact and a baseline two hundred times longer than the contact is deep: differences to one
+    side hold half of their step times a large curvature."""
+    data = approach(seed, 4e-11, -5e-5, 2.5e-7)
+    found = mdr.fit(data, BALL, GEL, FREE)
+
+    def scatter(offset):
+        """Least squares over the two parameters in which the model is linear."""
+        power = np.maximum(data.x - offset, 0.0) ** 1.5
+        design = np.column_stack([power, np.ones_like(power)])
+        return float(np.sum((data.y - design @ np.linalg.lstsq(design, data.y)[0]) ** 2))
+
+    assert found.converged
+    best, step = found.estimates["depth_offset"], 0.1 * found.standard_errors["depth_offset"]
+    assert scatter(best) < scatter(best - step) and scatter(best) < scatter(best + step)
+
+
+def test_the_scale_of_forces_alone_is_a_division():
+    """One parameter: the estimate is the quotient of sums, to rounding of the model."""
+    depth = np.linspace(1e-8, 1e-6, 200)
+    force = np.asarray(mdr.Contact(BALL, GEL).at_depth(depth).force) * (1.0 + 0.05 * np.sin(40.0 * depth / depth[-1]))
+    found = mdr.fit(mdr.ForceDepth(depth, force), BALL, mdr.Homogeneous(mdr.Elastic(1.0, 0.5)), ["E"])
+    unit = np.asarray(mdr.Contact(BALL, mdr.Homogeneous(mdr.Elastic(1.0, 0.5))).at_depth(depth).force)
+    assert found.estimates["E"] == pytest.approx(float(unit @ force / (unit @ unit)), rel=1e-6)
