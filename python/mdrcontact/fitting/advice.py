@@ -10,13 +10,17 @@ import numpy as np
 from .. import medium as media
 from .. import profile as profiles
 from ..errors import MDRError
+from ..problem.units import LENGTH, told
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
-from .result import UNLIKELY, FitResult
+from .misfit import SMALL
+from .result import FitResult
 
 _LARGE_ERROR = 0.3
 _STRONG_CORRELATION = 0.98
 _UNDETERMINED = 1e-9
 _BLUNT = 50e-9
+_FAR_APART = 0.15
+"""Of the depth: so far apart estimators of the contact point disagree."""
 _STRAYS, _STRAY_SHARE = 3, 0.01
 """Readings about a jump that noise may put on the wrong side of it."""
 _PLASTIC = 0.7
@@ -33,6 +37,7 @@ def advice(result: FitResult) -> list[str]:
     radius = radius[radius > 0.0]
     return [
         *result.data.warnings,
+        *_contact_point(result),
         *_search(result),
         *_identifiability(result, radius),
         *_pattern(result),
@@ -40,6 +45,17 @@ def advice(result: FitResult) -> list[str]:
         *_pile_up(result),
         *_branches(result, alone),
     ]
+
+
+def _contact_point(result: FitResult) -> list[str]:
+    """Where the estimators that looked at the record beforehand put first contact."""
+    found = list(result.data.contact_points.values())
+    apart, deepest = float(np.ptp(found or [0.0])), float(np.max(result.data.x)) - result.values["depth_offset"]
+    if not apart > _FAR_APART * deepest:
+        return []
+    share = f"{100.0 * apart / deepest:.0f} % of the depth" if deepest > 0.0 else "more than the depth"
+    what = "look at the curve" if "depth_offset" in result.names else "look at the curve, and leave depth_offset free"
+    return [f"the estimators of the contact point disagree by {told(apart, LENGTH)}, {share}: {what}"]
 
 
 def _search(result: FitResult) -> list[str]:
@@ -147,13 +163,12 @@ def _pattern(result: FitResult) -> list[str]:
             "the residuals are no larger than the rounding of data and model: standard errors that are estimated from them say "
             "nothing about those of real readings"
         )
-    elif result.pattern_probability < UNLIKELY and not result.is_without_noise:
+    elif result.departure > SMALL:
         widest = max(result.widening.values(), default=1.0)
+        errors = f", widened up to {widest:.2g} times for correlated neighbours" if widest > 1.0 else ""
         words.append(
-            f"the residuals are not random along the curve (Bartels' test: p = {result.pattern_probability:.1g}; correlation of "
-            f"neighbours {result.lag_correlation:.2f}): the model misses something, or neighbouring readings share their errors"
-            f"{', all of it within the errors given' if result.scatter < 0 else ''}. Standard errors are widened for the "
-            f"correlation (up to {widest:.2g} times); what a wrong model does to the estimates is not in them"
+            f"the model {result.misfit_words()}. What this does to the estimates is not in their standard errors{errors}: see "
+            "how far they move with the range that is fitted"
         )
     ratio = f"chi-square/dof = {result.reduced_chi_square:.3g}"
     if result.scatter > 0:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple, TypeVar
 
 import numpy as np
@@ -34,6 +36,10 @@ class Data:
     y_name: ClassVar[str]
     given_name: ClassVar[str] = ""
     """what else is known of each point"""
+    contact_points: Mapping[str, float] = MappingProxyType({})
+    """depth of first contact by each estimator that has looked at the record"""
+    also_free: tuple[str, ...] = ()
+    """numbers of the instrument that a fit finds beside those that it names"""
 
     def __init__(
         self, x: ArrayLike, y: ArrayLike, given: ArrayLike | None, sd: ArrayLike | None, relative_sd: float | None, missing: str
@@ -128,22 +134,15 @@ class Data:
         return top if both and np.median(np.abs(np.diff(self.x))) < _RETURN * rise else None
 
     def _check_order(self) -> None:
-        """Refuses a curve that goes back over itself; small disorder is noise of the instrument and only mentioned."""
-        back = int(np.sum(np.diff(self.x) < 0.0)) if len(self) > 1 else 0
-        if not back:
-            return
+        """Refuses a curve that goes back over itself. Else the order of the points does not matter."""
         top = self._turn()
-        if top is not None:
-            rise, returns = float(np.ptp(self.x)), float(self.x[top] - self.x[top:].min())
-            raise InvalidArgumentError(
-                f"{self.x_name} rises to its largest value at point {top} of {len(self)} and falls again by "
-                f"{100.0 * returns / rise:.0f} % of its range: these are loading and unloading in one curve; fit one of them"
-            )
-        if back < len(self) - 1:
-            self.warnings.append(
-                f"{self.x_name} is not in ascending order ({back} of {len(self) - 1} steps go back): the order does not matter for "
-                "the fit, and the test for patterns sorts the points"
-            )
+        if top is None:
+            return
+        rise, returns = float(np.ptp(self.x)), float(self.x[top] - self.x[top:].min())
+        raise InvalidArgumentError(
+            f"{self.x_name} rises to its largest value at point {top} of {len(self)} and falls again by "
+            f"{100.0 * returns / rise:.0f} % of its range: these are loading and unloading in one curve; fit one of them"
+        )
 
 
 def column_of(name: str, values: ArrayLike) -> Array:

@@ -150,6 +150,8 @@ def make_problem(
     names = parts[0].names + parts[1].numbers.names + parts[2].names
     values = parts[0].values + parts[1].numbers.values + parts[2].values
     chosen = read_free(free, names)
+    for name in data.also_free:
+        chosen.setdefault(name, Free())
     given = (indenter, medium, dict(chosen), instrument, loss, loss_scale, adhesion_rule, sd_is_absolute, max_iterations,
              check_units, known)  # fmt: skip
     weights = read_known(known, names, chosen)

@@ -85,7 +85,7 @@ def blocks_of(result: Any, notes: Sequence[str] = (), level: float = 0.95) -> li
     """Everything about one fit: estimates, picture, warnings, what was read and what was assumed."""
     blocks = []
     if result.describes_data is False:
-        blocks.append(paragraph("The model misses the data: read the warnings before the numbers.", doubt=True))
+        blocks.append(paragraph(f"The model {result.misfit_words()}: read the warnings before the numbers.", doubt=True))
     if not result.converged:
         blocks.append(paragraph("The search did not converge: these are the best values found.", doubt=True))
     blocks += [table(_estimates(result, level)), picture(result.plot(), "data, fit and residuals")]
@@ -144,6 +144,7 @@ def _fixed(result: Any) -> list[list[str]]:
 def _quality(result: Any) -> list[str]:
     dof = result.degrees_of_freedom
     lines = [f"{len(result.data)} points, {result.iterations} iterations, {result.evaluations} evaluations of the model"]
+    lines.append(f"the model {result.misfit_words()}")
     if result.noise_is_known and dof >= 1.0:
         lines.append(f"chi-square {result.chi_square:.4g} for {dof:.4g} degrees of freedom")
     if len(result.data) > 2:

@@ -20,6 +20,7 @@ from .._interrupt import workers
 from ..errors import InvalidArgumentError, MDRError
 from ..problem.units import practical
 from .data import StiffnessDepth
+from .misfit import LARGE, measure_misfit, percent
 from .picture import draw
 from .problem import Problem
 from .quantities import digits, dimension_of, dimension_of_data, measured, unit_of, words_of
@@ -57,6 +58,7 @@ class FitResult:
     pattern_probability : that random residuals follow each other as smoothly (Bartels 1982)
     lag_correlation, widening : correlation of neighbouring residuals, and by how much it has made each standard error larger;
         covariance and intervals hold it already (restricted likelihood of a first-order autoregression, Cheang, Reinsel 2000)
+    misfit : how far the model departs from the data, as parts of the largest force: `Misfit`
     converged, iterations, evaluations, warnings
     """
 
@@ -95,6 +97,8 @@ class FitResult:
         self.residuals: Array = np.asarray(residuals)
         self.warnings: list[str] = []
         self._values = np.asarray(values)
+        offset = {"force": "force_offset", "depth": "depth_offset"}.get(self.data.y_name, "")
+        self.misfit = measure_misfit(self.data, self.fitted, self.values.get(offset, 0.0))
 
     @property
     def noise_is_known(self) -> bool:
@@ -214,6 +218,8 @@ class FitResult:
         lines = [f"Fit of {len(self.data)} points: " + ("converged" if self.converged else "NOT CONVERGED, best point found")]
         lines[0] += f" after {self.iterations} iterations"
         lines += ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
+        if len(self.data) > 2:
+            lines.append(f"the model {self.misfit_words()}")
         dof = self.degrees_of_freedom
         if self.noise_is_known and dof >= 1.0:
             lines.append(f"chi-square {self.chi_square:.4g} for {dof:.4g} degrees of freedom: ratio {self.reduced_chi_square:.3g}")
@@ -281,7 +287,7 @@ class FitResult:
         if self.widening[name] > 1.3:
             words.append(f"error widened {self.widening[name]:.2g} times for correlated residuals")
         if self.describes_data is False:
-            words.append("THE MODEL MISSES THE DATA")
+            words.append(f"THE MODEL MISSES THE DATA BY {percent(self.departure)}")
         if self.scatter < 0:
             words.append(f"errors given are {self.excess_words()} the scatter")
         return words
@@ -297,7 +303,7 @@ class FitResult:
         return f"at the {end} end of what is allowed or searched: the data do not limit it, or it began too far away"
 
     @property
-    def describes_data(self) -> bool | None:
+    def is_random(self) -> bool | None:
         """Whether the residuals are random, and no larger than they should be; None where neither can be said. Residuals that lie
         well within the standard deviations given, or are of rounding, speak for the model, whatever their pattern."""
         if self.scatter != 0:
@@ -305,6 +311,40 @@ class FitResult:
         if self.pattern_probability < UNLIKELY:
             return self.is_without_noise
         return True if len(self.data) >= 8 or (self.noise_is_known and self.degrees_of_freedom >= 2.0) else None
+
+    @property
+    def departure(self) -> float:
+        """How far the model departs from the data where that is no chance, root mean square, as a part of the largest force; else
+        0."""
+        if self.is_random is not False:
+            return 0.0
+        # a scatter beyond the standard deviations is a departure, too
+        return self.misfit.whole if self.scatter > 0 else self.misfit.rms
+
+    @property
+    def describes_data(self) -> bool | None:
+        """Whether the model lies within 5 % of the data, or its departures may be chance; None with too few points to say."""
+        return None if self.is_random is None else self.departure <= LARGE
+
+    @property
+    def verdict(self) -> str:
+        """In a few words: "describes", "describes to 2 %", "misses by 12 %", "too few points"."""
+        if self.is_random is None:
+            return "too few points"
+        if self.departure == 0.0:
+            return "describes"
+        return f"describes to {percent(self.departure)}" if self.departure <= LARGE else f"misses by {percent(self.departure)}"
+
+    def misfit_words(self) -> str:
+        """The verdict with its numbers."""
+        data, found = self.data, self.misfit
+        unit = practical(dimension_of_data(data.x_name), data.x)
+        place = f"{data.x_name} {found.at / unit.factor:.3g} {unit.symbol}"
+        rest = f"largest {percent(found.largest)} at {place}, noise {percent(found.noise)}"
+        size = f"{percent(self.departure or found.rms)} of the {data.y_name} ({rest})"
+        if self.describes_data is False:
+            return f"misses the data by {size}"
+        return f"describes the data to {size}" if self.departure else f"describes the data: misfit beside noise {size}"
 
     @property
     def scatter(self) -> int:
@@ -370,6 +410,8 @@ class FitResult:
             "correlation": self.correlation.tolist(),
             "points": len(self.data),
             "describes_data": self.describes_data,
+            "verdict": self.verdict,
+            "misfit": self.misfit._asdict(),
             "chi_square": self.chi_square,
             "prior_chi_square": self.prior_chi_square,
             "degrees_of_freedom": self.degrees_of_freedom,

@@ -319,7 +319,7 @@ def _read_record(section: Section, cantilever: Cantilever, table: MeasuredTable,
 
 def of_record(section: Section, cantilever: Cantilever, record: Record, kind: str) -> tuple[Data, list[str]]:
     """Data of a fit from a record, and what was understood and done."""
-    prepare(section, cantilever, record)
+    prepare(section, cantilever, record, kind)
     assert record.depth is not None
     keep = _between(section, {"depth": record.depth})
     if not keep.all():
@@ -327,6 +327,7 @@ def of_record(section: Section, cantilever: Cantilever, record: Record, kind: st
         record.notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
     data = _record_data(section, record, kind)
     data.warnings += record.warnings
+    data.contact_points, data.also_free = record.contact_points, record.also_free
     return data, record.notes
 
 

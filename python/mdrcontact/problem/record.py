@@ -29,7 +29,8 @@ Array = NDArray[np.float64]
 
 KEYS = ("branch", "drift", "baseline", "contact_point", "before_pop_in")
 """What [data] may say about the record of a curve."""
-_FAR_APART = 0.15
+_LITTLE = 0.01
+"""Of the force: tilts of a baseline below are not worth a word."""
 _MANY_LOST = 0.1
 BRANCHES = ("loading", "unloading", "both")
 
@@ -61,6 +62,10 @@ class Record:
     """of the height, 1 if it grows into the sample; None: to be found"""
     segment: NDArray[np.int64] | None = None
     """0 approach, 1 retract, others in between, as the file says it"""
+    contact_points: dict[str, float] = field(default_factory=dict)
+    """depth of first contact by each estimator, from the zero that is used"""
+    also_free: tuple[str, ...] = ()
+    """offsets that the fit finds, whether it names them or not"""
 
     def keep(self, chosen: NDArray[np.bool_]) -> None:
         """Leaves out all other points."""
@@ -70,7 +75,7 @@ class Record:
                 setattr(self, name, values[chosen])
 
 
-def prepare(section: Section, cantilever: Cantilever, record: Record) -> None:
+def prepare(section: Section, cantilever: Cantilever, record: Record, kind: str) -> None:
     """Depth from height, drift, contact point, baseline, pop-in and branch, in this order; says what it did."""
     columns = [v for v in (record.depth, record.force, record.height, record.time, record.sd) if v is not None]
     finite = np.all([np.isfinite(v) for v in columns], axis=0)
@@ -94,12 +99,12 @@ def prepare(section: Section, cantilever: Cantilever, record: Record) -> None:
     if "drift" in section:
         _subtract_drift(section, record)
     if is_raw or "contact_point" in section or "baseline" in section:
-        _find_zero(section, record, is_raw)
+        _find_zero(section, record, is_raw, kind == "force-depth")
     if "before_pop_in" in section and section.truth("before_pop_in"):
         _cut_at_pop_in(record)
     elif "branch" in section or is_raw:
         _mention_pop_in(record)
-    if "branch" in section:
+    if "branch" in section or is_raw and kind == "force-depth":
         _choose_branch(section, record)
 
 
@@ -149,23 +154,18 @@ def _approach(record: Record) -> slice:
     return slice(0, int(np.argmax(record.force)) + 1)
 
 
-def _find_zero(section: Section, record: Record, is_raw: bool) -> None:
+def _find_zero(section: Section, record: Record, is_raw: bool, is_fitted: bool) -> None:
     depth, approach = _depth(record), _approach(record)
-    method = section.choice("contact_point", (*METHODS, "given"), default=METHODS[0] if is_raw else "given")
-    baseline = section.choice("baseline", ("tilt", "offset", "none"), default="tilt" if is_raw else "none")
+    usual = ("fit" if is_fitted else METHODS[0]) if is_raw else "given"
+    method = section.choice("contact_point", (*METHODS, *(["fit"] if is_fitted else []), "given"), default=usual)
+    baseline = section.choice("baseline", ("tilt", "offset", "none"), default="offset" if is_raw else "none")
     if method == "given" and baseline == "none":
         return
     try:
         found = {name: find_contact_point(depth[approach], record.force[approach], name) for name in METHODS}
-        contact = found[method if method != "given" else METHODS[0]]
+        contact = found[method if method in METHODS else METHODS[0]]
         if baseline != "none":
-            line = find_baseline(depth[approach], record.force[approach], contact, tilt=baseline == "tilt")
-            record.force = record.force - line.at(depth)
-            record.notes.append(
-                f"baseline: offset {told(float(line.at(depth)[contact]), FORCE)} at contact, over the curve "
-                f"{told(float(line.tilt * np.ptp(depth)), FORCE)}"
-                f", noise {told(line.noise, FORCE)}; taken off"
-            )
+            _take_off_baseline(record, contact, baseline == "tilt")
     except MDRError as problem:
         raise ProblemError(
             f'contact point and baseline cannot be found: {problem}; say contact_point = "given" and baseline = "none" for a '
@@ -175,17 +175,29 @@ def _find_zero(section: Section, record: Record, is_raw: bool) -> None:
         return
     zero = float(depth[contact])
     record.depth = depth - zero
+    record.contact_points = {name: float(depth[i]) - zero for name, i in found.items()}
+    begins = METHODS[0] if method == "fit" else method
     others = ", ".join(
-        f"{told(float(depth[i]) - zero, LENGTH)} from it by {name} ({SOURCES[name]})" for name, i in found.items() if name != method
+        f"{told(at, LENGTH)} from it by {name} ({SOURCES[name]})" for name, at in record.contact_points.items() if name != begins
     )
-    record.notes.append(f"contact point by {method} ({SOURCES[method]}), reading {contact}; {others}")
-    deepest = float(depth[approach].max()) - zero
-    apart = max(abs(float(depth[i]) - zero) for i in found.values())
-    if apart > _FAR_APART * deepest:
-        record.warnings.append(
-            f"the estimators of the contact point disagree by {told(apart, LENGTH)}, {100.0 * apart / deepest:.0f} % of the "
-            "depth: look at the curve, and leave depth_offset free"
-        )
+    record.notes.append(f"contact point by {begins} ({SOURCES[begins]}), reading {contact}; {others}")
+    if method == "fit":
+        record.also_free = ("depth_offset", "force_offset")
+        record.notes.append("what is left of contact point and baseline is fitted: depth_offset and force_offset are free")
+
+
+def _take_off_baseline(record: Record, contact: int, tilts: bool) -> None:
+    depth, approach = _depth(record), _approach(record)
+    tilted = find_baseline(depth[approach], record.force[approach], contact)
+    line = tilted if tilts else find_baseline(depth[approach], record.force[approach], contact, tilt=False)
+    whole = tilted.tilt * float(np.ptp(depth))
+    share = abs(whole) / float(np.ptp(record.force))
+    record.force = record.force - line.at(depth)
+    left = "" if tilts or share < _LITTLE else ', which stays: baseline = "tilt" takes it off'
+    record.notes.append(
+        f"baseline: offset {told(float(line.at(depth)[contact]), FORCE)} at contact, noise {told(line.noise, FORCE)}, taken off; "
+        f"its tilt makes {told(whole, FORCE)} over the curve, {100.0 * share:.2g} % of the force{left}"
+    )
 
 
 def _pop_in(record: Record) -> PopIn | None:
@@ -216,7 +228,7 @@ def _mention_pop_in(record: Record) -> None:
 
 
 def _choose_branch(section: Section, record: Record) -> None:
-    branch = section.choice("branch", BRANCHES)
+    branch = section.choice("branch", BRANCHES, default="loading")
     kinds = ("loading", "unloading") if branch == "both" else (branch,)
     depth = _depth(record)
     if record.segment is not None:
@@ -234,4 +246,5 @@ def _choose_branch(section: Section, record: Record) -> None:
     if keep.sum() < 2:
         raise ProblemError(f"[data]: branch = {branch!r}: the curve has {int(keep.sum())} readings of it; {words}; loading goes up")
     record.keep(keep)
-    record.notes.append(f"{words}; {int(keep.sum())} readings of {branch} are used")
+    usual = "" if "branch" in section else ', the approach; branch = "both" takes the retract too, where adhesion pulls off'
+    record.notes.append(f"{words}; {int(keep.sum())} readings of {branch} are used{usual}")
