@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Random relations (tests/python/relations), many draws of each: tools/relations.py 100000
 
-Shares so many draws out among the relations, runs them in processes of their own, elsewhere each time or from --seed on, and prints
-a table: draws, refusals, findings, the largest deviation over its tolerance. Status 1 if there is a finding; the failing examples
-are kept in build/relations. A crash and a hang are findings.
+Shares so many draws out among the relations, runs them in processes of their own, elsewhere each time or from --seed on. Says
+every few seconds how far it is, and prints a table: draws, refusals, findings, the largest deviation over its tolerance. Status 1
+if there is a finding; the failing examples are kept in build/relations. A crash and a hang are findings.
 
     tools/relations.py 2000 --only friction        # those whose name holds a word
     tools/relations.py 100000 --table docs/faults.md
@@ -22,7 +22,7 @@ import subprocess
 import sys
 import time
 import traceback
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -32,6 +32,8 @@ PIECE = 400
 """Draws of a process."""
 LONGEST = 1800.0
 """Seconds of a process: one that takes longer hangs."""
+EVERY = 5.0
+"""Seconds between two lines of progress."""
 MARK = "relations: "
 
 
@@ -98,6 +100,34 @@ def table(results: dict) -> str:
     return "\n".join([*lines, f"| all {len(rows)} | {totals[0]} | {totals[1]} | {totals[2] or 'none'} | |"])
 
 
+def keep(name: str, seed: int, words: str) -> None:
+    """A finding, in a file."""
+    KEPT.mkdir(parents=True, exist_ok=True)
+    kept = KEPT / f"{re.sub(r'[^a-z0-9]+', '_', name.lower())}-{seed}.txt"
+    kept.write_text(words)
+    print(f"finding in {name}: {kept}", file=sys.stderr)
+
+
+def follow(running: dict[Future[dict], tuple[str, int, int]]) -> dict[str, list[dict]]:
+    """What the pieces come to, by relation; says on the way how far they are."""
+    start, said, waiting, findings, drawn = time.monotonic(), 0.0, set(running), 0, 0
+    total, results = sum(draws for _, draws, _ in running.values()), {name: [] for name, _, _ in running.values()}
+    while waiting:
+        done, waiting = wait(waiting, EVERY, FIRST_COMPLETED)
+        for one in done:
+            (name, draws, seed), found = running[one], one.result()
+            results[name].append(found)
+            drawn += draws
+            if found["words"]:
+                findings += 1
+                keep(name, seed, found["words"])
+        spent = time.monotonic() - start
+        if spent - said >= EVERY:
+            said = spent
+            print(f"{spent:.0f} s: {drawn} of {total} draws, {findings} findings", file=sys.stderr, flush=True)
+    return results
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("draws", type=int, help="of all relations together")
@@ -117,17 +147,9 @@ def main() -> int:
     chosen = {name: known for name, known in relations().items() if given.only in name}
     if not chosen:
         parser.error(f"no relation has {given.only!r} in its name")
-    start, jobs, results = time.monotonic(), pieces(chosen, given.draws, seed), {name: [] for name in chosen}
-    KEPT.mkdir(parents=True, exist_ok=True)
+    start, jobs = time.monotonic(), pieces(chosen, given.draws, seed)
     with ThreadPoolExecutor(given.jobs) as pool:
-        running = {pool.submit(piece, *job, given.shrink): job for job in jobs}
-        for done in as_completed(running):
-            (name, _, of), found = running[done], done.result()
-            results[name].append(found)
-            if found["words"]:
-                kept = KEPT / f"{re.sub(r'[^a-z0-9]+', '_', name.lower())}-{of}.txt"
-                kept.write_text(found["words"])
-                print(f"finding in {name}: {kept}", file=sys.stderr)
+        results = follow({pool.submit(piece, *job, given.shrink): job for job in jobs})
     text = table(results)
     print(f"{text}\n\nseed {seed}, {time.monotonic() - start:.0f} s by {given.jobs} processes")
     if given.table:
