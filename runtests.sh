@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every test in every language and every example: ./runtests.sh
+# The tests in every language and every example: ./runtests.sh [--all]
+# --all adds what takes longer: valgrind, sanitizers, installed copies, packages, the tests that pytest knows as slow.
 # Same set-up as quickstart.sh, plus the tools of the tests. Status 0 only if all passed and every suite ran tests.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
@@ -8,6 +9,13 @@ log_dir=build/logs
 source tools/messages.sh
 source tools/system_packages.sh
 source tools/python_environment.sh
+
+ctest_options=(-LE long) pytest_options=(-m "not slow") all=false
+case ${1:-} in
+    "") ;;
+    --all) ctest_options=() pytest_options=() all=true ;;
+    *) give_up "$1 is not an option of ./runtests.sh: it knows --all." ;;
+esac
 
 build=build/tests
 shared_build=$build # for pip: the library is compiled once
@@ -60,21 +68,28 @@ build_all() {
         with_progress "$log_dir/build.log" cmake --build "$build" --parallel "$jobs"
 }
 check build build_all
-ctest --test-dir "$build" --parallel "$jobs" --output-on-failure --no-tests=error \
+ctest --test-dir "$build" --parallel "$jobs" ${ctest_options[@]+"${ctest_options[@]}"} --output-on-failure --no-tests=error \
     --test-output-size-passed 1000000 --test-output-size-failed 1000000 --output-junit "$PWD/$results/ctest.xml"
 
 # the C tests and the kept inputs of the fuzzers under the sanitizers; all of docs/faults.md: tools/check_faults.sh
-on_macos || check sanitizers with_progress "$log_dir/sanitizers.log" tools/check_faults.sh quick
+if $all && ! on_macos; then
+    check sanitizers with_progress "$log_dir/sanitizers.log" tools/check_faults.sh quick
+fi
 
 say "5/6 Python tests (pytest)"
 # the Fortran and C code of README and guide uses the library as installed
 if with_progress "$log_dir/install.log" cmake --install "$build" --prefix "$PWD/build/prefix"; then
     export MDRCONTACT_PREFIX="$PWD/build/prefix"
 fi
-.venv/bin/python -m pytest --junitxml="$results/pytest.xml" -o junit_family=xunit2
+.venv/bin/python -m pytest -n "$jobs" --dist worksteal ${pytest_options[@]+"${pytest_options[@]}"} \
+    --junitxml="$results/pytest.xml" -o junit_family=xunit2
 
 say "6/6 Packages"
-on_macos || check packages tools/check_packages.sh "$wheel_dir"/*.whl
+if $all && ! on_macos; then
+    check packages tools/check_packages.sh "$wheel_dir"/*.whl
+else
+    note "left out: ./runtests.sh --all, on Linux, looks at them"
+fi
 
 say "Summary, after $SECONDS s"
 .venv/bin/python tools/summarize_tests.py "$results" ctest pytest
