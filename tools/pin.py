@@ -35,7 +35,7 @@ Row = tuple[str, Callable[[], Any]]
 
 ALLOWED = {"fit ": 1e-6}
 """What a row may deviate by, by the beginning of its name; else 1e-12. A least-squares fit ends where steps are
-below its own tolerance: other versions of LAPACK move its numbers by up to 9e-9, another start by 4e-7; all others move by 8e-14."""
+below its own tolerance: other versions of LAPACK move its numbers by up to 9e-9, another start by 4e-7; all others by 8e-14."""
 
 LENGTH = np.array([3e-8, 2e-7, 1.3e-6])
 BALL = mdr.Paraboloid(5e-6)
