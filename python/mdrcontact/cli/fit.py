@@ -66,6 +66,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     files.add_options(parser, "points and residuals, or for a folder the estimates")
     parser.add_argument("--json", type=Path, metavar="FILE.json", help="write everything about the result as JSON")
     parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it, picture included, as one HTML file")
+    parser.add_argument("--keep-all", action="store_true", help="of a folder or map: let doubtful curves into the mean, too")
     parser.add_argument("--compare", action="store_true", help="fit under every medium model as well, and rank them")
     parser.add_argument(
         "--interval",

@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import csv
 import functools
+import hashlib
 import io
 import json
 from pathlib import Path
@@ -15,16 +16,20 @@ import numpy as np
 
 from .. import _progress
 from ..errors import MDRError
-from ..fitting import FailedFit, FitResult, fit_many, report
-from ..fitting.quantities import dimension_of, words_of
+from ..fitting import FailedFit, FitResult, Rating, fit_many, mean_of_tests, rate, report
+from ..fitting.causes import by_cause
+from ..fitting.misfit import percent
+from ..fitting.quantities import digits, dimension_of, words_of
 from ..problem.data import Curve
 from ..problem.fit_file import FitFile
 from ..problem.units import practical
 from . import files, many_figure
 from .table import aligned, number
 
-_MOST_WARNINGS, _MOST_ROWS = 10, 300
+_MOST_ROWS = 300
 """On the screen."""
+
+_Fitted = tuple[Curve, FitResult]
 
 
 def run_folder(arguments: argparse.Namespace, problem: FitFile) -> None:
@@ -59,76 +64,121 @@ def run_curves(arguments: argparse.Namespace, problem: FitFile, curves: list[Cur
             progress=lambda done: bar.update(),
             **problem.options,
         )
-    good = [(curve, r) for curve, r in zip(curves, results, strict=True) if isinstance(r, FitResult)]
-    failed = [f"not fitted: {c.name}: {r.error}" for c, r in zip(curves, results, strict=True) if isinstance(r, FailedFit)]
-    if not good:
-        raise MDRError(f"no curve could be fitted: {'; '.join(failed[:3])}")
-    names = good[0][1].names
-    rows = _rows_of(curves, results, names)
-    described = sum(r.describes_data is True and r.converged for _, r in good)
-    unknown = sum(r.describes_data is None for _, r in good)
-    verdict = f"{len(good)} of {len(curves)} curves fitted; {described} of {len(curves)} fits describe their data"
-    if unknown:
-        verdict += f", {unknown} have too few points to say"
-    warned = [f"{curve.name}: {words}" for curve, r in good for words in r.warnings]
-    spread, warned_of_spread = _spread([r for _, r in good], names)
+    fitted = [(curve, r) for curve, r in zip(curves, results, strict=True) if isinstance(r, FitResult)]
+    failed = [(c.name, f"not fitted: {r.error}") for c, r in zip(curves, results, strict=True) if isinstance(r, FailedFit)]
+    if not fitted:
+        raise MDRError(f"no curve could be fitted: {'; '.join(f'{name}: {words}' for name, words in failed[:3])}")
+    names = fitted[0][1].names
+    ratings = {id(r): rate(r) for _, r in fitted}
+    sound = [(curve, r) for curve, r in fitted if arguments.keep_all or ratings[id(r)].is_sound]
+    verdict = _verdict(len(curves), fitted, sound, ratings)
+    warned = by_cause([*_copies(fitted), *((curve.name, words) for curve, r in fitted for words in r.warnings), *failed])
+    spread, warned_of_spread = _spread([r for _, r in sound], names)
+    rows = _rows_of(curves, results, names, ratings)
     if len(rows) <= _MOST_ROWS:
-        print("\n".join([aligned(rows, left=1), *failed]))
-    print(f"\n{verdict}")
-    for words in [*warned_of_spread, *warned[:_MOST_WARNINGS]]:
+        print(aligned(rows, left=1))
+    print("\n" + "\n".join(verdict))
+    for words in [*warned_of_spread, *warned]:
         print(f"warning: {words}")
-    if len(warned) > _MOST_WARNINGS:
-        print(f"and {len(warned) - _MOST_WARNINGS} more warnings: --report, --json and --csv have them all")
-    print(aligned(spread, left=1))
+    if spread:
+        print(aligned(spread, left=1))
     contents: dict[Path, bytes] = {}
     if arguments.csv:
-        contents[arguments.csv] = _estimates(curves, results, names)
+        contents[arguments.csv] = _estimates(curves, results, names, ratings)
     if arguments.json:
         found = {
             curve.name: result.to_dict() if isinstance(result, FitResult) else {"error": str(result.error)}
             for curve, result in zip(curves, results, strict=True)
         }
         contents[arguments.json] = (json.dumps(found, indent=2, allow_nan=False) + "\n").encode()
+    if arguments.plot or arguments.report:
+        drawn = tuple(name for name in names if name not in fitted[0][1].data.also_free)
+        figure = many_figure.overview(fitted, drawn or names, {id(r) for _, r in sound})
     if arguments.plot:
-        contents[arguments.plot] = files.rendered(many_figure.overview(good, names), files.figure_format(arguments.plot))
+        contents[arguments.plot] = files.rendered(figure, files.figure_format(arguments.plot))
     if arguments.report:
-        blocks = [report.paragraph(verdict, doubt=described + unknown < len(curves)), report.table(spread)]
-        blocks += [report.picture(many_figure.overview(good, names), "estimates of all curves")]
-        blocks += [report.items([*warned_of_spread, *failed, *warned], doubt=True), report.heading("Curves"), report.table(rows)]
-        blocks += [report.heading("What was assumed, for the first curve"), report.assumptions(good[0][1])]
+        blocks = [report.paragraph(words) for words in verdict]
+        blocks += [report.table(spread)] if spread else []
+        blocks += [report.picture(figure, "estimates of all curves")]
+        blocks += [report.items([*warned_of_spread, *warned], doubt=True), report.heading("Curves"), report.table(rows)]
+        blocks += [report.heading("What was assumed, for the first curve"), report.assumptions(fitted[0][1])]
         contents[arguments.report] = report.page(problem.title, blocks).encode()
     files.write(contents, arguments.overwrite)
 
 
+def _verdict(count: int, fitted: list[_Fitted], sound: list[_Fitted], ratings: dict[int, Rating]) -> list[str]:
+    """How many curves are described, and which do not count."""
+    described = sum(r.describes_data is True and r.converged for _, r in fitted)
+    unknown = sum(r.describes_data is None for _, r in fitted)
+    line = f"{len(fitted)} of {count} curves fitted; {described} of {count} fits describe their data to 5 % or better"
+    lines = [line + (f", {unknown} have too few points to say" if unknown else "")]
+    kept = {id(r) for _, r in sound}
+    out = [(curve.name, ", ".join(ratings[id(r)].reasons)) for curve, r in fitted if id(r) not in kept]
+    if out:
+        left_out = "1 curve is" if len(out) == 1 else f"{len(out)} curves are"
+        lines.append(f"{left_out} left out of the mean (--keep-all keeps them): {'; '.join(by_cause(out))}")
+    return lines
+
+
+def _copies(fitted: list[_Fitted]) -> list[tuple[str, str]]:
+    """Curves whose readings are those of another one."""
+    first: dict[bytes, str] = {}
+    words = []
+    for curve, r in fitted:
+        same = first.setdefault(hashlib.sha256(r.data.x.tobytes() + r.data.y.tobytes()).digest(), curve.name)
+        if same != curve.name:
+            words.append((curve.name, f"it holds the same readings as {same}, and counts twice"))
+    return words
+
+
 def _spread(good: list[FitResult], names: tuple[str, ...]) -> tuple[list[list[str]], list[str]]:
-    """The scatter between the curves against their own errors, and what is striking in it."""
-    rows, words = [["between the curves", "median", "mean", "scatter", "median standard error", "scatter/error"]], []
+    """Mean and scatter of the curves, and what is striking in them."""
+    if len(good) < 2:
+        return [], []
+    titles = ["mean of tests", "mean", "95 % interval", "median", "scatter", "of it errors", "of it between tests", "shared errors"]
+    rows, words = [titles], []
     for name in names:
         unit = practical(dimension_of(name), [abs(r.estimates[name]) for r in good])
         v = np.array([r.estimates[name] for r in good]) / unit.factor
-        errors = np.array([r.standard_errors[name] for r in good]) / unit.factor
-        scatter, error = float(v.std(ddof=1)) if len(v) > 1 else float("nan"), float(np.median(errors))
+        error = float(np.median([r.standard_errors[name] for r in good])) / unit.factor
+        scatter = float(v.std(ddof=1))
         title = f"{words_of(name)} [{unit.name}]" if unit.name else words_of(name)
-        ratio = f"{scatter / error:.2g}" if error > 0.0 and np.isfinite(scatter) else "-"
-        rows.append([title, *(number(float(x)) for x in (np.median(v), v.mean(), scatter, error)), ratio])
-        if error > 0.0 and scatter > 2.0 * error:
-            words.append(f"{words_of(name)} scatters {ratio} times its errors: the curves differ, or errors are missing")
+        try:
+            mean = mean_of_tests(good, name)
+        except MDRError:
+            rows.append(
+                [title, number(float(v.mean())), "-", number(float(np.median(v))), number(scatter), number(error), "-", "-"]
+            )
+            continue
+        value, low, high, between, common = (x / unit.factor for x in (mean.value, *mean.interval, mean.between, mean.common))
+        half = 0.5 * (high - low)
+        ends = f"{digits(low, half)} to {digits(high, half)}"
+        middle = number(float(np.median(v)))
+        rows.append([title, digits(value, half), ends, middle, *(f"{x:.2g}" for x in (scatter, error, between, common))])
+        # where contact begins in a record is no property of the body
+        if error > 0.0 and scatter > 2.0 * error and not name.endswith("offset"):
+            words.append(
+                f"{words_of(name)} scatters {scatter / error:.2g} times its errors: the curves differ, which is in the interval of "
+                "the mean, or errors are missing"
+            )
     return rows, words
 
 
-def _rows_of(curves: list[Curve], results: list[Any], names: tuple[str, ...]) -> list[list[str]]:
+def _rows_of(curves: list[Curve], results: list[Any], names: tuple[str, ...], ratings: dict[int, Rating]) -> list[list[str]]:
     """One row for each file, failures too."""
-    rows = [["file", *(words_of(name) for name in names), "chi-square/dof", "random with p", "describes its data"]]
+    rows = [["file", *(words_of(name) for name in names), "chi-square/dof", "misfit", "noise", "rating", "verdict"]]
     for curve, result in zip(curves, results, strict=True):
         if isinstance(result, FailedFit):
-            rows.append([curve.name, *(len(names) * ["-"]), "-", "-", "not fitted"])
+            rows.append([curve.name, *(len(names) * ["-"]), "-", "-", "-", "-", "not fitted"])
             continue
         told = [result.told(name) for name in names]
         can_say = result.describes_data is not None
         ratio = f"{result.reduced_chi_square:.3g}" if result.noise_is_known and can_say else "-"
-        random = f"{result.pattern_probability:.2g}" if can_say else "-"
-        verdict = {True: "yes", False: "NO", None: "too few points"}[result.describes_data]
-        rows.append([curve.name, *told, ratio, random, verdict if result.converged else "not converged"])
+        sizes = [percent(size) for size in (result.misfit.rms, result.misfit.noise)]
+        rating = ratings[id(result)]
+        left_out = "" if rating.is_sound else ", left out"
+        words = result.verdict if result.converged else "not converged"
+        rows.append([curve.name, *told, ratio, *sizes, f"{rating.score:.1f}", words + left_out])
     return rows
 
 
@@ -148,20 +198,23 @@ def _only_data(curve: Curve) -> Any:
     return curve.read()[0]
 
 
-def _estimates(curves: list[Curve], results: list[Any], names: tuple[str, ...]) -> bytes:
+def _estimates(curves: list[Curve], results: list[Any], names: tuple[str, ...], ratings: dict[int, Rating]) -> bytes:
     """A CSV file with one row for each curve; a failure is a row with its reason."""
     good = [r for r in results if isinstance(r, FitResult)]
     units = {name: practical(dimension_of(name), [abs(r.estimates[name]) for r in good]) for name in names}
     titles = [f"{t}{name} [{units[name].name}]".replace(" []", "") for name in names for t in ("", "standard error of ")]
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["file", *titles, "converged", "describes its data", "chi-square/dof", "pattern p", "warnings"])
+    found = ["converged", "verdict", "misfit", "noise", "rating", "sound", "chi-square/dof", "pattern p", "warnings"]
+    writer.writerow(["file", *titles, *found])
     for curve, r in zip(curves, results, strict=True):
         if isinstance(r, FailedFit):
-            writer.writerow([curve.name, *(len(titles) + 4) * [""], f"not fitted: {r.error}"])
+            writer.writerow([curve.name, *(len(titles) + len(found) - 1) * [""], f"not fitted: {r.error}"])
             continue
         values = [float(v) / units[n].factor for n in names for v in (r.estimates[n], r.standard_errors[n])]
         ratio = repr(r.reduced_chi_square) if r.noise_is_known and r.degrees_of_freedom >= 1.0 else ""
-        marks = [int(r.converged), "" if r.describes_data is None else int(r.describes_data)]
-        writer.writerow([curve.name, *map(repr, values), *marks, ratio, repr(r.pattern_probability), "; ".join(r.warnings)])
+        rating = ratings[id(r)]
+        marks = [int(r.converged), r.verdict, repr(r.misfit.rms), repr(r.misfit.noise), f"{rating.score:.2f}", int(rating.is_sound)]
+        words = "; ".join([*rating.reasons, *r.warnings])
+        writer.writerow([curve.name, *map(repr, values), *marks, ratio, repr(r.pattern_probability), words])
     return text.getvalue().encode()

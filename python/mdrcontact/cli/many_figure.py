@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+import textwrap
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,38 +16,47 @@ from ..problem.units import practical
 
 _MOST_NAMES = 40
 """Under the picture."""
+_TITLE = 24
+"""Letters in a line of an axis title."""
+_OFF_GRID = 0.25
+"""Of the step of a grid: positions that far off are on none."""
 _BLUE, _RED = "#0072B2", "#D55E00"
 
+Array = NDArray[np.float64]
 
-def overview(good: list[tuple[Curve, FitResult]], names: tuple[str, ...]) -> Any:
-    """Each parameter curve by curve, or place by place of a map, and its histogram."""
+
+def overview(fitted: list[tuple[Curve, FitResult]], names: tuple[str, ...], sound: set[int]) -> Any:
+    """Each parameter curve by curve, or place by place of a map, and its histogram. sound : identities of the fits in the mean."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import MaxNLocator
 
-    if len(good) > 3 and all(curve.place is not None for curve, _ in good):
-        places = np.array([curve.place for curve, _ in good], dtype=int)
+    if len(fitted) > 3 and all(curve.place is not None for curve, _ in fitted):
+        places = np.array([curve.place for curve, _ in fitted], dtype=int)
         if (np.ptp(places, axis=0) > 0).all():
-            return _map(good, names, places)
+            return _map(fitted, names, places, sound)
 
-    longest = max(len(curve.name) for curve, _ in good) if len(good) <= _MOST_NAMES else 0
+    longest = max(len(curve.name) for curve, _ in fitted) if len(fitted) <= _MOST_NAMES else 0
     figure = Figure(figsize=(9.0, 2.1 * len(names) + 0.7 + 0.075 * longest), layout="constrained")
     axes = figure.subplots(len(names), 2, width_ratios=[3, 1], sharey="row", sharex="col", squeeze=False)
+    counts = np.array([id(r) in sound for _, r in fitted])
     for (each, histogram), name in zip(axes, names, strict=True):
-        unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in good])
-        v = np.array([r.estimates[name] / unit.factor for _, r in good])
+        unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in fitted])
+        v = np.array([r.estimates[name] / unit.factor for _, r in fitted])
+        errors = np.array([1.96 * r.standard_errors[name] / unit.factor for _, r in fitted])
         places = np.arange(1, len(v) + 1)
-        for describes, colour, label in ((True, _BLUE, "describes its data"), (False, _RED, "does not describe its data")):
-            keep = np.array([(r.describes_data is not False and r.converged) == describes for _, r in good])
+        for keep, colour, label in ((counts, _BLUE, "in the mean"), (~counts, _RED, "left out of the mean")):
             if keep.any():
-                errors = [1.96 * r.standard_errors[name] / unit.factor for (_, r), k in zip(good, keep, strict=True) if k]
-                each.errorbar(places[keep], v[keep], errors, fmt=".", color=colour, elinewidth=0.8, label=label)
-        each.set_ylabel(f"{words_of(name)} [{unit.symbol}]" if unit.name else words_of(name))
-        histogram.hist(v, bins="rice", orientation="horizontal", color=_BLUE, alpha=0.6)
+                each.errorbar(places[keep], v[keep], errors[keep], fmt=".", color=colour, elinewidth=0.8, label=label)
+        each.set_ylabel(_axis_title(name, unit.symbol))
+        _frame(each, v[counts] if counts.any() else v, errors[counts] if counts.any() else errors)
+        histogram.hist(v[counts] if counts.any() else v, bins="rice", orientation="horizontal", color=_BLUE, alpha=0.6)
         for axis in (each, histogram):
             axis.spines[["top", "right"]].set_visible(False)
     each, histogram = axes[-1]
-    if len(good) <= _MOST_NAMES:
-        each.set_xticks(np.arange(1, len(good) + 1), [curve.name for curve, _ in good], rotation=90, fontsize=7, parse_math=False)
+    if len(fitted) <= _MOST_NAMES:
+        each.set_xticks(
+            np.arange(1, len(fitted) + 1), [curve.name for curve, _ in fitted], rotation=90, fontsize=7, parse_math=False
+        )
     else:
         each.set_xlabel("curve")
     histogram.set_xlabel("curves")
@@ -55,9 +65,21 @@ def overview(good: list[tuple[Curve, FitResult]], names: tuple[str, ...]) -> Any
     return figure
 
 
-def _map(good: list[tuple[Curve, FitResult]], names: tuple[str, ...], places: NDArray[np.int64]) -> Any:
-    """Each parameter as a map, places whose fit does not describe its data marked, and its histogram. Places without a fit are
-    white."""
+def _axis_title(name: str, symbol: str) -> str:
+    """Over several lines: rows of several parameters stand close."""
+    return textwrap.fill(f"{words_of(name)} [{symbol}]" if symbol else words_of(name), _TITLE)
+
+
+def _frame(axis: Any, values: Array, errors: Array) -> None:
+    """One estimate that is not determined must not take the whole height."""
+    low, high = np.percentile(values, [5.0, 95.0])
+    room = 4.0 * max(high - low, float(np.median(errors)), 1e-3 * abs(high))
+    ends = max(float((values - errors).min()), low - room), min(float((values + errors).max()), high + room)
+    axis.set_ylim(ends[0] - 0.05 * (ends[1] - ends[0]), ends[1] + 0.05 * (ends[1] - ends[0]))
+
+
+def _map(fitted: list[tuple[Curve, FitResult]], names: tuple[str, ...], places: NDArray[np.int64], sound: set[int]) -> Any:
+    """Each parameter as a map, places that are left out of the mean marked, and its histogram. Places without a fit are white."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import MaxNLocator
 
@@ -65,27 +87,56 @@ def _map(good: list[tuple[Curve, FitResult]], names: tuple[str, ...], places: ND
     width, height = places.max(axis=0) - first + 1
     figure = Figure(figsize=(8.5, max(2.4, min(3.6, 1.2 + 3.6 * height / width)) * len(names)), layout="constrained")
     axes = np.atleast_2d(figure.subplots(len(names), 2, width_ratios=[2, 1]))
-    doubtful = np.array([r.describes_data is False or not r.converged for _, r in good])
+    counts = np.array([id(r) in sound for _, r in fitted])
+    scale = _micrometres(fitted, places)
     for (image, histogram), name in zip(axes, names, strict=True):
-        unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in good])
-        v = np.array([r.estimates[name] / unit.factor for _, r in good])
+        unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in fitted])
+        v = np.array([r.estimates[name] / unit.factor for _, r in fitted])
+        chosen = v[counts] if counts.any() else v
         grid = np.full((height, width), np.nan)
         grid[places[:, 1] - first[1], places[:, 0] - first[0]] = v
-        title = f"{words_of(name)} [{unit.symbol}]" if unit.name else words_of(name)
+        title = _axis_title(name, unit.symbol)
         # a few bad places must not take all the colours
-        low, high = np.percentile(v, [2.0, 98.0])
-        ends = np.array([first[0], first[0] + width, first[1], first[1] + height]) - 0.5
+        low, high = np.percentile(chosen, [2.0, 98.0])
+        ends = np.array([first[0] - 0.5, first[0] + width - 0.5, first[1] - 0.5, first[1] + height - 0.5])
+        if scale is not None:
+            ends = np.repeat(scale.start, 2) + np.repeat(scale.step, 2) * ends
         drawn = image.imshow(grid, origin="lower", extent=ends, vmin=low, vmax=high if high > low else low + 1e-9 * abs(low))
         extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}
         figure.colorbar(drawn, ax=image, label=title, extend=extend[bool(v.min() < low), bool(v.max() > high)])
-        if doubtful.any():
-            image.plot(*places[doubtful].T, "x", color=_RED, markersize=4, label="does not describe its data")
+        if not counts.all():
+            marked = places[~counts].T.astype(float)
+            if scale is not None:
+                marked = scale.start[:, None] + scale.step[:, None] * marked
+            image.plot(*marked, "x", color=_RED, markersize=4, label="left out of the mean")
             image.legend(frameon=False, fontsize=8, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.0)
-        image.set(xlabel="column", ylabel="row")
-        histogram.hist(v, bins="rice", color=_BLUE, alpha=0.6)
+        image.set(xlabel="column" if scale is None else "x [µm]", ylabel="row" if scale is None else "y [µm]")
+        histogram.hist(chosen, bins="rice", color=_BLUE, alpha=0.6)
         histogram.set(xlabel=title, ylabel="curves")
         histogram.spines[["top", "right"]].set_visible(False)
         histogram.xaxis.set_major_locator(MaxNLocator(4))
-        for axis in (image.xaxis, image.yaxis, histogram.yaxis):
-            axis.set_major_locator(MaxNLocator("auto", integer=True, min_n_ticks=1))
+        whole = scale is None
+        for axis in (image.xaxis, image.yaxis):
+            axis.set_major_locator(MaxNLocator("auto", integer=whole, min_n_ticks=1))
+        histogram.yaxis.set_major_locator(MaxNLocator("auto", integer=True, min_n_ticks=1))
     return figure
+
+
+class _Scale(NamedTuple):
+    """Places in µm: start + step * (column, row)."""
+
+    start: Array
+    step: Array
+
+
+def _micrometres(fitted: list[tuple[Curve, FitResult]], places: NDArray[np.int64]) -> _Scale | None:
+    """From the positions that the file has, where they are those of a grid along x and y."""
+    if any(curve.position is None for curve, _ in fitted):
+        return None
+    positions = 1e6 * np.array([curve.position for curve, _ in fitted], dtype=float)
+    start, step = np.zeros(2), np.zeros(2)
+    for i in range(2):
+        step[i], start[i] = np.polyfit(places[:, i], positions[:, i], 1)
+        if not step[i] > 0.0 or np.abs(start[i] + step[i] * places[:, i] - positions[:, i]).max() > _OFF_GRID * step[i]:
+            return None
+    return _Scale(start, step)

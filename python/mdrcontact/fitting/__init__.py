@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From measured data to film properties with their uncertainty."""
 
+from .between import MeanOfTests, mean_of_tests
 from .calibration import as_prior
 from .compare import ModelRanking, RankedModel, compare_models
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, UnloadingPoint
 from .depth_profile import DepthProfile, modulus_at_depths
 from .many import FailedFit, fit_many
+from .misfit import Misfit
 from .oliver_pharr import OliverPharr, oliver_pharr
 from .parameters import Free, Instrument, JointPrior
+from .rating import Rating, rate
 from .result import FitResult
 from .solve import fit
 from .time_data import DepthTime, DynamicStiffness, ForceTime
@@ -34,6 +37,11 @@ __all__ = [
     "as_prior",
     "modulus_at_depths",
     "DepthProfile",
+    "Misfit",
+    "mean_of_tests",
+    "MeanOfTests",
+    "rate",
+    "Rating",
     "oliver_pharr",
     "OliverPharr",
     "Unloading",

@@ -58,11 +58,14 @@ def _mean(curves: Sequence[StiffnessDepth]) -> StiffnessDepth:
 
 
 def as_prior(result: FitResult) -> JointPrior:
-    """What a calibration has found, as what later fits know beforehand: `mdr.fit(..., known=[mdr.as_prior(calibration)])`."""
+    """What a calibration has found, as what later fits know beforehand: `mdr.fit(..., known=[mdr.as_prior(calibration)])`. Where
+    the data scatter more than their standard deviations say, the covariance is larger by chi-square over the degrees of freedom."""
     vague = [name for name in result.names if result.at_bound[name] or not result.standard_errors[name] > 0.0]
     if vague:
         raise InvalidArgumentError(f"{', '.join(vague)} has no standard error: fix it, and calibrate again")
     if not result.converged:
         warn("the calibration did not converge", UserWarning)
     values = tuple(result.estimates[name] for name in result.names)
-    return JointPrior(result.names, values, tuple(map(tuple, result.covariance.tolist())))
+    # what the tests do not agree in is not in their standard deviations (R. T. Birge, Phys. Rev. 40 (1932) 207)
+    widening = result.reduced_chi_square if result.scatter > 0 else 1.0
+    return JointPrior(result.names, values, tuple(map(tuple, (widening * result.covariance).tolist())))

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import io
 import os
+import textwrap
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -30,6 +31,10 @@ _AXES = {
     "time": "time",
     "omega": "angular frequency",
 }
+_LINE = 84
+"""Letters in a line of the title."""
+_BEFORE, _MARGIN = 2.0, 0.03
+"""How much of a baseline is shown, in depths of the contact, and what is left free beside it, of the width."""
 _BLUE, _RED, _GREY = "#0072B2", "#D55E00", "#707070"
 
 
@@ -42,8 +47,10 @@ def draw(
     title: list[str],
     doubts: list[str],
     path: str | os.PathLike[str] | None,
+    contact: float | None = None,
 ) -> Any:
-    """The figure, in practical units of SI numbers. Error bars are `noise` times the data's standard deviations."""
+    """The figure, in practical units of SI numbers. Error bars are `noise` times the data's standard deviations. contact : depth at
+    which the fit has found first contact."""
     try:
         from matplotlib.figure import Figure
     except ImportError as problem:
@@ -52,7 +59,10 @@ def draw(
     if isinstance(data, StiffnessDepth) and data.unloadings:
         _draw_unloadings(figure.subplots(), data, title, doubts)
     else:
-        _draw_points(figure, data, noise, fitted, residuals, label, title, doubts)
+        above = _draw_points(figure, data, noise, fitted, residuals, label)
+        if contact is not None:
+            _draw_contact(above, data, contact)
+        _finish(above, title, doubts)
     if path is not None:
         drawn = io.BytesIO()
         figure.savefig(drawn, format=Path(path).suffix.lower().removeprefix(".") or "png", dpi=160)
@@ -81,10 +91,10 @@ def _draw_unloadings(axis: Any, data: StiffnessDepth, title: list[str], doubts: 
 
 
 def _finish(axis: Any, title: list[str], doubts: list[str]) -> None:
-    axis.set_title("\n".join(title), fontsize=9, loc="left")
+    axis.set_title("\n".join(line for words in title for line in textwrap.wrap(words, _LINE)), fontsize=9, loc="left")
     if doubts:
         axis.text(0.5, 0.98, "\n".join(doubts), transform=axis.transAxes, color=_RED, fontsize=9, va="top", ha="center")
-    axis.legend(frameon=False)
+    axis.legend(frameon=False, fontsize=8)
 
 
 def _draw_points(
@@ -94,10 +104,8 @@ def _draw_points(
     fitted: Array,
     residuals: Array,
     label: str,
-    title: list[str],
-    doubts: list[str],
-) -> None:
-    """Data and fit above, residuals below."""
+) -> Any:
+    """Data and fit above, residuals below; the axes above."""
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
     order = data.order()
     x_unit = practical(dimension_of_data(data.x_name), data.x)
@@ -119,10 +127,23 @@ def _draw_points(
             top = first + int(np.argmax(fitted[order][first:last]))
             place = (x[top], fitted[order][top] / y_unit.factor)
             above.annotate(part, place, (0, 6), textcoords="offset points", ha="right" if top == last - 1 else "center")
-    _finish(above, title, doubts)
     below.axhspan(-1.96, 1.96, color="#eeeeee")
     below.axhline(0.0, color=_BLUE, linewidth=1.0)
     below.plot(x, residuals[order], ".", color=_RED, markersize=3)
     below.set(xlabel=f"{_AXES[data.x_name]} [{x_unit.symbol}]", ylabel="residual / sd")
     for axis in (above, below):
         axis.spines[["top", "right"]].set_visible(False)
+    return above
+
+
+def _draw_contact(axis: Any, data: Data, contact: float) -> None:
+    """Where fit and estimators put first contact, and of a long baseline the part next to it."""
+    unit = practical(dimension_of_data(data.x_name), data.x)
+    deepest, first = float(data.x.max()), float(data.x.min())
+    places = {"contact point of the fit": contact, **{f"contact point, {name}": at for name, at in data.contact_points.items()}}
+    for (words, at), style in zip(places.items(), ("-", "--", ":"), strict=False):
+        axis.axvline(at / unit.factor, color=_BLUE if at == contact else _GREY, linewidth=0.9, linestyle=style, label=words)
+    begin = min(contact - _BEFORE * (deepest - contact), *places.values())
+    if begin > first:
+        room = _MARGIN * (deepest - begin)
+        axis.set_xlim((begin - room) / unit.factor, (deepest + room) / unit.factor)

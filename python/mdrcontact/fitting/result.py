@@ -344,7 +344,7 @@ class FitResult:
         size = f"{percent(self.departure or found.rms)} of the {data.y_name} ({rest})"
         if self.describes_data is False:
             return f"misses the data by {size}"
-        return f"describes the data to {size}" if self.departure else f"describes the data: misfit beside noise {size}"
+        return f"describes the data to {size}" if self.departure else f"describes the data: misfit {size}"
 
     @property
     def scatter(self) -> int:
@@ -378,10 +378,15 @@ class FitResult:
         """Data, fit and residuals as a matplotlib figure with units (the numbers of the problem are taken as SI); written to `path`
         (.png, .pdf, .svg) if one is given."""
         title = [f"{words_of(name)} = {self.told(name)}" for name in self.names]
-        doubts = sorted({words for name in self.names for words in self.doubts(name)})
+        if len(self.data) > 2:
+            title.append(self.misfit_words())
+        # what widens an error is in the error
+        doubts = sorted({words for name in self.names for words in self.doubts(name) if "widened" not in words})
         model = getattr(self.medium, "model", None)
         label = f"fit ({model})" if model else "fit"
-        return draw(self.data, self.noise, self.fitted, self.residuals, label, title, doubts, path)
+        is_found = "depth_offset" in self.names and self.data.x_name == "depth"
+        contact = self.values["depth_offset"] if is_found or self.data.contact_points else None
+        return draw(self.data, self.noise, self.fitted, self.residuals, label, title, doubts, path, contact)
 
     def to_dict(self, level: float = 0.95) -> dict[str, Any]:
         """Everything but the objects, as plain Python values; numbers that are not finite become None."""

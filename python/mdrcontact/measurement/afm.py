@@ -39,6 +39,8 @@ class AfmCurve(NamedTuple):
     segment: NDArray[Any] | None
     """of each point: 0 approach, 1 retract, others in between; None where the file does not tell them apart"""
     notes: tuple[str, ...]
+    position: tuple[float, float] | None = None
+    """x and y in a map [m]"""
 
 
 def read_afm(path: Path, spring_constant: float | None = None, deflection_sensitivity: float | None = None) -> list[AfmCurve]:
@@ -79,7 +81,6 @@ def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
     if height is None or "force" not in columns:
         raise FileError(f"it has no height and force, but {', '.join(columns)}")
     meta = data.metadata
-    place = meta.get("grid index x"), meta.get("grid index y")
     # forces are deflection [V] times sensitivity times spring constant
     factor = 1.0
     for name, value in chosen.items():
@@ -97,7 +98,14 @@ def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
         factor * np.asarray(data["force"], dtype=float),
         np.asarray(data["time"], dtype=float) if "time" in columns else None,
         float(constant) if constant else None,
-        (float(place[0]), float(place[1])) if place[0] is not None and place[1] is not None else None,
+        _pair(meta, "grid index x", "grid index y"),
         segment if len(np.unique(segment)) > 1 else None,
         tuple(what),
+        _pair(meta, "position x", "position y"),
     )
+
+
+def _pair(meta: Any, *names: str) -> tuple[float, float] | None:
+    """Two numbers of the file; None where one is missing."""
+    x, y = (meta.get(name) for name in names)
+    return None if x is None or y is None or not np.isfinite([x, y]).all() else (float(x), float(y))

@@ -121,6 +121,8 @@ class Curve(NamedTuple):
     """its data, and what was understood"""
     place: tuple[float, float] | None = None
     """column and row in a map"""
+    position: tuple[float, float] | None = None
+    """x and y there [m]"""
 
 
 def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
@@ -165,7 +167,7 @@ def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Cu
     found.sort(key=lambda one: (0.0, 0.0) if one.place is None else one.place[::-1])
     names = [path.name] if len(found) == 1 else [f"{path.name} {i}" for i in range(1, len(found) + 1)]
     return [
-        Curve(name, functools.partial(_read_afm_curve, section, path, one), one.place)
+        Curve(name, functools.partial(_read_afm_curve, section, path, one), one.place, one.position)
         for name, one in zip(names, found, strict=True)
     ]
 
