@@ -4,6 +4,7 @@
 import math
 import pickle
 import warnings
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -90,6 +91,20 @@ def test_loop(control):
     sliding_loop = pair.loop(2.0 * sliding, state=state, points=401)
     assert sliding_loop.turn.sliding
     assert np.abs(sliding_loop.tangential_force).max() == pytest.approx(MU * state.force)
+
+
+@pytest.mark.parametrize("exponent", [0.5, 0.7, 1.0])
+def test_sharp_tips_on_films_lose_the_area_of_their_loop(exponent):
+    """The energy of a cycle that slides against the loop's area from T(s), by Gauss and Legendre towards both ends."""
+    pair = mdr.Friction(mdr.Contact(mdr.PowerLaw(exponent, 0.3), mdr.Coated(STEEL, 1.0, mdr.Elastic(4.2 * STEEL.E, 0.1))), MU)
+    state = pair.contact.at_radius(0.7)
+    sliding = pair.sliding_shift(state)
+    x, w = np.polynomial.legendre.leggauss(30)
+    halves = 0.5 ** np.arange(1.0, 40.0)
+    ends = sliding * np.unique([0.0, 1.0, *halves, *(1.0 - halves)])
+    work = sum(0.5 * (b - a) * w @ pair.at_shift(0.5 * (a + b + (b - a) * x), state).tangential_force for a, b in pairwise(ends))
+    area = 8.0 * work - 4.0 * MU * state.force * sliding
+    assert pair.cycle_energy(sliding, state=state) == pytest.approx(area, rel=1e-9)
 
 
 def test_small_amplitudes_keep_their_digits():
@@ -217,6 +232,18 @@ def test_law():
     pair = friction(mdr.Homogeneous(STEEL))
     law = mdr.FrictionLaw(pair, 0.1, sliders=16, tolerance=1e-8)
     assert law.first_shear_error < 4e-3
+    # the error stated is the largest, of shifts and depths between the levels, too
+    for sliders in (4, 8, 16):
+        coarse = mdr.FrictionLaw(pair, 0.1, sliders=sliders)
+        found = []
+        for depth in np.linspace(0.035, 0.095, 9):
+            place = pair.contact.at_depth(depth)
+            for part in (0.1, 0.16, 0.25, 0.4, 0.5, 0.7, 0.8):
+                record, shift = coarse.contacts(1), part * pair.sliding_shift(place)
+                coarse.advance(record, [place.force], [[0.0, 0.0]])
+                T = coarse.advance(record, [place.force], [[shift, 0.0]])[0, 0]
+                found.append(abs(T - pair.at_shift(shift, place).tangential_force) / (MU * place.force))
+        assert max(found) < 1.1 * coarse.first_shear_error
     assert 1e-3 < law.path_error < 0.01
     assert (law.sliders, law.memory_size) == (16, 11 + 3 * 16)
     assert pickle.loads(pickle.dumps(law)) == law

@@ -174,7 +174,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(line_load_t) :: stuck
         real(wp), allocatable, dimension(:) :: breaks, exponents, coefficients, x, dx, distances, added, q
-        real(wp) :: start, length, same_shift, force
+        real(wp) :: start, length, depth, same_shift, force
         integer :: stat
 
         if (width < thin*self%radius) then
@@ -204,7 +204,9 @@ contains
         if (allocated(error)) return
         x(:) = start + distances
         call self%springs%at(self%profile%base, x, q)
-        dissipated = 2.0_wp*self%modulus*sum(dx*q*(self%profile%mdr_at(x) + added - stuck%depth))
+        ! a sharp tip still shows in the depth where nothing else does
+        depth = stuck%depth*min(c/start, 1.0_wp)**self%exponent
+        dissipated = 2.0_wp*self%modulus*sum(dx*q*(self%profile%mdr_at(x) + added - depth))
     end subroutine dissipation
 
     subroutine at(self, c, width, shift, force, stiffness, shift_rate, error)
