@@ -51,6 +51,15 @@ def test_cells_of_a_slab_make_the_weight_of_the_slab():
     assert poisson.sum() == pytest.approx(whole[1].item(), rel=1e-6)
 
 
+def test_cells_across_the_edge_of_the_contact_add_up():
+    """A cell at a tenth of the contact radius below its edge, and the same cell in 64 parts."""
+    for corner, width in (((-0.42, -0.21), (0.42, 0.5)), ((0.58, 0.1), (0.9, 0.7)), ((-1.3, 0.05), (0.6, 0.55))):
+        lines = [start + length * np.linspace(0.0, 1.0, 9) for start, length in zip(corner, width, strict=True)]
+        whole, parts = (lateral.cell_weights(1.0, x, y, 0.158, 0.266, 0.5) for x, y in ([v[[0, -1]] for v in lines], lines))
+        for one, all_ in zip(whole, parts, strict=True):
+            assert all_.sum() == pytest.approx(one.item(), rel=5e-7)
+
+
 MEANS = [("gao", 1.0, {}), ("gao-series", -1.0, {}), ("gao-power", -0.65, {}), ("gao-power", 0.0, {"exponent": 0.0})]
 """Models of a layered body, and the exponent of the mean that they are."""
 

@@ -78,7 +78,7 @@ contains
         centre = 0.5_wp*(low + high)
         near = abs(c)
         if (low > 0.0_wp .or. high < 0.0_wp) near = hypot(c, min(abs(low), abs(high)))
-        if (16.0_wp*length < min(near, slab_distance(slab, near), slab_distance(slab, near + length))) then
+        if (24.0_wp*length < min(near, slab_distance(slab, near), slab_distance(slab, near + length))) then
             do i = -1, 1, 2
                 v = centre + 0.5_wp*i*length*outer2
                 call outside(slab, hypot(c, v), panel, weights)
@@ -87,7 +87,7 @@ contains
             return
         end if
         far = hypot(c, max(abs(low), abs(high)))
-        if (2.0_wp*length > near .or. (2.0_wp*length > ring_distance(slab, near, far) .and. &
+        if (3.0_wp*length > near .or. (3.0_wp*length > ring_distance(slab, near, far) .and. &
                                        (level < deepest .or. length > shortest))) then
             call edge_integral(slab, c, low, centre, panel, integral, level + 1)
             call edge_integral(slab, c, centre, high, panel, part, level + 1)
