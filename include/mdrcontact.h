@@ -1171,7 +1171,8 @@ int mdr_loop_path(const mdr_loop *l, int n, double position[], double d[], doubl
  *  @param index  [n] indices, from 0, of the points just before each jump */
 int mdr_loop_jumps(const mdr_loop *l, int n, int index[]);
 
-/** The energy lost in the cycle, the area of the loop.
+/** The energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, for how far the bodies then fly apart
+ *  under it is not known.
  *  @param l       loop
  *  @param energy  receives it [modulus length^3] */
 int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy);
@@ -1620,7 +1621,7 @@ typedef struct mdr_friction_law_facts {
     double highest_sliding_shift; /**< The shift of first shear at which the contact slides under that force [length]. */
     double tolerance;             /**< What was asked for, relative. */
     double first_shear_error;     /**< The largest error of T found in first shear at constant F, relative to coefficient F: near
-                                       1.5 % with 8 sliders at most, 0.6 % with 16. */
+                                       2 % with 8 sliders at most, 0.6 % with 16. */
     double path_error;            /**< The largest error of T found along cycles of depth and shift against the exact history,
                                        relative to the largest coefficient F; -1 on bodies other than homogeneous ones. */
     int memory_size;              /**< How many numbers the record of a contact has. */

@@ -19,7 +19,8 @@ module mdrcontact_law_friction_from_contact
 
     !> Parts of the largest depth and of the shift of sliding; and cycles: steps, shifts in units of the largest mu S,
     !> cycles of the shift in one of the depth.
-    real(wp), parameter :: depths(*) = [0.01_wp, 0.1_wp, 1.0_wp], parts(*) = [0.05_wp, 0.3_wp, 0.6_wp, 0.9_wp]
+    real(wp), parameter :: depths(*) = [0.01_wp, 0.1_wp, 0.5_wp, 0.6_wp, 0.7_wp, 0.85_wp, 1.0_wp], &
+                           parts(*) = [0.05_wp, 0.13_wp, 0.2_wp, 0.3_wp, 0.6_wp, 0.9_wp, 0.96_wp]
     integer, parameter :: steps = 100
     real(wp), parameter :: amplitudes(*) = [0.3_wp, 1.0_wp, 3.0_wp], cycles(*) = [0.5_wp, 1.0_wp, 2.0_wp]
 
