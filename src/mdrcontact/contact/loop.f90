@@ -23,7 +23,8 @@ module mdrcontact_contact_loop
         integer :: turning_point = 0
         !> indices of the points just before each jump
         integer, allocatable :: jumps(:)
-        !> energy lost in the cycle, the area of the loop [modulus length^3]
+        !> energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, for how far the bodies then fly
+        !> apart under it is not known [modulus length^3]
         real(wp) :: dissipated_energy = 0.0_wp
         !> number of points so far
         integer, private :: points = 0
