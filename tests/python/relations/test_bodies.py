@@ -206,7 +206,8 @@ def test_a_grading_is_the_limit_of_layers(E, nu, a):
 
     first, second, third = (stack(n * (len(E) - 1)).modulus(a) for n in (8, 16, 32))
     before, found = (4.0 * second - first) / 3.0, (4.0 * third - second) / 3.0
-    near(mdr.Graded(z, E, nu).modulus(a), found, abs(found - before) / found + 1e-7)
+    # two extrapolations may agree by chance: the last difference of the stacks bounds them, too
+    near(mdr.Graded(z, E, nu).modulus(a), found, max(abs(found - before), abs(third - second) / 16.0) / found + 1e-7)
 
 
 @relation(30, medium=EXACT)

@@ -120,7 +120,7 @@ def test_loops_lose_their_area(tip, medium, mu, share, part):
     under = panels(lambda x: friction.at_shift(x, state).tangential_force, ends)
     T = friction.at_shift(s, state).tangential_force
     # the branch 2 T(x/2) over 0..2 s leaves the chord: area = 8 int T dx - 4 T s
-    near(loop.dissipated_energy, 8.0 * under - 4.0 * T * s, 1e-6, size=T * s)
+    near(loop.dissipated_energy, 8.0 * under - 4.0 * T * s, 1e-8, size=T * s)
 
 
 @relation(
@@ -211,8 +211,8 @@ def test_laws_of_friction_turn_with_the_path(R, material, mu, angle, steps):
         same(copy.advance(memory[2], [state.force], [[step * unit, 0.0]]), along)
         if k == 0:
             first = friction.at_shift(step * unit, state).tangential_force
-            # the error found at some places is not quite the largest
-            near(along[0, 0], first, 1.5 * law.first_shear_error, size=mu * state.force)
+            # the largest error at 49 places is not quite the largest of all
+            near(along[0, 0], first, 1.25 * law.first_shear_error, size=mu * state.force)
     assert abs(along[0, 0]) <= mu * state.force * (1.0 + 1e-9)
 
 

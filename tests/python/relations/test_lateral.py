@@ -192,8 +192,8 @@ def test_cells_add_up(a, nu, x, top, h):
         lateral.cell_weights(a, [x, x + 1.0], [-0.5, 0.7], *span, nu) for span in ((top, top + 0.4 * h), (top + 0.4 * h, top + h))
     ]
     for k in (0, 1):
-        near(parts[k].sum(), whole[k].sum(), 2e-6)
-        near(halves[0][k].sum() + halves[1][k].sum(), whole[k].sum(), 2e-6)
+        near(parts[k].sum(), whole[k].sum(), 1e-6)
+        near(halves[0][k].sum() + halves[1][k].sum(), whole[k].sum(), 1e-6)
 
 
 @relation(2, structure=voxels, R=d.lengths, depth=d.between(1e-2, 1e-1), place=places)
