@@ -85,7 +85,7 @@ def test_curves_of_a_file(tmp_path):
     curves = read_afm(tmp_path / "map.h5")
     assert [curve.place for curve in curves] == [(x, y) for y in (0, 1) for x in (0, 1, 2)]
     assert curves[0].height[0] < curves[0].height[149], "grows into the sample"
-    assert curves[0].segment is not None and curves[0].segment.sum() == 150
+    assert [(s.kind, s.stop) for s in curves[0].segments] == [("loading", 150), ("unloading", 300)]
     soft = read_afm(tmp_path / "map.h5", spring_constant=0.25, deflection_sensitivity=100e-9)[0]
     assert soft.spring_constant == 0.25
     assert soft.force == pytest.approx(curves[0].force, rel=1e-12), "half the spring constant, twice the sensitivity"

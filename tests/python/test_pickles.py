@@ -162,6 +162,7 @@ def records():
     h, p = np.concatenate([h, h[::-1]]), np.concatenate([p, p[::-1]])
     return [
         measurement.find_segments(h, p)[0],
+        measurement.segmentation(h, p),
         measurement.find_baseline(h[:60], p[:60], 30),
         measurement.PopIn(3, 1e-8, 1e-5, 1e-9),
         measurement.Drift(1e-11, 1e-12),

@@ -173,3 +173,43 @@ def test_a_record_says_where_its_depths_begin_and_in_which_order_it_was_measured
     assert any("reverse order" in words for words in mdr.Unloading(h[::-1], p[::-1]).warnings)
     top = int(np.argmax(h))
     assert mdr.Unloading(h[top:], p[top:]).warnings[0].startswith("the record begins with unloading")
+
+
+def cycles(loads, hold, noise, points=60):
+    """A record of load cycles into a plastic body, each to half of its force: depth and force."""
+    depth, force = [], []
+    start = 0.0
+    for load in loads:
+        deepest = np.sqrt(load)
+        up = np.linspace(start, load, points)[1:]
+        down = np.linspace(load, 0.5 * load, points)[1:]
+        force += [up, np.full(hold, load), down]
+        # elastic as P = B (h - h_f)^1.5 until the depth of the cycle before
+        final = 0.7 * deepest
+        depth += [np.maximum(np.sqrt(up), depth[-1][-1] if depth else 0.0), np.full(hold, deepest)]
+        depth += [final + (deepest - final) * (down / load) ** (1.0 / 1.5)]
+        start = 0.5 * load
+    random = np.random.default_rng(1)
+    h, p = np.concatenate(depth), np.concatenate(force)
+    scale = np.array([h.max(), p.max()])
+    h, p = (v + noise * s * random.standard_normal(len(v)) for v, s in zip((h, p), scale, strict=True))
+    return h / scale[0] * 1e-6, p / scale[1] * 50e-3
+
+
+@pytest.mark.parametrize("hold", [0, 30])
+def test_every_cycle_of_a_record_counts(hold):
+    loads = 2.0 ** np.arange(10)
+    data = mdr.Unloading(*cycles(loads, hold, 5e-5))
+    assert data.found_and_used() == ["10 unloadings, 10 used"]
+    forces = [q.force for q in data.unloadings]
+    assert forces == pytest.approx(50e-3 * loads / loads[-1], rel=5e-3, abs=20e-6)
+
+
+def test_an_unloading_that_says_nothing_is_counted_with_its_reason():
+    h, p = cycles([1.0, 4.0, 16.0], 30, 1e-6)
+    # of the second unloading three readings are left
+    second = np.flatnonzero((p < 0.2499 * 50e-3) & (p > 0.126 * 50e-3) & (h < h.max() / 1.99))
+    second = second[second > 120][:-3]
+    data = mdr.Unloading(np.delete(h, second), np.delete(p, second))
+    assert data.found_and_used()[0] == "3 unloadings, 2 used"
+    assert "too few points" in data.found_and_used()[1]

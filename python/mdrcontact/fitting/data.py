@@ -73,6 +73,7 @@ class Data:
         self.x, self.y = columns[self.x_name], columns[self.y_name]
         self.given, self.sd = columns.get(self.given_name), columns.get("sd")
         self.branch: NDArray[np.int32] | None = None
+        self.unused: tuple[Array, ...] | None = None
         if self.sd is not None:
             fine = np.flatnonzero((self.sd > 0.0) & (self.sd < _FINEST * np.abs(self.y)))
             if len(fine):
@@ -141,7 +142,8 @@ class Data:
         rise, returns = float(np.ptp(self.x)), float(self.x[top] - self.x[top:].min())
         raise InvalidArgumentError(
             f"{self.x_name} rises to its largest value at point {top} of {len(self)} and falls again by "
-            f"{100.0 * returns / rise:.0f} % of its range: these are loading and unloading in one curve; fit one of them"
+            f"{100.0 * returns / rise:.0f} % of its range: these are loading and unloading in one curve; fit one of them, as "
+            'by branch = "loading" in [data] of a problem file'
         )
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -155,7 +156,7 @@ def _doubts(law: _Law, low: float, high: float, h: Array, p: Array, largest: flo
 def _doubts_of_record(h: Array, p: Array, first: Segment) -> list[str]:
     """Whether depths begin at contact, and the rows stand in the order of measurement, where loading is in the record."""
     rise, deepest = float(np.ptp(p)), float(np.ptp(h))
-    if first.kind == "unloading":
+    if first.kind == "unloading" and p[0] > p.min() + _BEGINS[1] * rise:
         return ["the record begins with unloading: its first reading is taken as the largest force of the test"]
     lift = p - p.min()
     if first.kind != "loading" or lift[0] > _BEGINS[0] * rise:
@@ -207,7 +208,11 @@ class Unloading(StiffnessDepth):
     upper_part : the part of the unloading curve that is fitted, in units of its largest force
     elastic : as in StiffnessDepth; None: True where loading is in the record and unloading gives back its work to 5 %
 
+    segments : the parts of the record, where the file marks them; None: found from the readings, see
+        `mdrcontact.measurement.segmentation`
+
     unloadings : what each unloading curve says, `UnloadingPoint`
+    unused_unloadings : unloading curves that say nothing, with the reason, by the segment
     """
 
     def __init__(
@@ -217,27 +222,55 @@ class Unloading(StiffnessDepth):
         *,
         upper_part: tuple[float, float] = UPPER_PART,
         elastic: bool | None = None,
+        segments: Sequence[Segment] | None = None,
     ) -> None:
         h, p = curve(depth, force, fewest=_FEWEST)
         if not (len(upper_part) == 2 and 0.0 < upper_part[0] < upper_part[1] <= 1.0):
             raise InvalidArgumentError(
                 f"upper_part = {upper_part!r} is not allowed: it must be two numbers with 0 < lower < upper <= 1"
             )
-        segments = find_segments(h, p)
-        points = []
-        for before, part in zip([None, *segments], segments, strict=False):
-            forces = p[part.points]
-            # an unloading that does not begin high is the end of another one
-            if part.kind != "unloading" or forces.max() < p.min() + upper_part[0] * np.ptp(p):
-                continue
-            is_held = before is not None and before.kind == "hold"
-            largest = float(np.median(p[before.points])) if before is not None and is_held else float(forces.max())
-            points.append(_unloading_point(h[part.points], forces, largest, upper_part))
+        parts = list(find_segments(h, p) if segments is None else segments)
+        points: list[UnloadingPoint] = []
+        self.unused_unloadings: list[tuple[Segment, str]] = []
+        for i in _unloading_parts(parts, p, upper_part[0]):
+            try:
+                points.append(_unloading_point(h[parts[i].points], p[parts[i].points], _largest(parts, i, p), upper_part))
+            except InvalidArgumentError as problem:
+                self.unused_unloadings.append((parts[i], str(problem)))
+        if not points and len(self.unused_unloadings) == 1:
+            raise InvalidArgumentError(self.unused_unloadings[0][1])
         if not points:
-            raise InvalidArgumentError("there is no unloading curve: the force does not fall from a large value")
+            why = f": {self.unused_unloadings[0][1]}" if self.unused_unloadings else ": the force does not fall from a large value"
+            raise InvalidArgumentError(f"there is no unloading curve that can be used{why}")
         columns = zip(*((q.depth, q.force, q.stiffness) for q in points), strict=True)
         super().__init__(*map(list, columns), sd=[q.stiffness_error for q in points], elastic=elastic)
-        self.seems_elastic = _gives_back(h, p, segments)
+        self.seems_elastic = _gives_back(h, p, parts)
         self.unloadings = tuple(points)
         self.record = h, p
-        self.warnings += [*_doubts_of_record(h, p, segments[0]), *(words for q in points for words in q.warnings)]
+        self.warnings += [*_doubts_of_record(h, p, parts[0]), *(words for q in points for words in q.warnings)]
+
+    def found_and_used(self) -> list[str]:
+        """How many unloading curves there are and how many are used, with the reasons."""
+        count = len(self.unloadings)
+        words = [f"{count + len(self.unused_unloadings)} unloadings, {count} used"]
+        words += [f"unloading of readings {s.start}-{s.stop - 1} is not used: {why}" for s, why in self.unused_unloadings]
+        return words
+
+
+def _unloading_parts(parts: Sequence[Segment], p: Array, least: float) -> list[int]:
+    """Places of the segments that unload from where loading ended; what follows an unloading belongs to it, and a record that
+    begins with little force begins with a lift-off."""
+    found = []
+    for i, part in enumerate(parts):
+        before = next((s.kind for s in reversed(parts[:i]) if s.kind != "hold"), None)
+        begins_high = p[part.points].max() >= p.min() + least * np.ptp(p)
+        if part.kind == "unloading" and (before == "loading" or before is None and begins_high):
+            found.append(i)
+    return found
+
+
+def _largest(parts: Sequence[Segment], i: int, p: Array) -> float:
+    """The force from which a segment unloads: that of the hold before it, or the largest, which ends the loading before it."""
+    held = i > 0 and parts[i - 1].kind == "hold"
+    begin = max(parts[i].start - 1, 0)
+    return float(np.median(p[parts[i - 1].points]) if held else p[begin : parts[i].stop].max())

@@ -3,7 +3,18 @@
 
 from .contact_point import Baseline, depth_from_height, find_baseline, find_contact_point
 from .dynamic import without_oscillation
-from .segments import Drift, PopIn, Segment, drift_rate, find_pop_in, find_segments, find_strays, without_drift
+from .segments import (
+    Drift,
+    PopIn,
+    Segment,
+    Segmentation,
+    drift_rate,
+    find_pop_in,
+    find_segments,
+    find_strays,
+    segmentation,
+    without_drift,
+)
 
 __all__ = [
     "Baseline",
@@ -13,10 +24,12 @@ __all__ = [
     "Drift",
     "PopIn",
     "Segment",
+    "Segmentation",
     "drift_rate",
     "find_pop_in",
     "find_segments",
     "find_strays",
+    "segmentation",
     "without_drift",
     "without_oscillation",
 ]

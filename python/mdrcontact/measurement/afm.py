@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import FileError, MDRError
+from .segments import Segment, segments_of_numbers
 
 Array = NDArray[np.float64]
 
@@ -19,6 +20,7 @@ SUFFIXES = (".jpk-force", ".jpk-force-map", ".jpk-qi-data", ".jpk-qi-series", ".
 """Endings of files that are left to afmformats."""
 TEXT_SUFFIXES = (".csv", ".txt")
 """Endings of files that it may know where they are no plain tables."""
+_MODALITIES = ("force-distance", "creep-compliance", "stress-relaxation")
 _HEIGHTS = ("height (measured)", "height (piezo)")
 
 
@@ -36,11 +38,13 @@ class AfmCurve(NamedTuple):
     spring_constant: float | None
     place: tuple[float, float] | None
     """column and row in a map, or None"""
-    segment: NDArray[Any] | None
-    """of each point: 0 approach, 1 retract, others in between; None where the file does not tell them apart"""
+    segments: tuple[Segment, ...] | None
+    """as the file has them; None where it does not tell them apart"""
     notes: tuple[str, ...]
     position: tuple[float, float] | None = None
     """x and y in a map [m]"""
+    is_in_time: bool = False
+    """whether it is a creep or relaxation test"""
 
 
 def read_afm(path: Path, spring_constant: float | None = None, deflection_sensitivity: float | None = None) -> list[AfmCurve]:
@@ -63,7 +67,7 @@ def read_afm(path: Path, spring_constant: float | None = None, deflection_sensit
             loaded = afmformats.load_data(path)
         except afmformats.errors.MissingMetaDataError:
             loaded = afmformats.load_data(path, meta_override=chosen)
-        curves = [_curve(data, chosen) for data in loaded if data.modality == "force-distance"]
+        curves = [_curve(data, chosen) for data in loaded if data.modality in _MODALITIES]
     except MDRError as problem:
         raise FileError(f"{path}: {problem}") from problem
     except afmformats.errors.MissingMetaDataError as problem:
@@ -71,7 +75,7 @@ def read_afm(path: Path, spring_constant: float | None = None, deflection_sensit
     except (Exception, afmformats.errors.AFMFileFormatError) as problem:  # noqa: BLE001 - damage makes readers raise anything
         raise FileError(f"{path}: afmformats cannot read it: {type(problem).__name__}: {problem}") from problem
     if not curves:
-        raise FileError(f"{path}: it holds no curves of force against distance")
+        raise FileError(f"{path}: it holds no curves of force against distance, of creep or of relaxation")
     return curves
 
 
@@ -86,22 +90,26 @@ def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
     for name, value in chosen.items():
         factor *= value / (meta.get(name) or value)
     constant = chosen.get("spring constant") or meta.get("spring constant")
+    is_in_time = data.modality != "force-distance"
     what = [f"{meta.get('format', 'AFM file')}: {height} and force, {len(data)} points"]
+    if is_in_time:
+        what.append(f"a test of {data.modality.replace('-', ' ')}: kind depth-time or force-time")
     if constant:
         what.append(f"spring constant {constant:.4g} N/m")
     if factor != 1.0:
         what.append(f"forces times {factor:.4g}, for spring constant and deflection sensitivity of [instrument]")
-    segment = np.asarray(data["segment"]) if "segment" in columns else np.zeros(0)
+    # heights fall on the way into the sample
+    depth = -np.asarray(data[height], dtype=float)
     return AfmCurve(
-        # heights fall on the way into the sample
-        -np.asarray(data[height], dtype=float),
+        depth,
         factor * np.asarray(data["force"], dtype=float),
         np.asarray(data["time"], dtype=float) if "time" in columns else None,
         float(constant) if constant else None,
         _pair(meta, "grid index x", "grid index y"),
-        segment if len(np.unique(segment)) > 1 else None,
+        segments_of_numbers(np.asarray(data["segment"]), depth) if "segment" in columns else None,
         tuple(what),
         _pair(meta, "position x", "position y"),
+        is_in_time,
     )
 
 

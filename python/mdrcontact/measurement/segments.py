@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +20,13 @@ _SHORTEST, _LONGEST = 200, 25
 """Rates are those over these parts of the points to either side: the longer, the more noise there is."""
 _STILL = 0.15
 """A curve that moves slower than this part of its usual rate is held."""
+_TURN, _TOGETHER = 10.0, 3.0
+"""Standard deviations of the noise: a curve that goes back by more turns, and depth and force each by so much."""
+_MOVES = 0.3
+"""Of the whole depth or height: a segment of a file that moves by less is a hold."""
+_LEVEL, _SAME, _CREEP = 0.02, 0.05, 0.3
+"""Of the rise of the force: what is above the noise of zero; of that level, or of the depth: what is held; of the depth: what a
+hold of the force may creep."""
 _JUMP = 5.0
 """A pop-in is a step this much larger than its neighbours ..."""
 _LARGE_JUMP = 0.01
@@ -74,48 +82,155 @@ def curve(depth: ArrayLike, force: ArrayLike, fewest: int = 2) -> tuple[Array, A
     return d, f
 
 
-def find_segments(depth: ArrayLike, force: ArrayLike) -> list[Segment]:
-    """Loading, holds and unloading in the order in which they were measured.
+class Segmentation(NamedTuple):
+    """Segments found from readings, and how far they can be trusted."""
 
-    A point belongs to a hold where depth and force, as parts of their ranges, change by less than 15 % of the rate at which the
-    curve is usually passed through; holds of a few points only are turns.
+    segments: list[Segment]
+    noise: tuple[float, float]
+    """standard deviations of depth and force from reading to reading"""
+    unsure: list[int]
+    """segments whose way is less than twice what counts as a turn, by their places in `segments`"""
+
+
+def find_segments(depth: ArrayLike, force: ArrayLike) -> list[Segment]:
+    """Loading, holds and unloading in the order in which they were measured; see `segmentation`."""
+    return segmentation(depth, force).segments
+
+
+def segmentation(depth: ArrayLike, force: ArrayLike) -> Segmentation:
+    """Loading, holds and unloading in the order in which they were measured, cycles of any size.
+
+    Noise is taken as independent from reading to reading, its standard deviation from second differences. The curve turns where
+    depth and force, as parts of their ranges, together go back by 10 standard deviations of their sum; both must go the same way,
+    and for more points than a jump has. Between turns a point belongs to a hold where depth and force each change by less than 15 %
+    of the rate at which they usually change in that part, at an almost constant force or depth.
     """
     d, f = curve(depth, force, fewest=3)
-    n = len(d)
+    noise = _noise(d), _noise(f)
+    turns = _turns(d, f)
+    parts: list[Segment] = []
+    for start, stop in pairwise(turns):
+        parts += _moves_and_holds(d, f, start, stop)
+    limit = 2.0 * _TURN * _noise(d / np.ptp(d) + f / np.ptp(f))
+
+    def is_small(part: Segment) -> bool:
+        """Whether a part of the curve goes hardly further than noise does."""
+        way = float(np.ptp(d[part.points]) / np.ptp(d) + np.ptp(f[part.points]) / np.ptp(f))
+        return part.kind != "hold" and way < limit
+
+    found = joined(parts)
+    # between two holds it is a ripple of one, of a few points beside one a part of it
+    kinds, few = ["", *(s.kind for s in found), ""], max(2, len(d) // _SHORTEST) + 1
+    holds = [(kinds[i] == "hold") + (kinds[i + 2] == "hold") for i in range(len(found))]
+    inside = [
+        is_small(s) and (beside == 2 or beside == 1 and s.stop - s.start <= few) for s, beside in zip(found, holds, strict=True)
+    ]
+    found = joined([s._replace(kind="hold") if still else s for s, still in zip(found, inside, strict=True)])
+    return Segmentation(found, noise, [i for i, s in enumerate(found) if is_small(s)])
+
+
+def kind_of_way(way: float, whole: float) -> str:
+    """What a segment is whose depth or height goes by `way`, in a record where it goes by `whole`."""
+    return "hold" if abs(way) < _MOVES * whole else "loading" if way > 0.0 else "unloading"
+
+
+def segments_of_numbers(numbers: NDArray[Any], depth: Array) -> tuple[Segment, ...] | None:
+    """Segments that a file counts, one number for each reading; None where it counts one."""
+    ends = [0, *(np.flatnonzero(np.diff(numbers)) + 1).tolist(), len(numbers)]
+    whole = float(np.ptp(depth)) if len(depth) else 0.0
+    kinds = [kind_of_way(float(depth[b - 1] - depth[a]), whole) for a, b in pairwise(ends) if b > a]
+    return tuple(Segment(kind, a, b) for kind, (a, b) in zip(kinds, pairwise(ends), strict=True)) if len(kinds) > 1 else None
+
+
+def _turns(d: Array, f: Array) -> list[int]:
+    """First point, the points where the curve turns, and the one past the last."""
+    s = d / np.ptp(d) + f / np.ptp(f)
+    n = len(s)
+    ends = _zigzag(s, _TURN * _noise(s))
+    shortest = max(2, n // _SHORTEST) + 1
+    least = _TOGETHER * _noise(d), _TOGETHER * _noise(f)
+    while len(ends) > 2:
+        legs = list(pairwise(ends))
+        ways = np.array([abs(s[b] - s[a]) for a, b in legs])
+        false = [i for i, (a, b) in enumerate(legs) if b - a < shortest or not _is_together(d, f, a, b, least)]
+        if not false:
+            break
+        worst = min(false, key=lambda i: float(ways[i]))
+        # without a leg its neighbours are one; the first and the last have one neighbour
+        drop = {worst, worst + 1} - {0, len(ends) - 1} if 0 < worst < len(legs) - 1 else {1 if worst == 0 else len(ends) - 2}
+        ends = [e for i, e in enumerate(ends) if i not in drop]
+    return [0, *(e + 1 for e in ends[1:-1]), n]
+
+
+def _is_together(d: Array, f: Array, a: int, b: int, least: tuple[float, float]) -> bool:
+    """Whether depth and force go the same way between two readings, both by more than their noise."""
+    ways = float(d[b] - d[a]), float(f[b] - f[a])
+    return ways[0] * ways[1] > 0.0 and abs(ways[0]) > least[0] and abs(ways[1]) > least[1]
+
+
+def _zigzag(s: Array, least: float) -> list[int]:
+    """First reading, the highest and lowest readings between which `s` goes by more than `least`, and the last one."""
+    ends = [0]
+    high = low = 0
+    direction = 0
+    for i in range(1, len(s)):
+        high, low = (i if s[i] >= s[high] else high), (i if s[i] <= s[low] else low)
+        if direction >= 0 and s[high] - s[i] > least:
+            if high > ends[-1]:
+                ends.append(high)
+            direction, low, high = -1, i, i
+        elif direction <= 0 and s[i] - s[low] > least:
+            if low > ends[-1]:
+                ends.append(low)
+            direction, low, high = 1, i, i
+    return [*ends, len(s) - 1]
+
+
+def _moves_and_holds(d: Array, f: Array, start: int, stop: int) -> list[Segment]:
+    """One way between two turns: the holds in it, and the rest as loading or unloading."""
+    h, p = d[start:stop], f[start:stop]
+    n, ranges = len(h), [float(np.ptp(v)) for v in (d[start:stop], f[start:stop])]
+    if n < 2 or not all(ranges):
+        return [Segment("hold", start, stop)]
+    kind = "loading" if (h[-1] - h[0]) / ranges[0] + (p[-1] - p[0]) / ranges[1] > 0.0 else "unloading"
     # the noise of a rate is to be a tenth of what counts as still
-    noise = max(_noise(v) / float(np.ptp(v)) for v in (d, f))
+    noise = max(_noise(v) / r for v, r in zip((h, p), ranges, strict=True))
     reach = max(2, n // _SHORTEST, min(n // _LONGEST, round(7.0 * noise * n)))
     i = np.arange(n)
     first, last = np.maximum(i - reach, 0), np.minimum(i + reach, n - 1)
-    rates = np.array([(v[last] - v[first]) / (np.ptp(v) * (last - first)) for v in (d, f)])
-    speed = np.hypot(*rates)
-    # the speed at which half of the way is passed: long holds do not count
-    order = np.argsort(speed)
-    way = np.cumsum(speed[order])
-    usual = speed[order][np.searchsorted(way, 0.5 * way[-1])]
-    state = np.where(speed < _STILL * usual, 0, np.where(rates.sum(axis=0) > 0.0, 1, -1))
-    runs = _runs(state)
-    shortest = 3 * reach
-    kept = [run for run in runs if run[2] - run[1] >= (shortest if run[0] == 0 else reach + 1)] or [
-        max(runs, key=lambda r: r[2] - r[1])
-    ]
-    joined: list[list[int]] = []
-    for kind, start, stop in kept:
-        if joined and joined[-1][0] == kind:
-            joined[-1][2] = stop
+    still_both = np.ones(n, dtype=bool)
+    for v in (h, p):
+        speed = np.abs(v[last] - v[first]) / (last - first)
+        # the speed at which half of the way is passed: long holds do not count
+        order = np.argsort(speed)
+        way = np.cumsum(speed[order])
+        still_both &= speed < _STILL * speed[order][np.searchsorted(way, 0.5 * way[-1])]
+    held = np.zeros(n, dtype=bool)
+    for still, a, b in _runs(still_both.astype(np.int64)):
+        if still and b - a >= 3 * reach and _is_held(h, p, a, b, f):
+            held[a:b] = True
+    return [Segment("hold" if still else kind, start + a, start + b) for still, a, b in _runs(held.astype(np.int64))]
+
+
+def _is_held(h: Array, p: Array, a: int, b: int, force: Array) -> bool:
+    """Whether force or depth stay the same between two readings: a loading that begins slowly is no hold."""
+    rise = float(np.ptp(force))
+    level = abs(float(np.median(p[a:b])) - float(force.min()))
+    if level > _LEVEL * rise:
+        is_steady = np.ptp(p[a:b]) < _SAME * level + 6.0 * _noise(p) and np.ptp(h[a:b]) < _CREEP * np.ptp(h)
+        return bool(is_steady or np.ptp(h[a:b]) < _SAME * np.ptp(h))
+    return bool(np.ptp(h[a:b]) < 1e-3 * np.ptp(h) + 10.0 * _noise(h))
+
+
+def joined(parts: Iterable[Segment]) -> list[Segment]:
+    """Neighbours of one kind as one segment."""
+    found: list[Segment] = []
+    for part in parts:
+        if found and found[-1].kind == part.kind:
+            found[-1] = found[-1]._replace(stop=part.stop)
         else:
-            joined.append([kind, start, stop])
-    joined[0][1], joined[-1][2] = 0, n
-    for one, other in pairwise(joined):
-        between = slice(one[1], other[2])
-        middle = (one[2] + other[1]) // 2
-        if one[0] * other[0] < 0:
-            # a turn lies where the curve is highest or lowest
-            sum_of = d[between] / np.ptp(d) + f[between] / np.ptp(f)
-            middle = between.start + int(np.argmax(one[0] * sum_of)) + 1
-        one[2] = other[1] = min(max(middle, one[1] + 1), other[2] - 1)
-    names = {1: "loading", 0: "hold", -1: "unloading"}
-    return [Segment(names[kind], start, stop) for kind, start, stop in joined]
+            found.append(part)
+    return found
 
 
 def _noise(values: Array) -> float:

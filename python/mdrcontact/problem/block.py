@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from array import array
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +38,14 @@ class Part(NamedTuple):
     stretch: Stretch
 
 
+class _Run(NamedTuple):
+    """Rows first ... last - 1, and how many numbers they hold."""
+
+    first: int
+    last: int
+    weight: int
+
+
 @dataclass
 class Block:
     """The longest run of rows that hold numbers, one number for each column of the widest, in a file of many rows."""
@@ -56,6 +64,18 @@ class Block:
     """the rows of the block are first ... last - 1"""
     width: int = 0
     """cells of the widest"""
+    others: Sequence[_Run] = ()
+    """all runs of rows of numbers"""
+
+    def of(self, run: _Run, others: Sequence[_Run]) -> Block:
+        """Another run of the same file."""
+        width = int(self.used[run.first : run.last].max(initial=0))
+        return replace(self, first=run.first, last=run.last, width=width, others=others)
+
+    def alike(self) -> list[Block]:
+        """The other runs that have as many columns, in their order."""
+        found = [self.of(run, self.others) for run in self.others if run.first != self.first]
+        return [block for block in found if block.width == self.width]
 
     def size(self) -> int:
         """Its numbers less its other cells."""
@@ -82,7 +102,7 @@ class Block:
     def outside(self) -> int:
         """How many rows of other places could be rows of the table."""
         long = self.counts >= max(2, self.width - 1)
-        return int(long[: self.first].sum() + long[self.last :].sum())
+        return sum(int(long[other.first : other.last].sum()) for other in self.alike())
 
 
 def find_block(stretches: Iterable[Stretch]) -> Block:
@@ -103,32 +123,31 @@ def find_block(stretches: Iterable[Stretch]) -> Block:
             pure.append(numbers + gaps == len(row))
         parts.append(Part(begin, len(counts), stretch._replace(rows=[])))
     block = Block(_shared(counts), _shared(lengths), _shared(used), np.frombuffer(pure, dtype=np.int8), parts)
-    block.first, block.last = _heaviest_run(block)
-    block.width = int(block.used[block.first : block.last].max(initial=0))
-    return block
+    runs = _runs(block)
+    return block.of(max(runs, key=lambda run: run.weight, default=_Run(0, 0, 0)), runs)
 
 
 def _shared(numbers: array[int]) -> NDArray[np.intc]:
     return np.frombuffer(numbers, dtype=np.intc)
 
 
-def _heaviest_run(file: Block) -> tuple[int, int]:
-    """First and last + 1 of the rows of numbers that hold most, counted in rows of two or more."""
+def _runs(file: Block) -> list[_Run]:
+    """The runs of rows of numbers; what they hold is counted in rows of two or more."""
     if not len(file.counts):
-        return 0, 0
+        return []
     # cells without a number are gaps; a row of words alone ends the table
     kinds = np.where(file.counts > 0, _NUMBERS, np.where(file.pure, _GAPS, _WORDS))
     weights = np.concatenate([[0], np.cumsum(np.where(file.counts > 1, file.counts, 0))])
     ends = [*np.flatnonzero((np.diff(kinds) != 0) | (np.diff(file.lengths) != 0)) + 1, len(kinds)]
-    best, found, first, begin = 0, (0, 0), -1, 0
+    found: list[_Run] = []
+    first, begin = -1, 0
     for end in map(int, ends):
         kind, length = kinds[begin], file.lengths[begin]
         if kind == _WORDS or first < 0 or kind == _NUMBERS and abs(length - file.lengths[first]) > 1:
             first = begin if kind == _NUMBERS else -1
-        if first >= 0 and weights[end] - weights[first] > best:
-            best, found = weights[end] - weights[first], (first, end)
-        elif first >= 0 and found[0] == first:
-            found = (first, end)
+        if first >= 0:
+            run = _Run(first, end, int(weights[end] - weights[first]))
+            found = [*found[:-1], run] if found and found[-1].first == first else [*found, run]
         begin = end
     return found
 

@@ -8,8 +8,9 @@ import csv
 import io
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import nullcontext, suppress
+from functools import partial
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -23,7 +24,9 @@ from .block import Part, Stretch, find_block
 from .numerals import Exact
 from .section import ProblemError
 
-SHEETS = (".xlsx", ".xlsm")
+SHEETS = (".xlsx", ".xlsm", ".xls")
+_OLD_SPREADSHEET = (b"\xd0\xcf\x11\xe0", b"\x09\x00\x04\x00", b"\x09\x02\x06\x00", b"\x09\x04\x06\x00", b"\x09\x08")
+_NEW_SPREADSHEET = b"PK\x03\x04"
 _SEPARATORS = {"\t": "tabs", ";": "semicolons", ",": "commas", " ": "spaces"}
 _LIKE_ASCII = str.maketrans(
     {
@@ -42,6 +45,8 @@ class Cells(ABC):
     """Rows of cells, which may be gone through more than once."""
 
     path: Path
+    name = ""
+    """of the sheet"""
     notes: list[str]
     """what was understood"""
     by_blanks = False
@@ -134,32 +139,14 @@ class Text(Cells):
 
 
 class Sheet(Cells):
-    """The cells of the chosen sheet of a spreadsheet, or of the first that holds a table."""
+    """The cells of one sheet of a spreadsheet."""
 
-    def __init__(self, path: Path, content: bytes, skip: int, chosen: str) -> None:
-        try:
-            import openpyxl
-        except ImportError as problem:
-            raise ProblemError(f'{path}: spreadsheets need openpyxl: pip install "mdrcontact[instruments]"') from problem
-        self.path = path
-        try:
-            book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
-            sheets = {sheet.title: sheet for sheet in book.worksheets}
-            if chosen and chosen not in sheets:
-                raise ProblemError(f"{path}: there is no sheet {chosen!r}: {nearest(chosen, sheets)}")
-            for name in [chosen] if chosen else sheets:
-                rows = [[_word(cell) for cell in row] for row in sheets[name].iter_rows(values_only=True)]
-                numbered = [(i, row) for i, row in enumerate(rows, start=1) if i > skip and any(row)]
-                self._numbers, self._rows = [i for i, _ in numbered], [row for _, row in numbered]
-                block = find_block(self.stretches())
-                if block.last - block.first > 1:
-                    self.notes = [f"sheet {name!r} of {len(sheets)}"]
-                    return
-        except ProblemError:
-            raise
-        except Exception as problem:  # noqa: BLE001 - a damaged archive raises almost anything
-            raise ProblemError(f"{path}: it cannot be read as a spreadsheet: {type(problem).__name__}: {problem}") from problem
-        raise ProblemError(f"{path}: no sheet holds a table of numbers; the sheets are {', '.join(map(repr, sheets))}")
+    def __init__(self, path: Path, name: str, count: int, rows: Sequence[Sequence[object]], skip: int) -> None:
+        words = [[_word(cell) for cell in row] for row in rows]
+        numbered = [(i, row) for i, row in enumerate(words, start=1) if i > skip and any(row)]
+        self.path, self.name = path, name
+        self.notes = [f"sheet {name!r} of {count}"]
+        self._numbers, self._rows = [i for i, _ in numbered], [row for _, row in numbered]
 
     def stretches(self) -> Iterator[Stretch]:
         yield Stretch(range(len(self._rows)), len(self._rows), self._rows)
@@ -169,6 +156,55 @@ class Sheet(Cells):
 
     def place(self, line: int) -> str:
         return f"row {self._numbers[line]}"
+
+
+def read_sheets(path: Path, content: bytes, skip: int, chosen: str) -> list[Sheet]:
+    """The sheets of a spreadsheet, or the chosen one."""
+    read = _old_sheets if content.startswith(_OLD_SPREADSHEET) else _new_sheets
+    try:
+        sheets = read(content)
+        if chosen and chosen not in sheets:
+            raise ProblemError(f"{path}: there is no sheet {chosen!r}: {nearest(chosen, sheets)}")
+        rows = {name: list(sheets[name]()) for name in ([chosen] if chosen else sheets)}
+    except ProblemError:
+        raise
+    except ImportError as problem:
+        raise ProblemError(f'{path}: spreadsheets need {problem.name}: pip install "mdrcontact[instruments]"') from problem
+    except Exception as problem:  # noqa: BLE001 - a damaged file raises almost anything
+        raise ProblemError(f"{path}: it cannot be read as a spreadsheet: {type(problem).__name__}: {problem}") from problem
+    return [Sheet(path, name, len(sheets), table, skip) for name, table in rows.items()]
+
+
+_Rows = Callable[[], Iterable[Sequence[object]]]
+
+
+def _new_sheets(content: bytes) -> dict[str, _Rows]:
+    """The sheets of a .xlsx by name."""
+    import openpyxl
+
+    book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
+    return {sheet.title: partial(sheet.iter_rows, values_only=True) for sheet in book.worksheets}
+
+
+def _old_sheets(content: bytes) -> dict[str, _Rows]:
+    """The sheets of a .xls by name."""
+    import xlrd
+
+    # it prints what it finds odd
+    book = xlrd.open_workbook(file_contents=content, logfile=io.StringIO(), formatting_info=False)
+    known = (xlrd.XL_CELL_TEXT, xlrd.XL_CELL_NUMBER)
+
+    def rows(sheet: Any) -> Iterator[list[object]]:
+        for i in range(sheet.nrows):
+            yield [cell.value if cell.ctype in known else None for cell in sheet.row(i)]
+
+    return {sheet.name: partial(rows, sheet) for sheet in book.sheets()}
+
+
+def is_spreadsheet(path: Path, content: bytes) -> bool:
+    """Whether a file is to be read as a spreadsheet; instruments write text under the name .xls, too."""
+    is_named = path.suffix.lower() in SHEETS
+    return is_named and (content.startswith((*_OLD_SPREADSHEET, _NEW_SPREADSHEET)) or b"\0" in content[:4096] or not content)
 
 
 def decode(path: Path, content: bytes) -> tuple[str, str]:

@@ -15,8 +15,11 @@ from numpy.typing import NDArray
 
 from .._choices import nearest
 from .block import Block, find_block
-from .cells import SHEETS, Cells, Sheet, Text
+from .cells import Cells, Sheet, Text, is_spreadsheet, read_sheets
+from .formats import Fact, Format, recognise, refuse_foreign
+from .marks import Mark, find_marks
 from .numerals import is_gap, is_number
+from .roles import ROLES
 from .section import ProblemError
 from .units import Dimension, UnitError, is_unit, to_si
 from .values import read_values
@@ -24,6 +27,7 @@ from .values import read_values
 _BRACKETS = re.compile(r"\s*(.*?)[\s_]*[\[(]\s*(.*?)\s*[\])]\s*")
 _COMMA = re.compile(r"\s*(.+?)\s*[,/]\s*(\S+)\s*")
 _LARGEST_FILE = 200_000_000
+_NO_NUMBER = 1e300
 _MANY_REPEATED, _MANY_OUTSIDE = 0.02, 0.05
 """Of the rows: more that stand twice, or outside of the table, are no accident."""
 
@@ -39,14 +43,14 @@ class TableOptions:
     skip: int = 0
     """lines before the table"""
     sheet: str = ""
-    """of a spreadsheet; default: the only one that holds a table"""
+    """of a spreadsheet, or the test of a text; default: all"""
     decimal: str = ""
     """the decimal mark, "." or ","; default: found from the numbers"""
 
 
 class MeasuredTable(NamedTuple):
-    """A table as it stands in the file: titles, units where a row of their own or the problem file gives them, and numbers; cells
-    that are no numbers are NaN."""
+    """A table as it stands in the file: titles, units where a row of their own, the format or the problem file gives them, and
+    numbers; cells that are no numbers are NaN."""
 
     path: Path
     titles: list[str]
@@ -55,6 +59,12 @@ class MeasuredTable(NamedTuple):
     units: Mapping[str, str]
     warnings: list[str]
     """what speaks against it"""
+    name: str = ""
+    """of the sheet or the test, where the file has several"""
+    marks: tuple[Mark, ...] = ()
+    """of the instrument, in the order of the rows"""
+    facts: tuple[Fact, ...] = ()
+    """what the file says of the instrument"""
 
     def column(self, title: str, dimension: Dimension) -> tuple[NDArray[np.float64], str]:
         """A column in SI units, and the unit it was in."""
@@ -116,7 +126,12 @@ class MeasuredTable(NamedTuple):
 
 
 def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable:
-    """Reads a table; lines that begin with # are comments."""
+    """Reads the only table of a file, or its first; lines that begin with # are comments."""
+    return read_tables(path, options)[0]
+
+
+def read_tables(path: Path, options: TableOptions | None = None) -> list[MeasuredTable]:
+    """Reads all tests of a file: sheets, tables one below the other with the same titles, or side by side with the same titles."""
     try:
         return _read(path, options or TableOptions())
     except MemoryError:
@@ -126,7 +141,7 @@ def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable
         ) from None
 
 
-def _read(path: Path, options: TableOptions) -> MeasuredTable:
+def _read(path: Path, options: TableOptions) -> list[MeasuredTable]:
     try:
         with path.open("rb") as file:
             content = file.read(_LARGEST_FILE + 1)  # of a device there is no end
@@ -134,22 +149,107 @@ def _read(path: Path, options: TableOptions) -> MeasuredTable:
         raise ProblemError(f"{path}: it cannot be read: {getattr(problem, 'strerror', None) or problem}") from problem
     if len(content) > _LARGEST_FILE:
         raise ProblemError(f"{path}: it has more than {_LARGEST_FILE // 1_000_000} MB: that is no measured curve")
-    if path.suffix.lower() in SHEETS:
-        return _table_of(Sheet(path, content, options.skip, options.sheet), options)
-    if path.suffix.lower() == ".xls":
-        raise ProblemError(f"{path}: old spreadsheets (.xls) are not read: save it as .xlsx or as .csv")
-    return _table_of(Text(path, content, options.skip), options)
+    if is_spreadsheet(path, content):
+        return _tables_of_sheets(path, read_sheets(path, content, options.skip, options.sheet), options)
+    refuse_foreign(path, content)
+    return _chosen(path, _tables_of(Text(path, content, options.skip), options), options.sheet)
 
 
-def _table_of(cells: Cells, options: TableOptions) -> MeasuredTable:
+def _chosen(path: Path, tables: list[MeasuredTable], name: str) -> list[MeasuredTable]:
+    """All tests, or that of a name."""
+    found = [table for table in tables if not name or table.name == name]
+    if not found:
+        raise ProblemError(f"{path}: there is no test {name!r}: {nearest(name, [table.name for table in tables])}")
+    return found
+
+
+def _tables_of_sheets(path: Path, sheets: Sequence[Sheet], options: TableOptions) -> list[MeasuredTable]:
+    """The tables of all sheets that hold one; what is wrong with all of them is what is wrong with the longest."""
+    tables: list[MeasuredTable] = []
+    faults: list[tuple[int, ProblemError]] = []
+    for sheet in sheets:
+        block = find_block(sheet.stretches())
+        if block.last - block.first > 1:
+            try:
+                tables += _split(_table_of(sheet, block, _rows_above(sheet, block, 0), options))
+            except ProblemError as problem:
+                faults.append((block.last - block.first, problem))
+    if not tables and faults:
+        raise max(faults, key=lambda fault: fault[0])[1]
+    if not tables:
+        names = ", ".join(repr(sheet.name) for sheet in sheets)
+        raise ProblemError(f"{path}: no sheet holds a table of numbers; the sheets are {names}")
+    return tables
+
+
+def _tables_of(cells: Text, options: TableOptions) -> list[MeasuredTable]:
+    """The longest table of a text, and those like it: with the same titles in a line above."""
     block = find_block(cells.stretches())
     _check_rows(cells, block)
-    above = [[cell.strip() for cell in row] for _, _, row in cells.between(block.parts, 0, block.first)]
+    main = _table_of(cells, block, _rows_above(cells, block, 0), options)
+    alike = [] if options.columns else [other for other in block.alike() if _titles_above(cells, other) == main.titles]
+    if not alike:
+        return _split(main._replace(warnings=[*_doubts_outside(block, 0), *main.warnings]))
+    tests, begin = [], 0
+    known = recognise(_rows_above(cells, block, 0))
+    for i, one in enumerate(sorted([block, *alike], key=lambda one: one.first), start=1):
+        table = _table_of(cells, one, _rows_above(cells, one, begin), options, known)
+        tests.append(table._replace(name=f"test {i}"))
+        begin = one.last
+    tests[0].warnings.extend(_doubts_outside(block, sum(len(test.values) for test in tests) - len(main.values)))
+    return tests
+
+
+def _titles_above(cells: Text, block: Block) -> list[str]:
+    """The words of the last line above a block that is no line of units."""
+    for row in reversed(_rows_above(cells, block, max(block.first - 2, 0))):
+        if _are_symbols(row) or not all(is_unit(cell.strip("[]() ")) for cell in row):
+            return row
+    return []
+
+
+def _rows_above(cells: Cells, block: Block, begin: int) -> list[list[str]]:
+    return [[cell.strip() for cell in row] for _, _, row in cells.between(block.parts, begin, block.first)]
+
+
+def _table_of(
+    cells: Cells, block: Block, above: Sequence[Sequence[str]], options: TableOptions, known: Format | None = None
+) -> MeasuredTable:
+    """The table of a block below a header, of a known format or of one that the header tells."""
     titles, units = _named(cells, above, block.width, options)
     values = read_values(cells, block, titles, options.decimal)
+    # of programs that write the largest number where there is none
+    values[np.abs(values) > _NO_NUMBER] = np.nan
+    known = known or recognise(above)
     where = f" after {len(above)} lines of header" if len(above) > 1 else ""
     notes = [f"{len(values)} rows, {len(titles)} columns{where}, {', '.join(cells.notes)}"]
-    return MeasuredTable(cells.path, titles, values, notes, units, _doubts(values, block.outside()))
+    if known:
+        notes[0] = f"{known.name}: {notes[0]}"
+        units = {**{title: unit for title, unit in known.units.items() if title in titles}, **units}
+    marks = find_marks(cells, block, titles, values)
+    return MeasuredTable(
+        cells.path, titles, values, notes, units, _doubts(values), cells.name, marks, known.facts(above) if known else ()
+    )
+
+
+def _split(table: MeasuredTable) -> list[MeasuredTable]:
+    """A table whose titles repeat in turn as tables of one test each."""
+    titles = table.titles
+    period = titles.index(titles[0], 1) if titles.count(titles[0]) > 1 else len(titles)
+    doubled = sorted({title for title in titles if titles.count(title) > 1})
+    if not doubled:
+        return [table]
+    count = len(titles) // period
+    if period < 2 or titles != count * titles[:period]:
+        raise ProblemError(f"{table.path}: two columns have the same title, {doubled[0]!r}: name all in [data] columns = [...]")
+    tests = []
+    for i in range(count):
+        values = table.values[:, i * period : (i + 1) * period]
+        values = values[np.isfinite(values).any(axis=1)]
+        name = f"{table.name} test {i + 1}".strip()
+        notes = [f"{table.notes[0]}; columns {i * period + 1} to {(i + 1) * period} of {count} tests side by side"]
+        tests.append(table._replace(titles=titles[:period], values=values, name=name, notes=notes, warnings=_doubts(values)))
+    return tests
 
 
 def _check_rows(cells: Cells, block: Block) -> None:
@@ -189,9 +289,6 @@ def _named(cells: Cells, above: Sequence[Sequence[str]], width: int, options: Ta
                 )
             units[title] = unit
     titles = [title or f"column {i}" for i, title in enumerate(titles, start=1)]
-    doubled = {title for title in titles if titles.count(title) > 1}
-    if doubled:
-        raise ProblemError(f"{path}: two columns have the same title, {sorted(doubled)[0]!r}: name all in [data] columns = [...]")
     for title, unit in options.units.items():
         if title not in titles:
             raise ProblemError(f"{path}: [data] units: there is no column {title!r}: {nearest(title, titles)}")
@@ -199,29 +296,35 @@ def _named(cells: Cells, above: Sequence[Sequence[str]], width: int, options: Ta
     return titles, units
 
 
-def _doubts(values: NDArray[np.float64], outside: int) -> list[str]:
-    """What a table should not have: rows of numbers outside of it, and rows that repeat others."""
-    words = []
-    if outside > max(2, _MANY_OUTSIDE * len(values)):
-        words.append(
-            f"{outside} rows of numbers are not read: lines of words separate them from the table of {len(values)} rows. Remove "
-            "the lines, or make a file of each part"
-        )
+def _doubts_outside(block: Block, read: int) -> list[str]:
+    """That rows of numbers stand outside of the tables; `read` of them belong to other tests."""
+    rows, outside = block.last - block.first, block.outside() - read
+    if outside <= max(2, _MANY_OUTSIDE * rows):
+        return []
+    return [
+        f"{outside} rows of numbers are not read: lines of words separate them from the table of {rows} rows. Remove "
+        "the lines, or make a file of each part"
+    ]
+
+
+def _doubts(values: NDArray[np.float64]) -> list[str]:
+    """What a table should not have: rows that repeat others."""
     complete = values[np.isfinite(values).all(axis=1)]
     in_order = complete[np.lexsort(complete.T)]
     repeated = int((in_order[1:] == in_order[:-1]).all(axis=1).sum())
-    if repeated > max(2, _MANY_REPEATED * len(values)):
-        words.append(
-            f"{repeated} of {len(values)} rows repeat others exactly: an instrument that stood still, coarse digits, or a table "
-            "that was copied twice; the intervals count them as readings of their own"
-        )
-    return words
+    if repeated <= max(2, _MANY_REPEATED * len(values)):
+        return []
+    return [
+        f"{repeated} of {len(values)} rows repeat others exactly: an instrument that stood still, coarse digits, or a table "
+        "that was copied twice; the intervals count them as readings of their own"
+    ]
 
 
 def _header(path: Path, above: Sequence[Sequence[str]], width: int, most: int) -> tuple[list[str], list[str]]:
     """Titles and units from the lines above the numbers: a line of titles, and perhaps one of units below it."""
     words = [list(row) for row in above if not all(is_gap(cell) or is_number(cell) for cell in row)]
-    rows = [row for row in words if width <= len(row) <= most and sum(map(bool, row)) >= max(1, width - 1)]
+    fitting = [(row + width * [""])[:width] for row in words if width <= len(row) <= most]
+    rows = [row for row in fitting if sum(map(bool, row)) >= max(1, width - 1)]
     if not rows:
         count = len(words[-1]) if words else 0
         shorter = f", but {count} words" if count > 1 else ""
@@ -231,11 +334,18 @@ def _header(path: Path, above: Sequence[Sequence[str]], width: int, most: int) -
             f"{path}: no line above the numbers has names for the {width} columns{shorter}: write such a line, or, for a fit, name "
             'them in [data], as in columns = ["depth [nm]", "load [mN]"]'
         )
-    padded = [(row + width * [""])[:width] for row in rows]
-    bare = [cell.strip("[]() ") for cell in padded[-1]]
-    if len(rows) > 1 and any(bare) and all(is_unit(cell) for cell in bare if cell):
-        return padded[-2], bare
-    return padded[-1], []
+    bare = [cell.strip("[]() ") for cell in fitting[-1]]
+    # of units some may be missing, of titles one
+    titled = [row for row in fitting[:-1] if row in rows]
+    if titled and any(bare) and all(is_unit(cell) for cell in bare if cell) and not _are_symbols(bare):
+        return titled[-1], bare
+    return rows[-1], []
+
+
+def _are_symbols(cells: Sequence[str]) -> bool:
+    """Whether all of several words are names of columns: F, h and t are no farads, hours and tonnes."""
+    names = {name for _, aliases in ROLES.values() for name in aliases}
+    return len(cells) > 1 and all(cell.lower() in names for cell in cells)
 
 
 def _splits(title: str) -> list[tuple[str, str]]:

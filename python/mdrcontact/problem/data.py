@@ -5,14 +5,14 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import MDRError
+from ..errors import FileError, MDRError
 from ..fitting import (
     DepthTime,
     DynamicStiffness,
@@ -26,12 +26,15 @@ from ..fitting import (
 from ..fitting.data import Data
 from ..measurement import without_oscillation
 from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
-from .columns import MeasuredTable, TableOptions, read_table
+from .columns import MeasuredTable, TableOptions, read_tables
+from .formats import Fact
+from .marks import Mark
+from .marks import segments_of_marks as marked_segments
 from .numerals import MARKS
 from .record import KEYS, Cantilever, Record, prepare
 from .roles import ROLES
 from .section import ProblemError, Section
-from .units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, is_cyclic, told
+from .units import LENGTH, RATIO, SPEED, STIFFNESS, VOLTAGE, Dimension, UnitError, is_cyclic, told
 
 Array = NDArray[np.float64]
 
@@ -94,6 +97,8 @@ KNOWN: Mapping[str, Dimension | None] = {
     "oscillation": LENGTH,
     "elastic": None,
 }
+_EQUAL = 0.01
+"""Of a step: how equal those of a height are."""
 _OF_RECORDS = ("height", "deflection", "time", *KEYS)
 
 
@@ -101,7 +106,9 @@ def check(section: Section) -> None:
     """Refuses keys that do not belong to the kind of data."""
     kind = section.choice("kind", KINDS)
     foreign = set() if kind in _RECORDS else {*_OF_RECORDS}
-    if kind != "stiffness-depth":
+    if kind == "stiffness-depth":
+        foreign.discard("branch")
+    else:
         foreign.add("oscillation")
     if kind not in ("stiffness-depth", "unloading"):
         foreign.add("elastic")
@@ -123,42 +130,92 @@ class Curve(NamedTuple):
     """column and row in a map"""
     position: tuple[float, float] | None = None
     """x and y there [m]"""
+    facts: tuple[Fact, ...] = ()
+    """what the file says of the instrument"""
 
 
 def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
-    """The curves of a file: one of a table, one or more of a binary file of an AFM."""
+    """The curves of a file: one or more of a table, or of a binary file of an AFM."""
+    if not path.exists():
+        raise FileError(f"{path}: it cannot be read: there is no such file")
     if path.suffix.lower() in SUFFIXES:
         return _afm_curves(section, cantilever, path)
-    return [Curve(path.name, functools.partial(_read_text, section, cantilever, path))]
-
-
-def _read_text(section: Section, cantilever: Cantilever, path: Path) -> tuple[Data, list[str]]:
-    """The data of a table, or of a text file of an AFM that is no plain table."""
     kind = section.choice("kind", KINDS)
     try:
-        table = read_table(path, _table_options(section))
-        if kind in _RECORDS and not any(_has(section, table, role) for role in ("depth", "height")):
-            _column(section, table, "depth")
+        tables = _tests(section, read_tables(path, _table_options(section)), kind)
     except ProblemError:
-        if kind not in _RECORDS or path.suffix.lower() not in TEXT_SUFFIXES:
-            raise
-        try:
-            known = _afm_curves(section, cantilever, path)
-        except MissingSettings:
-            raise
-        except MDRError:
-            known = []
+        known = _known_to_afmformats(section, cantilever, path) if kind in _RECORDS else []
         if len(known) != 1:
             # the words about the table are the better ones
             raise
-        return known[0].read()
+        return known
+    several = len(tables) > 1
+    return [
+        Curve(
+            f"{path.name} {table.name}" if several else path.name,
+            functools.partial(_read_table, section, cantilever, table, kind),
+            facts=table.facts,
+        )
+        for table in tables
+    ]
+
+
+def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[MeasuredTable]:
+    """Those tables that have the columns of this kind of data; sheets with the settings of a method have not."""
+    found = [table for table in tables if _fits(section, table, kind)]
+    if not found or kind in _RECORDS and not any(_has(section, found[0], role) for role in ("depth", "height")):
+        _column(section, max(tables, key=lambda table: len(table.values)), "depth" if kind in _RECORDS else _TABLES[kind][1][-1])
+    if len(found) < len(tables):
+        used = {table.name for table in found}
+        others = ", ".join(repr(table.name) for table in tables if table.name not in used)
+        found[0].notes.append(f"{len(tables)} tables, {len(found)} used; without the columns that are needed: {others}")
+    return found or tables
+
+
+def _fits(section: Section, table: MeasuredTable, kind: str) -> bool:
+    """Whether a table may be a test; what is missing in the only one of a file is told where it is read."""
+    if not table.name:
+        return True
+    if kind in _RECORDS:
+        return any(_has(section, table, role) for role in ("depth", "height"))
+    return _has(section, table, _TABLES[kind][1][-1])
+
+
+def _known_to_afmformats(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
+    """The curves of a text file of an AFM that is no plain table."""
+    if path.suffix.lower() not in TEXT_SUFFIXES or not _may_be_of_afm(path):
+        return []
+    try:
+        return _afm_curves(section, cantilever, path)
+    except MissingSettings:
+        raise
+    except MDRError:
+        return []
+
+
+def _may_be_of_afm(path: Path) -> bool:
+    """Whether a text has words, or is the bare table of NT-MDT, whose first column, the height, goes by equal steps."""
+    with path.open("rb") as file:
+        begin = file.read(20_000)
+    rows = [line.replace(b",", b".").split() for line in begin.splitlines()[:-1]]
+    try:
+        height = np.array([float(row[0]) for row in rows])
+        bare = len({len(row) for row in rows}) == 1 and bool([float(cell) for row in rows for cell in row])
+    except (ValueError, IndexError):
+        return True
+    steps = np.diff(height)
+    return not bare or len(steps) > 1 and bool(np.ptp(steps) < _EQUAL * abs(steps.mean()))
+
+
+def _read_table(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
+    """The data of one table."""
     if kind not in _RECORDS:
         return _read_columns(section, table, kind)
     try:
         return _read_record(section, cantilever, table, kind)
     except ProblemError as problem:
         words = str(problem)
-        raise problem if words.startswith((str(path), "[")) else ProblemError(f"{path}: {words}") from problem
+        raise problem if words.startswith((str(table.path), "[")) else ProblemError(f"{table.path}: {words}") from problem
 
 
 def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
@@ -167,16 +224,20 @@ def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Cu
     found.sort(key=lambda one: (0.0, 0.0) if one.place is None else one.place[::-1])
     names = [path.name] if len(found) == 1 else [f"{path.name} {i}" for i in range(1, len(found) + 1)]
     return [
-        Curve(name, functools.partial(_read_afm_curve, section, path, one), one.place, one.position)
+        Curve(name, functools.partial(_read_afm_curve, section, path, one), one.place, one.position, _afm_facts(one))
         for name, one in zip(names, found, strict=True)
     ]
+
+
+def _afm_facts(one: AfmCurve) -> tuple[Fact, ...]:
+    return () if one.spring_constant is None else (Fact("spring_constant", one.spring_constant, STIFFNESS),)
 
 
 def _read_afm_curve(section: Section, path: Path, one: AfmCurve) -> tuple[Data, list[str]]:
     kind = section.choice("kind", KINDS)
     if kind not in _RECORDS:
         raise ProblemError(f"{path}: an AFM file holds curves of force: kind must be 'force-depth', not {kind!r}")
-    record = Record(None, one.force, one.height, one.time, list(one.notes), sign=1, segment=one.segment)
+    record = Record(None, one.force, one.height, one.time, list(one.notes), sign=1, segments=one.segments)
     return of_record(section, Cantilever(None, one.spring_constant), record, kind)
 
 
@@ -263,15 +324,17 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
     factor = 1.0 / (1.0 - section.number("nu") ** 2) if last == "modulus" and "nu" in section else 1.0
     found[last] = found[last]._replace(values=found[last].values * factor)
     keep = _between(section, {role: found[role].values for role in roles})
+    notes = [*table.notes, *(column.described(role) for role, column in found.items())]
+    if kind == "stiffness-depth":
+        keep &= _loading(section, table, found["depth"].values, found["force"].values, found["stiffness"].values, notes)
     if sd is not None:
         options["sd"] = sd[keep] * factor
     if "relative_sd" in section:
         options["relative_sd"] = section.number("relative_sd")
     if "elastic" in section:
         options["elastic"] = section.truth("elastic")
-    notes = [*table.notes, *(column.described(role) for role, column in found.items())]
     if not keep.all():
-        notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
+        notes.append(f"{int(keep.sum())} of {len(keep)} rows are fitted")
     columns = [found[role].values[keep] for role in roles]
     if "oscillation" in section:
         with section.words():
@@ -287,6 +350,35 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
     data = cls(*columns, **options)
     data.warnings += table.warnings
     return data, notes
+
+
+def _loading(
+    section: Section, table: MeasuredTable, depth: Array, force: Array, stiffness: Array, notes: list[str]
+) -> NDArray[np.bool_]:
+    """Which readings of a record with stiffnesses load the contact, where the file or [data] branch tells them apart."""
+    branch = section.choice("branch", ("loading",), default="")
+    if not branch and not table.marks:
+        return np.ones(len(depth), dtype=bool)
+    finite = np.isfinite(depth) & np.isfinite(force)
+    record = Record(depth, force, None, None, [])
+    record.segments = marked_segments(table.marks, depth, force)
+    record.keep(finite)
+    segments, words = record.parts()
+    loads = np.zeros(int(finite.sum()), dtype=bool)
+    for part in segments:
+        loads[part.points] = part.kind == "loading"
+    keep = np.zeros(len(depth), dtype=bool)
+    keep[np.flatnonzero(finite)[loads]] = True
+    # in contact the tangent meets force 0 at a depth of at least 0
+    contact = keep & (depth > 0.0) & (force > 0.0) & (stiffness * depth > force)
+    notes.append(f"{words}; of {len(depth)} readings {int(keep.sum())} load, {int(contact.sum())} of these in contact")
+    return contact
+
+
+def _with_facts(cantilever: Cantilever, facts: Sequence[Fact]) -> Cantilever:
+    """The spring constant of the file where the problem says none."""
+    said = next((fact.value for fact in facts if fact.name == "spring_constant"), None)
+    return cantilever if cantilever.spring_constant is not None else cantilever._replace(spring_constant=said)
 
 
 def _read_record(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
@@ -316,11 +408,16 @@ def _read_record(section: Section, cantilever: Cantilever, table: MeasuredTable,
         list(table.warnings),
         sd=sd,
     )
-    return of_record(section, cantilever, record, kind)
+    return of_record(section, _with_facts(cantilever, table.facts), record, kind, table.marks)
 
 
-def of_record(section: Section, cantilever: Cantilever, record: Record, kind: str) -> tuple[Data, list[str]]:
+def of_record(
+    section: Section, cantilever: Cantilever, record: Record, kind: str, marks: Sequence[Mark] = ()
+) -> tuple[Data, list[str]]:
     """Data of a fit from a record, and what was understood and done."""
+    along = record.height if record.depth is None else record.depth
+    if marks and along is not None:
+        record.segments = marked_segments(marks, along, record.force)
     prepare(section, cantilever, record, kind)
     assert record.depth is not None
     keep = _between(section, {"depth": record.depth})
@@ -330,6 +427,11 @@ def of_record(section: Section, cantilever: Cantilever, record: Record, kind: st
     data = _record_data(section, record, kind)
     data.warnings += record.warnings
     data.contact_points, data.also_free = record.contact_points, record.also_free
+    if isinstance(data, Unloading):
+        record.notes += data.found_and_used()
+    else:
+        record.notes.append(record.counts())
+        data.unused = tuple(np.concatenate(columns) for columns in zip(*record.unused, strict=True)) if record.unused else None
     return data, record.notes
 
 
@@ -345,7 +447,7 @@ def _record_data(section: Section, record: Record, kind: str) -> Data:
                 raise ProblemError("[data]: upper_part must be two numbers, as in upper_part = [0.4, 0.98]")
             options["upper_part"] = (part[0], part[1])
         with section.words():
-            return Unloading(record.depth, record.force, **options)
+            return Unloading(record.depth, record.force, segments=record.segments, **options)
     relative = section.number("relative_sd") if "relative_sd" in section else None
     if kind in _IN_TIME:
         if record.time is None:
@@ -354,7 +456,8 @@ def _record_data(section: Section, record: Record, kind: str) -> Data:
             if kind == "force-time":
                 return ForceTime(record.time, record.depth, record.force, sd=record.sd, relative_sd=relative)
             return DepthTime(record.time, record.force, record.depth, sd=record.sd, relative_sd=relative)
-    return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative)
+    branch = section.plain("branch") if "branch" in section else "both"
+    return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative, branch=None if branch == "both" else branch)
 
 
 def _has_deflection(section: Section, table: MeasuredTable) -> bool:

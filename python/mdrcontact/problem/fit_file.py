@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,11 +17,12 @@ from ..fitting.quantities import dimension_of
 from . import data as measured
 from . import indenter as indenters
 from . import medium as mediums
+from .formats import Fact
 from .record import Cantilever
 from .section import ProblemError, Section
 from .tip_file import with_calibration
 from .toml import parse_file
-from .units import COMPLIANCE, FORCE, LENGTH, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension
+from .units import COMPLIANCE, FORCE, LENGTH, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension, told
 
 _INSTRUMENT: Mapping[str, Dimension | None] = {
     "work_of_adhesion": WORK_OF_ADHESION,
@@ -45,6 +47,8 @@ _FIT: Mapping[str, Dimension | None] = {
     "joint_prior": None,
 }
 
+_APART = 0.01
+"""Of a number: more between two files is no rounding."""
 _JOINT: Mapping[str, Dimension | None] = {"names": None, "values": None, "sds": None, "correlation": None}
 
 
@@ -61,8 +65,29 @@ class FitFile(NamedTuple):
     data: Section
 
     def curves(self, path: Path) -> list[measured.Curve]:
-        """The curves of one file."""
-        return measured.curves(self.data, self.cantilever, path)
+        """The curves of one file, with a warning where it says another instrument than the problem."""
+        found = measured.curves(self.data, self.cantilever, path)
+        return [one._replace(read=partial(self._read, one)) for one in found]
+
+    def _read(self, curve: measured.Curve) -> tuple[Data, list[str]]:
+        data, notes = curve.read()
+        if curve.facts:
+            notes = [*notes, f"the file says: {', '.join(map(str, curve.facts))}"]
+        data.warnings += self._contradictions(curve.facts)
+        return data, notes
+
+    def _contradictions(self, facts: Sequence[Fact]) -> list[str]:
+        """What the file and the problem say of one number, where they differ."""
+        said = {"indenter.radius": getattr(self.indenter, "radius", None), "spring_constant": self.cantilever.spring_constant}
+        words = []
+        for fact in facts:
+            own = said.get(fact.name)
+            if own is not None and abs(own - fact.value) > _APART * abs(fact.value):
+                words.append(
+                    f"{fact.name} is {told(own, fact.dimension)} in the problem file and {told(fact.value, fact.dimension)} in the "
+                    "file of the instrument: one of them is wrong"
+                )
+        return words
 
     def read_data(self, path: Path) -> tuple[Data, list[str]]:
         """The data of a file with one curve, or of its first, and what was understood."""

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -12,16 +13,18 @@ from numpy.typing import NDArray
 from ..errors import MDRError
 from ..measurement import (
     PopIn,
+    Segment,
     depth_from_height,
     drift_rate,
     find_baseline,
     find_contact_point,
     find_pop_in,
-    find_segments,
     find_strays,
+    segmentation,
     without_drift,
 )
 from ..measurement.contact_point import METHODS, SOURCES
+from ..measurement.segments import joined
 from .section import ProblemError, Section
 from .units import FORCE, LENGTH, SPEED, told
 
@@ -60,19 +63,46 @@ class Record:
     sd: Array | None = None
     sign: int | None = None
     """of the height, 1 if it grows into the sample; None: to be found"""
-    segment: NDArray[np.int64] | None = None
-    """0 approach, 1 retract, others in between, as the file says it"""
     contact_points: dict[str, float] = field(default_factory=dict)
     """depth of first contact by each estimator, from the zero that is used"""
     also_free: tuple[str, ...] = ()
     """offsets that the fit finds, whether it names them or not"""
+    segments: Sequence[Segment] | None = None
+    """as the file says them; None: to be found from the readings"""
+    unused: list[tuple[Array, Array]] = field(default_factory=list)
+    """depths and forces that are not used"""
+    readings: int = 0
+    """in the file"""
+
+    def __post_init__(self) -> None:
+        self.readings = len(self.force)
 
     def keep(self, chosen: NDArray[np.bool_]) -> None:
         """Leaves out all other points."""
-        for name in ("depth", "force", "height", "time", "sd", "segment"):
+        if self.depth is not None:
+            self.unused.append((self.depth[~chosen], self.force[~chosen]))
+        for name in ("depth", "force", "height", "time", "sd"):
             values = getattr(self, name)
             if values is not None:
                 setattr(self, name, values[chosen])
+        if self.segments is not None:
+            before = np.concatenate([[0], np.cumsum(chosen)])
+            kept = (s._replace(start=int(before[s.start]), stop=int(before[s.stop])) for s in self.segments)
+            self.segments = joined(s for s in kept if s.stop > s.start)
+
+    def parts(self) -> tuple[Sequence[Segment], str]:
+        """The segments, and who says them."""
+        if self.segments is not None:
+            return self.segments, "segments as the file has them"
+        found = segmentation(_depth(self), self.force)
+        noise = f"noise {told(found.noise[0], LENGTH, 2)}, {told(found.noise[1], FORCE, 2)}"
+        if found.unsure:
+            noise += f"; unsure of {', '.join(str(found.segments[i].start) for i in found.unsure[:5])}, hardly more than it"
+        return found.segments, f"segments by their readings ({noise})"
+
+    def counts(self) -> str:
+        """How many readings are used."""
+        return f"{len(self.force)} of {self.readings} readings are used"
 
 
 def prepare(section: Section, cantilever: Cantilever, record: Record, kind: str) -> None:
@@ -135,9 +165,7 @@ def _subtract_drift(section: Section, record: Record) -> None:
         rate, error = section.quantity("drift"), 0.0
     else:
         largest = record.force.max()
-        holds = [
-            s for s in find_segments(depth, record.force) if s.kind == "hold" and np.median(record.force[s.points]) < 0.5 * largest
-        ]
+        holds = [s for s in record.parts()[0] if s.kind == "hold" and np.median(record.force[s.points]) < 0.5 * largest]
         if not holds:
             raise ProblemError(
                 '[data]: drift = "hold": there is no hold below half of the largest force; give the rate, as in "0.05 nm/s"'
@@ -230,19 +258,15 @@ def _mention_pop_in(record: Record) -> None:
 def _choose_branch(section: Section, record: Record) -> None:
     branch = section.choice("branch", BRANCHES, default="loading")
     kinds = ("loading", "unloading") if branch == "both" else (branch,)
+    segments, words = record.parts()
+    keep = np.zeros(len(record.force), dtype=bool)
     depth = _depth(record)
-    if record.segment is not None:
-        keep = np.isin(record.segment, [("loading", "unloading").index(kind) for kind in kinds])
-        words = "segments as the file has them"
-    else:
-        segments = find_segments(depth, record.force)
-        words = "segments by their readings: " + ", ".join(f"{s.kind} {s.start}-{s.stop - 1}" for s in segments)
-        keep = np.zeros(len(depth), dtype=bool)
-        for kind in kinds:
-            # the longest: others are overshoot and ripples
-            longest = max((s for s in segments if s.kind == kind), key=lambda s: float(np.ptp(depth[s.points])), default=None)
-            if longest is not None:
-                keep[longest.points] = True
+    for kind in kinds:
+        # the longest: others are overshoot and ripples
+        longest = max((s for s in segments if s.kind == kind), key=lambda s: float(np.ptp(depth[s.points])), default=None)
+        if longest is not None:
+            keep[longest.points] = True
+    words = f"{words}: {', '.join(f'{s.kind} {s.start}-{s.stop - 1}' for s in segments)}"
     if keep.sum() < 2:
         raise ProblemError(f"[data]: branch = {branch!r}: the curve has {int(keep.sum())} readings of it; {words}; loading goes up")
     record.keep(keep)
