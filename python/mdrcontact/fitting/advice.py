@@ -51,7 +51,7 @@ def _contact_point(result: FitResult) -> list[str]:
     """Where the estimators that looked at the record beforehand put first contact."""
     found = list(result.data.contact_points.values())
     apart, deepest = float(np.ptp(found or [0.0])), float(np.max(result.data.x)) - result.values["depth_offset"]
-    if not apart > _FAR_APART * deepest:
+    if not apart > max(_FAR_APART * deepest, 0.0):
         return []
     share = f"{100.0 * apart / deepest:.0f} % of the depth" if deepest > 0.0 else "more than the depth"
     what = "look at the curve" if "depth_offset" in result.names else "look at the curve, and leave depth_offset free"
