@@ -5,7 +5,15 @@ module mdrcontact_material
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: material_t, new_material, in_series
+    public :: material_t, moduli_t, new_material, in_series
+
+    !> What an isotropic material opposes to a load: real of an elastic one, complex of one that relaxes.
+    type :: moduli_t
+        !> G and E* = 2 G/(1 - nu) [modulus]
+        complex(wp) :: shear = 0.0_wp, contact = 0.0_wp
+        !> nu [1]
+        complex(wp) :: poisson = 0.0_wp
+    end type moduli_t
 
     !> E and nu, checked when it is made.
     type :: material_t
@@ -17,6 +25,7 @@ module mdrcontact_material
         procedure :: shear
         procedure :: contact
         procedure :: tangential
+        procedure :: moduli
     end type material_t
 
 contains
@@ -63,6 +72,14 @@ contains
 
         modulus = 4.0_wp*self%shear()/(2.0_wp - self%poisson)
     end function tangential
+
+    !> G, E* and nu.
+    elemental function moduli(self) result(values)
+        class(material_t), intent(in) :: self
+        type(moduli_t) :: values
+
+        values = moduli_t(cmplx(self%shear(), kind=wp), cmplx(self%contact(), kind=wp), cmplx(self%poisson, kind=wp))
+    end function moduli
 
     !> The modulus of two bodies under the same pressure, 1/E* = 1/E1* + 1/E2*. An infinite one is a rigid body and leaves the other
     !> as it is, to the last digit.

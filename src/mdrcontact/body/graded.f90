@@ -1,15 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A body with E(z) and nu(z) varying with depth: its constants at any depth, and its surface compliance by sublayers that thin
-!> towards the surface, each with its gradient.
+!> A body with E(z) and nu(z) varying with depth: its constants at any depth, and sublayers that thin towards the surface.
 !>
 !> Below the first, homogeneous sublayer (a negligible fraction of the gradient's depth) sublayers take a tenth of their
-!> depth, so that any wavelength sees the same number of them: those shallower than it through one power series, some forty more
-!> one by one.
+!> depth, so that any wavelength sees the same number of them.
 module mdrcontact_body_graded
     use mdrcontact_body, only: body_t
+    use mdrcontact_body_compliance, only: compliance_t, normal_load
+    use mdrcontact_body_gradation, only: gradation_t, new_gradation, nodes
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_body_gradient, only: anti_plane_rate, gradient_series, in_plane_rate, multiply_series, order, series_value
-    use mdrcontact_body_modes, only: half_space_compliance, layer_modes_t, new_layer_modes, reflected_part, transferred
     use mdrcontact_error, only: check_memory, check_poisson, check_positive, check_table, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
@@ -25,9 +23,6 @@ module mdrcontact_body_graded
 
     !> Growth of depth from one sublayer to the next, and the largest ratio of shear moduli within one.
     real(wp), parameter :: growth = 1.1_wp, largest_ratio = 1.3_wp
-    integer, parameter :: nodes = 10
-    !> Waves see sublayers through one series while k times their depth is at most `longest`, and nothing below `deepest`/k.
-    real(wp), parameter :: longest = 0.5_wp, deepest = 25.0_wp
     !> Octaves of depth above the first entry of a table, and in the range of a function, before the homogeneous top.
     integer, parameter :: table_octaves = 30, function_octaves = 50
     real(wp), parameter :: function_tolerance = 1.0e-13_wp
@@ -44,20 +39,11 @@ module mdrcontact_body_graded
         type(sampled_function_t), allocatable :: young_of, poisson_of
         !> depths of the sublayers' ends, 0 first [length]
         real(wp), allocatable :: ends(:)
-        !> series of each sublayer's transfer matrix, and of all from the surface to its end (4, 4, 0:order, sublayer)
-        real(wp), allocatable :: series(:, :, :, :), from_surface(:, :, :, :)
-        !> the same across the plane of the wave (2, 2, 0:order, sublayer)
-        real(wp), allocatable :: anti_plane(:, :, :, :), anti_plane_from_surface(:, :, :, :)
-        !> compliance of a half-space of the material at each end, relative to 1/(2 G) of the surface (2, 2, end)
-        real(wp), allocatable :: local(:, :, :)
-        type(layer_modes_t) :: top
     contains
         procedure :: constants
         procedure :: is_integrated_by
         procedure :: add_knots
-        procedure :: response
-        procedure :: in_plane_response
-        procedure :: anti_plane_response
+        procedure :: compliance => surface_compliance
         procedure :: sublayers
         procedure :: faces_through
         procedure :: copy_to
@@ -216,64 +202,52 @@ contains
         end do
     end function moments
 
-    !> Sublayers from a homogeneous one of thickness `first` down to the last knot, split at each.
+    !> Sublayers from a homogeneous one of thickness `first` down to the last knot, split at each; the numbers that every body has.
     subroutine build(self, first, error)
         type(graded_body_t), intent(inout) :: self
         real(wp), intent(in) :: first
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: antiderivative(nodes + 1, nodes), surface_shear, surface_nu, t(nodes), shear(nodes), nu(nodes), g, v
-        real(wp) :: in_plane(4, 4, nodes), anti_plane(2, 2, nodes)
+        real(wp) :: antiderivative(nodes + 1, nodes), t(nodes), shear(nodes), nu(nodes), g, v
         real(wp), allocatable :: knots(:)
-        integer :: i, j, n, stat
+        integer :: i, n
 
         call self%add_knots(knots, error)
         call new_antiderivative(t, antiderivative, error)
         if (.not. allocated(error)) call sublayer_ends(self, first, knots, t, antiderivative(nodes + 1, :), self%ends, error)
         if (allocated(error)) return
         n = size(self%ends) - 1
-        allocate (self%series(4, 4, 0:order, n), self%from_surface(4, 4, 0:order, n), self%local(2, 2, n), &
-                  self%anti_plane(2, 2, 0:order, n), self%anti_plane_from_surface(2, 2, 0:order, n), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        call self%constants(0.5_wp*first, surface_shear, surface_nu)
-        self%top = new_layer_modes(cmplx(surface_nu, kind=wp))
-        self%surface_material = material_t(2.0_wp*surface_shear*(1.0_wp + surface_nu), surface_nu)
-        self%surface_modulus = 2.0_wp*surface_shear/(1.0_wp - surface_nu)
+        call self%constants(0.5_wp*first, g, v)
+        self%surface_material = material_t(2.0_wp*g*(1.0_wp + v), v)
+        self%surface_modulus = 2.0_wp*g/(1.0_wp - v)
         self%softest = self%surface_material%young
         self%stiffest = self%softest
-        do i = 1, n
-            do j = 1, nodes
-                call self%constants(self%ends(i) + (self%ends(i + 1) - self%ends(i))*t(j), shear(j), nu(j))
-            end do
-            if (i == 1) shear = surface_shear
-            if (i == 1) nu = surface_nu
+        do i = 2, n
+            call constants_in(self, i, t, shear, nu)
             self%softest = min(self%softest, minval(2.0_wp*shear*(1.0_wp + nu)))
             self%stiffest = max(self%stiffest, maxval(2.0_wp*shear*(1.0_wp + nu)))
-            do j = 1, nodes
-                in_plane(:, :, j) = in_plane_rate(shear(j)/surface_shear, nu(j))
-                anti_plane(:, :, j) = anti_plane_rate(shear(j)/surface_shear)
-            end do
-            call gradient_series(antiderivative, self%ends(i + 1) - self%ends(i), in_plane, self%series(:, :, :, i))
-            call gradient_series(antiderivative, self%ends(i + 1) - self%ends(i), anti_plane, self%anti_plane(:, :, :, i))
-            self%from_surface(:, :, :, i) = self%series(:, :, :, i)
-            self%anti_plane_from_surface(:, :, :, i) = self%anti_plane(:, :, :, i)
-            if (i > 1) then
-                self%from_surface(:, :, :, i) = self%from_surface(:, :, :, i - 1)
-                call multiply_series(self%from_surface(:, :, :, i), self%series(:, :, :, i))
-                self%anti_plane_from_surface(:, :, :, i) = self%anti_plane_from_surface(:, :, :, i - 1)
-                call multiply_series(self%anti_plane_from_surface(:, :, :, i), self%anti_plane(:, :, :, i))
-            end if
-            call self%constants(self%ends(i + 1), g, v)
-            self%local(:, :, i) = real(half_space_compliance(cmplx(v, kind=wp)), wp)*(surface_shear/g)
         end do
         call self%constants(self%ends(n + 1), g, v)
         self%long_wave_limit = self%surface_modulus*(1.0_wp - v)/(2.0_wp*g)
-        self%anti_plane_limit = surface_shear/g
-        self%in_plane_limit = self%anti_plane_limit*(1.0_wp - v)/(1.0_wp - surface_nu)
         self%first_depth = self%ends(2)
         self%last_depth = self%ends(n + 1)
         self%is_graded = .true.
     end subroutine build
+
+    !> G and nu at nodes of a sublayer; the first one is homogeneous.
+    pure subroutine constants_in(self, sublayer, t, shear, poisson)
+        class(graded_body_t), intent(in) :: self
+        integer, intent(in) :: sublayer
+        !> parts of its thickness
+        real(wp), intent(in) :: t(:)
+        real(wp), intent(out) :: shear(:), poisson(:)
+        integer :: j
+
+        do j = 1, size(t)
+            associate (top => self%ends(sublayer), bottom => self%ends(sublayer + 1))
+                call self%constants(merge(0.5_wp*bottom, top + (bottom - top)*t(j), sublayer == 1), shear(j), poisson(j))
+            end associate
+        end do
+    end subroutine constants_in
 
     subroutine sublayer_ends(self, first, knots, places, weights, ends, error)
         class(graded_body_t), intent(in) :: self
@@ -320,7 +294,6 @@ contains
         class(body_t), allocatable, intent(out) :: copy
         type(error_t), allocatable, intent(inout) :: error
         type(graded_body_t), allocatable :: own
-        integer :: stat
 
         allocate (own)
         call own%take_numbers(self)
@@ -333,123 +306,34 @@ contains
             call self%young_of%copy_to(own%young_of, error)
             call self%poisson_of%copy_to(own%poisson_of, error)
         end if
-        call copy_series(self%series, own%series, error)
-        call copy_series(self%from_surface, own%from_surface, error)
-        call copy_series(self%anti_plane, own%anti_plane, error)
-        call copy_series(self%anti_plane_from_surface, own%anti_plane_from_surface, error)
-        if (allocated(error)) return
-        allocate (own%local, mold=self%local, stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        own%local(:, :, :) = self%local
-        own%top = self%top
         call move_alloc(own, copy)
     end subroutine copy_to
 
-    pure subroutine copy_series(from, to, error)
-        real(wp), allocatable, intent(in) :: from(:, :, :, :)
-        real(wp), allocatable, intent(out) :: to(:, :, :, :)
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
-
-        if (allocated(error)) return
-        allocate (to, mold=from, stat=stat)
-        call check_memory(error, stat)
-        if (stat == 0) to(:, :, :, :) = from
-    end subroutine copy_series
-
-    !> Under normal load.
-    pure subroutine response(self, k, sigma, chi)
+    subroutine surface_compliance(self, load, compliance, error)
         class(graded_body_t), intent(in) :: self
-        complex(wp), intent(in) :: k
-        complex(wp), intent(out) :: sigma, chi
-
-        call carry(self, k, 2, sigma, chi)
-    end subroutine response
-
-    !> Under shear in the plane of the wave.
-    pure subroutine in_plane_response(self, k, sigma, chi)
-        class(graded_body_t), intent(in) :: self
-        complex(wp), intent(in) :: k
-        complex(wp), intent(out) :: sigma, chi
-
-        call carry(self, k, 1, sigma, chi)
-    end subroutine in_plane_response
-
-    !> The sublayers that a wave sees: from `start` up one by one, those down to `seen` together.
-    pure subroutine find_sublayers(self, k, start, seen)
-        class(graded_body_t), intent(in) :: self
-        complex(wp), intent(in) :: k
-        integer, intent(out) :: start, seen
-
-        start = min(count(self%ends(2:)*real(k, wp) <= deepest) + 1, size(self%ends) - 1)
-        seen = min(count(self%ends(2:)*abs(k) <= longest), start)
-    end subroutine find_sublayers
-
-    !> Under shear across the plane of the wave.
-    pure subroutine anti_plane_response(self, k, sigma, chi)
-        class(graded_body_t), intent(in) :: self
-        complex(wp), intent(in) :: k
-        complex(wp), intent(out) :: sigma, chi
-        complex(wp) :: compliance, fall, rise
-        integer :: i, start, seen
-
-        call find_sublayers(self, k, start, seen)
-        ! (1, 1) + (1, 2) of a half-space in the plane is -1/G, what it is across it
-        compliance = self%local(1, 1, start) + self%local(1, 2, start)
-        do i = start, max(seen, 1) + 1, -1
-            compliance = carried(series_value(self%anti_plane(:, :, :, i), k), compliance)
-        end do
-        if (seen > 0) then
-            sigma = -carried(series_value(self%anti_plane_from_surface(:, :, :, seen), k), compliance)
-            chi = sigma - 1.0_wp
-        else
-            fall = exp(-2.0_wp*k*self%ends(2))
-            fall = 2.0_wp*fall/(1.0_wp + fall)
-            rise = tanh(k*self%ends(2))
-            sigma = (rise - compliance)/(1.0_wp - compliance*rise)
-            chi = -(1.0_wp + compliance)*fall/(1.0_wp - compliance*rise)
-        end if
-
-    contains
-
-        pure function carried(p, below) result(above)
-            complex(wp), intent(in) :: p(2, 2), below
-            complex(wp) :: above
-
-            above = (p(1, 1)*below + p(1, 2))/(p(2, 1)*below + p(2, 2))
-        end function carried
-
-    end subroutine anti_plane_response
-
-    !> The compliance carried up from where waves end, or from the homogeneous body below.
-    pure subroutine carry(self, k, load, sigma, chi)
-        class(graded_body_t), intent(in) :: self
-        complex(wp), intent(in) :: k
-        !> the traction and its displacement: 1 in the plane, 2 normal to the surface
         integer, intent(in) :: load
-        complex(wp), intent(out) :: sigma, chi
-        complex(wp) :: compliance(2, 2)
-        real(wp) :: scale
-        integer :: i, start, seen
+        class(compliance_t), allocatable, intent(out) :: compliance
+        type(error_t), allocatable, intent(inout) :: error
+        type(gradation_t), allocatable :: own
+        real(wp), allocatable :: shear(:, :), poisson(:, :), end_shear(:), end_poisson(:)
+        real(wp) :: antiderivative(nodes + 1, nodes), t(nodes)
+        integer :: i, n, stat
 
-        call find_sublayers(self, k, start, seen)
-        compliance = self%local(:, :, start)
-        do i = start, max(seen, 1) + 1, -1
-            compliance = transferred(series_value(self%series(:, :, :, i), k), compliance)
+        n = size(self%ends) - 1
+        call new_antiderivative(t, antiderivative, error)
+        if (allocated(error)) return
+        allocate (own)
+        allocate (shear(nodes, n), poisson(nodes, n), end_shear(n), end_poisson(n), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        do i = 1, n
+            call constants_in(self, i, t, shear(:, i), poisson(:, i))
+            call self%constants(self%ends(i + 1), end_shear(i), end_poisson(i))
         end do
-        scale = real(self%top%half_space(load, load), wp)
-        if (seen > 0) then
-            compliance = transferred(series_value(self%from_surface(:, :, :, seen), k), compliance)
-            sigma = compliance(load, load)/scale
-            chi = sigma - 1.0_wp
-        else
-            compliance = reflected_part(self%top, k*self%ends(2), compliance)
-            chi = compliance(load, load)/scale
-            sigma = 1.0_wp + chi
-        end if
-    end subroutine carry
-
+        call new_gradation(own, load, self%ends, shear, poisson, end_shear, end_poisson, error)
+        if (load == normal_load) own%at_zero = self%long_wave_limit
+        call move_alloc(own, compliance)
+    end subroutine surface_compliance
     !> None.
     pure subroutine sublayers(self, layers, error)
         class(graded_body_t), intent(in) :: self

@@ -2,11 +2,12 @@
 !> A stack of bonded isotropic layers on an elastic half-space or a rigid base, as a surface compliance (theory 6).
 module mdrcontact_body_stack
     use mdrcontact_body, only: body_t
+    use mdrcontact_body_chain, only: chain_t, new_chain
+    use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_body_surface, only: new_surface, surface_t
     use mdrcontact_error, only: check_memory, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_material, only: material_t
+    use mdrcontact_material, only: material_t, moduli_t
     use mdrcontact_numerics_copy, only: copy_array
     implicit none (type, external)
     private
@@ -22,15 +23,8 @@ module mdrcontact_body_stack
         type(material_t) :: substrate
         !> whether the layers lie on a rigid base; the substrate is then not used
         logical :: rigid_base = .false.
-        !> the same with neighbours of one material joined, none if the body is homogeneous: their surface compliance, and shear
-        !> moduli relative to the first layer's
-        type(surface_t) :: surface
-        real(wp), allocatable, private :: shear(:)
     contains
-        procedure :: response
-        procedure :: in_plane_response
-        procedure :: anti_plane_response
-        procedure :: ratios
+        procedure :: compliance => surface_compliance
         procedure :: sublayers
         procedure :: copy_to
     end type stack_t
@@ -50,9 +44,8 @@ contains
         !> bonded to a rigid base instead of the substrate, which is then ignored; default false. At least one layer then.
         logical, intent(in), optional :: rigid_base
         type(material_t), allocatable :: kept(:)
-        type(material_t) :: surface
         real(wp), allocatable :: kept_thickness(:)
-        complex(wp), allocatable :: shear(:), poisson(:)
+        type(material_t) :: surface
         logical :: rigid
         integer :: i, count, stat
 
@@ -64,66 +57,67 @@ contains
         else if (rigid .and. size(layers) == 0) then
             call raise(error, error_invalid, "layers is empty: a rigid base must carry at least one layer")
         end if
-        if (allocated(error)) return
-        count = size(layers)
-        allocate (kept(count), kept_thickness(count), shear(count + 1), poisson(count + 1), self%layers(count), &
-                  self%thickness(count), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        count = 0
         do i = 1, size(layers)
+            if (allocated(error)) return
             call check_positive(error, "thickness", thickness(i))
             call check_positive(error, "E of a layer", layers(i)%young)
-            if (allocated(error)) return
-            if (count > 0) then
-                if (same(layers(i), kept(count))) then
-                    kept_thickness(count) = kept_thickness(count) + thickness(i)
-                    cycle
-                end if
-            end if
-            count = count + 1
-            kept(count) = layers(i)
-            kept_thickness(count) = thickness(i)
         end do
-        if (.not. rigid) then
-            call check_positive(error, "E of the substrate", substrate%young)
-            if (allocated(error)) return
-            if (count > 0) then
-                if (same(substrate, kept(count))) count = count - 1
-            end if
-        end if
-
-        allocate (self%shear(count), stat=stat)
+        if (.not. rigid) call check_positive(error, "E of the substrate", substrate%young)
+        if (allocated(error)) return
+        allocate (self%layers(size(layers)), self%thickness(size(layers)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         self%layers(:) = layers
         self%thickness(:) = thickness
         self%substrate = substrate
         self%rigid_base = rigid
-        surface = substrate
-        if (count > 0) surface = kept(1)
+        call join(self, count, kept, kept_thickness, error)
+        if (allocated(error)) return
+        surface = kept(1)
         self%surface_material = surface
         self%surface_modulus = surface%contact()
-        do i = 1, count
-            self%shear(i) = kept(i)%shear()/surface%shear()
-            shear(i) = kept(i)%shear()
-            poisson(i) = kept(i)%poisson
-        end do
-        shear(count + 1) = substrate%shear()
-        poisson(count + 1) = substrate%poisson
-        call new_surface(self%surface, shear(:count + 1), poisson(:count + 1), kept_thickness(:count), rigid, error)
-        if (allocated(error)) return
         if (count > 0) self%first_depth = kept_thickness(1)
-        self%last_depth = self%surface%depth
+        self%last_depth = sum(kept_thickness(:count))
         self%softest = minval(layers%young)
         self%stiffest = maxval(layers%young)
         if (rigid) return
         self%softest = min(self%softest, substrate%young)
         self%stiffest = max(self%stiffest, substrate%young)
         self%long_wave_limit = surface%contact()/substrate%contact()
-        self%anti_plane_limit = surface%shear()/substrate%shear()
-        self%in_plane_limit = self%anti_plane_limit*(1.0_wp - substrate%poisson)/(1.0_wp - surface%poisson)
     end subroutine new_stack
+
+    !> The layers with neighbours of one material joined, and the substrate after them.
+    pure subroutine join(self, count, materials, thickness, error)
+        class(stack_t), intent(in) :: self
+        !> of the joined layers: 0 if the body is homogeneous
+        integer, intent(out) :: count
+        !> the first count + 1, the last of them not used if the base is rigid, and the first count
+        type(material_t), allocatable, intent(out) :: materials(:)
+        real(wp), allocatable, intent(out) :: thickness(:)
+        type(error_t), allocatable, intent(inout) :: error
+        logical :: is_new
+        integer :: i, stat
+
+        count = 0
+        allocate (materials(size(self%layers) + 1), thickness(size(self%layers)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        do i = 1, size(self%layers)
+            is_new = count == 0
+            if (.not. is_new) is_new = .not. same(self%layers(i), materials(count))
+            if (is_new) then
+                count = count + 1
+                materials(count) = self%layers(i)
+                thickness(count) = self%thickness(i)
+            else
+                thickness(count) = thickness(count) + self%thickness(i)
+            end if
+        end do
+        if (count > 0 .and. .not. self%rigid_base) then
+            if (same(self%substrate, materials(count))) count = count - 1
+        end if
+        materials(count + 1) = self%substrate
+    end subroutine join
 
     subroutine copy_to(self, copy, error)
         class(stack_t), intent(in) :: self
@@ -137,8 +131,6 @@ contains
         own%substrate = self%substrate
         own%rigid_base = self%rigid_base
         call copy_array(self%thickness, own%thickness, error)
-        call copy_array(self%shear, own%shear, error)
-        call self%surface%copy_to(own%surface, error)
         if (allocated(error)) return
         allocate (own%layers(size(self%layers)), stat=stat)
         call check_memory(error, stat)
@@ -154,66 +146,30 @@ contains
         answer = one%young == other%young .and. one%poisson == other%poisson
     end function same
 
-    !> Under normal load.
-    pure subroutine response(self, k, sigma, chi)
+    subroutine surface_compliance(self, load, compliance, error)
         class(stack_t), intent(in) :: self
-        complex(wp), intent(in) :: k
-        complex(wp), intent(out) :: sigma, chi
-
-        call self%surface%normal_response(k, sigma, chi)
-    end subroutine response
-
-    !> Under shear in the plane of the wave.
-    pure subroutine in_plane_response(self, k, sigma, chi)
-        class(stack_t), intent(in) :: self
-        complex(wp), intent(in) :: k
-        complex(wp), intent(out) :: sigma, chi
-
-        call self%surface%in_plane_response(k, sigma, chi)
-    end subroutine in_plane_response
-
-    !> Under shear across the plane: y = k C_T G of a layer goes from its bottom to its top as (y + tanh kh)/(1 + y tanh kh).
-    pure subroutine anti_plane_response(self, k, sigma, chi)
-        class(stack_t), intent(in) :: self
-        complex(wp), intent(in) :: k
-        complex(wp), intent(out) :: sigma, chi
-        complex(wp) :: below, fall, rise
-        integer :: i, seen
-
-        sigma = 1.0_wp
-        chi = 0.0_wp
-        below = self%anti_plane_limit
-        seen = self%surface%layers_seen(k)
-        if (seen < size(self%surface%h)) below = 1.0_wp/self%shear(seen + 1)
-        do i = seen, 1, -1
-            below = self%shear(i)*below
-            ! 1 - tanh, and tanh
-            fall = exp(-2.0_wp*k*self%surface%h(i))
-            fall = 2.0_wp*fall/(1.0_wp + fall)
-            rise = tanh(k*self%surface%h(i))
-            sigma = (below + rise)/(1.0_wp + below*rise)
-            chi = (below - 1.0_wp)*fall/(1.0_wp + below*rise)
-            below = sigma/self%shear(i)
-        end do
-    end subroutine anti_plane_response
-
-    pure subroutine ratios(self, values, error)
-        class(stack_t), intent(in) :: self
-        real(wp), allocatable, intent(out) :: values(:)
+        integer, intent(in) :: load
+        class(compliance_t), allocatable, intent(out) :: compliance
         type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
+        type(material_t), allocatable :: materials(:)
+        real(wp), allocatable :: thickness(:)
+        type(chain_t), allocatable :: chain
+        type(moduli_t), allocatable :: moduli(:)
+        integer :: i, count, stat
 
-        allocate (values(3*size(self%surface%h) + 5), stat=stat)
+        allocate (chain)
+        call join(self, count, materials, thickness, error)
+        if (allocated(error)) return
+        allocate (moduli(count + 1), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        associate (n => size(self%surface%h))
-            if (n > 0) values(:n) = self%surface%h/self%surface%h(1)
-            values(n + 1:2*n) = self%shear
-            values(2*n + 1:3*n) = real(self%surface%modes%poisson, wp)
-            values(3*n + 1:3*n + 4) = real([self%surface%base(:, 1), self%surface%base(:, 2)], wp)
-            values(3*n + 5) = self%long_wave_limit
-        end associate
-    end subroutine ratios
+        do i = 1, size(moduli)
+            moduli(i) = materials(i)%moduli()
+        end do
+        call new_chain(chain, load, thickness(:count), moduli, self%rigid_base, error)
+        if (load == normal_load) chain%at_zero = self%long_wave_limit
+        call move_alloc(chain, compliance)
+    end subroutine surface_compliance
 
     !> The layers as they were given.
     pure subroutine sublayers(self, layers, error)

@@ -5,10 +5,12 @@
 !> The first part is local in x. The times of the second are common to all k, spread over those of the materials, and R_m(k) are
 !> found by least squares from elastic compliances at real s.
 module mdrcontact_history_relaxation_memory
-    use mdrcontact_body_surface, only: new_surface, surface_t
+    use mdrcontact_body_chain, only: chain_t, new_chain
+    use mdrcontact_body_compliance, only: normal_load
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgels
+    use mdrcontact_material, only: moduli_t
     use mdrcontact_material_prony, only: creep_of, creep_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
@@ -84,29 +86,22 @@ contains
     end subroutine new_memory
 
     !> chi(k)/E0* at real s.
-    pure subroutine find_compliance(medium, s, k, values, error)
+    subroutine find_compliance(medium, s, k, values, error)
         type(viscoelastic_t), intent(in) :: medium
         real(wp), intent(in) :: s, k(:)
         !> same size as k
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp), dimension(size(medium%thickness) + 1) :: shear, poisson
-        complex(wp) :: sigma, chi
-        type(surface_t) :: surface
-        integer :: i, n
+        type(moduli_t) :: moduli(size(medium%thickness) + 1)
+        complex(wp), dimension(size(k)) :: sigma, chi
+        type(chain_t) :: chain
 
-        n = size(medium%materials)
-        shear = 1.0_wp
-        poisson = 0.0_wp
-        shear(:n) = medium%materials%complex_shear(cmplx(s, kind=wp))
-        poisson(:n) = medium%materials%complex_poisson(cmplx(s, kind=wp))
         values = 0.0_wp
-        call new_surface(surface, shear, poisson, medium%thickness, medium%rigid_base, error)
+        moduli = medium%moduli_at(cmplx(s, kind=wp))
+        call new_chain(chain, normal_load, medium%thickness, moduli, medium%rigid_base, error)
         if (allocated(error)) return
-        do i = 1, size(k)
-            call surface%normal_response(cmplx(k(i), kind=wp), sigma, chi)
-            values(i) = real(chi*(1.0_wp - poisson(1))/(2.0_wp*shear(1)), wp)
-        end do
+        call chain%chi(cmplx(k, kind=wp), sigma, chi)
+        values = real(chi*(1.0_wp - moduli(1)%poisson)/(2.0_wp*moduli(1)%shear), wp)
     end subroutine find_compliance
 
     !> Panels of wavenumbers that grow from where all layers together are seen, and resolve the widest contact.

@@ -2,14 +2,17 @@
 !> The contact stiffness k(a; s) of a viscoelastic body at constant contact radius (theory of time 4): at s = i omega the dynamic
 !> stiffness, its inverse Laplace transform the answer of a flat punch to a step.
 module mdrcontact_history_relaxation_stiffness
-    use mdrcontact_body_harmonic, only: harmonic_memory_t, harmonic_t, new_harmonic
+    use mdrcontact_body_chain, only: chain_t, new_chain
+    use mdrcontact_body_compliance, only: normal_load
     use mdrcontact_contact, only: contact_t
     use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
                                 raise_at, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
+    use mdrcontact_layered_part, only: new_part, part_memory_t, part_t
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
     use mdrcontact_layered_stiffness, only: relative_stiffness
+    use mdrcontact_material, only: moduli_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_model, only: models
     implicit none (type, external)
@@ -148,12 +151,14 @@ contains
         real(wp), intent(in) :: radius
         complex(wp), intent(out) :: value
         type(error_t), allocatable, intent(inout) :: error
+        type(moduli_t) :: moduli
         real(wp) :: modulus(1)
 
         value = 0.0_wp
         associate (top => medium%materials(1))
             if (size(medium%thickness) == 0) then
-                value = 2.0_wp*radius*contact_modulus(top%complex_shear(s), top%complex_poisson(s))
+                moduli = top%moduli_at(s)
+                value = 2.0_wp*radius*moduli%contact
             else if (medium%is_proportional) then
                 call medium%reference%modulus([radius], modulus, error)
                 if (allocated(error)) return
@@ -170,36 +175,23 @@ contains
         end associate
     end subroutine stiffness_at
 
-    pure function contact_modulus(shear, poisson) result(modulus)
-        complex(wp), intent(in) :: shear, poisson
-        complex(wp) :: modulus
-
-        modulus = 2.0_wp*shear/(1.0_wp - poisson)
-    end function contact_modulus
-
     !> The two kernels at s.
     subroutine prepare(medium, at, s, error)
         type(viscoelastic_t), intent(in) :: medium
         type(stiffness_t), intent(inout) :: at
         complex(wp), intent(in) :: s
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: shear(size(medium%thickness) + 1), poisson(size(medium%thickness) + 1)
-        type(harmonic_t) :: body
-        type(harmonic_memory_t), target :: memory
-        integer :: n, part
+        type(chain_t), target :: chain
+        type(part_t) :: part
+        type(part_memory_t), target :: memory
+        integer :: i
 
-        n = size(medium%materials)
-        shear = 1.0_wp
-        poisson = 0.0_wp
-        shear(:n) = medium%materials%complex_shear(s)
-        poisson(:n) = medium%materials%complex_poisson(s)
-        at%surface_modulus = contact_modulus(shear(1), poisson(1))
         at%s = 0.0_wp
-        call new_harmonic(body, memory, shear, poisson, medium%thickness, medium%rigid_base, error)
-        if (allocated(error)) return
-        do part = 1, 2
-            call body%take_part(part == 2)
-            call shared_kernel(at%shared, body, at%parts(part), error, allowed_misfit)
+        call new_chain(chain, normal_load, medium%thickness, medium%moduli_at(s), medium%rigid_base, error)
+        at%surface_modulus = chain%scale
+        do i = 1, 2
+            call new_part(part, chain, i == 2, memory, error)
+            if (.not. allocated(error)) call shared_kernel(at%shared, part, at%parts(i), error, allowed_misfit)
             if (allocated(error)) return
         end do
         at%s = s

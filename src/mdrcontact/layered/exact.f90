@@ -6,7 +6,7 @@
 module mdrcontact_layered_exact
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use mdrcontact_body, only: body_t
-    use mdrcontact_body_sheared, only: new_sheared_body, new_twisted_body, sheared_body_t
+    use mdrcontact_body_compliance, only: compliance_t, normal_load, shear_load, twist_load
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_memory, check_within, error_invalid, error_t, raise, to_text
     use mdrcontact_field_load, only: load_t
@@ -94,27 +94,40 @@ contains
         real(wp), intent(in), optional :: tolerance
         !> what this medium has in common with others made before it, which then costs less
         type(layered_shared_t), intent(inout), optional :: shared
-        type(layered_shared_t) :: own
 
-        call disable_gsl_abort()
         if (present(tolerance)) then
             call check_within(error, "tolerance", tolerance, smallest_tolerance, largest_tolerance)
             if (allocated(error)) return
             self%tolerance = tolerance
         end if
-        call body%copy_to(self%pressed, error)
+        call solve_body(self, body, normal_load, error, shared)
+        if (.not. allocated(error)) call body%copy_to(self%pressed, error)
+    end subroutine new_exact_from_body
+
+    !> The kernel of a body under a load, and what follows from it.
+    subroutine solve_body(self, body, load, error, shared)
+        type(layered_exact_t), intent(inout) :: self
+        class(body_t), intent(in) :: body
+        integer, intent(in) :: load
+        type(error_t), allocatable, intent(inout) :: error
+        type(layered_shared_t), intent(inout), optional :: shared
+        type(layered_shared_t) :: own
+        class(compliance_t), allocatable :: compliance
+
+        call disable_gsl_abort()
+        call body%compliance(load, compliance, error)
         if (allocated(error)) return
-        self%surface_modulus = body%surface_modulus
+        self%surface_modulus = real(compliance%scale, wp)
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (allocated(error)) return
         if (present(shared)) then
-            call shared_kernel(shared, self%pressed, self%kernel, error)
+            call shared_kernel(shared, compliance, self%kernel, error)
         else
-            call shared_kernel(own, self%pressed, self%kernel, error)
+            call shared_kernel(own, compliance, self%kernel, error)
         end if
-        self%largest_radius = merge(largest_homogeneous, largest_ratio*body%last_depth, self%kernel%vanishes)
+        self%largest_radius = merge(largest_homogeneous, largest_ratio*compliance%last_depth, self%kernel%vanishes)
         self%surface_contrast = contrast_of(self%kernel)
-    end subroutine new_exact_from_body
+    end subroutine solve_body
 
     !> A stack of bonded layers on an elastic half-space or a rigid base: the arguments of new_stack and those above.
     subroutine new_exact_from_layers(self, layers, thickness, substrate, error, tolerance, rigid_base, shared)
@@ -452,44 +465,39 @@ contains
         type(layered_exact_t), allocatable :: own
 
         allocate (own)
-        call new_under_shear(own, self, .false., error)
+        call new_under_load(own, self, shear_load, error)
         if (.not. allocated(error)) call move_alloc(own, tangential)
     end subroutine new_tangential
 
-    !> The medium under shear in one direction, or around the axis.
-    subroutine new_under_shear(medium, normal, twisted, error)
+    !> The same bodies under another load.
+    subroutine new_under_load(medium, normal, load, error)
         type(layered_exact_t), intent(out) :: medium
         class(layered_exact_t), intent(in) :: normal
-        logical, intent(in) :: twisted
+        integer, intent(in) :: load
         type(error_t), allocatable, intent(inout) :: error
         type(layered_exact_t) :: lower, upper
 
         if (allocated(normal%parts)) then
-            call new_body_under_shear(lower, normal%tolerance, normal%pressed, normal%parts(lower_body)%share, twisted, error)
+            call new_body_under_load(lower, normal%tolerance, normal%pressed, normal%parts(lower_body)%share, load, error)
             if (allocated(error)) return
-            call new_body_under_shear(upper, normal%tolerance, normal%counterbody, normal%parts(upper_body)%share, twisted, error)
+            call new_body_under_load(upper, normal%tolerance, normal%counterbody, normal%parts(upper_body)%share, load, error)
             if (.not. allocated(error)) call new_exact_pair(medium, lower, upper, error)
         else
-            call new_body_under_shear(medium, normal%tolerance, normal%pressed, 1.0_wp, twisted, error)
+            call new_body_under_load(medium, normal%tolerance, normal%pressed, 1.0_wp, load, error)
         end if
-    end subroutine new_under_shear
+    end subroutine new_under_load
 
-    subroutine new_body_under_shear(medium, tolerance, body, share, twisted, error)
+    subroutine new_body_under_load(medium, tolerance, body, share, load, error)
         type(layered_exact_t), intent(out) :: medium
         class(body_t), allocatable, intent(in) :: body
         !> relative tolerance, and part of the compliance, 0 if the body is rigid
         real(wp), intent(in) :: tolerance, share
-        logical, intent(in) :: twisted
+        integer, intent(in) :: load
         type(error_t), allocatable, intent(inout) :: error
-        type(sheared_body_t) :: sheared
 
         if (allocated(body)) then
-            if (twisted) then
-                call new_twisted_body(sheared, body, error)
-            else
-                call new_sheared_body(sheared, body, error)
-            end if
-            if (.not. allocated(error)) call new_exact_from_body(medium, sheared, error, tolerance)
+            medium%tolerance = tolerance
+            call solve_body(medium, body, load, error)
         else if (share > 0.0_wp) then
             call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
                        "not known: give E and nu")
@@ -497,7 +505,7 @@ contains
             medium%surface_modulus = ieee_value(1.0_wp, ieee_positive_inf)
             medium%tolerance = largest_tolerance
         end if
-    end subroutine new_body_under_shear
+    end subroutine new_body_under_load
 
     subroutine torsional_stiffness(self, a, values, error)
         class(layered_exact_t), intent(in) :: self
@@ -509,7 +517,7 @@ contains
         integer :: i
 
         values = 0.0_wp
-        call new_under_shear(twisted, self, .true., error)
+        call new_under_load(twisted, self, twist_load, error)
         do i = 1, size(a)
             if (allocated(error)) return
             call relative_stiffness([twisted%kernel], a(i), self%tolerance, .true., ratio, error)

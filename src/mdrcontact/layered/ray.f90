@@ -2,7 +2,7 @@
 !> The surface compliance chi(k) of one body on a ray of complex wavenumbers, octave by octave, downwards as far as it matters.
 module mdrcontact_layered_ray
     use mdrcontact_kinds, only: wp
-    use mdrcontact_body, only: body_t
+    use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_layered_waves, only: first_wave, order, panel_nodes, wave_table_t
     implicit none (type, external)
     private
@@ -41,18 +41,18 @@ contains
     !> Fills the octaves that positions up to the unit need; `more` octaves may follow below them.
     subroutine start_ray(ray, surface, unit, table, more)
         type(ray_t), intent(out) :: ray
-        class(body_t), intent(in) :: surface
+        class(compliance_t), intent(in) :: surface
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         integer, intent(in) :: more
-        complex(wp) :: sigma, chi
+        complex(wp) :: sigma(1), chi(1)
         real(wp) :: largest
         integer :: i, latest
 
-        ray%chi_zero = surface%long_wave_limit - 1.0_wp
+        ray%chi_zero = real(surface%at_zero, wp) - 1.0_wp
         do i = -2, 1000
-            call surface%response(table%direction*(scale(1.0_wp, i)/unit), sigma, chi)
-            if (abs(chi)*scale(1.0_wp, i) < 1.0e-20_wp) exit
+            call surface%chi([table%direction*(scale(1.0_wp, i)/unit)], sigma, chi)
+            if (abs(chi(1))*scale(1.0_wp, i) < 1.0e-20_wp) exit
         end do
         ray%top = i
         ray%bottom = i + 1
@@ -73,7 +73,7 @@ contains
     !> Fills octaves down to `bottom`.
     subroutine extend_ray(ray, surface, unit, table, bottom)
         type(ray_t), intent(inout) :: ray
-        class(body_t), intent(in) :: surface
+        class(compliance_t), intent(in) :: surface
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         integer, intent(in) :: bottom
@@ -81,10 +81,10 @@ contains
         real(wp) :: base, sigma_zero
         integer :: i, octave
 
-        sigma_zero = surface%long_wave_limit
+        sigma_zero = real(surface%at_zero, wp)
         do octave = ray%bottom - 1, bottom, -1
             base = scale(1.0_wp, octave)
-            call surface%responses(table%direction*(base*table%nodes/unit), sigma, chi)
+            call surface%chi(table%direction*(base*table%nodes/unit), sigma, chi)
             change = sigma - sigma_zero
             if (octave >= negligible_octave) ray%weighted_chi(:, octave) = base*table%weights*table%direction*chi
             ray%weighted_change(:, octave) = base*table%weights*table%direction*change
@@ -144,7 +144,7 @@ contains
     !> Whether the integral of chi along the ray equals that along the real axis: no pole lies between them.
     subroutine path_holds(ray, surface, unit, table, holds)
         type(ray_t), intent(inout) :: ray
-        class(body_t), intent(in) :: surface
+        class(compliance_t), intent(in) :: surface
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         logical, intent(out) :: holds
@@ -156,7 +156,7 @@ contains
         allocate (ray%on_axis(size(table%nodes), ray%lowest:ray%top))
         do octave = ray%lowest, ray%top
             base = scale(1.0_wp, octave)
-            call surface%responses(cmplx(base*table%nodes/unit, 0.0_wp, wp), sigma, chi)
+            call surface%chi(cmplx(base*table%nodes/unit, 0.0_wp, wp), sigma, chi)
             ray%on_axis(:, octave) = base*table%weights*real(chi, wp)
             ray%largest = max(ray%largest, maxval(abs(real(chi, wp))))
         end do

@@ -5,7 +5,7 @@ module mdrcontact_layered_shared
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_body, only: body_t
+    use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_layered_tabulate, only: attempts, elastic_misfit, tabulate_kernel
     use mdrcontact_layered_waves, only: wave_table_t
     implicit none (type, external)
@@ -15,10 +15,10 @@ module mdrcontact_layered_shared
     !> A trial, its neighbours in two moduli, and the trial before.
     integer, parameter :: most_kernels = 4
 
-    !> A kernel and the ratios that determine it.
+    !> A kernel and the numbers that determine it.
     type :: kept_kernel_t
         type(kernel_t) :: kernel
-        real(wp), allocatable :: ratios(:)
+        real(wp), allocatable :: key(:)
     end type kept_kernel_t
 
     !> Empty at first, and filled as media are made. Not for several threads at a time.
@@ -33,19 +33,19 @@ module mdrcontact_layered_shared
 
 contains
 
-    !> The kernel of a body: that of one made before where both are the same but for their size.
+    !> The kernel of a compliance: that of one made before where both are the same but for their size.
     subroutine shared_kernel(shared, surface, kernel, error, allowed)
         type(layered_shared_t), intent(inout) :: shared
-        class(body_t), intent(in) :: surface
+        class(compliance_t), intent(in) :: surface
         type(kernel_t), intent(out) :: kernel
         type(error_t), allocatable, intent(out) :: error
         !> by how much the table may miss chi, in parts of its largest value; default: as little as of an elastic body
         real(wp), intent(in), optional :: allowed
-        real(wp), allocatable :: ratios(:)
+        real(wp), allocatable :: key(:)
         real(wp) :: misfit
         integer :: i, stat
 
-        call surface%ratios(ratios, error)
+        call surface%key(key, error)
         if (allocated(error)) return
         if (.not. allocated(shared%kernels)) then
             allocate (shared%tables(attempts), shared%kernels(most_kernels), stat=stat)
@@ -53,30 +53,30 @@ contains
             if (stat /= 0) return
         end if
         do i = 1, most_kernels
-            if (is_same(shared%kernels(i), ratios)) exit
+            if (is_same(shared%kernels(i), key)) exit
         end do
         if (i > most_kernels) then
             i = shared%oldest
-            if (allocated(shared%kernels(i)%ratios)) deallocate (shared%kernels(i)%ratios)
+            if (allocated(shared%kernels(i)%key)) deallocate (shared%kernels(i)%key)
             misfit = elastic_misfit
             if (present(allowed)) misfit = allowed
             call tabulate_kernel(shared%kernels(i)%kernel, surface, shared%tables, misfit, error)
             if (allocated(error)) return
-            call move_alloc(ratios, shared%kernels(i)%ratios)
+            call move_alloc(key, shared%kernels(i)%key)
             shared%oldest = modulo(i, most_kernels) + 1
         end if
         kernel = shared%kernels(i)%kernel
         if (.not. kernel%vanishes) kernel%unit = surface%first_depth
     end subroutine shared_kernel
 
-    pure function is_same(kept, ratios) result(answer)
+    pure function is_same(kept, key) result(answer)
         type(kept_kernel_t), intent(in) :: kept
-        real(wp), intent(in) :: ratios(:)
+        real(wp), intent(in) :: key(:)
         logical :: answer
 
         answer = .false.
-        if (.not. allocated(kept%ratios) .or. size(ratios) == 0) return
-        if (size(kept%ratios) == size(ratios)) answer = all(kept%ratios == ratios)
+        if (.not. allocated(kept%key) .or. size(key) == 0) return
+        if (size(kept%key) == size(key)) answer = all(kept%key == key)
     end function is_same
 
 end module mdrcontact_layered_shared

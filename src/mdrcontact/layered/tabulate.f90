@@ -6,7 +6,7 @@
 !> chi(k): X keeps its relative precision in its tail. Near the origin X(y) - X(0) is integrated instead, along the real axis.
 !> Wavenumbers and positions both run in octaves, so one small table of exp(iky) serves all pairs of octaves.
 module mdrcontact_layered_tabulate
-    use mdrcontact_body, only: body_t
+    use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: pi, wp
@@ -35,10 +35,10 @@ module mdrcontact_layered_tabulate
 
 contains
 
-    !> The table of X for a body.
+    !> The table of X for a compliance that is real on the real axis.
     subroutine tabulate_kernel(kernel, surface, tables, allowed, error)
         type(kernel_t), intent(out) :: kernel
-        class(body_t), intent(in) :: surface
+        class(compliance_t), intent(in) :: surface
         !> what bodies share; filled as far as it is needed
         type(wave_table_t), intent(inout) :: tables(attempts)
         !> by how much it may miss chi, in parts of its largest value
@@ -52,7 +52,7 @@ contains
         if (kernel%vanishes) return
         kernel%unit = surface%first_depth
         kernel%resolved = merge(1.0_wp, huge(1.0_wp), surface%last_depth <= coarse*kernel%unit)
-        kernel%sigma_zero = surface%long_wave_limit
+        kernel%sigma_zero = real(surface%at_zero, wp)
         do attempt = 1, attempts
             call check_cancelled(error)
             if (allocated(error)) return
@@ -73,7 +73,7 @@ contains
     subroutine fill_table(kernel, ray, surface, table, error)
         type(kernel_t), intent(inout) :: kernel
         type(ray_t), intent(inout) :: ray
-        class(body_t), intent(in) :: surface
+        class(compliance_t), intent(in) :: surface
         type(wave_table_t), intent(in) :: table
         type(error_t), allocatable, intent(inout) :: error
         integer, parameter :: n = degree + 1
@@ -121,7 +121,7 @@ contains
             kernel%tail = [level*scale(1.0_wp, 2*octave), slope*scale(1.0_wp, 4*octave)]
             ! not before the whole body has shown
             if (scale(kernel%unit, octave) < surface%last_depth) cycle
-            if (spread <= 1.0e-13_wp*maxval(abs(x)) .or. spread <= 1.0e-14_wp*scale(abs(surface%long_wave_limit), -octave)) exit
+            if (spread <= 1.0e-13_wp*maxval(abs(x)) .or. spread <= 1.0e-14_wp*scale(abs(kernel%sigma_zero), -octave)) exit
         end do
         octave = min(octave, most_octaves - 1)
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)

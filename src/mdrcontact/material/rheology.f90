@@ -6,7 +6,7 @@
 module mdrcontact_material_rheology
     use mdrcontact_error, only: check_not_negative, check_poisson, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_material, only: material_t, moduli_t, new_material
     use mdrcontact_material_prony, only: creep_of, creep_t, merged, power_law_series, prony_t
     implicit none (type, external)
     private
@@ -38,6 +38,7 @@ module mdrcontact_material_rheology
         procedure :: complex_shear
         !> Poisson's ratio at s [1]
         procedure :: complex_poisson
+        procedure :: moduli_at
         procedure :: glassy
         procedure :: relaxed
         procedure :: of_shear
@@ -210,6 +211,18 @@ contains
         shear = self%complex_shear(s)
         value = (3.0_wp*self%bulk - 2.0_wp*shear)/(2.0_wp*(3.0_wp*self%bulk + shear))
     end function complex_poisson
+
+    !> The moduli at s.
+    elemental function moduli_at(self, s) result(moduli)
+        class(rheology_t), intent(in) :: self
+        !> as of complex_shear [1/time]
+        complex(wp), intent(in) :: s
+        type(moduli_t) :: moduli
+
+        moduli%shear = self%complex_shear(s)
+        moduli%poisson = self%complex_poisson(s)
+        moduli%contact = 2.0_wp*moduli%shear/(1.0_wp - moduli%poisson)
+    end function moduli_at
 
     !> The elastic material of a sudden load.
     subroutine glassy(self, material, error)

@@ -6,7 +6,7 @@ module mdrcontact_medium_viscoelastic
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
-    use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_material, only: material_t, moduli_t, new_material
     use mdrcontact_material_prony, only: prony_t
     use mdrcontact_material_rheology, only: rheology_t, same_shape
     use mdrcontact_medium, only: medium_t
@@ -52,6 +52,7 @@ module mdrcontact_medium_viscoelastic
         procedure :: is_exact
         procedure :: is_viscoelastic
         procedure :: relaxation_shape
+        procedure :: moduli_at
     end type viscoelastic_t
 
 contains
@@ -142,6 +143,17 @@ contains
         series%weight = series%weight/scale
         series%viscosity = series%viscosity/scale
     end function relaxation_shape
+
+    !> Those of the layers at s, and of the half-space; of a rigid base any.
+    pure function moduli_at(self, s) result(moduli)
+        class(viscoelastic_t), intent(in) :: self
+        !> [1/time]
+        complex(wp), intent(in) :: s
+        type(moduli_t) :: moduli(size(self%thickness) + 1)
+
+        moduli(size(moduli)) = moduli_t((1.0_wp, 0.0_wp), (2.0_wp, 0.0_wp), (0.0_wp, 0.0_wp))
+        moduli(:size(self%materials)) = self%materials%moduli_at(s)
+    end function moduli_at
 
     subroutine no_radius_function(self, a, values, error)
         class(viscoelastic_t), intent(in) :: self

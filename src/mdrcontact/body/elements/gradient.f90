@@ -4,7 +4,7 @@
 !> The state y = (u, w, tau/(2 G k), sigma/(2 G k)), G that of the surface, obeys dy/dz = k A(z) y, so that the matrix from
 !> the bottom of the layer to its top is a power series in k whose terms are repeated integrals of A over z. They are taken
 !> with spectral accuracy: no staircase. Across the plane of the wave the state is (v, tau/(G k)).
-module mdrcontact_body_gradient
+module mdrcontact_body_elements_gradient
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -100,4 +100,4 @@ contains
         end do
     end function series_value
 
-end module mdrcontact_body_gradient
+end module mdrcontact_body_elements_gradient

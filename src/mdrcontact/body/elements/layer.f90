@@ -1,50 +1,64 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One homogeneous elastic layer at wavenumber k: how it carries the 2x2 compliance of what lies below it to its top (theory 6).
+!> One homogeneous isotropic layer at wavenumber k: how it carries the 2x2 compliance of what lies below it to its top (theory 6).
 !>
 !> State at a depth: displacement (u, w) and traction (tau, sigma)/(2 G k) of the Hankel components, z down. Modes decaying
 !> downward are (1, 1) e^{-kz} and (kz, kz + 3 - 4 nu) e^{-kz}, growing ones their mirror images. Decaying modes are referred
 !> to the top of the layer and growing ones to its bottom, so that no positive exponent appears; a layer thin against the
 !> wavelength is carried by its transfer matrix instead, whose entries are small where they should be and not by
 !> cancellation: the compliance of a soft layer keeps its relative precision. Nothing is divided by 1 - 2 nu.
-module mdrcontact_body_modes
+module mdrcontact_body_elements_layer
+    use mdrcontact_body_elements_element, only: element_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: layer_modes_t, new_layer_modes, half_space_compliance, compliance_above, reflected_part, &
-              transferred, series_product
+    public :: layer_t, new_layer, half_space_compliance, transferred
 
     !> Layers thinner than this, in units of 1/|k|, are carried by the transfer matrix.
     real(wp), parameter :: thin = 0.5_wp
     complex(wp), parameter :: none = (0.0_wp, 0.0_wp), one = (1.0_wp, 0.0_wp)
 
-    !> What a material's Poisson's ratio determines.
-    type :: layer_modes_t
-        complex(wp) :: poisson = 0.0_wp
-        !> displacement and traction of the decaying and growing modes where they are referred to
+    !> A layer.
+    type, extends(element_t) :: layer_t
+        private
+        !> G over that of the surface
+        complex(wp) :: shear = 1.0_wp
+        !> displacement and traction of the decaying and growing modes where they are referred to, relative to its own 2 G k
         complex(wp) :: decaying_u(2, 2) = 0.0_wp, decaying_t(2, 2) = 0.0_wp
         complex(wp) :: growing_u(2, 2) = 0.0_wp, growing_t(2, 2) = 0.0_wp
-        !> compliance of a half-space
-        complex(wp) :: half_space(2, 2) = 0.0_wp
+        !> S of a half-space, relative to 1/(2 G) of its own
+        complex(wp) :: own_half_space(2, 2) = 0.0_wp
         !> matrix A of the state's equation dy/d(kz) = A y, then A^2 - 1 and A (A^2 - 1)
         complex(wp) :: rate(4, 4) = 0.0_wp, rate_even(4, 4) = 0.0_wp, rate_odd(4, 4) = 0.0_wp
-    end type layer_modes_t
+    contains
+        procedure :: above
+        procedure :: reflected
+        procedure :: above_across
+        procedure :: reflected_across
+        procedure :: extend
+    end type layer_t
 
 contains
 
-    !> The modes of a material of Poisson's ratio nu, complex where it oscillates.
-    pure function new_layer_modes(poisson) result(self)
-        complex(wp), intent(in) :: poisson
-        type(layer_modes_t) :: self
+    !> A layer of Poisson's ratio nu, complex where it oscillates.
+    pure subroutine new_layer(self, thickness, shear, poisson)
+        type(layer_t), intent(out) :: self
+        !> h [length]
+        real(wp), intent(in) :: thickness
+        !> G over that of the surface, and nu [1]
+        complex(wp), intent(in) :: shear, poisson
         complex(wp) :: free, ratio
         integer :: i
 
-        self%poisson = poisson
+        self%thickness = thickness
+        self%shear = shear
         free = 1.0_wp - 2.0_wp*poisson
         self%decaying_u = reshape([one, one, none, 1.0_wp + 2.0_wp*free], [2, 2])
         self%decaying_t = reshape([-one, -one, -free, -1.0_wp - free], [2, 2])
         self%growing_u = reshape([one, -one, none, 1.0_wp + 2.0_wp*free], [2, 2])
         self%growing_t = reshape([one, -one, -free, 1.0_wp + free], [2, 2])
-        self%half_space = half_space_compliance(poisson)
+        self%own_half_space = half_space_compliance(poisson)
+        self%half_space = self%own_half_space/shear
+        self%half_space_across = 1.0_wp/shear
 
         ratio = poisson/(1.0_wp - poisson)
         self%rate(1, :) = [none, one, 2.0_wp*one, none]
@@ -56,7 +70,7 @@ contains
             self%rate_even(i, i) = self%rate_even(i, i) - 1.0_wp
         end do
         self%rate_odd = matmul(self%rate, self%rate_even)
-    end function new_layer_modes
+    end subroutine new_layer
 
     !> (u, w) = S (tau, sigma)/(2 G k) at the surface of a half-space.
     pure function half_space_compliance(poisson) result(compliance)
@@ -68,18 +82,56 @@ contains
         compliance = reshape([-1.0_wp - free, free, free, -1.0_wp - free], [2, 2])
     end function half_space_compliance
 
-    !> The compliance at the top of a layer of thickness t/k with the compliance `below` at its bottom, both times 2 G of the layer.
-    pure function compliance_above(layer, t, below) result(above)
-        type(layer_modes_t), intent(in) :: layer
-        complex(wp), intent(in) :: t, below(2, 2)
-        complex(wp) :: above(2, 2)
+    !> S at the top.
+    pure function above(self, k, below) result(compliance)
+        class(layer_t), intent(in) :: self
+        complex(wp), intent(in) :: k, below(2, 2)
+        complex(wp) :: compliance(2, 2)
+        complex(wp) :: t
 
+        t = k*self%thickness
         if (abs(t) < thin) then
-            above = transferred(transfer_matrix(layer, t), below)
+            compliance = transferred(transfer_matrix(self, t), self%shear*below)
         else
-            above = layer%half_space + reflected_part(layer, t, below)
+            compliance = self%own_half_space + reflected_part(self, t, self%shear*below)
         end if
-    end function compliance_above
+        compliance = compliance/self%shear
+    end function above
+
+    !> What the layer's bottom adds to a half-space; exponentially small in k h.
+    pure function reflected(self, k, below) result(compliance)
+        class(layer_t), intent(in) :: self
+        complex(wp), intent(in) :: k, below(2, 2)
+        complex(wp) :: compliance(2, 2)
+
+        compliance = reflected_part(self, k*self%thickness, self%shear*below)/self%shear
+    end function reflected
+
+    !> y = k C_T G of a layer goes from its bottom to its top as (y + tanh kh)/(1 + y tanh kh).
+    pure function above_across(self, k, below) result(compliance)
+        class(layer_t), intent(in) :: self
+        complex(wp), intent(in) :: k, below
+        complex(wp) :: compliance
+        complex(wp) :: y, rise
+
+        y = self%shear*below
+        rise = tanh(k*self%thickness)
+        compliance = (y + rise)/(1.0_wp + y*rise)/self%shear
+    end function above_across
+
+    !> The same less 1.
+    pure function reflected_across(self, k, below) result(compliance)
+        class(layer_t), intent(in) :: self
+        complex(wp), intent(in) :: k, below
+        complex(wp) :: compliance
+        complex(wp) :: y, fall
+
+        y = self%shear*below
+        ! 1 - tanh
+        fall = exp(-2.0_wp*k*self%thickness)
+        fall = 2.0_wp*fall/(1.0_wp + fall)
+        compliance = (y - 1.0_wp)*fall/(1.0_wp + y*tanh(k*self%thickness))/self%shear
+    end function reflected_across
 
     !> The compliance above what has the transfer matrix p.
     pure function transferred(p, below) result(above)
@@ -94,19 +146,16 @@ contains
         above = times(displacement, inverse(traction))
     end function transferred
 
-    !> Multiplies a power series in k of transfer matrices (4, 4, 0:n) from the right by that of one more layer, exp(-k h A), with
-    !> tractions relative to 2 G k of a material whose shear modulus is 1/shear times the layer's.
-    pure subroutine series_product(layer, thickness, shear, series)
-        type(layer_modes_t), intent(in) :: layer
-        real(wp), intent(in) :: thickness
-        complex(wp), intent(in) :: shear
+    !> By exp(-k h A), with tractions relative to 2 G k of the surface.
+    pure subroutine extend(self, series)
+        class(layer_t), intent(in) :: self
         complex(wp), intent(inout) :: series(:, :, 0:)
         complex(wp) :: step(4, 4), power(4, 4), product(4, 4, 0:ubound(series, 3))
         integer :: i, n
 
-        step = -thickness*layer%rate
-        step(1:2, 3:4) = step(1:2, 3:4)/shear
-        step(3:4, 1:2) = step(3:4, 1:2)*shear
+        step = -self%thickness*self%rate
+        step(1:2, 3:4) = step(1:2, 3:4)/self%shear
+        step(3:4, 1:2) = step(3:4, 1:2)*self%shear
         product = series
         power = 0.0_wp
         do i = 1, 4
@@ -119,12 +168,12 @@ contains
             end do
         end do
         series = product
-    end subroutine series_product
+    end subroutine extend
 
     !> What the layer's bottom adds to the compliance of a half-space of its material; exponentially small in t, to full
     !> relative precision.
     pure function reflected_part(layer, t, below) result(part)
-        type(layer_modes_t), intent(in) :: layer
+        class(layer_t), intent(in) :: layer
         complex(wp), intent(in) :: t, below(2, 2)
         complex(wp) :: part(2, 2)
         complex(wp) :: reflection(2, 2), added(2, 2), traction(2, 2)
@@ -135,14 +184,14 @@ contains
         reflection(:, 2) = reflection(:, 2) + t*reflection(:, 1)
         reflection(1, :) = reflection(1, :) - t*reflection(2, :)
         reflection = exp(-2.0_wp*t)*reflection
-        added = times(layer%growing_u - times(layer%half_space, layer%growing_t), reflection)
+        added = times(layer%growing_u - times(layer%own_half_space, layer%growing_t), reflection)
         traction = layer%decaying_t + times(layer%growing_t, reflection)
         part = times(added, inverse(traction))
     end function reflected_part
 
     !> exp(-t A), the state at the top from that at the bottom. (A^2 - 1)^2 = 0.
     pure function transfer_matrix(layer, t) result(p)
-        type(layer_modes_t), intent(in) :: layer
+        class(layer_t), intent(in) :: layer
         complex(wp), intent(in) :: t
         complex(wp) :: p(4, 4)
         complex(wp) :: even, odd, t2, odd_rest
@@ -182,4 +231,4 @@ contains
         b = b/(a(1, 1)*a(2, 2) - a(1, 2)*a(2, 1))
     end function inverse
 
-end module mdrcontact_body_modes
+end module mdrcontact_body_elements_layer

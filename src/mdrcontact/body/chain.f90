@@ -1,0 +1,270 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The surface compliance of bonded elements on a half-space or a rigid base (theory 6), for real elastic constants and for the
+!> complex ones of an oscillation or of a Laplace transform.
+module mdrcontact_body_chain
+    use mdrcontact_body_compliance, only: along, plane_compliance_t
+    use mdrcontact_body_elements_element, only: element_t
+    use mdrcontact_body_elements_layer, only: half_space_compliance, layer_t, new_layer
+    use mdrcontact_body_film, only: film_t, new_film
+    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_material, only: moduli_t
+    implicit none (type, external)
+    private
+    public :: chain_t, new_chain
+
+    !> What lies deeper than this, in units of 1/k below the first interface, changes chi by less than rounding.
+    real(wp), parameter :: deepest = 25.0_wp
+    !> Waves so long that k times the total thickness is below `longest` see all layers through a power series of this order.
+    integer, parameter :: series_order = 10
+    real(wp), parameter :: longest = 0.1_wp
+
+    !> A place in the chain.
+    type :: link_t
+        class(element_t), allocatable :: element
+    end type link_t
+
+    !> Elements from the surface down, none if the body is homogeneous, at one Laplace variable.
+    type, extends(plane_compliance_t) :: chain_t
+        private
+        type(link_t), allocatable :: links(:)
+        !> of a single layer
+        type(film_t) :: film
+        !> compliances of the base, relative to those of the surface: 1/(2 G) in the plane and 1/G across it; 0 if rigid
+        complex(wp) :: base(2, 2) = 0.0_wp, base_across = 0.0_wp
+        !> the power series in k of all elements' transfer matrix with the base below them, what the surface compliance takes of
+        !> it: (1, 1), (1, 2), (2, 1), (2, 2) of the displacements, then the same of the tractions
+        complex(wp) :: series(8, 0:series_order) = 0.0_wp
+        !> numbers without a unit that determine chi, where it is real
+        real(wp), allocatable :: numbers(:)
+    contains
+        procedure :: chi_in_plane
+        procedure :: chi_across
+        procedure :: key
+    end type chain_t
+
+contains
+
+    !> Layers from the surface down under a load.
+    pure subroutine new_chain(self, load, thickness, moduli, rigid_base, error)
+        type(chain_t), intent(out) :: self
+        integer, intent(in) :: load
+        !> of the layers [length]
+        real(wp), intent(in) :: thickness(:)
+        !> of the layers and, one more, of the half-space, which is not used if the base is rigid
+        type(moduli_t), intent(in) :: moduli(:)
+        logical, intent(in) :: rigid_base
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: series(4, 4, 0:series_order), contrast
+        complex(wp) :: shear
+        integer :: i, count, stat
+
+        if (allocated(error)) return
+        count = size(thickness)
+        allocate (self%links(count), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        contrast = 0.0_wp
+        if (rigid_base) then
+            call self%set_load(load, moduli(1))
+        else
+            call self%set_load(load, moduli(1), moduli(count + 1))
+            contrast = moduli(1)%shear/moduli(count + 1)%shear
+            self%base = half_space_compliance(moduli(count + 1)%poisson)*contrast
+        end if
+        self%base_across = contrast
+        self%last_depth = sum(thickness)
+        if (count > 0) self%first_depth = thickness(1)
+        series = 0.0_wp
+        do i = 1, 4
+            series(i, i, 0) = 1.0_wp
+        end do
+        do i = 1, count
+            ! a complex number divided by itself need not be 1
+            shear = 1.0_wp
+            if (i > 1) shear = moduli(i)%shear/moduli(1)%shear
+            call append_layer(self%links(i), thickness(i), shear, moduli(i)%poisson, error)
+            if (allocated(error)) return
+            call self%links(i)%element%extend(series)
+        end do
+        self%series = with_base(series, self%base)
+        if (count == 1) self%film = new_film(moduli(1)%poisson, moduli(2)%poisson, contrast)
+        call take_numbers(self, thickness, moduli, error)
+    end subroutine new_chain
+
+    pure subroutine append_layer(link, thickness, shear, poisson, error)
+        type(link_t), intent(inout) :: link
+        real(wp), intent(in) :: thickness
+        complex(wp), intent(in) :: shear, poisson
+        type(error_t), allocatable, intent(inout) :: error
+        type(layer_t), allocatable :: layer
+        integer :: stat
+
+        allocate (layer, stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        call new_layer(layer, thickness, shear, poisson)
+        call move_alloc(layer, link%element)
+    end subroutine append_layer
+
+    !> What the surface compliance takes of a series of transfer matrices above a base.
+    pure function with_base(transfer, base) result(series)
+        complex(wp), intent(in) :: transfer(4, 4, 0:series_order), base(2, 2)
+        complex(wp) :: series(8, 0:series_order)
+        complex(wp) :: rows(4, 2)
+        integer :: n
+
+        do n = 0, series_order
+            rows = matmul(transfer(:, 1:2, n), base) + transfer(:, 3:4, n)
+            series(:, n) = [rows(1, :), rows(2, :), rows(3, :), rows(4, :)]
+        end do
+    end function with_base
+
+    !> Numbers without a unit that determine the compliance.
+    pure subroutine key(self, values, error)
+        class(chain_t), intent(in) :: self
+        real(wp), allocatable, intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
+
+        if (allocated(self%numbers)) then
+            allocate (values(size(self%numbers) + 2), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
+            values(:2) = [real(self%load, wp), real(self%at_zero, wp)]
+            values(3:) = self%numbers
+        else
+            allocate (values(0))
+        end if
+    end subroutine key
+
+    !> Thicknesses, shear moduli, Poisson's ratios and the base, if they are real: no two frequencies have the same kernel.
+    pure subroutine take_numbers(self, thickness, moduli, error)
+        type(chain_t), intent(inout) :: self
+        real(wp), intent(in) :: thickness(:)
+        type(moduli_t), intent(in) :: moduli(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: n, stat
+
+        n = size(thickness)
+        if (any(abs(aimag(moduli%shear)) > 0.0_wp .or. abs(aimag(moduli%poisson)) > 0.0_wp)) return
+        allocate (self%numbers(3*n + 4), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        if (n > 0) self%numbers(:n) = thickness/thickness(1)
+        self%numbers(n + 1:2*n) = real(moduli(:n)%shear/moduli(1)%shear, wp)
+        self%numbers(2*n + 1:3*n) = real(moduli(:n)%poisson, wp)
+        self%numbers(3*n + 1:) = real([self%base(:, 1), self%base(:, 2)], wp)
+    end subroutine take_numbers
+
+    !> In the plane of the wave: a single layer by its closed form.
+    pure subroutine chi_in_plane(self, k, direction, sigma, chi)
+        class(chain_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        integer, intent(in) :: direction
+        complex(wp), intent(out) :: sigma, chi
+
+        sigma = 1.0_wp
+        chi = 0.0_wp
+        if (size(self%links) == 0) return
+        if (size(self%links) > 1) then
+            call carry(self, k, direction, sigma, chi)
+        else if (direction == along) then
+            call self%film%in_plane_response(k*self%last_depth, sigma, chi)
+        else
+            call self%film%response(k*self%last_depth, sigma, chi)
+        end if
+    end subroutine chi_in_plane
+
+    !> Carries the compliance from the deepest element that matters at this k up to the surface.
+    pure subroutine carry(self, k, direction, sigma, chi)
+        class(chain_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        integer, intent(in) :: direction
+        complex(wp), intent(out) :: sigma, chi
+        complex(wp) :: compliance(2, 2), scale
+        integer :: i, seen
+
+        associate (top => self%links(1)%element)
+            scale = top%half_space(direction, direction)
+            if (abs(k)*self%last_depth < longest) then
+                sigma = long_wave_compliance(self%series, k, direction)/scale
+                chi = sigma - 1.0_wp
+                return
+            end if
+            compliance = self%base
+            seen = elements_seen(self, k)
+            if (seen < size(self%links)) compliance = self%links(seen + 1)%element%half_space
+            do i = seen, 2, -1
+                compliance = self%links(i)%element%above(k, compliance)
+            end do
+            if (abs(k*top%thickness) < 1.0_wp) then
+                compliance = top%above(k, compliance)
+                sigma = compliance(direction, direction)/scale
+                chi = sigma - 1.0_wp
+            else
+                compliance = top%reflected(k, compliance)
+                chi = compliance(direction, direction)/scale
+                sigma = 1.0_wp + chi
+            end if
+        end associate
+    end subroutine carry
+
+    !> Across the plane of the wave.
+    pure subroutine chi_across(self, k, sigma, chi)
+        class(chain_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp), intent(out) :: sigma, chi
+        complex(wp) :: compliance
+        integer :: i, seen
+
+        sigma = 1.0_wp
+        chi = 0.0_wp
+        if (size(self%links) == 0) return
+        compliance = self%base_across
+        seen = elements_seen(self, k)
+        if (seen < size(self%links)) compliance = self%links(seen + 1)%element%half_space_across
+        do i = seen, 2, -1
+            compliance = self%links(i)%element%above_across(k, compliance)
+        end do
+        sigma = self%links(1)%element%above_across(k, compliance)
+        chi = self%links(1)%element%reflected_across(k, compliance)
+    end subroutine chi_across
+
+    !> How many elements matter at this k; the one below them may be taken for a half-space.
+    pure function elements_seen(self, k) result(count)
+        class(chain_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        integer :: count
+        real(wp) :: depth
+
+        depth = 0.0_wp
+        do count = 1, size(self%links) - 2
+            depth = depth + self%links(count + 1)%element%thickness*real(k, wp)
+            if (depth > deepest) return
+        end do
+        count = size(self%links)
+    end function elements_seen
+
+    !> Entry (direction, direction) of displacements times the inverse of tractions.
+    pure function long_wave_compliance(series, k, direction) result(compliance)
+        complex(wp), intent(in) :: series(8, 0:series_order)
+        complex(wp), intent(in) :: k
+        integer, intent(in) :: direction
+        complex(wp) :: compliance
+        complex(wp) :: rows(8)
+        integer :: n
+
+        rows = series(:, series_order)
+        do n = series_order - 1, 0, -1
+            rows = series(:, n) + k*rows
+        end do
+        if (direction == along) then
+            compliance = rows(1)*rows(8) - rows(2)*rows(7)
+        else
+            compliance = rows(4)*rows(5) - rows(3)*rows(6)
+        end if
+        compliance = compliance/(rows(5)*rows(8) - rows(6)*rows(7))
+    end function long_wave_compliance
+
+end module mdrcontact_body_chain
