@@ -35,7 +35,7 @@ LAW_COSTS = {
     "batch_plain_with_slope": "a point of an array without AVX2, F and dF/dd",
     "batch_plain_all": "a point of an array without AVX2, F, dF/dd, a and k",
     "batch_of_one_with_slope": "an array of one point, F and dF/dd",
-    "friction_step": "one step of a contact with friction by 8 sliders, T (mdr_friction_law_advance)",
+    "friction_step": "one step of a contact with friction by 8 sliders, T (mdr_law_advance)",
     "friction_step_with_tangent": "the same, with its derivatives",
     "friction_usual_rule": "k_t of the law times the increment, rescaled while F falls, cut off at mu F",
 }

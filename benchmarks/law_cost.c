@@ -62,7 +62,7 @@ typedef struct task {
     mdr_law_view view, views[LAWS];
     double x[POINTS], d[POINTS], d_of_law[POINTS], F[POINTS], slope[POINTS], a[POINTS], k[POINTS];
     int which[POINTS];
-    const mdr_friction_law *friction;
+    const mdr_law *friction;
     double memory[POINTS * MEMORY], shift[3 * POINTS], T[3 * POINTS], tangent[12 * POINTS];
     double usual_T[2 * POINTS], usual_F[POINTS], usual_k[POINTS];
 } task;
@@ -196,7 +196,7 @@ static double plain_all(task *t)
 
 static double step_with(task *t, double *tangent)
 {
-    mdr_friction_law_advance(t->friction, POINTS, t->F, t->shift, tangent, t->memory, t->T);
+    mdr_law_advance(t->friction, POINTS, t->F, t->shift, tangent, t->memory, t->T);
     for (int i = 0; i < 3 * POINTS; ++i) t->shift[i] = -t->shift[i];
     return t->T[21];
 }
@@ -325,10 +325,12 @@ int main(void)
     static task todo;
     double spent[MEASURED];
     mdr_friction *friction = NULL;
-    mdr_friction_law *sheared = NULL;
+    mdr_law *sheared = NULL;
     check(mdr_friction_new(contact, 0.3, &friction));
     start = busy();
-    check(mdr_friction_law_new(friction, deepest, 0, NULL, &sheared));
+    mdr_law_options options = MDR_SIZED(mdr_law_options);
+    options.friction = friction;
+    check(mdr_law_new(contact, deepest, &options, &sheared));
     printf("friction_build_seconds %.3g\n", busy() - start);
     todo.law = law;
     todo.friction = sheared;
@@ -366,7 +368,7 @@ int main(void)
     printf("error_at_1e6_random_depths %.2e\n", worst);
 
     for (int i = 0; i < LAWS; ++i) mdr_law_free(&todo.laws[i]);
-    mdr_friction_law_free(&sheared);
+    mdr_law_free(&sheared);
     mdr_friction_free(&friction);
     mdr_law_free(&law);
     mdr_law_free(&gao_law);

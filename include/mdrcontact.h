@@ -1388,6 +1388,10 @@ typedef struct mdr_law_options {
     const char *description; /**< The problem in words, kept in the file; default NULL: none. */
     int continue_beyond;     /**< Not 0: beyond the largest depth and force the law answers too, along the tangent there, and says
                                   so in mdr_law_point.beyond: one hard collision does not end a run. Default 0: it refuses. */
+    const mdr_friction *friction; /**< Of the contact that the law is made from: the law has tangential forces too,
+                                       mdr_law_advance(). Default NULL: none. */
+    int sliders;             /**< With friction: vector sliders for the springs of a contact, 4 to 64; errors fall about as
+                                  sliders^-1.6, time and records grow in proportion. 16 for finite elements. Default 0: 8. */
 } mdr_law_options;
 
 /** A state of a law. */
@@ -1408,7 +1412,8 @@ typedef struct mdr_law_point {
  *  @param largest_depth  > 0 [length]
  *  @param options        NULL for the defaults
  *  @param out            receives the handle
- *  @return also as mdr_contact_from_depth() and mdr_contact_pull_off(); MDR_ENOCONVERGENCE if the tolerance is not met */
+ *  @return also as mdr_contact_from_depth() and mdr_contact_pull_off(); MDR_ENOCONVERGENCE if the tolerance is not met; with
+ *          friction also as mdr_friction_states(), and MDR_EINVALID if it is of another contact */
 int mdr_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_options *options, mdr_law **out);
 
 /** The law of the same bodies for a paraboloid of another radius R, from the law for R0, without adhesion: on any linear bodies
@@ -1417,7 +1422,8 @@ int mdr_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_
  *  @param radius  R > 0 [length]
  *  @param out     receives the handle
  *  @return also MDR_EINVALID for adhesive laws (they hold for other radii only where work of adhesion times R^2 stays the same),
- *          for indenters other than paraboloids, and for laws of files that do not hold the radius */
+ *          for indenters other than paraboloids, and for laws of files that do not hold the radius. Friction is kept; records are
+ *          those of one law */
 int mdr_law_with_radius(const mdr_law *law, double radius, mdr_law **out);
 
 /** The force at one depth. In inner loops see mdrcontact_law.h, which has the same inline.
@@ -1503,6 +1509,14 @@ typedef struct mdr_law_facts {
     int segments;           /**< Number of stable segments under depth control. */
     int description_length; /**< Of the description, without its closing zero. */
     int continue_beyond;    /**< 1 if it answers beyond its range too, else 0. */
+    int sliders;            /**< How many vector sliders stand for the springs of a contact; 0 in a law without friction. */
+    int memory_size;        /**< How many numbers the record of a contact has; 0 in a law without friction. */
+    double coefficient;     /**< Of friction; 0 in a law without it [1]. */
+    double highest_sliding_shift; /**< The shift of first shear at which the contact slides under the highest force [length]. */
+    double first_shear_error; /**< The largest error of T found in first shear at constant F, relative to coefficient F: near 2 %
+                                   with 8 sliders at most, 0.6 % with 16. */
+    double path_error;      /**< The largest error of T found along cycles of depth and shift against the exact history, relative to
+                                 the largest coefficient F; -1 on bodies other than homogeneous ones. */
 } mdr_law_facts;
 
 /** What a law is.
@@ -1547,33 +1561,21 @@ int mdr_law_read(const char *buffer, int length, mdr_law **out);
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *law is not a law */
 int mdr_law_free(mdr_law **law);
 
-/* ---- compiled laws with friction ---------------------------------------------------------------------------------- */
+/* ---- the tangential force of compiled laws with friction ----------------------------------------------------------- */
 
-/** The tangential force of contacts in codes that integrate motion, step by step, along any path of the shift in the plane and of
- *  the normal force: stick, partial slip, sliding, and what earlier slip left behind. The springs of the contact are divided among
- *  a few vector sliders; no path yields energy, T is continuous, and each step has a derivative. How far it can be trusted:
- *  docs/laws.md. Made by mdr_friction_law_new(), freed by mdr_friction_law_free().
+/* The tangential force T of contacts in codes that integrate motion, step by step, along any path of the shift in the plane and of
+ * the normal force: stick, partial slip, sliding, and what earlier slip left behind. The springs of the contact are divided among
+ * a few vector sliders; no path yields energy, T is continuous, and each step has a derivative. How far it can be trusted:
+ * docs/laws.md.
  *
- *  What a contact remembers is a record of the caller's: memory_size numbers (of mdr_friction_law_facts), all 0 before the first
- *  step. It may be copied and stored; what stands in it is the library's. Records of n contacts follow each other in one array.
- *  Records of another law are refused. */
-typedef struct mdr_friction_law mdr_friction_law;
-
-/** Compiles a contact with friction. Its own errors: mdr_friction_law_info().
- *  @param f              contact with friction
- *  @param largest_depth  > 0 [length]
- *  @param sliders        4 to 64, or 0 for 8; errors fall about as sliders^-1.6, time and records grow in proportion. 16 for
- *                        finite elements
- *  @param options        as for mdr_law_new(), or NULL for the defaults
- *  @param out            receives the handle
- *  @return also as mdr_law_new() and mdr_friction_states() */
-int mdr_friction_law_new(const mdr_friction *f, double largest_depth, int sliders, const mdr_law_options *options,
-                         mdr_friction_law **out);
+ * What a contact remembers is a record of the caller's: memory_size numbers (of mdr_law_facts), all 0 before the first step. It may
+ * be copied and stored; what stands in it is the library's. Records of n contacts follow each other in one array. Records of
+ * another law are refused, and so are laws without friction: MDR_EINVALID. */
 
 /** One step of n contacts, straight in shift and S = int dF/k_t; errors are of first order in how far the shift turns in a step: a
  *  step that turns aside should be no longer than 0.2 of the shift of sliding. Any number of threads may call it with different
  *  records. A failed call advances none of the contacts.
- *  @param law      law
+ *  @param law      law with friction
  *  @param n        number of contacts
  *  @param force    [n] normal forces F at the end of the step, >= 0; 0 parts the bodies [modulus length^2]
  *  @param shift    [3 n] x, y, z of the shift of each contact in this step, in its tangent plane [length]
@@ -1582,94 +1584,36 @@ int mdr_friction_law_new(const mdr_friction *f, double largest_depth, int slider
  *  @param memory   [memory_size n] the records
  *  @param T        receives [3 n] the tangential forces on the medium [modulus length^2]
  *  @return also MDR_EDOMAIN beyond the largest force, unless the law continues beyond it */
-int mdr_friction_law_advance(const mdr_friction_law *law, int n, const double force[], const double shift[], double tangent[],
-                             double memory[], double T[]);
+int mdr_law_advance(const mdr_law *law, int n, const double force[], const double shift[], double tangent[], double memory[],
+                    double T[]);
 
-/** What mdr_friction_law_advance() would give; the records stay as they are. For Newton's method, and for steps that may have to be
+/** What mdr_law_advance() would give; the records stay as they are. For Newton's method, and for steps that may have to be
  *  taken back. Arguments as there. */
-int mdr_friction_law_try(const mdr_friction_law *law, int n, const double force[], const double shift[], double tangent[],
-                         const double memory[], double T[]);
+int mdr_law_try(const mdr_law *law, int n, const double force[], const double shift[], double tangent[], const double memory[],
+                double T[]);
 
 /** Energies of n contacts under shear, stored by the springs and taken by slip, slider by slider. Together they are the work of T,
  *  up to terms of the order of a step squared; along a line under constant F they do not depend on the steps. What is dissipated
  *  never falls. Work of F is not contained: it does not depend on the shift.
- *  @param law         law
+ *  @param law         law with friction
  *  @param n           number of contacts
  *  @param memory      [memory_size n] the records
  *  @param stored      receives [n] what the springs hold; or NULL [modulus length^3]
  *  @param dissipated  receives [n] what slip has taken since the first step, also of contacts lost since; or NULL
  *                     [modulus length^3]
  *  @return also MDR_EINVALID for a record of another law */
-int mdr_friction_law_energies(const mdr_friction_law *law, int n, const double memory[], double stored[], double dissipated[]);
+int mdr_law_energies(const mdr_law *law, int n, const double memory[], double stored[], double dissipated[]);
 
 /** Turns records with their tangent planes, by the least rotation from the old normal to the new one and by an angle about that:
  *  before the steps of bodies that roll or turn. Energies stay. The first turn makes the normal known: contacts whose planes turn
  *  are turned before their first step too. Not needed where the plane stays, or where shifts are given in coordinates that turn
  *  with the contact.
- *  @param law     law
+ *  @param law     law with friction
  *  @param n       number of contacts
  *  @param normal  [3 n] x, y, z of the normal of each plane, of length 1
  *  @param spin    [n] angles by which the bodies have turned about the normals since the last turn, the mean of both; or NULL: 0
  *  @param memory  [memory_size n] the records */
-int mdr_friction_law_turn(const mdr_friction_law *law, int n, const double normal[], const double spin[], double memory[]);
-
-/** What a law with friction is. */
-typedef struct mdr_friction_law_facts {
-    size_t size;                  /**< Of this structure; MDR_SIZED sets it. */
-    double coefficient;           /**< Of friction [1]. */
-    double highest_force;         /**< The largest normal force of the compiled range [modulus length^2]. */
-    double highest_sliding_shift; /**< The shift of first shear at which the contact slides under that force [length]. */
-    double tolerance;             /**< What was asked for, relative. */
-    double first_shear_error;     /**< The largest error of T found in first shear at constant F, relative to coefficient F: near
-                                       2 % with 8 sliders at most, 0.6 % with 16. */
-    double path_error;            /**< The largest error of T found along cycles of depth and shift against the exact history,
-                                       relative to the largest coefficient F; -1 on bodies other than homogeneous ones. */
-    int memory_size;              /**< How many numbers the record of a contact has. */
-    int sliders;                  /**< How many vector sliders stand for its springs. */
-    int description_length;       /**< Of the description, without its closing zero. */
-    int continue_beyond;          /**< 1 if it answers beyond its range too, else 0. */
-} mdr_friction_law_facts;
-
-/** What a law with friction is.
- *  @param law    law
- *  @param facts  begun by MDR_SIZED; receives it */
-int mdr_friction_law_info(const mdr_friction_law *law, mdr_friction_law_facts *facts);
-
-/** The problem a law with friction was made from, in the words of the options.
- *  @param law     law
- *  @param buffer  receives the text; may be NULL if length < 1
- *  @param length  size of buffer, description_length + 1 for all of it; what does not fit is cut off */
-int mdr_friction_law_description(const mdr_friction_law *law, char *buffer, int length);
-
-/** Writes a law with friction to a file, as mdr_law_save() does. What contacts remember is the caller's to store.
- *  @param law   law
- *  @param path  name of the file; what exists under it must be a regular file
- *  @return also MDR_EFILE if it cannot be written */
-int mdr_friction_law_save(const mdr_friction_law *law, const char *path);
-
-/** Reads a law with friction that was saved from any of the library's languages.
- *  @param path  name of the file
- *  @param out   receives the handle
- *  @return also MDR_EFILE if the file cannot be read, is damaged, or is none of a law with friction */
-int mdr_friction_law_load(const char *path, mdr_friction_law **out);
-
-/** The content of the file of a law with friction, in memory.
- *  @param law          law
- *  @param buffer       receives the content, if it fits; may be NULL if length < 1
- *  @param length       size of buffer
- *  @param full_length  receives the number of bytes of the content */
-int mdr_friction_law_write(const mdr_friction_law *law, char *buffer, int length, int *full_length);
-
-/** A law with friction from the content of its file.
- *  @param buffer  the content
- *  @param length  number of bytes
- *  @param out     receives the handle
- *  @return also MDR_EFILE if the content is damaged, or is none of a law with friction */
-int mdr_friction_law_read(const char *buffer, int length, mdr_friction_law **out);
-
-/** Frees a law and sets *law to NULL. law = NULL and *law = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *law is not a law with friction */
-int mdr_friction_law_free(mdr_friction_law **law);
+int mdr_law_turn(const mdr_law *law, int n, const double normal[], const double spin[], double memory[]);
 
 /* ---- fit: from measured data to the parameters of indenter, medium and instrument; docs/fitting.md ----------------- */
 

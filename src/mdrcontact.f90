@@ -51,9 +51,9 @@ module mdrcontact
     use mdrcontact_lateral_voxels, only: new_voxels, voxels_t
     use mdrcontact_lateral_values, only: density_values, structure_values
     use mdrcontact_law, only: contact_law_t, law_point_t
-    use mdrcontact_law_from_contact, only: law_options_t, new_contact_law
+    use mdrcontact_law_from_contact, only: law_options_t
     use mdrcontact_law_friction, only: contact_steps_t, friction_law_t
-    use mdrcontact_law_friction_from_contact, only: new_friction_law
+    use mdrcontact_law_friction_from_contact, only: new_contact_law
     use mdrcontact_law_file, only: load_law, save_law
     use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_layered_shared, only: layered_shared_t

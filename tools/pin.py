@@ -164,7 +164,7 @@ def compiled(contact: mdr.Contact) -> Any:
 
 
 def sliders(contact: mdr.Contact) -> Any:
-    law = mdr.FrictionLaw(mdr.Friction(contact, 0.4), 6e-8)
+    law = mdr.ContactLaw(contact, 6e-8, friction=mdr.Friction(contact, 0.4))
     memory = law.contacts(2)
     for step in range(3):
         yield law.advance(memory, np.array([1e-5, 2e-4]) * (1 + step), np.array([[1e-9, 0.0], [5e-10, (1 - step) * 1e-9]]))

@@ -42,7 +42,9 @@ law = mdr.ContactLaw(CONTACT, 1e-7)
 deep = np.geomspace(1e-11, 1e-7, 4096)
 report("forces of a law in an array", lambda: law.force(deep))
 report("new law of a film", lambda: mdr.ContactLaw(CONTACT, 1e-7))
-sliders = mdr.FrictionLaw(mdr.Friction(CONTACT, 0.4), 1e-7)
+friction = mdr.Friction(CONTACT, 0.4)
+# builds to compare with may be older than laws with both
+sliders = mdr.FrictionLaw(friction, 1e-7) if hasattr(mdr, "FrictionLaw") else mdr.ContactLaw(CONTACT, 1e-7, friction=friction)
 memory, force, shift = sliders.contacts(1000), np.full(1000, 1e-4), np.full((1000, 2), 1e-10)
 report("step of a friction law", lambda: sliders.attempt(memory, force, shift, True))
 for reach in (0.1, 1.0, 100.0):
@@ -58,7 +60,6 @@ report("fit of 500 points", lambda: mdr.fit(curve, BALL, FILM.replace(coating=md
 state = CONTACT.at_depth(5e-8)
 r, z = np.linspace(0.0, 2e-6, 30)[:, None], np.linspace(1e-8, 2e-6, 30)
 report("grid inside", lambda: CONTACT.interior(r, z, state))
-friction = mdr.Friction(CONTACT, 0.4)
 amplitude = 0.5 * friction.sliding_shift(state)
 report("loop of friction", lambda: friction.loop(amplitude, state=state))
 gel = mdr.Coated(mdr.Viscoelastic(1e6, [(2e6, 0.3)], nu=0.4), 5e-6, mdr.Viscoelastic(2e6, [(1e6, 1.0)], nu=0.3))

@@ -25,7 +25,6 @@ from . import (
     failure,
     fitting,
     friction,
-    friction_law,
     history,
     interior,
     law,
@@ -46,7 +45,6 @@ from .errors import *  # noqa: F403
 from .failure import *  # noqa: F403
 from .fitting import *  # noqa: F403
 from .friction import *  # noqa: F403
-from .friction_law import *  # noqa: F403
 from .history import *  # noqa: F403
 from .interior import *  # noqa: F403
 from .law import *  # noqa: F403
@@ -67,7 +65,6 @@ __all__ = [
     *failure.__all__,
     *fitting.__all__,
     *friction.__all__,
-    *friction_law.__all__,
     *history.__all__,
     *interior.__all__,
     *law.__all__,

@@ -122,6 +122,8 @@ law_options = np.dtype(
         ("tolerance", np.float64),
         ("description", np.uintp),
         ("continue_beyond", np.intc),
+        ("friction", np.uintp),
+        ("sliders", np.intc),
     ],
     align=True,
 )
@@ -151,22 +153,12 @@ law_facts = np.dtype(
         ("segments", np.intc),
         ("description_length", np.intc),
         ("continue_beyond", np.intc),
-    ],
-    align=True,
-)
-friction_law_facts = np.dtype(
-    [
-        ("size", np.uintp),
+        ("sliders", np.intc),
+        ("memory_size", np.intc),
         ("coefficient", np.float64),
-        ("highest_force", np.float64),
         ("highest_sliding_shift", np.float64),
-        ("tolerance", np.float64),
         ("first_shear_error", np.float64),
         ("path_error", np.float64),
-        ("memory_size", np.intc),
-        ("sliders", np.intc),
-        ("description_length", np.intc),
-        ("continue_beyond", np.intc),
     ],
     align=True,
 )

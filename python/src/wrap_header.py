@@ -31,10 +31,10 @@ SIZES = {
     "mdr_structure_voxels": {"labels": "", "E": "phases", "nu": "phases"},
     "mdr_lateral_cells": {"x": "nx + 1", "y": "ny + 1", "shear": "ny, nx", "poisson": "ny, nx"},
     "mdr_lateral_rule": {"points": f"{POINTS_OF_RULE}, 3", "weights": f"{POINTS_OF_RULE}, 2"},
-    "mdr_friction_law_advance": {"shift": "n, 3", "tangent": "", "memory": "", "T": "n, 3"},
-    "mdr_friction_law_try": {"shift": "n, 3", "tangent": "", "memory": "", "T": "n, 3"},
-    "mdr_friction_law_energies": {"memory": ""},
-    "mdr_friction_law_turn": {"normal": "n, 3", "spin": "", "memory": ""},
+    "mdr_law_advance": {"shift": "n, 3", "tangent": "", "memory": "", "T": "n, 3"},
+    "mdr_law_try": {"shift": "n, 3", "tangent": "", "memory": "", "T": "n, 3"},
+    "mdr_law_energies": {"memory": ""},
+    "mdr_law_turn": {"normal": "n, 3", "spin": "", "memory": ""},
     "mdr_law_from_depth": dict.fromkeys(("F", "slope", "a", "k"), ""),
     "mdr_fit_solve": dict.fromkeys(
         ("given", "sd", "values", "covariance", "widening", "at_bound", "weakest_direction", "fitted", "residuals"), ""

@@ -14,6 +14,7 @@ module mdrcontact_law
                                 error_unreachable, raise, raise_at, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_evaluate, only: count_within, energy_at, point_at, point_in, run_points, wanted_t
+    use mdrcontact_law_friction, only: friction_law_t
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial, polynomial_with_slope
     use mdrcontact_law_table, only: below_range, interval_for, interval_in, law_table_t, no_contact, scale_table, segment_for, &
                                     values_in
@@ -57,6 +58,8 @@ module mdrcontact_law
         real(wp) :: radius = 0.0_wp
         !> the problem in words, as given in the options
         character(len=:), allocatable :: description
+        !> the sliders that T follows from; not allocated in a law without friction
+        type(friction_law_t), allocatable :: friction
     contains
         procedure :: at_depth
         procedure :: at_force
@@ -73,6 +76,7 @@ contains
 
     !> The law of the same bodies for a paraboloid of another radius R. At a given contact radius depth and force are proportional
     !> to 1/R on any linear body, and the stiffness is the same: F(d; R) = (R0/R) F0(d R/R0), up to R0/R times the largest depth.
+    !> What a contact remembers under friction is that of one law: records of the other are refused.
     subroutine with_radius(self, radius, law, error)
         class(contact_law_t), intent(in) :: self
         !> R > 0 [length]
@@ -103,6 +107,7 @@ contains
         law%description = self%description//"; with_radius("//to_text(radius)//")"
         call scale_table(law%by_depth, self%radius/radius)
         call scale_table(law%by_force, self%radius/radius)
+        if (allocated(law%friction)) call law%friction%scale(self%radius/radius)
     end subroutine with_radius
 
     !> The state at depth d; all but d is 0 where the bodies are apart.

@@ -286,17 +286,19 @@ static void friction_laws(numbers *out)
 {
     mdr_contact *c = ball_on(coating(5.0), 0.0);
     mdr_friction *f = NULL;
-    mdr_friction_law *law = NULL;
-    mdr_friction_law_facts facts = MDR_SIZED(mdr_friction_law_facts);
+    mdr_law *law = NULL;
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     double memory[35] = {0.0}, T[3];
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
-    CHECK_SUCCESS(mdr_friction_law_new(f, 0.2, 0, NULL, &law));
-    CHECK_SUCCESS(mdr_friction_law_info(law, &facts));
+    mdr_law_options options = MDR_SIZED(mdr_law_options);
+    options.friction = f;
+    CHECK_SUCCESS(mdr_law_new(c, 0.2, &options, &law));
+    CHECK_SUCCESS(mdr_law_info(law, &facts));
     *more(out, 1) = facts.highest_sliding_shift;
     CHECK_INT(facts.memory_size, 35);
-    CHECK_SUCCESS(mdr_friction_law_advance(law, 1, (const double[1]){0.1}, (const double[3]){0.002, 0.001, 0.0}, NULL, memory, T));
+    CHECK_SUCCESS(mdr_law_advance(law, 1, (const double[1]){0.1}, (const double[3]){0.002, 0.001, 0.0}, NULL, memory, T));
     for (int i = 0; i < 3; i++) *more(out, 1) = T[i];
-    mdr_friction_law_free(&law);
+    mdr_law_free(&law);
     mdr_friction_free(&f);
     mdr_contact_free(&c);
 }

@@ -273,16 +273,20 @@ static int law_of_adhesive(void) { return law_of(adhesive, 1e-8); }
 static int law_energies(void) { return mdr_law_energy(law, MDR_ON_UNLOADING, POINTS, half, out); }
 static int law_of_friction(void)
 {
-    mdr_friction_law *made = NULL, *again = NULL;
+    mdr_law *made = NULL, *again = NULL;
     static char text[3000000];
-    int length = 0, status = mdr_friction_law_new(rubbed, 0.3, 0, NULL, &made);
-    if (status == MDR_SUCCESS) status = mdr_friction_law_write(made, text, (int)sizeof text, &length);
-    return status == MDR_SUCCESS ? mdr_friction_law_read(text, length, &again) : status;
+    mdr_law_options options = MDR_SIZED(mdr_law_options);
+    options.friction = rubbed;
+    int length = 0, status = mdr_law_new(contact, 0.3, &options, &made);
+    if (status == MDR_SUCCESS) status = mdr_law_write(made, text, (int)sizeof text, &length);
+    return status == MDR_SUCCESS ? mdr_law_read(text, length, &again) : status;
 }
 static int law_of_friction_on_coating(void)
 {
-    mdr_friction_law *made = NULL;
-    return mdr_friction_law_new(rubbed_coating, 0.1, 0, NULL, &made);
+    mdr_law *made = NULL;
+    mdr_law_options options = MDR_SIZED(mdr_law_options);
+    options.friction = rubbed_coating;
+    return mdr_law_new(coated, 0.1, &options, &made);
 }
 
 static int map_of(const mdr_structure *s, int n) { return mdr_structure_modulus(s, n, x, x, one, out); }

@@ -43,7 +43,6 @@ typedef struct objects {
     mdr_contact *contact;
     mdr_friction *friction;
     mdr_law *law;
-    mdr_friction_law *friction_law;
 } objects;
 
 /* Each use gives a structure of another version to the library. */
@@ -97,8 +96,6 @@ static int use_model_facts(const objects *o, void *structure)
 }
 
 static int use_law_facts(const objects *o, void *structure) { return mdr_law_info(o->law, structure); }
-
-static int use_friction_law_facts(const objects *o, void *structure) { return mdr_friction_law_info(o->friction_law, structure); }
 
 static int use_failure(const objects *o, void *structure)
 {
@@ -188,15 +185,16 @@ static void defaults(void)
 
 int main(void)
 {
-    objects o = {NULL, NULL, NULL, NULL, NULL, NULL};
+    objects o = {NULL, NULL, NULL, NULL, NULL};
     mdr_medium *base = NULL;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &o.ball));
     CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &base));
     CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, NULL, &o.film));
     CHECK_SUCCESS(mdr_contact_new(o.ball, base, NULL, &o.contact));
-    CHECK_SUCCESS(mdr_law_new(o.contact, 0.1, NULL, &o.law));
+    mdr_law_options options = MDR_SIZED(mdr_law_options);
     CHECK_SUCCESS(mdr_friction_new(o.contact, 0.3, &o.friction));
-    CHECK_SUCCESS(mdr_friction_law_new(o.friction, 0.1, 0, NULL, &o.friction_law));
+    options.friction = o.friction;
+    CHECK_SUCCESS(mdr_law_new(o.contact, 0.1, &options, &o.law));
     EVERY_SIZE(use_medium, mdr_medium_options, 0);
     EVERY_SIZE(use_contact, mdr_contact_options, 0);
     EVERY_SIZE(use_law, mdr_law_options, 0);
@@ -204,12 +202,10 @@ int main(void)
     EVERY_SIZE(use_problem, mdr_fit_problem, 0);
     EVERY_SIZE(use_model_facts, mdr_model_facts, 1);
     EVERY_SIZE(use_law_facts, mdr_law_facts, 1);
-    EVERY_SIZE(use_friction_law_facts, mdr_friction_law_facts, 1);
     EVERY_SIZE(use_summary, mdr_fit_summary, 1);
     EVERY_SIZE(use_failure, mdr_failure, 1);
     what_is_known_is_written(&o);
     defaults();
-    mdr_friction_law_free(&o.friction_law);
     mdr_friction_free(&o.friction);
     mdr_law_free(&o.law);
     mdr_contact_free(&o.contact);

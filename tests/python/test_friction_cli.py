@@ -205,3 +205,17 @@ def test_keys_of_a_path_without_one_and_no_file(tmp_path, capsys):
 def test_a_table_with_depth_and_force(tmp_path):
     columns = [1, 2], [0.01, 0.02], [0, 1]
     assert led(tmp_path, "depth [nm],F [mN],shift [nm]", columns, keys='normal = "force"\n', medium=HALF_SPACE) == 0
+
+
+def test_law_with_friction(tmp_path, capsys):
+    problem, path = tmp_path / "problem.toml", tmp_path / "ball.law"
+    problem.write_text(PROBLEM + "coefficient = 0.2\n")
+    assert main(["law", str(problem), str(path), "--sliders", "12", "--tolerance", "1e-6"]) == 0
+    assert "12, 47 numbers a contact" in capsys.readouterr().out
+    law = mdr.ContactLaw.load(path)
+    assert (law.coefficient, law.sliders) == (0.2, 12)
+    film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
+    exact = mdr.Friction(mdr.Contact(mdr.Paraboloid(10e-6), film), 0.2).at_shift(2e-9, force=4e-3)
+    memory = law.contacts(1)
+    law.advance(memory, [4e-3], [[0.0, 0.0]])
+    assert law.advance(memory, [4e-3], [[2e-9, 0.0]])[0, 0] == pytest.approx(exact.tangential_force, abs=0.01 * 0.2 * 4e-3)

@@ -19,8 +19,6 @@ NOT_FUZZED = {
     "mdr_sized": "what MDR_SIZED is in C++",
     "mdr_law_save": "writes a file; mdr_law_write has the same content",
     "mdr_law_load": "reads a file; mdr_law_read has the same content",
-    "mdr_friction_law_save": "writes a file; mdr_friction_law_write has the same content",
-    "mdr_friction_law_load": "reads a file; mdr_friction_law_read has the same content",
     "mdr_set_cancel": "c_cancel ends every kind of long call",
 }
 

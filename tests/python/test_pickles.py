@@ -92,7 +92,7 @@ def friction():
         pair.loop(1e-9, state=state),
         by_rings,
         springs,
-        mdr.FrictionLaw(pair, 5e-8, tolerance=1e-4),
+        mdr.ContactLaw(CONTACT, 5e-8, friction=pair, tolerance=1e-4),
         torsion,
         torsion.at_twist(1e-4, depth=5e-8),
         torsion.loop(1e-4, depth=5e-8),

@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from ..friction import Friction
 from ..law import ContactLaw
 from ..problem import ProblemError, load
 from ..problem.units import FORCE, LENGTH, UnitError, parse, told
@@ -20,6 +21,7 @@ Fortran or Python reads by its name. The code needs to know nothing else of the 
     mdrcontact law problem.toml film.law
     mdrcontact law problem.toml film.law --largest-depth "200 nm" --continue-beyond
 
+With [friction] the law has tangential forces, too, and the code leads each contact along its path.
 Numbers in the file are in SI units: depths in m, forces in N. Without --largest-depth the law goes to the last depth, force or
 radius of [compute].
 """
@@ -33,6 +35,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--smallest-depth", metavar="DEPTH", help="from which depth on; 1e-4 of the largest")
     parser.add_argument("--tolerance", type=float, default=1e-9, help="relative, of F, a and k; %(default)s")
     parser.add_argument("--continue-beyond", action="store_true", help="answer beyond the largest depth too, along the tangent")
+    parser.add_argument(
+        "--sliders", type=int, default=8, help="with [friction]: for the springs of a contact, 4 to 64; %(default)s"
+    )
     parser.add_argument("--overwrite", action="store_true", help="replace a file that exists")
 
 
@@ -46,18 +51,24 @@ def run(arguments: argparse.Namespace) -> None:
     else:
         largest = _depth("--largest-depth", arguments.largest_depth)
     smallest = None if arguments.smallest_depth is None else _depth("--smallest-depth", arguments.smallest_depth)
+    friction = Friction(contact, problem.friction.coefficient) if problem.friction else None
     law = ContactLaw(
         contact,
         largest,
+        friction=friction,
+        sliders=arguments.sliders,
         smallest_depth=smallest,
         tolerance=arguments.tolerance,
-        description=f"{problem.title}; {contact!r}; SI units",
+        description=f"{problem.title}; {friction or contact!r}; SI units",
         continue_beyond=arguments.continue_beyond,
     )
     print(f"{problem.title}\n")
     for name, ends, dimension in (("depth", law.depth_range, LENGTH), ("force", law.force_range, FORCE)):
         print(f"{name:<16}{told(ends[0], dimension)} to {told(ends[1], dimension)}")
     print(f"{'error':<16}{law.error:.0e} relative, asked for {law.tolerance:.0e}; {law.solutions} contact states")
+    if law.sliders:
+        off = f"T off by {law.first_shear_error:.1%} of mu F in first shear"
+        print(f"{'sliders':<16}{law.sliders}, {law.memory_size} numbers a contact; {off}")
     files.write({arguments.law: law.to_bytes()}, arguments.overwrite)
 
 

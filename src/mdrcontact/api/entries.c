@@ -1152,120 +1152,50 @@ int mdr_law_read(const char *buffer, int length, mdr_law **out)
     return status;
 }
 
-int mdrcontact_entry_friction_law_new(const mdr_friction *f, double largest_depth, int sliders, const mdr_law_options *options,
-        mdr_friction_law **out);
-int mdr_friction_law_new(const mdr_friction *f, double largest_depth, int sliders, const mdr_law_options *options,
-        mdr_friction_law **out)
+int mdrcontact_entry_law_advance(const mdr_law *law, int n, const double force[], const double shift[], double tangent[],
+        double memory[], double T[]);
+int mdr_law_advance(const mdr_law *law, int n, const double force[], const double shift[], double tangent[], double memory[],
+        double T[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_new(f, largest_depth, sliders, options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_law_advance(law, n, force, shift, tangent, memory, T);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_law_new(f, largest_depth, sliders, options, out);
+    const int status = mdrcontact_entry_law_advance(law, n, force, shift, tangent, memory, T);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_friction_law_advance(const mdr_friction_law *law, int n, const double force[], const double shift[],
-        double tangent[], double memory[], double T[]);
-int mdr_friction_law_advance(const mdr_friction_law *law, int n, const double force[], const double shift[], double tangent[],
-        double memory[], double T[])
+int mdrcontact_entry_law_try(const mdr_law *law, int n, const double force[], const double shift[], double tangent[],
+        const double memory[], double T[]);
+int mdr_law_try(const mdr_law *law, int n, const double force[], const double shift[], double tangent[], const double memory[],
+        double T[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_advance(law, n, force, shift, tangent, memory, T);
+    if (arithmetic_is_set()) return mdrcontact_entry_law_try(law, n, force, shift, tangent, memory, T);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_law_advance(law, n, force, shift, tangent, memory, T);
+    const int status = mdrcontact_entry_law_try(law, n, force, shift, tangent, memory, T);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_friction_law_try(const mdr_friction_law *law, int n, const double force[], const double shift[],
-        double tangent[], const double memory[], double T[]);
-int mdr_friction_law_try(const mdr_friction_law *law, int n, const double force[], const double shift[], double tangent[],
-        const double memory[], double T[])
+int mdrcontact_entry_law_energies(const mdr_law *law, int n, const double memory[], double stored[], double dissipated[]);
+int mdr_law_energies(const mdr_law *law, int n, const double memory[], double stored[], double dissipated[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_try(law, n, force, shift, tangent, memory, T);
+    if (arithmetic_is_set()) return mdrcontact_entry_law_energies(law, n, memory, stored, dissipated);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_law_try(law, n, force, shift, tangent, memory, T);
+    const int status = mdrcontact_entry_law_energies(law, n, memory, stored, dissipated);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_friction_law_energies(const mdr_friction_law *law, int n, const double memory[], double stored[],
-        double dissipated[]);
-int mdr_friction_law_energies(const mdr_friction_law *law, int n, const double memory[], double stored[], double dissipated[])
+int mdrcontact_entry_law_turn(const mdr_law *law, int n, const double normal[], const double spin[], double memory[]);
+int mdr_law_turn(const mdr_law *law, int n, const double normal[], const double spin[], double memory[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_energies(law, n, memory, stored, dissipated);
+    if (arithmetic_is_set()) return mdrcontact_entry_law_turn(law, n, normal, spin, memory);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_law_energies(law, n, memory, stored, dissipated);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_friction_law_turn(const mdr_friction_law *law, int n, const double normal[], const double spin[],
-        double memory[]);
-int mdr_friction_law_turn(const mdr_friction_law *law, int n, const double normal[], const double spin[], double memory[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_turn(law, n, normal, spin, memory);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_law_turn(law, n, normal, spin, memory);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_friction_law_info(const mdr_friction_law *law, mdr_friction_law_facts *facts);
-int mdr_friction_law_info(const mdr_friction_law *law, mdr_friction_law_facts *facts)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_info(law, facts);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_law_info(law, facts);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_friction_law_save(const mdr_friction_law *law, const char *path);
-int mdr_friction_law_save(const mdr_friction_law *law, const char *path)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_save(law, path);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_law_save(law, path);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_friction_law_load(const char *path, mdr_friction_law **out);
-int mdr_friction_law_load(const char *path, mdr_friction_law **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_load(path, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_law_load(path, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_friction_law_write(const mdr_friction_law *law, char *buffer, int length, int *full_length);
-int mdr_friction_law_write(const mdr_friction_law *law, char *buffer, int length, int *full_length)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_write(law, buffer, length, full_length);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_law_write(law, buffer, length, full_length);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_friction_law_read(const char *buffer, int length, mdr_friction_law **out);
-int mdr_friction_law_read(const char *buffer, int length, mdr_friction_law **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_law_read(buffer, length, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_law_read(buffer, length, out);
+    const int status = mdrcontact_entry_law_turn(law, n, normal, spin, memory);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

@@ -14,7 +14,6 @@ module mdrcontact_api_handles
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_evaluate, only: law_view_t, view_of
-    use mdrcontact_law_friction, only: friction_law_t
     use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
@@ -22,7 +21,7 @@ module mdrcontact_api_handles
     private
     public :: deliver, hand_over, open_handle
     public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free, &
-              mdr_friction_free, mdr_material_free, mdr_friction_history_free, mdr_friction_law_free
+              mdr_friction_free, mdr_material_free, mdr_friction_history_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
 
@@ -35,15 +34,15 @@ module mdrcontact_api_handles
     end type handle_t
 
     integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6, &
-                          is_friction = 7, is_material = 8, is_friction_history = 9, is_friction_law = 10
+                          is_friction = 7, is_material = 8, is_friction_history = 9
     character(len=*), parameter :: kinds(*) = [character(len=20) :: "mdr_profile", "mdr_medium", "mdr_contact", "mdr_loop", &
                                                "mdr_structure", "mdr_law", "mdr_friction", "mdr_material", &
-                                               "mdr_friction_history", "mdr_friction_law"]
+                                               "mdr_friction_history"]
 
     !> The object behind a handle, by the type of the pointer that is to hold it; null after an error. `name` is the argument's.
     interface open_handle
         module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction, &
-                         open_material, open_friction_history, open_friction_law
+                         open_material, open_friction_history
     end interface open_handle
 
 contains
@@ -235,22 +234,6 @@ contains
         end select
     end subroutine open_friction_history
 
-    subroutine open_friction_law(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(friction_law_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_friction_law, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (friction_law_t)
-            object => inside
-        end select
-    end subroutine open_friction_law
-
     function mdr_profile_free(p) result(status) bind(C)
         type(c_ptr), intent(inout), optional :: p
         integer(c_int) :: status
@@ -314,13 +297,6 @@ contains
         status = free(h, is_friction_history)
     end function mdr_friction_history_free
 
-    function mdr_friction_law_free(law) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: law
-        integer(c_int) :: status
-
-        status = free(law, is_friction_law)
-    end function mdr_friction_law_free
-
     !> Frees what is of the right kind, if there is anything, and sets the caller's pointer to NULL.
     function free(handle, kind) result(status)
         type(c_ptr), intent(inout), optional :: handle
@@ -379,8 +355,6 @@ contains
             kind = is_friction
         type is (friction_history_t)
             kind = is_friction_history
-        type is (friction_law_t)
-            kind = is_friction_law
         type is (rheology_t)
             kind = is_material
         class is (profile_t)

@@ -8,13 +8,16 @@ module mdrcontact_api_law
     use mdrcontact_api_text, only: read_text, write_text
     use mdrcontact_contact, only: check_branch, contact_t
     use mdrcontact_error, only: error_t
+    use mdrcontact_history_friction, only: friction_t
     use mdrcontact_law, only: contact_law_t, law_point_t
     use mdrcontact_law_evaluate, only: law_view_t, view_of
-    use mdrcontact_law_from_contact, only: law_options_t, new_contact_law
+    use mdrcontact_law_friction, only: default_sliders, friction_law_t
+    use mdrcontact_law_friction_from_contact, only: new_contact_law
+    use mdrcontact_law_from_contact, only: law_options_t
     implicit none (type, external)
     private
     public :: mdr_law_new, mdr_law_with_radius, mdrcontact_law_at_depth, &
-              mdr_law_view_of, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description, read_law_options
+              mdr_law_view_of, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
@@ -23,6 +26,8 @@ module mdrcontact_api_law
         real(c_double) :: tolerance = 0.0_c_double
         type(c_ptr) :: description = c_null_ptr
         integer(c_int) :: continue_beyond = 0_c_int
+        type(c_ptr) :: friction = c_null_ptr
+        integer(c_int) :: sliders = 0_c_int
     end type c_law_options_t
 
     !> struct mdr_law_facts
@@ -36,6 +41,9 @@ module mdrcontact_api_law
         integer(c_int) :: segments = 0_c_int
         integer(c_int) :: description_length = 0_c_int
         integer(c_int) :: continue_beyond = 0_c_int
+        integer(c_int) :: sliders = 0_c_int, memory_size = 0_c_int
+        real(c_double) :: coefficient = 0.0_c_double, highest_sliding_shift = 0.0_c_double
+        real(c_double) :: first_shear_error = 0.0_c_double, path_error = 0.0_c_double
     end type c_law_facts_t
 
 contains
@@ -48,23 +56,33 @@ contains
         type(contact_t), pointer :: inside
         type(contact_law_t), allocatable :: law
         class(*), allocatable :: object
+        type(c_law_options_t) :: given
         type(law_options_t) :: chosen
+        type(friction_t), pointer :: friction
         type(error_t), allocatable :: error
 
         allocate (law)
         call open_handle(contact, "contact", inside, error)
-        call read_law_options(options, chosen, error)
-        if (.not. allocated(error)) call new_contact_law(law, inside, largest_depth, error, chosen)
+        call read_law_options(options, given, chosen, error)
+        if (c_associated(given%friction)) then
+            call open_handle(given%friction, "options.friction", friction, error)
+            if (.not. allocated(error)) then
+                call new_contact_law(law, inside, friction, largest_depth, error, chosen, &
+                                     merge(default_sliders, int(given%sliders), given%sliders == 0_c_int))
+            end if
+        else if (.not. allocated(error)) then
+            call new_contact_law(law, inside, largest_depth, error, chosen)
+        end if
         call move_alloc(law, object)
         status = hand_over(object, out, error)
     end function mdr_law_new
 
-    !> struct mdr_law_options, or NULL.
-    subroutine read_law_options(options, chosen, error)
+    !> struct mdr_law_options, or NULL: as it is, and in the core's words.
+    subroutine read_law_options(options, given, chosen, error)
         type(c_ptr), intent(in) :: options
+        type(c_law_options_t), intent(out), target :: given
         type(law_options_t), intent(out) :: chosen
         type(error_t), allocatable, intent(inout) :: error
-        type(c_law_options_t), target :: given
 
         call read_options(error, "options", options, c_loc(given), c_sizeof(given))
         chosen%smallest_depth = given%smallest_depth
@@ -191,12 +209,34 @@ contains
         call check_size(error, "facts", facts, c_sizeof(made), used)
         status = status_of(error)
         if (allocated(error)) return
-        made = c_law_facts_t(used, inside%by_depth%lowest, inside%by_depth%highest, inside%by_force%lowest, &
-                             inside%by_force%highest, inside%tolerance, inside%error, int(inside%solutions, c_int), &
-                              merge(1_c_int, 0_c_int, inside%by_depth%adhesive), size(inside%by_depth%segments, kind=c_int), &
-                              len(inside%description, kind=c_int), merge(1_c_int, 0_c_int, inside%by_depth%continued))
+        made%size = used
+        made%lowest_depth = inside%by_depth%lowest
+        made%highest_depth = inside%by_depth%highest
+        made%lowest_force = inside%by_force%lowest
+        made%highest_force = inside%by_force%highest
+        made%tolerance = inside%tolerance
+        made%error = inside%error
+        made%solutions = int(inside%solutions, c_int)
+        made%adhesive = merge(1_c_int, 0_c_int, inside%by_depth%adhesive)
+        made%segments = size(inside%by_depth%segments, kind=c_int)
+        made%description_length = len(inside%description, kind=c_int)
+        made%continue_beyond = merge(1_c_int, 0_c_int, inside%by_depth%continued)
+        if (allocated(inside%friction)) call add_friction(inside%friction, made)
         call write_facts(facts, c_loc(made), used)
     end function mdr_law_info
+
+    !> What a law with friction has beside.
+    subroutine add_friction(friction, facts)
+        type(friction_law_t), intent(in) :: friction
+        type(c_law_facts_t), intent(inout) :: facts
+
+        facts%sliders = int(friction%sliders, c_int)
+        facts%memory_size = int(friction%memory_size(), c_int)
+        facts%coefficient = friction%coefficient
+        facts%highest_sliding_shift = friction%coefficient*friction%by_shift%highest
+        facts%first_shear_error = friction%first_shear_error
+        facts%path_error = friction%path_error
+    end subroutine add_friction
 
     function mdr_law_description(law, buffer, length) result(status) bind(C)
         type(c_ptr), value :: law, buffer

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A compiled law, of a contact or with friction, as a file: a first line that names the format and its version, the problem it was
+!> A compiled law, with or without friction, as a file: a first line that names the format and its version, the problem it was
 !> made from in words, the numbers in hexadecimal (every bit, on any machine), and a checksum.
 module mdrcontact_law_file
     use, intrinsic :: iso_fortran_env, only: int64
@@ -18,40 +18,21 @@ module mdrcontact_law_file
     public :: save_law, load_law, law_to_text, law_from_text
 
     character(len=*), parameter :: new_line_character = achar(10)
-    character(len=*), parameter :: kinds(2) = ["contact ", "friction"]
-    integer, parameter :: of_contact = 1, of_friction = 2
-    !> Numbers of a law with friction beside its tables and shares.
-    integer, parameter :: own_numbers = 5
+    character(len=*), parameter :: title = "mdrcontact compiled contact law, format ", version = "3"
+    !> How files of versions of the library began in which laws with friction were apart.
+    character(len=*), parameter :: former_title = "mdrcontact compiled friction law, format "
+    !> Numbers of a law beside its two tables and its friction, and those of its friction beside tables and shares.
+    integer, parameter :: own_numbers = 5, friction_numbers = 4
     !> A coefficient of a share that is larger is none.
     real(wp), parameter :: largest_share = 1.0e3_wp
-    character(len=*), parameter :: versions(2) = ["2", "3"]
     character(len=*), parameter :: of_description = " characters of description, then ", of_numbers = " numbers"
     character(len=*), parameter :: checksum_name = "crc32 "
     integer, parameter :: word_length = 17, checksum_line = len(checksum_name) + 8 + 1
 
-    !> Writes a law to a file, which it replaces; when anything goes wrong the file stays as it was.
-    interface save_law
-        module procedure save_contact_law, save_friction_law
-    end interface save_law
-
-    !> Reads a law from a file.
-    interface load_law
-        module procedure load_contact_law, load_friction_law
-    end interface load_law
-
-    !> The content of a law's file.
-    interface law_to_text
-        module procedure contact_law_to_text, friction_law_to_text
-    end interface law_to_text
-
-    !> The law in a file's content.
-    interface law_from_text
-        module procedure contact_law_from_text, friction_law_from_text
-    end interface law_from_text
-
 contains
 
-    subroutine save_contact_law(law, path, error)
+    !> Writes a law to a file, which it replaces; when anything goes wrong the file stays as it was.
+    subroutine save_law(law, path, error)
         type(contact_law_t), intent(in) :: law
         !> name of the file. Trailing blanks do not count, as in Fortran's open; a null character ends a name in which they do
         character(len=*), intent(in) :: path
@@ -60,20 +41,10 @@ contains
 
         call law_to_text(law, text, error)
         if (.not. allocated(error)) call write_file(path, text, error)
-    end subroutine save_contact_law
+    end subroutine save_law
 
-    subroutine save_friction_law(law, path, error)
-        type(friction_law_t), intent(in) :: law
-        !> as above
-        character(len=*), intent(in) :: path
-        type(error_t), allocatable, intent(out) :: error
-        character(len=:), allocatable :: text
-
-        call law_to_text(law, text, error)
-        if (.not. allocated(error)) call write_file(path, text, error)
-    end subroutine save_friction_law
-
-    subroutine load_contact_law(law, path, error)
+    !> Reads a law from a file.
+    subroutine load_law(law, path, error)
         type(contact_law_t), intent(out) :: law
         !> name of the file, as in save_law
         character(len=*), intent(in) :: path
@@ -84,168 +55,69 @@ contains
         if (allocated(error)) return
         call law_from_text(law, text, error)
         if (allocated(error)) call explain(error, "the file "//path(:path_length(path))//" is refused: ", "")
-    end subroutine load_contact_law
+    end subroutine load_law
 
-    subroutine load_friction_law(law, path, error)
-        type(friction_law_t), intent(out) :: law
-        !> name of the file, as in save_law
-        character(len=*), intent(in) :: path
-        type(error_t), allocatable, intent(out) :: error
-        character(len=:), allocatable :: text
-
-        call read_file(path, text, error)
-        if (allocated(error)) return
-        call law_from_text(law, text, error)
-        if (allocated(error)) call explain(error, "the file "//path(:path_length(path))//" is refused: ", "")
-    end subroutine load_friction_law
-
-    pure subroutine contact_law_to_text(law, text, error)
+    !> The content of a law's file.
+    pure subroutine law_to_text(law, text, error)
         type(contact_law_t), intent(in) :: law
         character(len=:), allocatable, intent(out) :: text
         type(error_t), allocatable, intent(inout) :: error
+        integer(int64), allocatable :: words(:)
+        integer :: count, next, stat
 
-        call put(law, [real(wp) ::], of_contact, text, error)
-    end subroutine contact_law_to_text
-
-    pure subroutine friction_law_to_text(law, text, error)
-        type(friction_law_t), intent(in) :: law
-        character(len=:), allocatable, intent(out) :: text
-        type(error_t), allocatable, intent(inout) :: error
-
-        real(wp), allocatable :: more(:)
-        integer :: stat, shares
-
-        shares = 0
-        if (allocated(law%levels%share)) shares = size(law%levels%share)
-        allocate (more(own_numbers + shares), stat=stat)
+        count = own_numbers + word_count(law%by_depth) + word_count(law%by_force)
+        if (allocated(law%friction)) count = count + friction_count(law%friction)
+        allocate (words(count), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        more(:own_numbers) = [real(law%sliders, wp), law%coefficient, law%first_shear_error, law%path_error, real(shares, wp)]
-        if (shares > 0) more(own_numbers + 1:) = reshape(transpose(law%levels%share), [shares])
-        call put(law%law, more, of_friction, text, error)
-    end subroutine friction_law_to_text
+        words(:3) = [transfer([law%tolerance, law%error], [0_int64]), int(law%solutions, int64)]
+        next = 4
+        call put_table(law%by_depth, words, next)
+        call put_table(law%by_force, words, next)
+        words(next:next + 1) = [transfer(law%radius, 0_int64), 0_int64]
+        if (allocated(law%friction)) call put_friction(law%friction, words, next + 1)
+        call frame(words, law%description, text, error)
+    end subroutine law_to_text
 
-    subroutine contact_law_from_text(law, text, error)
+    !> How many words the friction of a law takes; the first of them, the number of sliders, is 0 where there is none.
+    pure function friction_count(friction) result(count)
+        type(friction_law_t), intent(in) :: friction
+        integer :: count
+
+        count = friction_numbers + word_count(friction%by_shift) + word_count(friction%by_force)
+        if (allocated(friction%levels%share)) count = count + size(friction%levels%share)
+    end function friction_count
+
+    pure subroutine put_friction(friction, words, first)
+        type(friction_law_t), intent(in) :: friction
+        integer(int64), intent(inout) :: words(:)
+        integer, intent(in) :: first
+        integer :: next
+
+        words(first) = int(friction%sliders, int64)
+        words(first + 1:first + 3) = transfer([friction%coefficient, friction%first_shear_error, friction%path_error], [0_int64])
+        next = first + 4
+        call put_table(friction%by_shift, words, next)
+        call put_table(friction%by_force, words, next)
+        words(next) = 0_int64
+        if (.not. allocated(friction%levels%share)) return
+        associate (share => friction%levels%share)
+            words(next) = size(share, kind=int64)
+            words(next + 1:next + size(share)) = transfer(transpose(share), [0_int64])
+        end associate
+    end subroutine put_friction
+
+    !> The law in a file's content.
+    subroutine law_from_text(law, text, error)
         type(contact_law_t), intent(out) :: law
-        character(len=*), intent(in) :: text
-        type(error_t), allocatable, intent(out) :: error
-        type(reader_t) :: reader
-
-        call get(law, reader, of_contact, text, error)
-        if (.not. allocated(error)) call close_law(law, reader, error)
-    end subroutine contact_law_from_text
-
-    subroutine friction_law_from_text(law, text, error)
-        type(friction_law_t), intent(out) :: law
         character(len=*), intent(in) :: text
         type(error_t), allocatable, intent(out) :: error
         type(reader_t) :: reader
         real(wp), allocatable :: shares(:)
 
-        allocate (law%law)
-        call get(law%law, reader, of_friction, text, error)
+        call check_frame(text, error)
         if (allocated(error)) return
-        law%sliders = read_whole_number(reader, fewest_sliders, most_sliders)
-        law%coefficient = reader%number()
-        law%first_shear_error = reader%number()
-        law%path_error = reader%number()
-        call read_shares(reader, shares, error)
-        if (allocated(error)) return
-        reader%sound = reader%sound .and. law%coefficient > 0.0_wp .and. .not. law%law%by_depth%adhesive
-        call close_law(law%law, reader, error)
-        if (allocated(error)) return
-        call find_levels(law)
-        if (size(shares) == 0) return
-        associate (count => share_index(law%levels%count, law%levels%count))
-            if (size(shares) == share_nodes*count) then
-                law%levels%share = reshape(shares, [count, share_nodes], order=[2, 1])
-            else
-                call raise_unsound(error)
-            end if
-        end associate
-    end subroutine friction_law_from_text
-
-    !> A number between two limits that is whole.
-    function read_whole_number(reader, smallest, largest) result(whole)
-        type(reader_t), intent(inout) :: reader
-        integer, intent(in) :: smallest, largest
-        integer :: whole
-        real(wp) :: value
-
-        value = reader%number()
-        reader%sound = reader%sound .and. value >= smallest .and. value <= largest
-        whole = smallest
-        if (reader%sound) whole = int(value)
-        reader%sound = reader%sound .and. abs(value - whole) < 0.5_wp
-    end function read_whole_number
-
-    !> The shares of springs that interact, none of other laws.
-    subroutine read_shares(reader, shares, error)
-        type(reader_t), intent(inout) :: reader
-        real(wp), allocatable, intent(out) :: shares(:)
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: i, stat
-
-        allocate (shares(read_whole_number(reader, 0, size(reader%words))), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        do i = 1, size(shares)
-            shares(i) = reader%number()
-            reader%sound = reader%sound .and. abs(shares(i)) <= largest_share
-        end do
-    end subroutine read_shares
-
-    !> Tables, and the numbers that a kind of law has beside them.
-    pure subroutine put(law, more, kind, text, error)
-        type(contact_law_t), intent(in) :: law
-        real(wp), intent(in) :: more(:)
-        integer, intent(in) :: kind
-        character(len=:), allocatable, intent(out) :: text
-        type(error_t), allocatable, intent(inout) :: error
-        integer(int64), allocatable :: words(:)
-        character(len=:), allocatable :: title, first_line
-        integer :: i, start, stat, count
-
-        count = 3 + word_count(law%by_depth) + word_count(law%by_force) + size(more)
-        if (kind == of_friction .or. law%radius > 0.0_wp) count = count + 1
-        allocate (words(count), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        words(:3) = [transfer([law%tolerance, law%error], [0_int64]), int(law%solutions, int64)]
-        call put_table(law%by_depth, words(4:))
-        call put_table(law%by_force, words(4 + word_count(law%by_depth):))
-        if (kind == of_friction .or. law%radius > 0.0_wp) words(count - size(more)) = transfer(law%radius, 0_int64)
-        words(count - size(more) + 1:) = transfer(more, [0_int64], size(more))
-        call make_title(kind, title)
-        first_line = title//versions(kind)//new_line_character//count_text(len(law%description))// &
-                     of_description//count_text(size(words))//of_numbers//new_line_character
-        start = len(first_line) + len(law%description) + 1
-        allocate (character(len=start + word_length*size(words) + 1 + checksum_line) :: text, stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        text(:len(first_line)) = first_line
-        text(len(first_line) + 1:start - 1) = law%description
-        text(start:start) = new_line_character
-        do i = 1, size(words)
-            write (text(start + 1:start + word_length), "(z16.16, a)") words(i), merge(new_line_character, " ", modulo(i, 8) == 0)
-            start = start + word_length
-        end do
-        text(start + 1:start + 1) = new_line_character
-        text(start + 2:) = checksum_name//crc32_text(text(:start + 1))//new_line_character
-    end subroutine put
-
-    !> The inverse of put, up to the numbers that a kind of law has beside its tables.
-    subroutine get(law, reader, kind, text, error)
-        type(contact_law_t), intent(out) :: law
-        type(reader_t), intent(out) :: reader
-        integer, intent(in) :: kind
-        character(len=*), intent(in) :: text
-        type(error_t), allocatable, intent(out) :: error
-        integer :: start
-
-        call check_frame(text, kind, error)
-        if (allocated(error)) return
-        call read_words(text, law%description, reader%words, start, error)
+        call read_words(text, law%description, reader%words, error)
         if (allocated(error)) return
         law%tolerance = reader%number()
         law%error = reader%number()
@@ -253,28 +125,72 @@ contains
         call read_table(reader, law%by_depth, error)
         if (reader%sound .and. .not. allocated(error)) call read_table(reader, law%by_force, error)
         if (allocated(error)) return
-        ! a contact's law has the radius for a paraboloid only
-        if (.not. reader%sound .or. kind == of_contact .and. reader%next > size(reader%words)) return
         law%radius = reader%number()
-        reader%sound = reader%sound .and. (law%radius > 0.0_wp .or. kind == of_friction)
-    end subroutine get
+        call read_friction(reader, law%friction, shares, error)
+        if (allocated(error)) return
+        reader%sound = reader%sound .and. law%radius >= 0.0_wp .and. reader%next == size(reader%words) + 1
+        if (reader%sound) reader%sound = is_sound(law)
+        if (.not. reader%sound) then
+            call raise_unsound(error)
+            return
+        end if
+        call add_energies(law%by_depth)
+        call find_direct(law%by_depth)
+        call find_direct(law%by_force)
+        if (allocated(law%friction)) call close_friction(law%friction, shares, error)
+    end subroutine law_from_text
 
-    !> A law of which all has been read.
-    subroutine close_law(law, reader, error)
-        type(contact_law_t), intent(inout) :: law
+    !> The friction of a law, not allocated if it has none, but for its levels; and the shares of springs that interact, none of
+    !> other laws.
+    subroutine read_friction(reader, friction, shares, error)
         type(reader_t), intent(inout) :: reader
+        type(friction_law_t), allocatable, intent(out) :: friction
+        real(wp), allocatable, intent(out) :: shares(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: sliders, i, stat
+
+        allocate (shares(0))
+        sliders = reader%whole(0, most_sliders)
+        if (.not. reader%sound .or. sliders == 0) return
+        allocate (friction, stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        reader%sound = sliders >= fewest_sliders
+        friction%sliders = sliders
+        friction%coefficient = reader%number()
+        friction%first_shear_error = reader%number()
+        friction%path_error = reader%number()
+        if (reader%sound) call read_table(reader, friction%by_shift, error)
+        if (reader%sound .and. .not. allocated(error)) call read_table(reader, friction%by_force, error)
+        if (allocated(error)) return
+        deallocate (shares)
+        allocate (shares(reader%whole(0, size(reader%words))), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        do i = 1, size(shares)
+            shares(i) = reader%number()
+            reader%sound = reader%sound .and. abs(shares(i)) <= largest_share
+        end do
+    end subroutine read_friction
+
+    !> What follows from the numbers of a law's friction.
+    subroutine close_friction(friction, shares, error)
+        type(friction_law_t), intent(inout) :: friction
+        real(wp), intent(in) :: shares(:)
         type(error_t), allocatable, intent(inout) :: error
 
-        if (reader%sound) reader%sound = reader%next == size(reader%words) + 1
-        if (reader%sound) reader%sound = is_sound(law)
-        if (reader%sound) then
-            call add_energies(law%by_depth)
-            call find_direct(law%by_depth)
-            call find_direct(law%by_force)
-        else
-            call raise_unsound(error)
-        end if
-    end subroutine close_law
+        call find_direct(friction%by_shift)
+        call find_direct(friction%by_force)
+        call find_levels(friction)
+        if (size(shares) == 0) return
+        associate (count => share_index(friction%levels%count, friction%levels%count))
+            if (size(shares) == share_nodes*count) then
+                friction%levels%share = reshape(shares, [count, share_nodes], order=[2, 1])
+            else
+                call raise_unsound(error)
+            end if
+        end associate
+    end subroutine close_friction
 
     pure subroutine raise_unsound(error)
         type(error_t), allocatable, intent(inout) :: error
@@ -282,41 +198,51 @@ contains
         call raise(error, error_file, "its numbers do not describe a contact law")
     end subroutine raise_unsound
 
-    pure subroutine make_title(kind, title)
-        integer, intent(in) :: kind
-        character(len=:), allocatable, intent(out) :: title
+    !> First line, description, numbers and checksum.
+    pure subroutine frame(words, description, text, error)
+        integer(int64), intent(in) :: words(:)
+        character(len=*), intent(in) :: description
+        character(len=:), allocatable, intent(out) :: text
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=:), allocatable :: first_line
+        integer :: i, start, stat
 
-        title = "mdrcontact compiled "//trim(kinds(kind))//" law, format "
-    end subroutine make_title
+        first_line = title//version//new_line_character//count_text(len(description))// &
+                     of_description//count_text(size(words))//of_numbers//new_line_character
+        start = len(first_line) + len(description) + 1
+        allocate (character(len=start + word_length*size(words) + 1 + checksum_line) :: text, stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        text(:len(first_line)) = first_line
+        text(len(first_line) + 1:start - 1) = description
+        text(start:start) = new_line_character
+        do i = 1, size(words)
+            write (text(start + 1:start + word_length), "(z16.16, a)") words(i), merge(new_line_character, " ", modulo(i, 8) == 0)
+            start = start + word_length
+        end do
+        text(start + 1:start + 1) = new_line_character
+        text(start + 2:) = checksum_name//crc32_text(text(:start + 1))//new_line_character
+    end subroutine frame
 
     !> Title, version and checksum.
-    pure subroutine check_frame(text, kind, error)
+    pure subroutine check_frame(text, error)
         character(len=*), intent(in) :: text
-        integer, intent(in) :: kind
         type(error_t), allocatable, intent(inout) :: error
-        character(len=:), allocatable :: title, other
         integer :: line_end, body
 
         body = len(text) - checksum_line
-        call make_title(kind, title)
-        call make_title(3 - kind, other)
-        if (index(text, title) /= 1) then
-            if (index(text, other) == 1) then
-                call raise(error, error_file, "it holds a "//trim(kinds(3 - kind))//" law where a "//trim(kinds(kind))// &
-                           " law is wanted")
-            else
-                call raise(error, error_file, "it is not a compiled "//trim(kinds(kind))//" law of mdrcontact")
-            end if
-            return
-        end if
         line_end = index(text, new_line_character)
         if (line_end == 0) line_end = len(text) + 1
-        if (text(len(title) + 1:line_end - 1) /= versions(kind)) then
+        if (index(text, former_title) == 1) then
+            call raise(error, error_file, "it holds a law with friction of an earlier version of the library: make it anew")
+        else if (index(text, title) /= 1) then
+            call raise(error, error_file, "it is not a compiled contact law of mdrcontact")
+        else if (text(len(title) + 1:line_end - 1) /= version) then
             call raise(error, error_file, "its format has version "//text(len(title) + 1:min(line_end - 1, len(title) + 20))// &
-                       ", and this library reads version "//versions(kind))
+                       ", and this library reads version "//version//": make it anew")
         else if (body < line_end) then
             call raise(error, error_file, "it is cut off")
-        else if (text(body + 1:body + len(checksum_name)) /= checksum_name) then
+        else if (text(body + 1:body + len(checksum_name)) /= checksum_name .or. text(len(text):) /= new_line_character) then
             call raise(error, error_file, "it does not end with its checksum: it is cut off or was changed")
         else if (text(len(text) - 8:len(text) - 1) /= crc32_text(text(:body))) then
             call raise(error, error_file, "its checksum does not match its content: it is damaged")
@@ -324,13 +250,12 @@ contains
     end subroutine check_frame
 
     !> Description and numbers of a text whose frame is sound.
-    subroutine read_words(text, description, words, start, error)
+    subroutine read_words(text, description, words, error)
         character(len=*), intent(in) :: text
         character(len=:), allocatable, intent(out) :: description
         integer(int64), allocatable, intent(out) :: words(:)
-        integer, intent(out) :: start
         type(error_t), allocatable, intent(inout) :: error
-        integer :: length, count, middle, line_end, i, stat
+        integer :: start, length, count, middle, line_end, i, stat
 
         start = index(text, new_line_character) + 1
         line_end = start + index(text(start:), new_line_character) - 1

@@ -11,14 +11,13 @@ module mdrcontact_law_friction
     use mdrcontact_contact, only: on_unloading
     use mdrcontact_error, only: count_text, error_domain, error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_crc32, only: crc32_text
     use mdrcontact_law_evaluate, only: point_at, run_points, wanted_t
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial_with_slope
     use mdrcontact_law_levels, only: fewest_sliders, levels_t, most_sliders, new_levels
     use mdrcontact_law_sliders, only: at_lost, at_shift, is_record, keep, motion_t, move, part, record_size, &
                                      stored_energy, tangent_of, turn_record
-    use mdrcontact_law_table, only: law_table_t
+    use mdrcontact_law_table, only: law_table_t, scale_table
     implicit none (type, external)
     private
     public :: friction_law_t, contact_steps_t, default_sliders, find_levels, check_sliders
@@ -29,8 +28,8 @@ module mdrcontact_law_friction
     !> The law of a contact with friction. It never changes. What a contact remembers is a record of the caller's, an array of
     !> memory_size() numbers, all 0 before the first step.
     type :: friction_law_t
-        !> F and k_t over S = int dF/k_t, and S over F
-        type(contact_law_t), allocatable :: law
+        !> F and k_t over S = int dF/k_t, which stands in the place of the depth, and S over F
+        type(law_table_t) :: by_shift, by_force
         !> mu [1]
         real(wp) :: coefficient = 0.0_wp
         !> how many sliders stand for the springs
@@ -49,6 +48,7 @@ module mdrcontact_law_friction
         procedure :: steps
         procedure :: energies
         procedure :: turn
+        procedure :: scale
     end type friction_law_t
 
     !> One step of each of many contacts.
@@ -101,7 +101,7 @@ contains
         integer(int32) :: digits
         character(len=8) :: text
 
-        call new_levels(self%levels, self%law, self%sliders)
+        call new_levels(self%levels, self%by_shift, self%by_force, self%sliders)
         ! of all that a record depends on
         associate (numbers => [self%coefficient, real(self%sliders, wp), self%levels%force, self%levels%shift])
             text = crc32_text(transfer(numbers, repeat(" ", size(numbers)*storage_size(numbers)/storage_size(" "))))
@@ -109,6 +109,21 @@ contains
         read (text, "(z8)") digits
         self%mark = 2.0_wp**33 + digits
     end subroutine find_levels
+
+    !> The sliders of the same bodies where F and S at each contact radius are a factor times what they were, and k_t is as it was:
+    !> shares of springs that interact are those of contact radii.
+    subroutine scale(self, factor)
+        class(friction_law_t), intent(inout) :: self
+        !> > 0
+        real(wp), intent(in) :: factor
+        real(wp), allocatable :: share(:, :)
+
+        call scale_table(self%by_shift, factor)
+        call scale_table(self%by_force, factor)
+        call move_alloc(self%levels%share, share)
+        call find_levels(self)
+        call move_alloc(share, self%levels%share)
+    end subroutine scale
 
     !> Raises unless so many sliders can stand for the springs.
     pure subroutine check_sliders(error, sliders)
@@ -141,7 +156,7 @@ contains
         if (present(tangent)) tangent = 0.0_wp
         call check_step(self, force, shift, memory, error)
         if (allocated(error)) return
-        call level_at(self%law%by_force, force, level, compliance)
+        call level_at(self%by_force, force, level, compliance)
         call step(self, force, shift, level, compliance, .false., memory, traction, tangent)
     end subroutine advance
 
@@ -198,11 +213,11 @@ contains
         n = last - first + 1
         associate (s => self%steps, law => self%law)
             if (n >= few) then
-                call run_points(law%law%by_force, on_unloading, s%force(first:last), .false., 1, &
+                call run_points(law%by_force, on_unloading, s%force(first:last), .false., 1, &
                                 wanted_t(level(:n), compliance(:n)))
             else
                 do i = 1, n
-                    call level_at(law%law%by_force, s%force(first + i - 1), level(i), compliance(i))
+                    call level_at(law%by_force, s%force(first + i - 1), level(i), compliance(i))
                 end do
             end if
             do i = first, last
@@ -230,7 +245,7 @@ contains
         real(wp), intent(out), optional :: tangent(4, 3)
         type(motion_t) :: motion
 
-        if (.not. force > nothing*self%law%by_force%highest) then
+        if (.not. force > nothing*self%by_force%highest) then
             traction = 0.0_wp
             if (present(tangent)) tangent = 0.0_wp
             if (.not. is_trial) call part(self%levels, self%sliders, self%mark, memory)
@@ -323,9 +338,9 @@ contains
             call raise(error, error_invalid, must_be_moderate//", and so must its product with the stiffness", "shift")
         end if
         if (.not. allocated(error)) call check_memory(self, memory, error)
-        if (force > self%law%by_force%highest .and. .not. self%law%by_force%continued) then
+        if (force > self%by_force%highest .and. .not. self%by_force%continued) then
             call raise(error, error_domain, " = "//to_text(force)//" is beyond the law's largest force, "// &
-                       to_text(self%law%by_force%highest)//": give it a larger largest_depth, or let it continue beyond", "force")
+                       to_text(self%by_force%highest)//": give it a larger largest_depth, or let it continue beyond", "force")
         end if
     end subroutine check_step
 

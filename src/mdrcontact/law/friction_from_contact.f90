@@ -3,30 +3,84 @@
 !> shear and along cycles of depth and shift.
 module mdrcontact_law_friction_from_contact
     use mdrcontact_cancel, only: check_cancelled
+    use mdrcontact_contact, only: contact_t, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
     use mdrcontact_history_friction, only: first_shear_t, friction_t, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, new_friction_history
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_law, only: law_point_t
+    use mdrcontact_law, only: contact_law_t
+    use mdrcontact_law_evaluate, only: point_at
     use mdrcontact_law_friction, only: check_sliders, friction_law_t, find_levels
-    use mdrcontact_law_from_contact, only: law_options_t, new_contact_law
+    use mdrcontact_law_from_contact, only: law_options_t, new_law_of_contact => new_contact_law
     use mdrcontact_law_levels, only: levels_t, load_beyond, share_index, share_nodes
     implicit none (type, external)
     private
-    public :: new_friction_law
+    public :: new_contact_law, new_friction_law
+
+    !> The law of a contact, or of a contact and its friction.
+    interface new_contact_law
+        procedure new_law_of_contact, new_law_with_friction
+    end interface new_contact_law
 
     !> Parts of the largest depth and of the shift of sliding; and cycles: steps, shifts in units of the largest mu S,
     !> cycles of the shift in one of the depth.
     real(wp), parameter :: depths(*) = [0.01_wp, 0.1_wp, 0.5_wp, 0.6_wp, 0.7_wp, 0.85_wp, 1.0_wp], &
                            parts(*) = [0.05_wp, 0.13_wp, 0.2_wp, 0.3_wp, 0.6_wp, 0.9_wp, 0.96_wp]
     integer, parameter :: steps = 100
+    !> How far states of one contact may differ that was made twice.
+    real(wp), parameter :: same = 1.0e-9_wp
     real(wp), parameter :: amplitudes(*) = [0.3_wp, 1.0_wp, 3.0_wp], cycles(*) = [0.5_wp, 1.0_wp, 2.0_wp]
 
 contains
 
-    !> Compiles a contact with friction up to `largest_depth`.
+    !> The law of a contact with friction: F(d) and all that belongs to it, and its sliders.
+    subroutine new_law_with_friction(self, contact, friction, largest_depth, error, options, sliders)
+        type(contact_law_t), intent(out) :: self
+        type(contact_t), intent(in) :: contact
+        !> of this contact
+        type(friction_t), intent(in) :: friction
+        !> > 0 [length]
+        real(wp), intent(in) :: largest_depth
+        type(error_t), allocatable, intent(out) :: error
+        type(law_options_t), intent(in), optional :: options
+        !> 4 to 64 vector sliders for the springs of the contact; default 8
+        integer, intent(in), optional :: sliders
+        integer :: stat
+
+        if (present(sliders)) call check_sliders(error, sliders)
+        if (allocated(error)) return
+        call new_law_of_contact(self, contact, largest_depth, error, options)
+        if (.not. allocated(error)) call check_same_contact(contact, friction, largest_depth, error)
+        if (allocated(error)) return
+        allocate (self%friction, stat=stat)
+        call check_memory(error, stat)
+        if (.not. allocated(error)) call new_friction_law(self%friction, friction, largest_depth, error, options, sliders)
+    end subroutine new_law_with_friction
+
+    !> Raises unless friction is that of a contact, as far as states tell.
+    subroutine check_same_contact(contact, friction, largest_depth, error)
+        type(contact_t), intent(in) :: contact
+        type(friction_t), intent(in) :: friction
+        real(wp), intent(in) :: largest_depth
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: one, other
+        integer :: i
+
+        do i = 1, size(depths)
+            call contact%at_depth(depths(i)*largest_depth, one, error)
+            if (.not. allocated(error)) call friction%contact%at_depth(depths(i)*largest_depth, other, error)
+            if (allocated(error)) return
+            if (abs(one%force - other%force) <= same*abs(one%force) .and. abs(one%radius - other%radius) <= same*one%radius) cycle
+            call raise(error, error_invalid, " is not allowed: it must be of the contact that the law is made from; at depth "// &
+                       to_text(one%depth)//" its contact bears "//to_text(other%force)//" in place of "//to_text(one%force), &
+                       "friction")
+            return
+        end do
+    end subroutine check_same_contact
+
+    !> The sliders of a contact with friction up to `largest_depth`.
     subroutine new_friction_law(self, friction, largest_depth, error, options, sliders)
         type(friction_law_t), intent(out) :: self
         type(friction_t), intent(in) :: friction
@@ -37,14 +91,16 @@ contains
         type(law_options_t), intent(in), optional :: options
         !> 4 to 64; default 8
         integer, intent(in), optional :: sliders
+        type(contact_law_t) :: law
 
         if (present(sliders)) self%sliders = sliders
         call check_sliders(error, self%sliders)
         if (allocated(error)) return
-        allocate (self%law)
-        call new_contact_law(self%law, friction%contact, largest_depth, error, options, friction%tangential)
-        self%coefficient = friction%coefficient
+        call new_law_of_contact(law, friction%contact, largest_depth, error, options, friction%tangential)
         if (allocated(error)) return
+        self%by_shift = law%by_depth
+        self%by_force = law%by_force
+        self%coefficient = friction%coefficient
         call find_levels(self)
         associate (medium => friction%contact%equilibrium%medium)
             if (.not. medium%has_independent_springs()) call find_shares(self, friction, error)
@@ -124,8 +180,7 @@ contains
         real(wp), intent(in), optional :: part
         type(contact_state_t) :: state
         type(first_shear_t) :: shear
-        type(law_point_t) :: point
-        real(wp) :: shift, force, load, superposed_load, unused
+        real(wp) :: shift, force, load, superposed_load, radius, stiffness, unused
         integer :: l
 
         share = 1.0_wp
@@ -135,8 +190,7 @@ contains
             force = levels%force(level)
             if (present(part)) then
                 shift = (1.0_wp - part)*shift + part*levels%shift(level + 1)
-                if (.not. allocated(error)) call self%law%at_depth(shift, point, error)
-                force = point%force
+                call point_at(self%by_shift, on_unloading, shift, force, unused, radius, stiffness)
             end if
             if (.not. allocated(error)) call friction%contact%at_force(force, state, error)
             if (.not. allocated(error)) call friction%first_shear(state, shear, error)
@@ -192,7 +246,7 @@ contains
         integer :: i, j, step
 
         self%path_error = 0.0_wp
-        size_of_shift = self%coefficient*self%law%by_depth%highest
+        size_of_shift = self%coefficient*self%by_shift%highest
         do i = 1, size(amplitudes)
             do j = 1, size(cycles)
                 call new_friction_history(history, friction, error)
@@ -211,7 +265,7 @@ contains
                     if (allocated(error)) return
                     before = shift
                     self%path_error = max(self%path_error, abs(traction(1) - history%past%tangential%tangential_force) &
-                                          /(self%coefficient*self%law%by_force%highest))
+                                          /(self%coefficient*self%by_force%highest))
                 end do
             end do
         end do

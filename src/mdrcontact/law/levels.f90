@@ -9,8 +9,8 @@
 module mdrcontact_law_levels
     use mdrcontact_contact, only: on_unloading
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_evaluate, only: point_at
+    use mdrcontact_law_table, only: law_table_t
     implicit none (type, external)
     private
     public :: levels_t, new_levels, load_beyond, loads_beyond, slopes_beyond, share_of, share_index
@@ -35,33 +35,33 @@ module mdrcontact_law_levels
 contains
 
     !> The levels for a number of sliders, without shares: down to where the range of the law begins with all of its sliders.
-    pure subroutine new_levels(self, law, sliders)
+    pure subroutine new_levels(self, by_shift, by_force, sliders)
         type(levels_t), intent(out) :: self
-        !> of S in place of the depth and k_t in place of the stiffness
-        type(contact_law_t), intent(in) :: law
+        !> with S in place of the depth and k_t in place of the stiffness
+        type(law_table_t), intent(in) :: by_shift, by_force
         !> fewest_sliders to most_sliders
         integer, intent(in) :: sliders
         real(wp) :: ratio, shift, compliance, radius, stiffness, unused
         integer :: l
 
         ratio = 1.0_wp + spread/sliders + least
-        shift = law%by_depth%highest
+        shift = by_shift%highest
         self%count = sliders
-        do while (shift > law%by_depth%lowest .and. self%count < most_levels)
+        do while (shift > by_shift%lowest .and. self%count < most_levels)
             shift = shift/ratio
             self%count = self%count + 1
         end do
         allocate (self%shift(0:self%count + 1), self%force(0:self%count + 1), self%stiffness(0:self%count + 1))
-        shift = law%by_depth%highest
+        shift = by_shift%highest
         do l = self%count, 1, -1
-            call point_at(law%by_depth, on_unloading, shift, self%force(l), unused, radius, stiffness)
+            call point_at(by_shift, on_unloading, shift, self%force(l), unused, radius, stiffness)
             ! both from the table that steps are made with
-            call point_at(law%by_force, on_unloading, self%force(l), self%shift(l), compliance, radius, stiffness)
+            call point_at(by_force, on_unloading, self%force(l), self%shift(l), compliance, radius, stiffness)
             self%stiffness(l) = 1.0_wp/compliance
             shift = shift/ratio
         end do
         ! a flat end touches with all of its springs at once
-        self%stiffness(0) = merge(self%stiffness(1), 0.0_wp, law%by_force%end_radius > 0.0_wp)
+        self%stiffness(0) = merge(self%stiffness(1), 0.0_wp, by_force%end_radius > 0.0_wp)
         self%shift([0, self%count + 1]) = [0.0_wp, huge(1.0_wp)]
         self%force([0, self%count + 1]) = [0.0_wp, huge(1.0_wp)]
         self%stiffness(self%count + 1) = huge(1.0_wp)

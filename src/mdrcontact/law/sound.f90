@@ -3,6 +3,7 @@
 module mdrcontact_law_sound
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
+    use mdrcontact_law_friction, only: friction_law_t
     use mdrcontact_law_interval, only: coefficient_count, in_units_of, interval_t, panel_count, panel_ends, polynomial, row_t
     use mdrcontact_law_table, only: law_table_t, table_segment_t
     implicit none (type, external)
@@ -23,7 +24,19 @@ contains
                 .and. (law%by_depth%adhesive .eqv. law%by_force%adhesive)
         if (sound) sound = is_sound_table(law%by_depth)
         if (sound) sound = is_sound_table(law%by_force)
+        if (sound .and. allocated(law%friction)) sound = is_sound_friction(law%friction)
     end function is_sound
+
+    !> Whether the tables of a law's sliders are those of a shift without adhesion.
+    pure function is_sound_friction(friction) result(sound)
+        type(friction_law_t), intent(in) :: friction
+        logical :: sound
+
+        sound = friction%coefficient > 0.0_wp .and. friction%by_shift%by_depth .and. .not. friction%by_force%by_depth .and. &
+                .not. friction%by_shift%adhesive .and. .not. friction%by_force%adhesive
+        if (sound) sound = is_sound_table(friction%by_shift)
+        if (sound) sound = is_sound_table(friction%by_force)
+    end function is_sound_friction
 
     pure function is_sound_table(table) result(sound)
         type(law_table_t), intent(in) :: table

@@ -37,17 +37,18 @@ contains
                 row_words*size(table%other)
     end function word_count
 
-    !> All of a table.
-    pure subroutine put_table(table, words)
+    !> All of a table, word_count(table) of them from `next` on, which moves behind them.
+    pure subroutine put_table(table, words, next)
         type(law_table_t), intent(in) :: table
-        !> word_count(table) of them or more
         integer(int64), intent(inout) :: words(:)
-        integer :: i, next
+        integer, intent(inout) :: next
+        integer :: i
 
-        words(:3) = int([merge(1, 0, table%by_depth), merge(1, 0, table%adhesive), merge(1, 0, table%continued)], int64)
-        words(4:6 + 2*column_count) = transfer([table%end_radius, table%lowest, table%highest, table%end_values, table%powers], &
-                                               [0_int64])
-        next = 7 + 2*column_count
+        words(next:next + 2) = int([merge(1, 0, table%by_depth), merge(1, 0, table%adhesive), merge(1, 0, table%continued)], int64)
+        next = next + 3
+        words(next:next + 2 + 2*column_count) = transfer([table%end_radius, table%lowest, table%highest, table%end_values, &
+                                                          table%powers], [0_int64])
+        next = next + 3 + 2*column_count
         words(next:next + 2) = int([size(table%segments), size(table%intervals), size(table%other)], int64)
         next = next + 3
         do i = 1, size(table%segments)

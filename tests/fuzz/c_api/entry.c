@@ -35,7 +35,7 @@ static void free_all(world *w)
     mdr_loop_free(&w->loop);
     mdr_law_free(&w->law);
     mdr_structure_free(&w->structure);
-    mdr_friction_law_free(&w->friction_law);
+    mdr_law_free(&w->friction_law);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

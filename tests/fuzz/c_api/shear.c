@@ -31,25 +31,25 @@ static void moduli(world *w)
 enum { MOST_SLIDERS = 16, MOST_MEMORY = 11 + 3 * MOST_SLIDERS };
 
 /* What it is; and what was written is read again. */
-static void write_and_read(const mdr_friction_law *law)
+static void write_and_read(const mdr_law *law)
 {
-    mdr_friction_law_facts facts = MDR_SIZED(mdr_friction_law_facts);
-    mdr_friction_law *again = NULL;
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
+    mdr_law *again = NULL;
     char words[8];
     int length = 0, second = 0, status;
 
-    judge_status("mdr_friction_law_info", mdr_friction_law_info(law, &facts));
-    if (!(facts.first_shear_error >= 0.0 && facts.path_error >= -1.0)) finding("mdr_friction_law_info", "no error", 0);
-    judge_status("mdr_friction_law_description", mdr_friction_law_description(law, words, (int)sizeof words));
-    if (mdr_friction_law_write(law, NULL, 0, &length) != MDR_SUCCESS) return;
+    judge_status("mdr_law_info", mdr_law_info(law, &facts));
+    if (!(facts.first_shear_error >= 0.0 && facts.path_error >= -1.0)) finding("mdr_law_info", "no error", 0);
+    judge_status("mdr_law_description", mdr_law_description(law, words, (int)sizeof words));
+    if (mdr_law_write(law, NULL, 0, &length) != MDR_SUCCESS) return;
     char *text = malloc((size_t)length);
-    judge_status("mdr_friction_law_write", mdr_friction_law_write(law, text, length, &length));
-    status = mdr_friction_law_read(text, length, &again);
-    judge_object("mdr_friction_law_read", status, again);
-    if (!again) finding("mdr_friction_law_read", "refuses what mdr_friction_law_write wrote", length);
-    mdr_friction_law_write(again, NULL, 0, &second);
-    if (second != length) finding("mdr_friction_law_write", "another length after reading", second);
-    mdr_friction_law_free(&again);
+    judge_status("mdr_law_write", mdr_law_write(law, text, length, &length));
+    status = mdr_law_read(text, length, &again);
+    judge_object("mdr_law_read", status, again);
+    if (!again) finding("mdr_law_read", "refuses what mdr_law_write wrote", length);
+    mdr_law_write(again, NULL, 0, &second);
+    if (second != length) finding("mdr_law_write", "another length after reading", second);
+    mdr_law_free(&again);
     free(text);
 }
 
@@ -58,7 +58,7 @@ static void compile(world *w)
     const double coefficient = take_chance(&w->in) ? take_positive(&w->in) : 0.3, largest = take_positive(&w->in);
     mdr_law_options options;
     mdr_friction *friction = NULL;
-    mdr_friction_law *made = NULL;
+    mdr_law *made = NULL;
     int slot, status;
     const mdr_contact *contact = some_contact(w, &slot);
 
@@ -68,11 +68,13 @@ static void compile(world *w)
     if (!afford(w, w->contact_is_exact[slot] ? PRICE_OF_EXACT_LAW : PRICE_OF_LAW)) return;
     status = mdr_friction_new(contact, coefficient, &friction);
     judge_object("mdr_friction_new", status, friction);
-    status = mdr_friction_law_new(friction, largest, take_byte(&w->in) % 2 ? MOST_SLIDERS : 0, &options, &made);
-    judge_object("mdr_friction_law_new", status, made);
+    options.friction = friction;
+    options.sliders = take_byte(&w->in) % 2 ? MOST_SLIDERS : 0;
+    status = mdr_law_new(contact, largest, &options, &made);
+    judge_object("mdr_law_new", status, made);
     mdr_friction_free(&friction);
     if (!made) return;
-    mdr_friction_law_free(&w->friction_law);
+    mdr_law_free(&w->friction_law);
     w->friction_law = made;
     write_and_read(made);
 }
@@ -125,7 +127,7 @@ static void advance(world *w)
     double force[MOST_POINTS], shift[3 * MOST_POINTS], normal[3 * MOST_POINTS], tangent[12 * MOST_POINTS];
     double T[3 * MOST_POINTS], stored[MOST_POINTS], dissipated[MOST_POINTS], memory[MOST_POINTS * MOST_MEMORY];
     const int n = take_count(&w->in);
-    const mdr_friction_law *law = some_friction_law(w);
+    const mdr_law *law = some_friction_law(w);
     int status;
 
     memset(memory, 0, sizeof memory);
@@ -135,20 +137,20 @@ static void advance(world *w)
         for (int i = 0; i < 3; i++) take_numbers(&w->in, &shift[i * MOST_POINTS]);
         for (int i = 0; i < 3 * MOST_POINTS; i++) normal[i] = i % 3 == 2;
         if (take_chance(&w->in)) normal[0] = 0.6, normal[2] = take_chance(&w->in) ? take_number(&w->in) : 0.8;
-        status = mdr_friction_law_turn(law, n, normal, take_chance(&w->in) ? force : NULL, memory);
-        judge_status("mdr_friction_law_turn", status);
-        status = mdr_friction_law_try(law, n, force, shift, tangent, memory, T);
-        judge_status("mdr_friction_law_try", status);
+        status = mdr_law_turn(law, n, normal, take_chance(&w->in) ? force : NULL, memory);
+        judge_status("mdr_law_turn", status);
+        status = mdr_law_try(law, n, force, shift, tangent, memory, T);
+        judge_status("mdr_law_try", status);
         for (int i = 0; i < 12 * n && status == MDR_SUCCESS; i++) {
-            if (!isfinite(tangent[i])) finding("mdr_friction_law_try", "no number", i);
+            if (!isfinite(tangent[i])) finding("mdr_law_try", "no number", i);
         }
-        status = mdr_friction_law_advance(law, n, force, shift, NULL, memory, T);
-        judge_status("mdr_friction_law_advance", status);
+        status = mdr_law_advance(law, n, force, shift, NULL, memory, T);
+        judge_status("mdr_law_advance", status);
         for (int i = 0; i < 3 * n && status == MDR_SUCCESS; i++) {
-            if (!isfinite(T[i])) finding("mdr_friction_law_advance", "no number", i);
+            if (!isfinite(T[i])) finding("mdr_law_advance", "no number", i);
         }
-        status = mdr_friction_law_energies(law, n, memory, stored, dissipated);
-        judge_status("mdr_friction_law_energies", status);
+        status = mdr_law_energies(law, n, memory, stored, dissipated);
+        judge_status("mdr_law_energies", status);
     }
 }
 

@@ -60,9 +60,9 @@ const mdr_material *some_material(world *w)
     return pick(w, (void *const *)w->materials, &slot, w->media[0]);
 }
 
-const mdr_friction_law *some_friction_law(world *w)
+const mdr_law *some_friction_law(world *w)
 {
-    return take_byte(&w->in) == 254 ? (const mdr_friction_law *)w->law : w->friction_law;
+    return take_byte(&w->in) == 254 ? w->law : w->friction_law;
 }
 
 mdr_state some_state(world *w, const mdr_contact *contact)

@@ -21,7 +21,7 @@ typedef struct world {
     mdr_law *law;
     mdr_structure *structure;
     mdr_material *materials[SLOTS];
-    mdr_friction_law *friction_law;
+    mdr_law *friction_law;
 } world;
 
 /* Whether a call of that price may still be made. */
@@ -34,7 +34,7 @@ const mdr_contact *some_contact(world *w, int *slot);
 const mdr_law *some_law(world *w);
 const mdr_structure *some_structure(world *w);
 const mdr_material *some_material(world *w);
-const mdr_friction_law *some_friction_law(world *w);
+const mdr_law *some_friction_law(world *w);
 /* A state of the contact, or seldom none. */
 mdr_state some_state(world *w, const mdr_contact *contact);
 

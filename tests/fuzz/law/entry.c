@@ -2,7 +2,7 @@
 /*
  * The reader of saved laws. The first byte of the input says what the others are: the text of a file as it is, a text whose
  * checksum is put right first (it would stop almost every mutation at the gate), or the bits of the numbers, from which the
- * text is made, with friction or without.
+ * text is made.
  * A law that is accepted is evaluated everywhere: it may be wrong, but it must be tame.
  */
 #include "mdrcontact.h"
@@ -75,31 +75,30 @@ static void evaluate(const mdr_law *law)
     if (mdr_law_write(law, NULL, 0, &length) != MDR_SUCCESS || length < CHECKSUM_LINE) finding("cannot be written again");
 }
 
-/* A law with friction, led along a path. */
-static void rub(const mdr_friction_law *law)
+/* A law that has friction, led along a path. */
+static void rub(const mdr_law *law)
 {
-    mdr_friction_law_facts facts = MDR_SIZED(mdr_friction_law_facts);
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     double T[3], tangent[12];
-    int length = 0;
 
-    if (mdr_friction_law_info(law, &facts) != MDR_SUCCESS) finding("with friction has no facts");
+    if (mdr_law_info(law, &facts) != MDR_SUCCESS) finding("has no facts");
+    if (facts.sliders == 0) return;
     double *memory = calloc((size_t)facts.memory_size, sizeof *memory);
     if (!memory) abort();
     for (int i = 0; i < DEPTHS; i++) {
         const double force = facts.highest_force * (i + 1) / (DEPTHS - 1.0);
         const double shift[3] = {facts.highest_sliding_shift * (i % 3 - 0.7), 0.0, i == 5 ? 0.1 * facts.highest_sliding_shift : 0.0};
-        mdr_friction_law_advance(law, 1, &force, shift, tangent, memory, T);
+        mdr_law_advance(law, 1, &force, shift, tangent, memory, T);
     }
     free(memory);
-    if (mdr_friction_law_write(law, NULL, 0, &length) != MDR_SUCCESS || length < CHECKSUM_LINE) finding("cannot be written again");
 }
 
 /* The file with these bits as its numbers. */
-static size_t text_of_numbers(const uint8_t *data, size_t size, int friction, char *text)
+static size_t text_of_numbers(const uint8_t *data, size_t size, char *text)
 {
     const size_t count = size / 8;
-    int length = sprintf(text, "mdrcontact compiled %s law, format %d\n1 characters of description, then %d numbers\nx\n",
-                         friction ? "friction" : "contact", friction ? 3 : 2, (int)count);
+    int length = sprintf(text, "mdrcontact compiled contact law, format 3\n1 characters of description, then %d numbers\nx\n",
+                         (int)count);
     for (size_t i = 0; i < count; i++) {
         for (int j = 7; j >= 0; j--) length += sprintf(text + length, "%02X", data[8 * i + (size_t)j]);
         text[length++] = i % 8 == 7 ? '\n' : ' ';
@@ -111,7 +110,6 @@ static size_t text_of_numbers(const uint8_t *data, size_t size, int friction, ch
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     mdr_law *law = NULL;
-    mdr_friction_law *friction = NULL;
     char words[1024];
     size_t length = size - 1;
 
@@ -119,7 +117,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     char *buffer = malloc(3 * size + 256);
     if (!buffer) return 0;
     memcpy(buffer, data + 1, length);
-    if (data[0] % 4 >= 2) length = text_of_numbers(data + 1, length, data[0] % 8 >= 4, buffer);
+    if (data[0] % 4 >= 2) length = text_of_numbers(data + 1, length, buffer);
     if (data[0] % 4 >= 1) mend_checksum(buffer, length);
     /* in a block of its very size, so that a checker sees what lies beyond */
     char *text = malloc(length > 0 ? length : 1);
@@ -129,11 +127,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if ((status == MDR_SUCCESS) != (law != NULL)) finding("status and handle disagree");
     if (status == MDR_SUCCESS) {
         evaluate(law);
+        rub(law);
     } else if (mdr_last_error(words, (int)sizeof words) < 1) {
         finding("is refused without words");
     }
-    if (mdr_friction_law_read(text, (int)length, &friction) == MDR_SUCCESS) rub(friction);
-    mdr_friction_law_free(&friction);
     mdr_law_free(&law);
     free(text);
     free(buffer);

@@ -196,7 +196,7 @@ def test_history_at_constant_force_is_first_shear_and_masing(tip, material, mu, 
 def test_laws_of_friction_turn_with_the_path(R, material, mu, angle, steps):
     """Forces along a straight path at an angle against those along x, turned; first shear against the contact; the law pickled."""
     friction = mdr.Friction(mdr.Contact(mdr.Paraboloid(R), mdr.Homogeneous(material)), mu)
-    law = mdr.FrictionLaw(friction, 0.1 * R, tolerance=1e-8)
+    law = mdr.ContactLaw(friction.contact, 0.1 * R, friction=friction, tolerance=1e-8)
     state = friction.contact.at_depth(0.05 * R)
     unit = friction.sliding_shift(state)
     memory = [law.contacts(1) for _ in range(3)]

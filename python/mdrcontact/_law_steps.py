@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compiled laws of contacts with friction: the tangential force of many contacts, step by step."""
+"""The tangential force of compiled laws with friction, step by step."""
 
 from __future__ import annotations
 
@@ -8,104 +8,56 @@ from typing import Any, Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
-from ._boundary import address, call, number, numbers, whole
-from ._law_file import LawFile, law_options
-from .errors import ArgumentTypeError
-from .friction import Friction
-
-__all__ = ["FrictionLaw"]
+from . import _native
+from ._boundary import address, call, numbers, whole
+from ._law_file import LawFile
+from .errors import ArgumentTypeError, InvalidArgumentError
 
 Reals = NDArray[np.float64]
 
 
-class FrictionLaw(LawFile):
-    """The tangential force of contacts in codes that integrate motion, along any path of the shift in the plane and of the normal
-    force: stick, partial slip, sliding, and what earlier slip left behind. It never changes, may be shared between threads, and is
-    saved, loaded and pickled with all it needs; what the contacts remember is the caller's array.
-
-    friction : the `Friction` to compile
-    largest_depth : > 0 [length]
-    sliders : 4 to 64 vector sliders for the springs of a contact; errors fall about as sliders^-1.6, time and memory grow in
-        proportion. 16 for finite elements
-    smallest_depth : from which on the tolerance holds [length]; None: 1e-4 of the largest
-    tolerance : relative, of forces and stiffnesses; 1e-12 to 1e-2
-    description : the problem in words, kept in files; None: the friction's repr
-    continue_beyond : whether forces larger than that at the largest depth are answered along the tangent; else they are refused
-
-    No path yields energy, T is continuous in F and in the shift, and each step has a derivative. T is off by 1 to 2 % of mu F with
-    8 sliders, 0.5 % with 16, against the springs of the body, and springs in the plane are a model: see docs/laws.md,
-    `first_shear_error` and `path_error`. Slip of small amplitude, below the strength of the slider at the edge, is elastic: for
-    fretting take `Friction`.
-    """
+class LawSteps(LawFile):
+    """A compiled law that has sliders, if it was made with friction."""
 
     __slots__ = ()
 
-    _write, _read, _describe = _native.friction_law_write, _native.friction_law_read, _native.friction_law_description
-    _free, _info, _table = _native.friction_law_free, _native.friction_law_info, _layout.friction_law_facts
-
-    def __init__(
-        self,
-        friction: Friction,
-        largest_depth: float,
-        *,
-        sliders: int = 8,
-        smallest_depth: float | None = None,
-        tolerance: float = 1e-9,
-        description: str | None = None,
-        continue_beyond: bool = False,
-    ) -> None:
-        if not isinstance(friction, Friction):
-            raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
-        options, text = law_options(description, repr(friction), smallest_depth, tolerance, continue_beyond)
-        largest = number("largest_depth", largest_depth)
-        count = whole("sliders", sliders, 1)
-        self._own(_native.friction_law_new(friction._handle.address, largest, count, address(options)))
-        del text  # the options point to it
-
     @property
-    def coefficient(self) -> float:
-        """Of friction [1]."""
-        return float(self._facts["coefficient"])
-
-    @property
-    def largest_force(self) -> float:
-        """The largest normal force of the compiled range [modulus length^2]."""
-        return float(self._facts["highest_force"])
-
-    @property
-    def largest_sliding_shift(self) -> float:
-        """The shift of first shear at which the contact slides under the largest normal force [length]."""
-        return float(self._facts["highest_sliding_shift"])
+    def coefficient(self) -> float | None:
+        """Of friction [1]; None in a law without it."""
+        return float(self._facts["coefficient"]) if self.sliders else None
 
     @property
     def sliders(self) -> int:
-        """How many vector sliders stand for the springs of a contact."""
+        """How many vector sliders stand for the springs of a contact; 0 in a law without friction."""
         return int(self._facts["sliders"])
 
     @property
     def memory_size(self) -> int:
-        """How many numbers a contact remembers."""
+        """How many numbers a contact remembers; 0 in a law without friction."""
         return int(self._facts["memory_size"])
 
     @property
+    def largest_sliding_shift(self) -> float:
+        """The shift of first shear at which the contact slides under the largest normal force [length]; 0 without friction."""
+        return float(self._facts["highest_sliding_shift"])
+
+    @property
     def first_shear_error(self) -> float:
-        """The largest error of T found in first shear at constant normal force F, relative to coefficient F."""
+        """The largest error of T found in first shear at constant normal force F, relative to coefficient F; 0 without friction."""
         return float(self._facts["first_shear_error"])
 
     @property
     def path_error(self) -> float | None:
         """The largest error of T found along cycles of depth and shift against the exact history, relative to the largest
-        coefficient F; None on bodies other than homogeneous ones."""
+        coefficient F; None on bodies other than homogeneous ones, and in a law without friction."""
         error = float(self._facts["path_error"])
-        return None if error < 0.0 else error
-
-    def __repr__(self) -> str:
-        return f"<FrictionLaw of {self.description}, forces up to {self.largest_force:.4g}>"
+        return error if self.sliders and error >= 0.0 else None
 
     def contacts(self, count: int) -> Reals:
         """The memory of `count` contacts that have not been loaded: an array of shape (count, `memory_size`) of zeros. To be stored
         and read as numbers; setting a row to 0 forgets that contact, its dissipated energy too."""
+        if not self.sliders:
+            raise InvalidArgumentError("the law has no friction: it is to be made with friction=Friction(...)")
         return np.zeros((whole("count", count, 0), self.memory_size))
 
     @overload
@@ -128,7 +80,7 @@ class FrictionLaw(LawFile):
         [modulus length] and dT/dF, in the shape of `shift`, by the shift of the step and F at its end. A step in which the shift
         turns aside should be no longer than 0.2 of the shift of sliding. After an error all is as before.
         """
-        return self._step(_native.friction_law_advance, memory, force, shift, tangent)
+        return self._step(_native.law_advance, memory, force, shift, tangent)
 
     @overload
     def attempt(self, memory: Reals, force: ArrayLike, shift: ArrayLike, tangent: Literal[False] = False) -> Reals: ...
@@ -140,7 +92,7 @@ class FrictionLaw(LawFile):
         self, memory: Reals, force: ArrayLike, shift: ArrayLike, tangent: bool = False
     ) -> Reals | tuple[Reals, Reals, Reals]:
         """What `advance` would return; `memory` stays as it is. For Newton's method, and for steps that may be taken back."""
-        return self._step(_native.friction_law_try, memory, force, shift, tangent)
+        return self._step(_native.law_try, memory, force, shift, tangent)
 
     def _step(
         self, function: Any, memory: Reals, force: ArrayLike, shift: ArrayLike, tangent: bool
@@ -167,7 +119,7 @@ class FrictionLaw(LawFile):
         n = self._count(memory)
         if not n:
             return np.zeros(0), np.zeros(0)
-        stored, dissipated = call(_native.friction_law_energies, self._handle.address, n, address(memory))
+        stored, dissipated = call(_native.law_energies, self._handle.address, n, address(memory))
         return stored, dissipated
 
     def turn(self, memory: Reals, normals: ArrayLike, spin: ArrayLike | None = None) -> None:
@@ -186,12 +138,12 @@ class FrictionLaw(LawFile):
                 f"({n},)"
             )
         if n:
-            call(_native.friction_law_turn, self._handle.address, directions, address(angles), address(memory))
+            call(_native.law_turn, self._handle.address, directions, address(angles), address(memory))
 
     def _count(self, memory: Reals) -> int:
-        if not (isinstance(memory, np.ndarray) and memory.dtype == np.float64 and memory.ndim == 2
+        if not (self.sliders and isinstance(memory, np.ndarray) and memory.dtype == np.float64 and memory.ndim == 2
                 and memory.shape[1] == self.memory_size and memory.flags.c_contiguous and memory.flags.writeable):  # fmt: skip
             raise ArgumentTypeError(
-                "memory is not allowed: it must be an array made by FrictionLaw.contacts, or some of its rows in a row"
+                "memory is not allowed: it must be an array made by ContactLaw.contacts, or some of its rows in a row"
             )
         return len(memory)
