@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The tests in every language and every example: ./runtests.sh [--all]
-# --all adds what takes longer: valgrind, sanitizers, installed copies, packages, the tests that pytest knows as slow.
+# The tests in every language: ./runtests.sh [--all]
+# --all adds what takes longer: valgrind, sanitizers, installed copies, packages, and the tests that pytest knows as slow, among
+# them the code of the guide and the examples in Python.
 # Same set-up as quickstart.sh, plus the tools of the tests. Status 0 only if all passed and every suite ran tests.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
