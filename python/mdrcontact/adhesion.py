@@ -57,8 +57,8 @@ class Loop(NamedTuple):
     jumps: NDArray[np.int64]
     """indices of the points just before each jump; a jump leads to the next point, at the same position"""
     dissipated_energy: float
-    """energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, for how far the bodies then fly apart
-    under it is not known [modulus length^3]"""
+    """energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, for how far the bodies then fly
+    apart under it is not known [modulus length^3]"""
     control: str
     """"force", "depth" or "spring"."""
 
