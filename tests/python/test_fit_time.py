@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import math
+from time import process_time
 
 import numpy as np
 import pytest
@@ -89,6 +90,25 @@ def test_noise_of_the_depth():
     result = mdr.fit(data, TIP, start, ["modulus", "exponent", "depth_offset"])
     assert result.estimates["modulus"] == pytest.approx(1e3, rel=0.02)
     assert result.estimates["exponent"] == pytest.approx(0.2, abs=0.005)
+
+
+@pytest.mark.parametrize(("count", "noise"), [(200, 1e-9), (200, 5e-9), (1600, 1e-9), (6300, 5e-9)])
+@pytest.mark.parametrize("seed", [0, 2])
+def test_depths_with_noise_take_no_longer(count, noise, seed):
+    """Each step of noise was a contact that shrinks and grows: 42 s for 200 readings, no end for 6,300. The straight pieces are
+    those of the path that was prescribed."""
+    time = np.linspace(0.0, 2.0, count)
+    path = np.interp(time, [0.0, 0.7, 1.3, 2.0], [-0.1e-6, 0.6e-6, 0.6e-6, -0.1e-6])
+    force = np.interp(time, TIME, np.asarray(mdr.Contact(TIP, mdr.Homogeneous(GEL)).history(TIME, depth=PATH).force))
+    random = np.random.default_rng(seed)
+    begun = process_time()
+    data = mdr.ForceTime(time, path + noise * random.standard_normal(count), force + 1e-11 * random.standard_normal(count))
+    start = mdr.Homogeneous(GEL.replace(modulus=500.0, exponent=0.3))
+    result = mdr.fit(data, TIP, start, ["modulus", "exponent", "depth_offset"])
+    assert process_time() - begun < 5.0
+    assert np.sqrt(np.mean((data.given - path) ** 2)) < 4.0 * noise / math.sqrt(count / 6)
+    assert result.estimates["modulus"] == pytest.approx(1e3, rel=0.01)
+    assert result.estimates["exponent"] == pytest.approx(0.2, abs=0.004)
 
 
 def test_creep():

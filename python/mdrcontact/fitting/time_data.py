@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -13,6 +15,8 @@ from .data import Array, Data, column_of
 
 _NOISE = 3.0
 """Standard deviations of the depth readings within which they turn."""
+_MOST_CORNERS, _ROUNDS, _FEWEST = 200, 3, 5
+"""Of the corners of a path: how many there are, how often they are moved, readings of a piece that has a line."""
 _ROUGH = 0.03
 """Readings this far off a path, as a part of its range, are of another path."""
 
@@ -31,7 +35,8 @@ class ForceTime(_InTime):
 
     time : ascending [time]
     depth : that the instrument reads, the deflection of a cantilever taken off: rises to one largest value, may be held there, and
-        falls; in between linear in time. Readings whose noise goes back and forth are replaced by the closest such path [length]
+        falls; in between linear in time. Readings whose noise goes back and forth are replaced by the straight pieces that they
+        follow; the error of those is not in the standard errors [length]
     force : [modulus length^2]
     sd, relative_sd : of the force, as in ForceDepth
     """
@@ -58,7 +63,11 @@ class ForceTime(_InTime):
                 "readings. Give the path that was prescribed, or a part of the record"
             )
         if off > 0.0:
-            self.warnings.append(f"the depth readings go back and forth: a path {off:.2g} (root mean square) from them is used")
+            share = 100.0 * off / float(np.ptp(path))
+            self.warnings.append(
+                f"the depth readings go back and forth: a path of straight pieces, {off:.2g} (root mean square) from them, "
+                f"{share:.2g} % of its range, is used"
+            )
         self.given = path
 
 
@@ -127,8 +136,7 @@ class DynamicStiffness(Data):
 
 
 def _rise_and_fall(time: Array, depth: Array) -> Array:
-    """The readings, if they rise to one largest value and fall; else lines through the middles of what their best ascending and
-    descending steps are (pool adjacent violators)."""
+    """The readings, if they rise to one largest value and fall; else the path of few straight pieces that is closest to them."""
     top = int(np.argmax(depth)) if len(depth) else 0
     if not (np.diff(depth[: top + 1]) < 0.0).any() and not (np.diff(depth[top:]) > 0.0).any():
         return depth
@@ -138,7 +146,77 @@ def _rise_and_fall(time: Array, depth: Array) -> Array:
     rise, fall = slice(0, turn + 1), slice(turn, len(depth))
     up = _ascending(time[rise], depth[rise])
     down = -_ascending(time[fall], -np.concatenate([up[-1:], np.minimum(depth[fall][1:], up[-1])]))
-    return np.concatenate([up, np.minimum(down[1:], up[-1])])
+    steps = np.concatenate([up, np.minimum(down[1:], up[-1])])
+    return _straightened(time, depth, steps, max(noise, 1e-6 * float(np.ptp(depth))))
+
+
+def _straightened(time: Array, depth: Array, steps: Array, noise: float) -> Array:
+    """Straight pieces between the corners of a path, by least squares through the readings. Steps of noise would each be a history
+    of its own, in which contacts shrink and grow."""
+    tolerance = _NOISE * noise
+    corners = _corners(time, steps, tolerance)
+    while len(corners) > _MOST_CORNERS:
+        tolerance *= 2.0
+        corners = _corners(time, steps, tolerance)
+    at = time[corners]
+    while (i := _slows_down(at, _through(time, depth, at), 3.0 * tolerance)) is not None:
+        # the readings next to a turn are within twice the tolerance of the top, and one corner more may stand behind it
+        at = np.delete(at, i)
+    for _ in range(_ROUNDS):
+        at = _where_lines_meet(time, depth, at)
+    return np.asarray(np.interp(time, at, _through(time, depth, at)))
+
+
+def _where_lines_meet(time: Array, depth: Array, at: Array) -> Array:
+    """Corners between straight lines through the readings of each piece, where those tell."""
+    ends = np.searchsorted(time, at)
+    lines = [np.polyfit(time[a:b], depth[a:b], 1) if b - a >= _FEWEST else None for a, b in pairwise(ends)]
+    moved = at.copy()
+    for i, (before, behind) in enumerate(pairwise(lines), start=1):
+        if before is None or behind is None or before[0] == behind[0]:
+            continue
+        meet = float((behind[1] - before[1]) / (before[0] - behind[0]))
+        if 0.5 * (at[i - 1] + at[i]) < meet < 0.5 * (at[i] + at[i + 1]):
+            moved[i] = meet
+    return moved
+
+
+def _through(time: Array, depth: Array, at: Array) -> Array:
+    """Depths at the corners: least squares, then made to rise and fall."""
+    piece = np.clip(np.searchsorted(at, time, "right") - 1, 0, len(at) - 2)
+    share = (time - at[piece]) / (at[piece + 1] - at[piece])
+    rows = np.arange(len(time))
+    design = np.zeros((len(time), len(at)))
+    design[rows, piece], design[rows, piece + 1] = 1.0 - share, share
+    values = np.linalg.lstsq(design, depth)[0]
+    top = int(np.argmax(values))
+    values[: top + 1] = np.maximum.accumulate(values[: top + 1])
+    values[top:] = np.minimum.accumulate(values[top:])
+    return np.asarray(values)
+
+
+def _slows_down(time: Array, values: Array, tolerance: float) -> int | None:
+    """A corner of the retract at which it slows down by no more than noise: a body that relaxes would touch again there."""
+    slopes = np.diff(values) / np.diff(time)
+    for i in range(int(np.argmax(values)) + 1, len(values) - 1):
+        chord = float(np.interp(time[i], time[[i - 1, i + 1]], values[[i - 1, i + 1]]))
+        if slopes[i] > slopes[i - 1] and abs(values[i] - chord) <= tolerance:
+            return i
+    return None
+
+
+def _corners(time: Array, path: Array, tolerance: float) -> list[int]:
+    """Positions between which a path is straight to a tolerance (Ramer 1972, Comput. Graph. Image Process. 1, 244)."""
+    kept, pieces = {0, len(path) - 1}, [(0, len(path) - 1)]
+    while pieces:
+        first, last = pieces.pop()
+        part = slice(first, last + 1)
+        off = np.abs(path[part] - np.interp(time[part], time[[first, last]], path[[first, last]]))
+        worst = first + int(np.argmax(off))
+        if off[worst - first] > tolerance and first < worst < last:
+            kept.add(worst)
+            pieces += [(first, worst), (worst, last)]
+    return sorted(kept)
 
 
 def _ascending(time: Array, values: Array) -> Array:
