@@ -324,3 +324,23 @@ def test_errors_finer_than_the_readings_are_refused(options):
     with pytest.raises(mdr.InvalidArgumentError, match="is that fine"):
         mdr.ForceDepth([1.0, 2.0, 3.0], [1.0, 2.8, 5.2], **options)
     mdr.ForceDepth([1.0, 2.0, 3.0], [0.0, 2.8, 5.2], sd=1e-10)
+
+
+@pytest.mark.parametrize(
+    "tip",
+    [mdr.Berkovich(), mdr.AreaFunction([24.5], max_height=1e-6), mdr.AreaFunction([24.5, 0.0, 0.0], max_height=1e-6)],
+)
+def test_tips_that_are_sharp_to_the_apex_are_ideal(tip):
+    """An area function of C0 alone is a cone, whatever it is called."""
+    words = " ".join(mdr.fit(csm(), tip, FILM, ["coating.E"]).warnings)
+    assert "ideally sharp" in words
+    blunt = mdr.AreaFunction([24.5, 3e-7], max_height=1e-6)
+    assert "ideally sharp" not in " ".join(mdr.fit(csm(), blunt, FILM, ["coating.E"]).warnings)
+
+
+@pytest.mark.parametrize("factor", [1.0, 1.3])
+def test_branches_that_differ_are_named(factor):
+    """Approach and retract in one fit without adhesion: the cause is said, with its size."""
+    data = mdr.ForceDepth(np.r_[DEPTH, DEPTH[::-1]], np.r_[FORCE, factor * FORCE[::-1]])
+    words = [words for words in mdr.fit(data, BALL, FILM, ["coating.E"]).warnings if "loading and unloading differ" in words]
+    assert len(words) == (factor > 1.0)

@@ -18,7 +18,7 @@ from ..problem.toml import parse_file
 
 DATA_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".xlsx", ".xlsm", *afm.SUFFIXES)
 """Endings of files that hold measurements."""
-_RESULTS = ("csv", "pressure_csv", "plot", "json", "report", "npy", "law", "output")
+_RESULTS = ("csv", "pressure_csv", "plot", "ranges", "json", "report", "npy", "law", "output")
 """Arguments that name a file to be written."""
 _NAMES = ("file", "path", "labels")
 """Keys of problem files that name a file to be read."""
@@ -43,9 +43,10 @@ def check(arguments: argparse.Namespace) -> None:
     for path in results:
         if path.exists() and any(path.samefile(read) for read in _read_by(arguments) if read.exists()):
             raise OutputError(f"{path} is what this command reads: give the result another name")
-    if plot := getattr(arguments, "plot", None):
-        figure_format(plot)
-    if plot or getattr(arguments, "report", None):
+    pictures = [path for name in ("plot", "ranges") if (path := getattr(arguments, name, None))]
+    for path in pictures:
+        figure_format(path)
+    if pictures or getattr(arguments, "report", None):
         try:
             import matplotlib.figure  # noqa: F401
         except ImportError as problem:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from .. import _progress
-from ..fitting import FitResult, OliverPharr, StiffnessDepth, compare_models, fit, oliver_pharr, report
+from ..fitting import FitResult, OliverPharr, StiffnessDepth, compare_models, find_moves, fit, oliver_pharr, report
 from ..fitting.quantities import digits, dimension_of_data
 from ..problem.data import Curve
 from ..problem.fit_file import FitFile, load_fit_file
@@ -66,6 +66,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     files.add_options(parser, "points and residuals, or for a folder the estimates")
     parser.add_argument("--json", type=Path, metavar="FILE.json", help="write everything about the result as JSON")
     parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it, picture included, as one HTML file")
+    words = "draw how far the modulus moves with range, branch and contact point, of one curve"
+    parser.add_argument("--ranges", type=Path, metavar="FILE.png", help=words)
     parser.add_argument("--keep-all", action="store_true", help="of a folder or map: let doubtful curves into the mean, too")
     parser.add_argument("--compare", action="store_true", help="fit under every medium model as well, and rank them")
     parser.add_argument(
@@ -101,6 +103,9 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
         analysis = oliver_pharr_rows(_analysis(result))
         print(f"{_ANALYSIS}:\n" + aligned(analysis) + "\n")
     print(result.summary())
+    moves = find_moves(result) if arguments.ranges or arguments.report else None
+    if moves is not None:
+        print("".join(f"{line}\n" for line in moves.summary()), end="")
     intervals = {}
     if arguments.interval != "normal":
         with _progress.bar(len(result.names), "intervals") as bar:
@@ -126,10 +131,14 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
         results[arguments.json] = (json.dumps(found, indent=2, allow_nan=False) + "\n").encode()
     if arguments.plot:
         results[arguments.plot] = files.rendered(result.plot(), files.figure_format(arguments.plot))
-    if arguments.report:
+    if arguments.ranges and moves is not None:
+        results[arguments.ranges] = files.rendered(moves.plot(), files.figure_format(arguments.ranges))
+    if arguments.report and moves is not None:
         blocks = report.blocks_of(result, [f"file {arguments.data}, problem file {arguments.problem}", *notes])
         if analysis:
             blocks += [report.heading(_ANALYSIS), report.table(analysis)]
+        if moves.summary():
+            blocks += [report.heading("Other choices"), report.items(moves.summary()), report.picture(moves.plot(), "other ranges")]
         if ranking is not None:
             blocks += [report.heading("Models"), report.preformatted(ranking.summary())]
         results[arguments.report] = report.page(problem.title, blocks).encode()

@@ -8,6 +8,7 @@ from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, Un
 from .depth_profile import DepthProfile, modulus_at_depths
 from .many import FailedFit, fit_many
 from .misfit import Misfit
+from .moves import Move, Moves, find_moves
 from .oliver_pharr import OliverPharr, oliver_pharr
 from .parameters import Free, Instrument, JointPrior
 from .rating import Rating, rate
@@ -38,6 +39,9 @@ __all__ = [
     "modulus_at_depths",
     "DepthProfile",
     "Misfit",
+    "find_moves",
+    "Move",
+    "Moves",
     "mean_of_tests",
     "MeanOfTests",
     "rate",

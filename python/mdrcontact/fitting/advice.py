@@ -12,7 +12,7 @@ from .. import profile as profiles
 from ..errors import MDRError
 from ..problem.units import LENGTH, told
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
-from .misfit import SMALL
+from .misfit import SMALL, percent
 from .result import FitResult
 
 _LARGE_ERROR = 0.3
@@ -184,9 +184,8 @@ def _pattern(result: FitResult) -> list[str]:
 def _tip(result: FitResult, radius: np.ndarray) -> list[str]:
     """An ideal tip is an assumption that no data support: what a usual bluntness would do to the area."""
     tip = result.indenter
-    inclination = getattr(tip, "inclination", None)
-    is_sharp = isinstance(tip, (profiles.Berkovich, profiles.Vickers, profiles.CubeCorner, profiles.Cone))
-    if not is_sharp or inclination is None or isinstance(result.data, (ModulusRadius, StiffnessRadius)):
+    inclination = _inclination(tip)
+    if inclination is None or isinstance(result.data, (ModulusRadius, StiffnessRadius)):
         return []
     if "area_factor" in result.names or not len(radius):
         return []
@@ -201,6 +200,16 @@ def _tip(result: FitResult, radius: np.ndarray) -> list[str]:
         f"area {100.0 * share:.0f} % larger in the middle of the depths, and the moduli wrong by about half of that or more; "
         "nothing of it is in the errors. Use the area function of the tip's calibration, or a prior on area_factor"
     ]
+
+
+def _inclination(tip: object) -> float | None:
+    """Of the face of a tip that is sharp to its apex, an area function of C0 alone among them; None for others."""
+    if isinstance(tip, profiles.AreaFunction):
+        area, *others = tip.coefficients
+        is_cone = area > 0.0 and tip.min_height == 0.0 and not any(others)
+        return math.atan(math.sqrt(math.pi / area)) if is_cone else None
+    is_sharp = isinstance(tip, (profiles.Berkovich, profiles.Vickers, profiles.CubeCorner, profiles.Cone))
+    return float(tip.inclination) if is_sharp else None  # type: ignore[attr-defined]
 
 
 def _pile_up(result: FitResult) -> list[str]:
@@ -224,8 +233,10 @@ def _pile_up(result: FitResult) -> list[str]:
 def _branches(result: FitResult, alone: np.ndarray) -> list[str]:
     """Whether the readings are in contact where the model is not, or the other way round."""
     data = result.data
-    if not isinstance(data, ForceDepth) or not result.values["work_of_adhesion"] > 0.0:
+    if not isinstance(data, ForceDepth):
         return []
+    if not result.values["work_of_adhesion"] > 0.0:
+        return _apart(data)
     scale = result.noise * (1.0 if data.sd is None else data.sd)
     differs = int(np.sum(np.abs(alone - result.fitted) > 3.0 * scale))
     if differs <= max(_STRAYS, _STRAY_SHARE * len(data)):
@@ -233,4 +244,21 @@ def _branches(result: FitResult, alone: np.ndarray) -> list[str]:
     return [
         f"{differs} of {len(data)} readings are in contact where the fitted model is apart, or apart where it is in contact: "
         "pull-off or first touch lies elsewhere than the model says. They are fitted as what they are"
+    ]
+
+
+def _apart(data: ForceDepth) -> list[str]:
+    """Loading and unloading under one law that has but one way."""
+    if data.branch is None or len(np.unique(data.branch)) < 2:
+        return []
+    ways = [data.on(branch) for branch in ("loading", "unloading")]
+    low, high = max(way.x.min() for way in ways), min(way.x.max() for way in ways)
+    depth = np.linspace(low, high, 200)
+    one, other = (np.interp(depth, way.x[order], way.y[order]) for way in ways for order in [np.argsort(way.x)])
+    share = float(np.sqrt(np.mean((one - other) ** 2))) / float(np.ptp(data.y))
+    if not share > SMALL:
+        return []
+    return [
+        f"loading and unloading differ by {percent(share)} of the force (root mean square) and are fitted as one elastic curve "
+        'without adhesion: fit one of them, branch = "loading", or let work_of_adhesion be free'
     ]
