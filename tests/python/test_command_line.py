@@ -137,10 +137,14 @@ SHAPES = {
 }
 
 
-@pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize(
-    "compute",
-    ['max_depth = "50 nm"\npoints = 5', 'max_force = "1 mN"\npoints = 5', 'forces = ["1 mN"]', 'depths = ["1 nm", "2 nm"]'],
+    ("shape", "compute"),
+    [
+        ("cone", 'max_depth = "50 nm"\npoints = 5'),
+        ("berkovich", 'forces = ["1 mN"]'),
+        ("flat punch", 'max_force = "1 mN"\npoints = 5'),
+        ("flat punch", 'depths = ["1 nm", "2 nm"]'),
+    ],
 )
 def test_sharp_and_flat_indenters_draw_too(problem, shape, compute):
     text = GOOD.replace('"sphere"\nradius = "10 um"', SHAPES[shape]).replace('max_depth = "100 nm"\npoints = 4', compute)
