@@ -97,3 +97,15 @@ def test_one_line_for_each_cause():
 
 def test_units_do_not_part_causes():
     assert len(by_cause([("a", "off by 12 nm"), ("b", "off by 1.2 µm"), ("c", "off by -3e-05 m")])) == 1
+
+
+@pytest.mark.parametrize("scale", [1.0, 0.4])
+def test_readings_softer_than_the_bare_base_are_no_film(scale):
+    """Force a factor too small, as of a rough tip: the film takes the blame, and is not believed."""
+    film = mdr.Layered([(mdr.Elastic(150e9, 0.24), 40e-9), (mdr.Elastic(70e9, 0.35), 500e-9)], mdr.Elastic(165e9, 0.22))
+    depth = np.linspace(1e-10, 8e-9, 150)
+    force = scale * np.asarray(mdr.Contact(BALL, film).at_depth(depth).force)
+    result = mdr.fit(mdr.ForceDepth(depth, force), BALL, film, ["layers[0].E"])
+    words = [words for words in result.warnings if "says nothing of the film" in words]
+    assert len(words) == (scale < 1.0)
+    assert any("softer than its base" in reason for reason in mdr.rate(result).reasons) == (scale < 1.0)

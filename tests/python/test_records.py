@@ -75,6 +75,17 @@ def test_drift_is_found_with_its_error():
     assert without_drift(np.arange(5.0) + 7.0, depth, 1e-9) == pytest.approx(np.zeros(5), abs=1e-20)
 
 
+def test_a_reading_that_strays_is_no_pop_in():
+    """Depths with noise: one of them back by six standard deviations, and the next where it was."""
+    depth = np.linspace(0.0, 100e-9, 2000) + 0.1e-9 * np.random.default_rng(0).standard_normal(2000)
+    force = np.linspace(0.0, 1.0, 2000) ** 1.5
+    depth[60] -= 1.5e-9
+    assert find_pop_in(depth, force) is None
+    depth[1200:] += 4e-9
+    found = find_pop_in(depth, force)
+    assert found is not None and abs(found.position - 1199) <= 1 and found.jump == pytest.approx(4.1e-9, abs=0.5e-9)
+
+
 def test_pop_ins():
     """A jump of 8 nm at constant load, fast and over three readings; none in a smooth curve with noise."""
     force = np.linspace(0.0, 1e-3, 300)

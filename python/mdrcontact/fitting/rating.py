@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import MDRError
+from .advice import contradictions
 from .misfit import LARGE, percent
 from .result import FitResult
 
@@ -34,7 +35,8 @@ def rate(result: FitResult) -> Rating:
     """10 for a curve without misfit and noise whose numbers are sharp; less in proportion to misfit (none is left at 10 % of the
     force), noise (at 50 %) and the largest relative standard error (at 50 %). A curve is sound where the search has converged, the
     model lies within 5 % of the data, noise is less than 20 % of the force, no standard error is larger than 30 % of its estimate,
-    no estimate lies at a bound, and 10 readings or more are in contact."""
+    no estimate lies at a bound, no film that began stiffer than its base has ended
+    softer, and 10 readings or more are in contact."""
     error = max((_relative(result, name) for name in result.names), default=0.0)
     misfit, noise = (v if math.isfinite(v) else 1.0 for v in (result.misfit.rms, result.misfit.noise))
     shares = ((misfit, _MISFIT), (noise, _NOISE), (error, _ERROR))
@@ -54,6 +56,7 @@ def _reasons(result: FitResult, noise: float, error: float) -> list[str]:
         words.append(f"error {percent(min(error, 9.99))} of the estimate")
     if any(result.at_bound.values()):
         words.append("at a bound")
+    words += [f"{name} softer than its base" for name in contradictions(result)]
     touching = _touching(result)
     if touching < min(_FEWEST, len(result.data)):
         words.append(f"{touching} readings in contact")

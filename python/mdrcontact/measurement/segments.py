@@ -31,7 +31,7 @@ _JUMP = 5.0
 """A pop-in is a step this much larger than its neighbours ..."""
 _LARGE_JUMP = 0.01
 """... and at least this part of the depth."""
-_NEIGHBOURS = 10
+_NEIGHBOURS, _STAYS = 10, 0.5
 _FAR, _FAR_STEPS, _FAR_NOISE = 0.02, 5.0, 10.0
 """A stray reading is this part of the range away from both neighbours, as many of their steps, and of the noise."""
 
@@ -294,7 +294,8 @@ def find_pop_in(depth: ArrayLike, force: ArrayLike) -> PopIn | None:
     """The first pop-in of a loading curve, None without one; up to there the contact was elastic.
 
     It is a step of the depth 5 times larger than those about it and at least 1 % of the largest depth, at a force that does not
-    grow faster than before.
+    grow faster than before, and it stays: the ten readings behind it are deeper than the ten before it by half of the step at
+    least. A reading that strays and comes back is none.
     """
     d, f = curve(depth, force)
     if len(d) < 2 * _NEIGHBOURS:
@@ -309,6 +310,9 @@ def find_pop_in(depth: ArrayLike, force: ArrayLike) -> PopIn | None:
         if wide[i] < max(_LARGE_JUMP * np.ptp(d), _JUMP * abs(usual), 6.0 * noise):
             continue
         onset = i + int(np.argmax(step[i : i + 3]))
+        behind = d[i + 3 : i + 3 + _NEIGHBOURS]
+        if behind.min() - d[max(0, onset + 1 - _NEIGHBOURS) : onset + 1].max() < _STAYS * wide[i]:
+            continue
         if np.sum(rise[i : i + 3]) > 3.0 * max(3.0 * float(np.median(rise[before])), 0.0) + 0.01 * np.ptp(f):
             continue
         return PopIn(onset, float(d[onset]), float(f[onset]), float(wide[i]))
