@@ -14,9 +14,10 @@ from typing import Any
 from .._files import check_place, replace
 from ..measurement import afm
 from ..problem import ProblemError
+from ..problem.cells import SHEETS
 from ..problem.toml import parse_file
 
-DATA_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".xlsx", ".xlsm", *afm.SUFFIXES)
+DATA_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".hld", *SHEETS, *afm.SUFFIXES)
 """Endings of files that hold measurements."""
 _RESULTS = ("csv", "pressure_csv", "plot", "ranges", "json", "report", "npy", "law", "output")
 """Arguments that name a file to be written."""
@@ -37,16 +38,21 @@ def add_options(parser: argparse.ArgumentParser, what: str) -> None:
 
 
 def check(arguments: argparse.Namespace) -> None:
-    """Raises before any work is done if a result that is asked for could not be written afterwards."""
+    """Raises before any work is done if a result could not be written afterwards."""
     results = [path for path in (getattr(arguments, name, None) for name in _RESULTS) if path is not None]
-    _check(results, arguments.overwrite)
+    pictures = [path for name in ("plot", "ranges") if (path := getattr(arguments, name, None))]
+    check_results(results, pictures, arguments.overwrite, draws=bool(getattr(arguments, "report", None)))
     for path in results:
         if path.exists() and any(path.samefile(read) for read in _read_by(arguments) if read.exists()):
             raise OutputError(f"{path} is what this command reads: give the result another name")
-    pictures = [path for name in ("plot", "ranges") if (path := getattr(arguments, name, None))]
+
+
+def check_results(results: Sequence[Path], pictures: Sequence[Path], overwrite: bool, *, draws: bool = False) -> None:
+    """Raises if results cannot be written, pictures among them, or, if `draws`, within another of them."""
+    _check(results, overwrite)
     for path in pictures:
         figure_format(path)
-    if pictures or getattr(arguments, "report", None):
+    if pictures or draws:
         try:
             import matplotlib.figure  # noqa: F401
         except ImportError as problem:

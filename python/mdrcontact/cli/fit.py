@@ -12,7 +12,7 @@ import numpy as np
 from .. import _progress
 from ..fitting import FitResult, OliverPharr, StiffnessDepth, compare_models, find_moves, fit, oliver_pharr, report
 from ..fitting.quantities import digits, dimension_of_data
-from ..problem.data import Curve
+from ..problem.curves import Curve
 from ..problem.fit_file import FitFile, load_fit_file
 from ..problem.units import AREA, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, practical
 from . import files, fit_many

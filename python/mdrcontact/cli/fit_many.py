@@ -20,7 +20,7 @@ from ..fitting import FailedFit, FitResult, Rating, fit_many, mean_of_tests, rat
 from ..fitting.causes import by_cause
 from ..fitting.misfit import percent
 from ..fitting.quantities import digits, dimension_of, words_of
-from ..problem.data import Curve
+from ..problem.curves import Curve
 from ..problem.fit_file import FitFile
 from ..problem.units import practical
 from . import files, many_figure

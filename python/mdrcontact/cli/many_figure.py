@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..fitting import FitResult
 from ..fitting.quantities import dimension_of, words_of
-from ..problem.data import Curve
+from ..problem.curves import Curve
 from ..problem.units import practical
 
 _MOST_NAMES = 40

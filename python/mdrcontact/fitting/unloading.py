@@ -232,7 +232,7 @@ class Unloading(StiffnessDepth):
         parts = list(find_segments(h, p) if segments is None else segments)
         points: list[UnloadingPoint] = []
         self.unused_unloadings: list[tuple[Segment, str]] = []
-        for i in _unloading_parts(parts, p, upper_part[0]):
+        for i in unloading_parts(parts, p, upper_part[0]):
             try:
                 points.append(_unloading_point(h[parts[i].points], p[parts[i].points], _largest(parts, i, p), upper_part))
             except InvalidArgumentError as problem:
@@ -257,7 +257,7 @@ class Unloading(StiffnessDepth):
         return words
 
 
-def _unloading_parts(parts: Sequence[Segment], p: Array, least: float) -> list[int]:
+def unloading_parts(parts: Sequence[Segment], p: Array, least: float) -> list[int]:
     """Places of the segments that unload from where loading ended; what follows an unloading belongs to it, and a record that
     begins with little force begins with a lift-off."""
     found = []

@@ -3,16 +3,13 @@
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import FileError, MDRError
 from ..fitting import (
     DepthTime,
     DynamicStiffness,
@@ -25,16 +22,14 @@ from ..fitting import (
 )
 from ..fitting.data import Data
 from ..measurement import without_oscillation
-from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
-from .columns import MeasuredTable, TableOptions, read_tables
+from .columns import MeasuredTable, TableOptions
 from .formats import Fact
-from .marks import Mark
 from .marks import segments_of_marks as marked_segments
 from .numerals import MARKS
 from .record import KEYS, Cantilever, Record, prepare
 from .roles import ROLES
 from .section import ProblemError, Section
-from .units import LENGTH, RATIO, SPEED, STIFFNESS, VOLTAGE, Dimension, UnitError, is_cyclic, told
+from .units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, is_cyclic, told
 
 Array = NDArray[np.float64]
 
@@ -62,7 +57,7 @@ def _dynamic_stiffness(omega: Array, radius: Array, loss: Array, storage: Array,
     return DynamicStiffness(omega, storage + 1j * loss, radius, **options)
 
 
-_TABLES: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
+TABLES: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
     "stiffness-depth": (StiffnessDepth, ("depth", "force", "stiffness")),
     "modulus-radius": (ModulusRadius, ("radius", "modulus")),
     "stiffness-radius": (StiffnessRadius, ("radius", "stiffness")),
@@ -70,8 +65,8 @@ _TABLES: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
 }
 """Kinds whose columns are the data; the others are records of an instrument."""
 _IN_TIME = ("force-time", "depth-time")
-_RECORDS = ("force-depth", "unloading", *_IN_TIME)
-KINDS = (*_RECORDS, *_TABLES)
+RECORDS = ("force-depth", "unloading", *_IN_TIME)
+KINDS = (*RECORDS, *TABLES)
 
 KNOWN: Mapping[str, Dimension | None] = {
     "kind": None,
@@ -97,15 +92,13 @@ KNOWN: Mapping[str, Dimension | None] = {
     "oscillation": LENGTH,
     "elastic": None,
 }
-_EQUAL = 0.01
-"""Of a step: how equal those of a height are."""
 _OF_RECORDS = ("height", "deflection", "time", *KEYS)
 
 
 def check(section: Section) -> None:
     """Refuses keys that do not belong to the kind of data."""
     kind = section.choice("kind", KINDS)
-    foreign = set() if kind in _RECORDS else {*_OF_RECORDS}
+    foreign = set() if kind in RECORDS else {*_OF_RECORDS}
     if kind == "stiffness-depth":
         foreign.discard("branch")
     else:
@@ -120,128 +113,19 @@ def check(section: Section) -> None:
     section.only([key for key in KNOWN if key not in foreign], f"kind = {kind!r}")
 
 
-class Curve(NamedTuple):
-    """One curve of a file, which is read when it is asked for."""
-
-    name: str
-    read: Callable[[], tuple[Data, list[str]]]
-    """its data, and what was understood"""
-    place: tuple[float, float] | None = None
-    """column and row in a map"""
-    position: tuple[float, float] | None = None
-    """x and y there [m]"""
-    facts: tuple[Fact, ...] = ()
-    """what the file says of the instrument"""
-
-
-def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
-    """The curves of a file: one or more of a table, or of a binary file of an AFM."""
-    if not path.exists():
-        raise FileError(f"{path}: it cannot be read: there is no such file")
-    if path.suffix.lower() in SUFFIXES:
-        return _afm_curves(section, cantilever, path)
-    kind = section.choice("kind", KINDS)
-    try:
-        tables = _tests(section, read_tables(path, _table_options(section)), kind)
-    except ProblemError:
-        known = _known_to_afmformats(section, cantilever, path) if kind in _RECORDS else []
-        if len(known) != 1:
-            # the words about the table are the better ones
-            raise
-        return known
-    several = len(tables) > 1
-    return [
-        Curve(
-            f"{path.name} {table.name}" if several else path.name,
-            functools.partial(_read_table, section, cantilever, table, kind),
-            facts=table.facts,
-        )
-        for table in tables
-    ]
-
-
-def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[MeasuredTable]:
-    """Those tables that have the columns of this kind of data; sheets with the settings of a method have not."""
-    found = [table for table in tables if _fits(section, table, kind)]
-    if not found or kind in _RECORDS and not any(_has(section, found[0], role) for role in ("depth", "height")):
-        _column(section, max(tables, key=lambda table: len(table.values)), "depth" if kind in _RECORDS else _TABLES[kind][1][-1])
-    if len(found) < len(tables):
-        used = {table.name for table in found}
-        others = ", ".join(repr(table.name) for table in tables if table.name not in used)
-        found[0].notes.append(f"{len(tables)} tables, {len(found)} used; without the columns that are needed: {others}")
-    return found or tables
-
-
-def _fits(section: Section, table: MeasuredTable, kind: str) -> bool:
-    """Whether a table may be a test; what is missing in the only one of a file is told where it is read."""
-    if not table.name:
-        return True
-    if kind in _RECORDS:
-        return any(_has(section, table, role) for role in ("depth", "height"))
-    return _has(section, table, _TABLES[kind][1][-1])
-
-
-def _known_to_afmformats(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
-    """The curves of a text file of an AFM that is no plain table."""
-    if path.suffix.lower() not in TEXT_SUFFIXES or not _may_be_of_afm(path):
-        return []
-    try:
-        return _afm_curves(section, cantilever, path)
-    except MissingSettings:
-        raise
-    except MDRError:
-        return []
-
-
-def _may_be_of_afm(path: Path) -> bool:
-    """Whether a text has words, or is the bare table of NT-MDT, whose first column, the height, goes by equal steps."""
-    with path.open("rb") as file:
-        begin = file.read(20_000)
-    rows = [line.replace(b",", b".").split() for line in begin.splitlines()[:-1]]
-    try:
-        height = np.array([float(row[0]) for row in rows])
-        bare = len({len(row) for row in rows}) == 1 and bool([float(cell) for row in rows for cell in row])
-    except (ValueError, IndexError):
-        return True
-    steps = np.diff(height)
-    return not bare or len(steps) > 1 and bool(np.ptp(steps) < _EQUAL * abs(steps.mean()))
-
-
-def _read_table(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
-    """The data of one table."""
-    if kind not in _RECORDS:
+def read_data(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
+    """The data of one table, and what was understood and done."""
+    if kind not in RECORDS:
         return _read_columns(section, table, kind)
     try:
-        return _read_record(section, cantilever, table, kind)
+        record = record_of(section, cantilever, table, kind)
+        return data_of(section, _with_facts(cantilever, table.facts), record, kind)
     except ProblemError as problem:
         words = str(problem)
         raise problem if words.startswith((str(table.path), "[")) else ProblemError(f"{table.path}: {words}") from problem
 
 
-def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
-    found = read_afm(path, cantilever.spring_constant, cantilever.deflection_sensitivity)
-    # files count the curves of a map in any order
-    found.sort(key=lambda one: (0.0, 0.0) if one.place is None else one.place[::-1])
-    names = [path.name] if len(found) == 1 else [f"{path.name} {i}" for i in range(1, len(found) + 1)]
-    return [
-        Curve(name, functools.partial(_read_afm_curve, section, path, one), one.place, one.position, _afm_facts(one))
-        for name, one in zip(names, found, strict=True)
-    ]
-
-
-def _afm_facts(one: AfmCurve) -> tuple[Fact, ...]:
-    return () if one.spring_constant is None else (Fact("spring_constant", one.spring_constant, STIFFNESS),)
-
-
-def _read_afm_curve(section: Section, path: Path, one: AfmCurve) -> tuple[Data, list[str]]:
-    kind = section.choice("kind", KINDS)
-    if kind not in _RECORDS:
-        raise ProblemError(f"{path}: an AFM file holds curves of force: kind must be 'force-depth', not {kind!r}")
-    record = Record(None, one.force, one.height, one.time, list(one.notes), sign=1, segments=one.segments)
-    return of_record(section, Cantilever(None, one.spring_constant), record, kind)
-
-
-def _table_options(section: Section) -> TableOptions:
+def table_options(section: Section) -> TableOptions:
     """What [data] says of a table that does not say it itself."""
     columns = section.plain("columns") if "columns" in section else []
     if not isinstance(columns, list) or not all(isinstance(title, str) and title for title in columns):
@@ -257,14 +141,14 @@ def _table_options(section: Section) -> TableOptions:
     return TableOptions(tuple(columns), units, skip, sheet, decimal)
 
 
-def _column(section: Section, table: MeasuredTable, role: str) -> _Column:
+def column(section: Section, table: MeasuredTable, role: str) -> _Column:
     dimension, aliases = ROLES[role]
     title = str(section.plain(role)) if role in section else table.find(role, aliases, dimension)
     values, unit = table.column(title, dimension)
     return _Column(title, unit, values, dimension)
 
 
-def _has(section: Section, table: MeasuredTable, role: str) -> bool:
+def has(section: Section, table: MeasuredTable, role: str) -> bool:
     """Whether a column is named, or can be found, for a role."""
     if role in section:
         return True
@@ -301,7 +185,7 @@ def _between(section: Section, values: Mapping[str, Array]) -> NDArray[np.bool_]
 
 
 def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
-    cls, roles = _TABLES[kind]
+    cls, roles = TABLES[kind]
     found: _Found = {}
     for role in roles:
         if role == "radius" and "radius_over_thickness" in section:
@@ -311,11 +195,11 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
         elif role == "radius" and "contact_radius" in section:
             radius = np.full(len(found["omega"].values), section.quantity("contact_radius"))
             found[role] = _Column("contact_radius", "m, of [data]", radius, LENGTH)
-        elif role == "radius" and ("area" in section or not _has(section, table, role) and _has(section, table, "area")):
-            title, unit, area, _ = _column(section, table, "area")
+        elif role == "radius" and ("area" in section or not has(section, table, role) and has(section, table, "area")):
+            title, unit, area, _ = column(section, table, "area")
             found[role] = _Column(title, f"{unit}, as sqrt(area/pi)", np.sqrt(np.maximum(area, 0.0) / math.pi), LENGTH)
         else:
-            found[role] = _column(section, table, role)
+            found[role] = column(section, table, role)
         if role == "omega" and is_cyclic(found[role].unit):
             found[role] = found[role]._replace(unit=f"{found[role].unit}, times 2 pi")
     options: dict[str, object] = {"missing": "drop"}
@@ -381,22 +265,23 @@ def _with_facts(cantilever: Cantilever, facts: Sequence[Fact]) -> Cantilever:
     return cantilever if cantilever.spring_constant is not None else cantilever._replace(spring_constant=said)
 
 
-def _read_record(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
+def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> Record:
+    """What a table holds, as it stands there, with the segments that it marks."""
     found: _Found = {}
     depth = height = time = None
-    if "height" not in section and _has(section, table, "depth") or not _has(section, table, "height"):
-        found["depth"] = _column(section, table, "depth")
+    if "height" not in section and has(section, table, "depth") or not has(section, table, "height"):
+        found["depth"] = column(section, table, "depth")
         depth = found["depth"].values
     else:
-        found["height"] = _column(section, table, "height")
+        found["height"] = column(section, table, "height")
         height = found["height"].values
     if depth is None and "force" not in section and _has_deflection(section, table):
         force = _force_of_deflection(section, cantilever, table, found)
     else:
-        found["force"] = _column(section, table, "force")
+        found["force"] = column(section, table, "force")
         force = found["force"].values
     if "time" in section or "drift" in section or kind in _IN_TIME:
-        found["time"] = _column(section, table, "time")
+        found["time"] = column(section, table, "time")
         time = found["time"].values
     sd = _sd(section, table, "depth" if kind == "depth-time" else "force", found)
     record = Record(
@@ -408,16 +293,14 @@ def _read_record(section: Section, cantilever: Cantilever, table: MeasuredTable,
         list(table.warnings),
         sd=sd,
     )
-    return of_record(section, _with_facts(cantilever, table.facts), record, kind, table.marks)
+    along = height if depth is None else depth
+    if table.marks and along is not None:
+        record.segments = marked_segments(table.marks, along, force)
+    return record
 
 
-def of_record(
-    section: Section, cantilever: Cantilever, record: Record, kind: str, marks: Sequence[Mark] = ()
-) -> tuple[Data, list[str]]:
+def data_of(section: Section, cantilever: Cantilever, record: Record, kind: str) -> tuple[Data, list[str]]:
     """Data of a fit from a record, and what was understood and done."""
-    along = record.height if record.depth is None else record.depth
-    if marks and along is not None:
-        record.segments = marked_segments(marks, along, record.force)
     prepare(section, cantilever, record, kind)
     assert record.depth is not None
     keep = _between(section, {"depth": record.depth})
@@ -478,7 +361,7 @@ def _force_of_deflection(section: Section, cantilever: Cantilever, table: Measur
     if cantilever.spring_constant is None:
         raise ProblemError('a deflection becomes a force by the spring constant: give [instrument] spring_constant = "0.2 N/m"')
     try:
-        found["deflection"] = _column(section, table, "deflection")
+        found["deflection"] = column(section, table, "deflection")
         return found["deflection"].values * cantilever.spring_constant
     except (ProblemError, UnitError) as of_length:
         title = str(section.plain("deflection")) if "deflection" in section else None

@@ -14,6 +14,7 @@ from ..fitting import Free, Instrument, JointPrior
 from ..fitting.data import Data
 from ..fitting.parameters import of_indenter, of_instrument, of_medium
 from ..fitting.quantities import dimension_of
+from . import curves as files
 from . import data as measured
 from . import indenter as indenters
 from . import medium as mediums
@@ -64,12 +65,12 @@ class FitFile(NamedTuple):
     options: dict[str, Any]
     data: Section
 
-    def curves(self, path: Path) -> list[measured.Curve]:
+    def curves(self, path: Path) -> list[files.Curve]:
         """The curves of one file, with a warning where it says another instrument than the problem."""
-        found = measured.curves(self.data, self.cantilever, path)
+        found = files.curves(self.data, self.cantilever, path)
         return [one._replace(read=partial(self._read, one)) for one in found]
 
-    def _read(self, curve: measured.Curve) -> tuple[Data, list[str]]:
+    def _read(self, curve: files.Curve) -> tuple[Data, list[str]]:
         data, notes = curve.read()
         if curve.facts:
             notes = [*notes, f"the file says: {', '.join(map(str, curve.facts))}"]

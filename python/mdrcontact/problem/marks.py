@@ -25,6 +25,8 @@ _KINDS = (
     ("loading", r"load segment|surface marker|surface index$|cycle begin"),
 )
 """What begins at a mark whose words match; other marks begin nothing."""
+_FEWEST = 20
+"""Readings in which a cycle may hide."""
 
 
 class Mark(NamedTuple):
@@ -80,7 +82,8 @@ def _by_depth(marks: Sequence[Mark], i: int, depth: Array) -> str:
 def _within(kind: str, start: int, stop: int, depth: Array, force: Array) -> list[Segment]:
     whole = [Segment(kind, start, stop)]
     h, p = depth[start:stop], force[start:stop]
-    if kind != "loading" or stop - start < 20 or not np.ptp(h) or not np.ptp(p):
+    is_curve = stop - start >= _FEWEST and np.isfinite(h).all() and np.isfinite(p).all() and np.ptp(h) > 0.0 and np.ptp(p) > 0.0
+    if kind != "loading" or not is_curve:
         return whole
     guess = segmentation(h, p)
     turns = [s for i, s in enumerate(guess.segments) if s.kind == "unloading" and i not in guess.unsure]

@@ -94,10 +94,13 @@ class Record:
         """The segments, and who says them."""
         if self.segments is not None:
             return self.segments, "segments as the file has them"
-        found = segmentation(_depth(self), self.force)
-        noise = f"noise {told(found.noise[0], LENGTH, 2)}, {told(found.noise[1], FORCE, 2)}"
+        along = self.height if self.depth is None else self.depth
+        assert along is not None
+        found = segmentation(along, self.force)
+        noise = f"noise {told(found.noise[0], LENGTH, 3)} and {told(found.noise[1], FORCE, 3)}"
         if found.unsure:
-            noise += f"; unsure of {', '.join(str(found.segments[i].start) for i in found.unsure[:5])}, hardly more than it"
+            begins = ", ".join(str(found.segments[i].start) for i in found.unsure[:5])
+            noise += f"; unsure of what begins at reading {begins}: it is hardly more than the noise"
         return found.segments, f"segments by their readings ({noise})"
 
     def counts(self) -> str:

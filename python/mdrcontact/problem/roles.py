@@ -12,7 +12,7 @@ ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
         LENGTH,
         (
             *("depth", "d", "h", "displacement", "indentation", "indentation depth", "displacement into surface", "pd"),
-            *("penetration depth", "penetration"),
+            *("penetration depth", "penetration", "disp", "displ"),
         ),
     ),
     "force": (FORCE, ("force", "load", "f", "p", "load on sample", "fn", "normal force", "normal load")),

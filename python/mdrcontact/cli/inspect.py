@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact inspect`: what a file of measurements is, and what would be fitted."""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from collections import Counter
+from pathlib import Path
+
+from ..errors import MDRError
+from ..problem.fit_file import load_fit_file
+from ..problem.inspection import Array, Inspection, Test, inspect_file
+from ..problem.units import FORCE, LENGTH, Dimension, told
+from . import files
+from .inspect_figure import inspect_figure
+from .table import aligned
+
+HELP = "say what a file of measurements is, and write a problem file to begin with"
+DESCRIPTION = """\
+Says what a file of measurements is: its tests, segments, units and what it tells of the instrument, what would be fitted, and what
+is missing. The picture shows the segments; the problem file is one to begin with.
+
+    mdrcontact inspect FILE
+    mdrcontact inspect FILE --plot file.png --problem start.toml
+    mdrcontact fit FILE --problem start.toml
+"""
+
+_MOST = 60
+"""Tests that are printed."""
+_MARKED = "put in yours"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
+    parser.add_argument("data", type=Path, metavar="FILE", help="a table, a spreadsheet, or a file of an AFM")
+    parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the tests and their segments (.png, .pdf or .svg)")
+    parser.add_argument("--problem", type=Path, metavar="START.toml", help="write a problem file to begin with")
+    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Reads, prints, writes."""
+    pictures = [arguments.plot] if arguments.plot else []
+    files.check_results([*pictures, *([arguments.problem] if arguments.problem else [])], pictures, arguments.overwrite)
+    found = inspect_file(arguments.data)
+    print("\n".join([str(arguments.data), *(f"  {note}" for note in found.notes), ""]))
+    if found.tests:
+        print(_table(found.tests) + "\n")
+    for fact in found.tests[0].facts if found.tests else ():
+        print(f"the file says: {fact}")
+    print(_would_be_fitted(arguments.data, found))
+    contents = {}
+    if arguments.plot and found.tests:
+        contents[arguments.plot] = files.rendered(inspect_figure(found), files.figure_format(arguments.plot))
+    if arguments.problem:
+        contents[arguments.problem] = found.problem.encode()
+    else:
+        print(f"\nA problem file to begin with (--problem writes it):\n\n{found.problem}", end="")
+    files.write(contents, arguments.overwrite)
+
+
+def _table(tests: list[Test]) -> str:
+    """One row for each test."""
+    rows = [["test", "readings", tests[0].along_name, "force", "segments"]]
+    for test in tests[:_MOST]:
+        spans = [_span(test.along, LENGTH), _span(test.force, FORCE)]
+        counts = Counter(s.kind for s in test.segments)
+        kinds = ", ".join(f"{counts[kind]} {kind}" for kind in ("loading", "hold", "unloading") if counts[kind])
+        rows.append([test.name, str(len(test.force)), *spans, kinds])
+    text = aligned(rows, left=1)
+    more = f"\nand {len(tests) - _MOST} more" if len(tests) > _MOST else ""
+    return f"{text}{more}\n{tests[0].said_by}"
+
+
+def _span(values: Array, dimension: Dimension) -> str:
+    return f"{told(float(values.min()), dimension, 4)} to {told(float(values.max()), dimension, 4)}"
+
+
+def _would_be_fitted(path: Path, found: Inspection) -> str:
+    """What the problem file to begin with makes of the file."""
+    lines = [f'would be fitted as kind = "{found.kind}":']
+    with tempfile.TemporaryDirectory() as folder:
+        start = Path(folder) / "start.toml"
+        start.write_text(found.problem, encoding="utf-8")
+        problem = load_fit_file(start)
+    for one in problem.curves(path)[:_MOST]:
+        try:
+            data, notes = one.read()
+        except MDRError as refusal:
+            lines.append(f"  {one.name}: not: {refusal}")
+            continue
+        used = [note for note in notes if " used" in note or "are fitted" in note or "in contact" in note]
+        lines.append(f"  {one.name}: {len(data)} points" + (f"; {'; '.join(used)}" if used else ""))
+        lines += [f"    warning: {words}" for words in data.warnings]
+    missing = [line.split("=")[0].strip() for line in found.problem.splitlines() if _MARKED in line]
+    lines.append(f"not in the file, guessed in the problem file: {', '.join([*missing, 'the body'])}")
+    return "\n".join(lines)

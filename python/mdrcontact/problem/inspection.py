@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a file of measurements is, what would be fitted, and a problem file to begin with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import MDRError
+from ..fitting.unloading import unloading_parts
+from ..measurement import Segment
+from ..measurement.afm import SUFFIXES
+from . import data as measured
+from .columns import MeasuredTable, TableOptions, read_tables
+from .curves import Curve, curves
+from .formats import Fact
+from .record import Cantilever, Record
+from .section import ProblemError, Section
+from .start_file import start_file
+
+Array = NDArray[np.float64]
+
+_FEWEST = 5
+"""Stiffnesses that make a record a dynamic one."""
+_CREEP = 0.01
+"""Of its height: a test in time whose hold moves by more creeps at a force, one that moves by less relaxes at a depth."""
+_WIDEST = 9
+"""Columns of a table without titles."""
+
+
+@dataclass(frozen=True)
+class Test:
+    """One test of a file."""
+
+    name: str
+    along: Array
+    """depth, or the height of the piezo [m]"""
+    along_name: str
+    force: Array
+    segments: Sequence[Segment]
+    said_by: str
+    """who says the segments"""
+    facts: Sequence[Fact]
+
+
+@dataclass(frozen=True)
+class Inspection:
+    """What is known of a file."""
+
+    notes: list[str]
+    """of its format, columns and first test"""
+    tests: list[Test]
+    kind: str
+    problem: str
+    """a problem file for `mdrcontact fit`"""
+
+
+def inspect_file(path: Path) -> Inspection:
+    """Reads a file without a problem file; what it cannot be is a `ProblemError` that names its columns."""
+    try:
+        found = curves(_section({"kind": "force-depth"}), Cantilever(), path)
+        records = [_record(one) for one in found]
+    except ProblemError as problem:
+        return _of_columns(path, problem)
+    tests = [_test(one, record) for one, record in zip(found, records, strict=True)]
+    options = _options(path, found[0], records[0], tests[0])
+    notes = records[0].notes
+    deepest = max(float(np.ptp(test.along)) for test in tests)
+    return Inspection(notes, tests, str(options["kind"]), start_file(path.name, options, found[0].facts, deepest))
+
+
+def _section(table: Mapping[str, object]) -> Section:
+    return Section(dict(table), "data", measured.KNOWN)
+
+
+def _record(one: Curve) -> Record:
+    assert one.record is not None
+    record = one.record()
+    columns = [v for v in (record.depth, record.height, record.force) if v is not None]
+    record.keep(np.all([np.isfinite(v) for v in columns], axis=0))
+    return record
+
+
+def _test(one: Curve, record: Record) -> Test:
+    along = record.height if record.depth is None else record.depth
+    assert along is not None
+    segments, said_by = record.parts()
+    name = "depth" if record.height is None else "height"
+    return Test(one.name, along, name, record.force, segments, said_by, one.facts)
+
+
+def _options(path: Path, one: Curve, record: Record, test: Test) -> dict[str, object]:
+    """[data] for a file, from what is in it."""
+    is_raw = record.depth is None
+    if path.suffix.lower() in SUFFIXES:
+        return {"kind": _kind_in_time(record)} if any("a test of" in note for note in record.notes) else {"kind": "force-depth"}
+    unloads = unloading_parts(test.segments, test.force, 0.4)
+    if _has_stiffness(path):
+        return {"kind": "stiffness-depth", "branch": "loading"} if len(test.segments) > 1 else {"kind": "stiffness-depth"}
+    is_ball = is_raw or any(fact.name == "indenter.radius" for fact in one.facts)
+    if not is_ball and unloads:
+        return {"kind": "unloading"}
+    return {"kind": "force-depth", "branch": "loading"} if len(test.segments) > 1 else {"kind": "force-depth"}
+
+
+def _kind_in_time(record: Record) -> str:
+    assert record.height is not None
+    holds = [float(np.ptp(record.height[s.points])) for s in record.segments or () if s.kind == "hold"]
+    return "depth-time" if max(holds, default=0.0) > _CREEP * float(np.ptp(record.height)) else "force-time"
+
+
+def _has_stiffness(path: Path) -> bool:
+    """Whether a table has stiffnesses beside depths and forces."""
+    section = _section({"kind": "stiffness-depth"})
+    tables = [table for table in read_tables(path) if all(measured.has(section, table, r) for r in ("depth", "stiffness"))]
+    return any(np.isfinite(measured.column(section, table, "stiffness").values).sum() >= _FEWEST for table in tables)
+
+
+def _of_columns(path: Path, problem: ProblemError) -> Inspection:
+    """A table of another kind, by its columns."""
+    try:
+        tables = read_tables(path)
+    except MDRError:
+        tables = _without_titles(path)
+        if not tables:
+            raise problem from None
+    for kind, (_, roles) in measured.TABLES.items():
+        section = _section({"kind": kind})
+        if all(measured.has(section, tables[0], role) for role in roles):
+            notes = [*tables[0].notes, *(measured.column(section, tables[0], role).described(role) for role in roles)]
+            return Inspection(notes, [], kind, start_file(path.name, {"kind": kind}, tables[0].facts, 1e-6))
+    raise ProblemError(f"{problem}. {_columns(tables[0])}")
+
+
+def _without_titles(path: Path) -> list[MeasuredTable]:
+    """The table of a file that has no line of titles; none if it has no table at all."""
+    for width in range(2, _WIDEST):
+        with suppress(MDRError):
+            return read_tables(path, TableOptions(columns=tuple(f"column {i + 1}" for i in range(width))))
+    return []
+
+
+def _columns(table: MeasuredTable) -> str:
+    """The columns with their ranges, for a refusal."""
+    words = []
+    for title, values in zip(table.titles, table.values.T, strict=True):
+        finite = values[np.isfinite(values)]
+        span = f"{finite.min():.4g} to {finite.max():.4g}" if finite.size else "no numbers"
+        words.append(f"{title!r} {span}")
+    return f"Its columns are {', '.join(words)}"

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A problem file to begin with, for a file of measurements; what the measurements do not say is marked."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+
+from .formats import Fact
+from .units import LENGTH, told
+
+_GUESS = "  # not in the file: put in yours"
+_BALL = """\
+[indenter]
+shape = "sphere"
+radius = "{radius}"{radius_note}
+
+[medium]                        # a film: type = "coated", with coating = {{ E, nu, thickness }} and substrate = {{ E, nu }}
+type = "homogeneous"
+material = {{ E = "10 kPa", nu = 0.5 }}  # E is where the search begins
+"""
+_PYRAMID = """\
+[indenter]                      # an ideally sharp Berkovich tip; better: file = "tip.toml", written by mdrcontact calibrate
+shape = "area-function"
+coefficients = [24.5]
+length_unit = "nm"
+max_height = "{height}"
+
+[medium]                        # a film: type = "coated", with coating = {{ E, nu, thickness }} and substrate = {{ E, nu }}
+type = "homogeneous"
+material = {{ E = "70 GPa", nu = 0.2 }}  # E is where the search begins; nu is not in the file
+
+[instrument]
+indenter = {{ E = "1141 GPa", nu = 0.07 }}  # diamond
+"""
+_RELAXING = """\
+[indenter]
+shape = "sphere"
+radius = "{radius}"{radius_note}
+
+[medium]                        # G = modulus (t/time)^-exponent
+type = "homogeneous"
+material = {{ modulus = "10 kPa", time = "1 s", exponent = 0.1, nu = 0.5 }}
+"""
+_SHARP = ("unloading", "stiffness-depth", "modulus-radius", "stiffness-radius")
+_FREE = {
+    "force-depth": ("E", "depth_offset"),
+    "force-time": ("modulus", "exponent", "depth_offset"),
+    "depth-time": ("modulus", "exponent", "depth_offset"),
+}
+
+
+def start_file(name: str, data: Mapping[str, object], facts: Sequence[Fact], deepest: float) -> str:
+    """The text of a problem file. data : [data]; deepest : range of the depths [m]"""
+    kind = str(data["kind"])
+    said = {fact.name: fact.value for fact in facts}
+    radius = said.get("indenter.radius")
+    body = _PYRAMID if kind in _SHARP else _RELAXING if kind.endswith("-time") else _BALL
+    text = body.format(
+        radius=told(radius or 5e-6, LENGTH),
+        radius_note="  # the file says so" if radius else _GUESS,
+        height=told(2.0 * deepest, LENGTH, 2),
+    )
+    lines = [f"# mdrcontact fit {name} --problem THIS.toml", f'title = "{_plain(name)}"', "", text]
+    lines += [f"# the file says: {fact}" for fact in facts]
+    lines += ["[data]", *(f'{key} = "{value}"' for key, value in data.items()), ""]
+    lines += ["[fit]", f"free = {json.dumps(_FREE.get(kind, ['E']))}", ""]
+    return "\n".join(lines)
+
+
+def _plain(name: str) -> str:
+    """A name without signs that end a text."""
+    return "".join(sign if sign.isprintable() and sign not in '"\\' else " " for sign in name)
