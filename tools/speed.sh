@@ -25,18 +25,16 @@ if [[ ${1:-} == keep && -n ${2:-} ]]; then
     keep "$2"
     exit
 fi
-old=${1:?"a folder made by tools/speed.sh keep"} new=build/speed
+sides=("${1:?"a folder made by tools/speed.sh keep"}" build/speed) names=(old new)
 times=$(mktemp -d)
 trap 'rm -r "$times"' EXIT
-keep "$new"
-for ((round = 1; round <= ${2:-9}; ++round)); do
-    order=("$old" "$new")
-    ((round % 2)) || order=("$new" "$old")
-    for side in "${order[@]}"; do
-        [[ $side == "$old" ]] && name=old || name=new
-        measure "$side" >> "$times/$name"
+keep "${sides[1]}"
+for ((round = 0; round < ${2:-9}; ++round)); do
+    for ((turn = 0; turn < 2; ++turn)); do
+        side=$(((round + turn) % 2))
+        measure "${sides[side]}" >> "$times/${names[side]}"
     done
-    printf 'round %d\r' "$round" >&2
+    printf 'round %d\r' "$((round + 1))" >&2
 done
 "$python" - "$times/old" "$times/new" << 'CODE'
 import statistics, sys
