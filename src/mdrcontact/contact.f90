@@ -97,7 +97,7 @@ contains
         call check_not_negative(error, "work_of_adhesion", work_of_adhesion)
         call check_choice(error, "adhesion_rule", rule, adhesion_automatic, adhesion_energy, &
                           "0 (automatic), 1 (paper) or 2 (energy)")
-        if (.not. allocated(error) .and. work_of_adhesion > 0.0_wp .and. self%equilibrium%medium%is_viscoelastic()) then
+        if (.not. allocated(error) .and. work_of_adhesion > 0.0_wp .and. self%equilibrium%medium%relaxes) then
             call raise(error, error_invalid, " = "//to_text(work_of_adhesion)//" is not allowed with a viscoelastic body: how "// &
                        "much its edge holds depends on how fast it moves, on a scale that this theory does not have", &
                        "work_of_adhesion")

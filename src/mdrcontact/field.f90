@@ -226,7 +226,7 @@ contains
                     /max(abs(state%force)/(pi*state%radius**2), maxval(abs(pressure), mask=is_finite))
         associate (equilibrium => self%equilibrium, medium => self%equilibrium%medium)
             ! the springs of a homogeneous body are exact, though its modulus is an effective one
-            if (.not. (medium%is_exact() .or. medium%has_independent_springs())) return
+            if (.not. (medium%is_exact .or. medium%has_free_springs)) return
             motion = state%depth - equilibrium%profile%height(r)
             if (medium%is_pair) call medium%take_share(equilibrium%profile, state%radius, state%excess, &
                                                        merge(upper_body, lower_body, upper), r, motion, error)

@@ -16,7 +16,7 @@ module mdrcontact_medium
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: medium_t, modulus_of_radius_t, reason_length, lower_body, upper_body
+    public :: medium_t, modulus_of_radius_t, not_known, reason_length, lower_body, upper_body
 
     !> Which body of a contact, enum mdr_body of the C header.
     integer, parameter :: lower_body = 1, upper_body = 2
@@ -40,6 +40,19 @@ module mdrcontact_medium
         real(wp) :: surface_contrast = 1.0_wp
         !> what follows a message that a contact would be larger: why, and what to do; blank where the end was given by the caller
         character(len=reason_length) :: why_it_ends = ""
+        !> whether its states are the exact ones of a body: depths need no zeta (9), and an adhesive edge meets the energy balance.
+        !> Of a medium with an effective modulus both are choices (theory 4 and 5)
+        logical :: is_exact = .false.
+        !> whether a state is a formula, so that it costs less than to start a thread for it
+        logical :: is_formula = .false.
+        !> whether E_eff(a) is a formula; elsewhere each value is the solution of a system
+        logical :: is_modulus_formula = .true.
+        !> whether the load of a spring depends on its own displacement alone, by one factor for all of them
+        logical :: has_free_springs = .false.
+        !> whether its states depend on time: it has no elastic ones
+        logical :: relaxes = .false.
+        !> whether it does not deform: one body of a pair, no medium by itself
+        logical :: is_rigid = .false.
     contains
         !> E_eff(a), equation (10) [modulus]
         procedure(radius_function), deferred :: modulus
@@ -59,21 +72,10 @@ module mdrcontact_medium
         procedure :: nonadhesive_slope => unknown_slope
         !> depth, force, modulus and the slope of the stiffness at one radius; a medium that finds them together overrides it
         procedure :: response
-        !> whether its states are the exact ones of a body: depths need no zeta (9), and an adhesive edge meets the energy balance.
-        !> Of a medium with an effective modulus both are choices (theory 4 and 5)
-        procedure :: is_exact => no
-        !> whether a state is a formula, so that it costs less than to start a thread for it
-        procedure :: is_cheap => no
-        !> whether E_eff(a) is a formula; elsewhere each value is the solution of a system
-        procedure :: has_modulus_formula => no
         !> raises where the medium does not hold under this indenter
         procedure :: check_profile => any_profile
         !> radii where E_eff is not analytic, ascending [length]
         procedure :: add_breaks => no_breaks
-        !> whether its states depend on time: it has no elastic ones
-        procedure :: is_viscoelastic => no
-        !> whether it does not deform: one body of a pair, no medium by itself
-        procedure :: is_rigid => no
         !> what the upper body takes of a small change of depth at radius a [1]
         procedure :: upper_share
         !> makes it the medium of two bodies
@@ -90,12 +92,8 @@ module mdrcontact_medium
         procedure :: new_tangential => no_tangential
         !> the stiffness against a twist about the axis, M/phi [modulus length^3]
         procedure :: torsional_stiffness => no_torsion
-        !> whether the load of a spring depends on its own displacement alone, by one factor for all of them
-        procedure :: has_independent_springs => no
         !> first shear of a state, with that medium
         procedure :: new_slip => no_slip
-        !> first twist of a state about the axis
-        procedure :: new_twisted_slip => no_twisted_slip
         !> displacements integrated over discs, of unit pressures on discs
         procedure :: disc_products => no_discs
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
@@ -230,6 +228,12 @@ contains
         self%roughness = other%roughness
         self%surface_contrast = other%surface_contrast
         self%why_it_ends = other%why_it_ends
+        self%is_exact = other%is_exact
+        self%is_formula = other%is_formula
+        self%is_modulus_formula = other%is_modulus_formula
+        self%has_free_springs = other%has_free_springs
+        self%relaxes = other%relaxes
+        self%is_rigid = other%is_rigid
         if (allocated(other%pressed)) call other%pressed%copy_to(self%pressed, error)
         if (allocated(other%counterbody)) call other%counterbody%copy_to(self%counterbody, error)
     end subroutine take_common
@@ -295,15 +299,6 @@ contains
         associate (unused => self, also_unused => profile, unused_too => error)
         end associate
     end subroutine any_profile
-
-    pure function no(self) result(answer)
-        class(medium_t), intent(in) :: self
-        logical :: answer
-
-        associate (unused => self)
-        end associate
-        answer = .false.
-    end function no
 
     pure subroutine no_breaks(self, radii, error)
         class(medium_t), intent(in) :: self
@@ -401,20 +396,6 @@ contains
         call raise(error, error_invalid, "friction is not known for this medium")
     end subroutine no_slip
 
-    subroutine no_twisted_slip(self, profile, a, excess, slip, error)
-        class(medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond the non-adhesive one [length], >= 0
-        real(wp), intent(in) :: a, excess
-        class(slip_t), allocatable, intent(out) :: slip
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, unused_too => profile, and_this => a, this_too => excess)
-        end associate
-        if (allocated(slip)) return
-        call not_known(self, "torsion with friction is", "a homogeneous one with E and nu, or a pair of them", error)
-    end subroutine no_twisted_slip
-
     !> The refusal of what only other media answer.
     subroutine not_known(self, what, instead, error)
         class(medium_t), intent(in) :: self
@@ -424,7 +405,7 @@ contains
         character(len=*), intent(in) :: instead
         type(error_t), allocatable, intent(out) :: error
 
-        if (self%is_viscoelastic()) then
+        if (self%relaxes) then
             call raise(error, error_invalid, what//" not known for a viscoelastic body, whose stiffness depends on how long it "// &
                        "is loaded: take the glassy or the relaxed material")
         else

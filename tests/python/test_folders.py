@@ -34,7 +34,6 @@ EXCEPTIONS = {
     ("layered/slip.f90", "medium"),
     ("medium.f90", "field"),
     ("medium/effective.f90", "field"),
-    ("medium/homogeneous.f90", "field"),
     ("medium/superposed_slip.f90", "field"),
     ("medium/twisted_slip.f90", "field"),
 }

@@ -213,7 +213,7 @@ contains
         if (choice%kind /= medium_viscoelastic .or. allocated(error)) return
         call open_handle(handle, name, medium, error)
         if (allocated(error)) return
-        if (.not. medium%is_viscoelastic()) then
+        if (.not. medium%relaxes) then
             call raise(error, error_invalid, " is not allowed: it must be viscoelastic", name)
             return
         end if

@@ -128,7 +128,7 @@ contains
 
         call open_handle(m, "m", medium, error)
         if (.not. allocated(error)) then
-            if (medium%is_rigid()) call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable "// &
+            if (medium%is_rigid) call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable "// &
                                               "body", "m")
         end if
         call check_in_out(error, n, "a", present(a), present(out))

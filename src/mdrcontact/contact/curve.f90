@@ -120,7 +120,7 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         ! where states are solved for, slopes come with them
-        has_slopes = .not. (self%adhesive .or. equilibrium%medium%has_modulus_formula())
+        has_slopes = .not. (self%adhesive .or. equilibrium%medium%is_modulus_formula)
         by_slopes = has_slopes
         tested = .false.
         count = 0

@@ -73,7 +73,7 @@ contains
         type(radius_law_t), allocatable, intent(in), optional :: zeta
         type(scaled_profile_t), allocatable :: scaled
 
-        if (medium%is_rigid()) then
+        if (medium%is_rigid) then
             call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable body", "medium")
             return
         end if
@@ -87,7 +87,7 @@ contains
         call medium%copy_to(self%medium, error)
         if (allocated(error)) return
         self%last_radius = largest_contact_radius(profile, medium)
-        self%is_formula = medium%is_cheap()
+        self%is_formula = medium%is_formula
         self%roughness = medium%roughness
         allocate (self%falls(0))
         if (present(zeta)) then
@@ -131,7 +131,7 @@ contains
         real(wp) :: depth, before
         integer :: i
 
-        if (medium%is_exact()) then
+        if (medium%is_exact) then
             call raise(error, error_invalid, "zeta is not allowed: this medium determines its depth exactly")
             return
         end if
@@ -201,7 +201,7 @@ contains
             if (.not. (depth_slope > 0.0_wp .and. all(ieee_is_finite(slopes)))) slopes = 0.0_wp
         end if
         if (.not. self%work_of_adhesion > 0.0_wp) return
-        if (self%rule == adhesion_energy .or. (self%rule == adhesion_automatic .and. self%medium%is_exact())) then
+        if (self%rule == adhesion_energy .or. (self%rule == adhesion_automatic .and. self%medium%is_exact)) then
             modulus = 0.5_wp*stiffness_slope
         end if
         if (.not. modulus > 0.0_wp) then

@@ -59,7 +59,7 @@ contains
         thickness = 0.0_wp
         if (allocated(medium%pressed)) thickness = medium%pressed%last_depth
         if (allocated(medium%counterbody)) thickness = max(thickness, medium%counterbody%last_depth)
-        if (medium%is_exact() .or. .not. thickness > 0.0_wp) then
+        if (medium%is_exact .or. .not. thickness > 0.0_wp) then
             call raise(error, error_invalid, "the exact zeta is not allowed here: it needs a coated, layered or graded body "// &
                        "under an approximate model")
         else if (.not. medium%is_pair) then

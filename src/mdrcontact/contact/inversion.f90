@@ -91,7 +91,7 @@ contains
         mismatch%equilibrium => equilibrium
         mismatch%control = control
         mismatch%target_value = s
-        if (.not. equilibrium%medium%has_modulus_formula()) then
+        if (.not. equilibrium%medium%is_modulus_formula) then
             mismatch%near_enough = linear_where_solved
         else
             ! Behind a flat end the radius has lost digits of its distance from it, and with them the integrals.

@@ -239,7 +239,7 @@ contains
         allocate (modulus(size(a)), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        if (size(a) < worth_sampling .or. medium%has_modulus_formula()) then
+        if (size(a) < worth_sampling .or. medium%is_modulus_formula) then
             call medium%modulus(a, modulus, error)
         else
             f%medium => medium

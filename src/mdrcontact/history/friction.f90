@@ -133,7 +133,7 @@ contains
                            "this contact: indenter and medium are defined up to "//to_text(equilibrium%last_radius))
             end if
             if (allocated(error)) return
-            if (.not. equilibrium%medium%is_exact() .or. equilibrium%profile%is_spherical()) return
+            if (.not. equilibrium%medium%is_exact .or. equilibrium%profile%is_spherical()) return
             call self%contact%lowest_pressure(state, pressure, radius, error)
             if (allocated(error)) return
             if (pressure < -noticeable*state%force/(pi*state%radius**2)) then

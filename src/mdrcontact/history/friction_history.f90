@@ -92,7 +92,7 @@ contains
                 if (allocated(error)) return
                 allocate (self%grid, self%past%rings)
                 call new_ring_grid(self%grid, friction%tangential, state, count, error)
-            else if (medium%has_independent_springs()) then
+            else if (medium%has_free_springs) then
                 call medium%modulus([1.0_wp], normal, error)
                 if (.not. allocated(error)) call friction%tangential%modulus([1.0_wp], shear, error)
                 if (allocated(error)) return

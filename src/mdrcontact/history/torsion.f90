@@ -11,6 +11,7 @@ module mdrcontact_history_torsion
     use mdrcontact_field_slip, only: slip_t
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_first_shear, tangential_state_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_medium_twisted_slip, only: new_twisted_slip, twisted_slip_t
     implicit none (type, external)
     private
     public :: new_torsion, torsion_t, torsional_state_t
@@ -56,14 +57,17 @@ contains
         !> a state of its contact, a > 0
         type(contact_state_t), intent(in) :: state
         type(error_t), allocatable, intent(out) :: error
+        type(twisted_slip_t), allocatable :: twisted
         class(slip_t), allocatable :: slip
 
         call friction%check_state(state, error)
         if (allocated(error)) return
         associate (equilibrium => friction%contact%equilibrium)
-            call equilibrium%medium%new_twisted_slip(equilibrium%profile, state%radius, state%excess, slip, error)
+            allocate (twisted)
+            call new_twisted_slip(twisted, equilibrium%medium, equilibrium%profile, state%radius, state%excess, error)
         end associate
         if (allocated(error)) return
+        call move_alloc(twisted, slip)
         call new_first_shear(self%shear, slip, friction%coefficient)
         self%radius = self%shear%radius
         self%sliding_torque = self%shear%sliding_force

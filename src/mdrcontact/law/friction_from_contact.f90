@@ -103,10 +103,10 @@ contains
         self%coefficient = friction%coefficient
         call find_levels(self)
         associate (medium => friction%contact%equilibrium%medium)
-            if (.not. medium%has_independent_springs()) call find_shares(self, friction, error)
+            if (.not. medium%has_free_springs) call find_shares(self, friction, error)
             if (.not. allocated(error)) call verify_first_shear(self, friction, largest_depth, error)
             if (allocated(error)) return
-            if (medium%has_independent_springs()) call verify_paths(self, friction, largest_depth, error)
+            if (medium%has_free_springs) call verify_paths(self, friction, largest_depth, error)
         end associate
     end subroutine new_friction_law
 

@@ -64,7 +64,6 @@ module mdrcontact_layered_exact
         procedure :: pressure
         procedure :: displacement_outside
         procedure :: response
-        procedure :: is_exact
         procedure :: zeta
         procedure :: take_share
         procedure :: energies
@@ -127,7 +126,16 @@ contains
         end if
         self%largest_radius = merge(largest_homogeneous, largest_ratio*compliance%last_depth, self%kernel%vanishes)
         self%surface_contrast = contrast_of(self%kernel)
+        call mark_exact(self)
     end subroutine solve_body
+
+    !> k'(a) = 2 E0* q_1(a; a)^2, so that by the energy balance the edge spring carries q(a) = -sqrt(2 pi a gamma E0*).
+    pure subroutine mark_exact(self)
+        type(layered_exact_t), intent(inout) :: self
+
+        self%is_exact = .true.
+        self%is_modulus_formula = .false.
+    end subroutine mark_exact
 
     !> A stack of bonded layers on an elastic half-space or a rigid base: the arguments of new_stack and those above.
     subroutine new_exact_from_layers(self, layers, thickness, substrate, error, tolerance, rigid_base, shared)
@@ -155,6 +163,7 @@ contains
         self%surface_modulus = homogeneous%half_space_modulus()
         self%largest_radius = largest_homogeneous
         self%tolerance = largest_tolerance
+        call mark_exact(self)
     end subroutine new_exact_from_homogeneous
 
     !> Two bodies pressed together (theory 9): 1/E0* = 1/E1* + 1/E2*, X = E0* (X_1/E1* + X_2/E2*), and nothing else changes.
@@ -176,6 +185,7 @@ contains
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (.not. allocated(error)) call add_kernels(lower%kernel, upper%kernel, self%parts%share, self%kernel, error)
         self%surface_contrast = contrast_of(self%kernel)
+        call mark_exact(self)
     end subroutine new_exact_pair
 
     recursive subroutine copy_to(self, copy, error)
@@ -278,16 +288,6 @@ contains
         stiffness_slope = 2.0_wp*self%surface_modulus*solution%punch_edge**2
         if (present(depth_slope)) depth_slope = solution%depth_slope
     end subroutine response
-
-    !> Yes: k'(a) = 2 E0* q_1(a; a)^2, so that by the energy balance the edge spring carries q(a) = -sqrt(2 pi a gamma E0*).
-    pure function is_exact(self) result(answer)
-        class(layered_exact_t), intent(in) :: self
-        logical :: answer
-
-        associate (unused => self)
-        end associate
-        answer = .true.
-    end function is_exact
 
     !> zeta(a) = d/g(a), equation (9): what the depth is to that of a homogeneous body at the same contact radius.
     subroutine zeta(self, profile, a, values, error)

@@ -28,7 +28,6 @@ module mdrcontact_medium_effective
         procedure :: modulus_slope
         procedure :: nonadhesive_depth
         procedure :: nonadhesive_slope
-        procedure :: has_modulus_formula
         procedure :: depth_and_force
         procedure :: line_load
         procedure :: pressure
@@ -124,15 +123,6 @@ contains
         call profile%add_breaks(radii, error)
         call self%add_breaks(radii, error)
     end subroutine all_breaks
-
-    pure function has_modulus_formula(self) result(answer)
-        class(effective_medium_t), intent(in) :: self
-        logical :: answer
-
-        associate (unused => self)
-        end associate
-        answer = .true.
-    end function has_modulus_formula
 
     subroutine nonadhesive_depth(self, profile, a, value, error)
         class(effective_medium_t), intent(in) :: self

@@ -6,12 +6,11 @@ module mdrcontact_medium_homogeneous
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
     use mdrcontact_gsl, only: gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
-    use mdrcontact_field_slip, only: slip_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_medium_twisted_slip, only: make_twisted_slip => new_twisted_slip, twisted_slip_t
+    use mdrcontact_medium_shear_moduli, only: moduli_under_shear
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -26,14 +25,10 @@ module mdrcontact_medium_homogeneous
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: depth_and_force
-        procedure :: is_cheap => yes
-        procedure :: has_independent_springs => yes
-        procedure :: is_rigid
         procedure :: half_space_modulus
         procedure :: new_tangential
         procedure :: disc_products
         procedure :: torsional_stiffness
-        procedure :: new_twisted_slip
     end type homogeneous_t
 
 contains
@@ -45,7 +40,7 @@ contains
         type(stack_t) :: body
         type(error_t), allocatable :: error
 
-        self%contact_modulus = material%contact()
+        call set_modulus(self, material%contact())
         call new_stack(body, [material_t ::], [real(wp) ::], material, error)
         if (.not. allocated(error)) allocate (self%pressed, source=body)
     end subroutine new_homogeneous
@@ -54,7 +49,7 @@ contains
     subroutine new_rigid(self)
         type(homogeneous_t), intent(out) :: self
 
-        self%contact_modulus = ieee_value(1.0_wp, ieee_positive_inf)
+        call set_modulus(self, ieee_value(1.0_wp, ieee_positive_inf))
     end subroutine new_rigid
 
     !> Two half-spaces pressed together, exactly: 1/E* = 1/E1* + 1/E2*.
@@ -64,7 +59,7 @@ contains
         type(homogeneous_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(inout) :: error
 
-        self%contact_modulus = in_series(lower%contact_modulus, upper%contact_modulus)
+        call set_modulus(self, in_series(lower%contact_modulus, upper%contact_modulus))
         self%share_of_upper = self%contact_modulus/upper%contact_modulus
         call self%set_pair(lower, upper, error)
     end subroutine new_homogeneous_pair
@@ -77,12 +72,16 @@ contains
         modulus = self%contact_modulus
     end function half_space_modulus
 
-    pure function is_rigid(self) result(answer)
-        class(homogeneous_t), intent(in) :: self
-        logical :: answer
+    !> The modulus, and what every half-space is.
+    pure subroutine set_modulus(self, modulus)
+        type(homogeneous_t), intent(inout) :: self
+        real(wp), intent(in) :: modulus
 
-        answer = self%contact_modulus > huge(1.0_wp)
-    end function is_rigid
+        self%contact_modulus = modulus
+        self%is_formula = .true.
+        self%has_free_springs = .true.
+        self%is_rigid = modulus > huge(1.0_wp)
+    end subroutine set_modulus
 
     !> A half-space of given contact modulus E*.
     subroutine new_homogeneous_from_modulus(self, contact_modulus, error)
@@ -93,7 +92,7 @@ contains
 
         call check_positive(error, "contact_modulus", contact_modulus)
         if (allocated(error)) return
-        self%contact_modulus = contact_modulus
+        call set_modulus(self, contact_modulus)
     end subroutine new_homogeneous_from_modulus
 
     elemental function effective_modulus(self, a) result(value)
@@ -128,15 +127,6 @@ contains
         force = 2.0_wp*self%contact_modulus*profile%mdr_moment(a)
     end subroutine depth_and_force
 
-    pure function yes(self) result(answer)
-        class(homogeneous_t), intent(in) :: self
-        logical :: answer
-
-        associate (unused => self)
-        end associate
-        answer = .true.
-    end function yes
-
     !> (16/3) G a^3.
     subroutine torsional_stiffness(self, a, values, error)
         class(homogeneous_t), intent(in) :: self
@@ -149,23 +139,6 @@ contains
         values = 16.0_wp/3.0_wp*moduli(1)*a**3
     end subroutine torsional_stiffness
 
-    subroutine new_twisted_slip(self, profile, a, excess, slip, error)
-        class(homogeneous_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
-        class(slip_t), allocatable, intent(out) :: slip
-        type(error_t), allocatable, intent(out) :: error
-        type(twisted_slip_t), allocatable :: own
-        real(wp) :: moduli(2)
-
-        allocate (own)
-        call moduli_under_shear(self, moduli, error)
-        if (.not. allocated(error)) then
-            call make_twisted_slip(own, self, self%contact_modulus, moduli(1), profile, a, excess, error)
-        end if
-        if (.not. allocated(error)) call move_alloc(own, slip)
-    end subroutine new_twisted_slip
-
     !> The half-space of modulus G*; of two, 1/G* = 1/G1* + 1/G2*.
     subroutine new_tangential(self, tangential, error)
         class(homogeneous_t), intent(in) :: self
@@ -176,35 +149,9 @@ contains
 
         call moduli_under_shear(self, moduli, error)
         if (allocated(error)) return
-        own%contact_modulus = moduli(2)
+        call set_modulus(own, moduli(2))
         allocate (tangential, source=own)
     end subroutine new_tangential
-
-    !> G and G*; of two bodies in series, 1/G = 1/G1 + 1/G2.
-    pure subroutine moduli_under_shear(self, moduli, error)
-        class(homogeneous_t), intent(in) :: self
-        real(wp), intent(out) :: moduli(2)
-        type(error_t), allocatable, intent(out) :: error
-
-        moduli = ieee_value(1.0_wp, ieee_positive_inf)
-        if (allocated(self%pressed)) moduli = of(self%pressed%surface_material)
-        if (allocated(self%counterbody)) moduli = in_series(moduli, of(self%counterbody%surface_material))
-        if ((.not. allocated(self%pressed) .and. self%share_of_upper < 1.0_wp) .or. &
-            (.not. allocated(self%counterbody) .and. self%share_of_upper > 0.0_wp)) then
-            call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
-                       "not known: give E and nu")
-        end if
-
-    contains
-
-        pure function of(material) result(moduli)
-            type(material_t), intent(in) :: material
-            real(wp) :: moduli(2)
-
-            moduli = [material%shear(), material%tangential()]
-        end function of
-
-    end subroutine moduli_under_shear
 
     !> int of 4 sqrt(a^2 - x^2) sqrt(b^2 - x^2) dx over the smaller disc, by complete elliptic integrals of modulus b/a.
     subroutine disc_products(self, radius, radii, products, error)

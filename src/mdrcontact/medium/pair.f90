@@ -32,15 +32,15 @@ contains
 
         if (lower%is_pair) call raise(error, error_invalid, " is not allowed: it is a pair of bodies already", "lower")
         if (upper%is_pair) call raise(error, error_invalid, " is not allowed: it is a pair of bodies already", "upper")
-        if (lower%is_rigid() .and. upper%is_rigid()) then
+        if (lower%is_rigid .and. upper%is_rigid) then
             call raise(error, error_invalid, " is not allowed: one of the two bodies must be deformable", "upper")
         end if
         if (allocated(error)) return
-        if (upper%is_rigid()) then
+        if (upper%is_rigid) then
             call lower%copy_to(medium, error)
             return
         end if
-        if (lower%is_viscoelastic() .or. upper%is_viscoelastic()) then
+        if (lower%relaxes .or. upper%relaxes) then
             call raise(error, error_invalid, " is not allowed: one of the bodies is viscoelastic; press it with a rigid one", &
                        "upper")
             return

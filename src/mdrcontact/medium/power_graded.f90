@@ -37,8 +37,6 @@ module mdrcontact_medium_power_graded
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
-        procedure :: is_exact
-        procedure :: has_modulus_formula => is_exact
     end type power_graded_t
 
     !> g(x) of one indenter in this medium.
@@ -89,6 +87,7 @@ contains
         end if
         if (allocated(error)) return
         self%exponent = exponent
+        self%is_exact = .true.
         call gauss_jacobi(0.5_wp*(exponent - 1.0_wp), self%edge_rule(:, 1), self%edge_rule(:, 2), error)
         call gauss_legendre(roots, weights, error)
         self%corner_rule(:, 1) = roots**2
@@ -109,6 +108,7 @@ contains
             return
         end if
         self%exponent = lower%exponent
+        self%is_exact = .true.
         self%edge_rule = lower%edge_rule
         self%corner_rule = lower%corner_rule
         self%spring = in_series(lower%spring, upper%spring)
@@ -251,15 +251,6 @@ contains
             values(i) = values(i)*cos(half_pi*self%exponent)/half_pi
         end do
     end subroutine displacement_outside
-
-    pure function is_exact(self) result(answer)
-        class(power_graded_t), intent(in) :: self
-        logical :: answer
-
-        associate (unused => self)
-        end associate
-        answer = .true.
-    end function is_exact
 
     !> g(x) = x^{1-m} int_0^x f'(r) (x^2 - r^2)^{(m-1)/2} dr.
     function mdr(self, profile, x, error) result(g)

@@ -15,7 +15,8 @@ module mdrcontact_medium_twisted_slip
     use mdrcontact_field_slip, only: slip_t, thin
     use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium, only: medium_t, not_known
+    use mdrcontact_medium_shear_moduli, only: moduli_under_shear
     use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_rule, mark_breaks, merge_breaks
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -54,20 +55,25 @@ module mdrcontact_medium_twisted_slip
 contains
 
     !> The state of contact radius a under a profile. `force` becomes the torque of sliding over mu.
-    subroutine new_twisted_slip(self, normal, modulus, shear, profile, a, excess, error)
+    subroutine new_twisted_slip(self, normal, profile, a, excess, error)
         type(twisted_slip_t), intent(out) :: self
-        !> homogeneous
+        !> of homogeneous bodies
         class(medium_t), intent(in) :: normal
-        !> E* and G [modulus]
-        real(wp), intent(in) :: modulus, shear
         class(profile_t), intent(in) :: profile
         !> [length]
         real(wp), intent(in) :: a, excess
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: b(:), weights(:), breaks(:)
-        real(wp), dimension(1) :: twist, rate, stiffness, slope
+        real(wp), dimension(1) :: modulus, twist, rate, stiffness, slope
+        real(wp) :: shear(2)
 
-        call normal%copy_to(self%normal, error)
+        if (.not. normal%has_free_springs) then
+            call not_known(normal, "torsion with friction is", "a homogeneous one with E and nu, or a pair of them", error)
+            return
+        end if
+        call moduli_under_shear(normal, shear, error)
+        if (.not. allocated(error)) call normal%modulus([a], modulus, error)
+        if (.not. allocated(error)) call normal%copy_to(self%normal, error)
         if (.not. allocated(error)) call profile%copy_to(self%profile, error)
         call profile%add_breaks(breaks, error)
         call merge_breaks(self%breaks, breaks(:count(breaks < a)), error)
@@ -80,11 +86,11 @@ contains
         end if
         self%radius = a
         self%excess = excess
-        self%modulus = modulus
-        self%shear = shear
-        self%edge = modulus*excess
-        self%stiffness = 16.0_wp/3.0_wp*shear*a**3
-        self%first_shift = self%edge/(4.0_wp*shear*a)
+        self%modulus = modulus(1)
+        self%shear = shear(1)
+        self%edge = self%modulus*excess
+        self%stiffness = 16.0_wp/3.0_wp*self%shear*a**3
+        self%first_shift = self%edge/(4.0_wp*self%shear*a)
         self%smallest_stick = smallest*a
         call self%rates([self%smallest_stick], twist, rate, stiffness, slope, error)
         if (.not. allocated(error)) then
@@ -93,7 +99,7 @@ contains
         if (allocated(error)) return
         self%sliding_shift = twist(1)
         ! int r tau dA of a flat punch's pressure of unit depth: (pi/2) E* b^2
-        self%force = half_pi*(modulus*sum(weights*profile%mdr_slope(b)*b**2) + self%edge*a**2)
+        self%force = half_pi*(self%modulus*sum(weights*profile%mdr_slope(b)*b**2) + self%edge*a**2)
     end subroutine new_twisted_slip
 
     subroutine rates(self, c, shift, shift_rate, stiffness, stiffness_slope, error)

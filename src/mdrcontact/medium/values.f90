@@ -37,7 +37,7 @@ contains
         batch%medium => medium
         batch%a => a
         batch%values => values
-        if (medium%has_modulus_formula()) then
+        if (medium%is_modulus_formula) then
             call run_batch(batch, size(a), formula_block, formula_smallest, threads, error)
         else
             call run_batch(batch, size(a), 1, 2, threads, error)

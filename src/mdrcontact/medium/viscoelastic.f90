@@ -49,8 +49,6 @@ module mdrcontact_medium_viscoelastic
         procedure :: displacement_outside => no_field
         procedure :: check_profile
         procedure :: add_breaks
-        procedure :: is_exact
-        procedure :: is_viscoelastic
         procedure :: relaxation_shape
         procedure :: moduli_at
     end type viscoelastic_t
@@ -102,7 +100,11 @@ contains
             call new_stack(body, elastic(:size(thickness)), thickness, elastic(size(thickness) + 1), error, rigid_base)
             if (.not. allocated(error)) call new_medium(self%reference, body, model, error, options, shared)
         end if
-        if (.not. allocated(error)) self%largest_radius = self%reference%largest_radius
+        if (allocated(error)) return
+        self%relaxes = .true.
+        self%is_exact = self%reference%is_exact
+        self%is_modulus_formula = .false.
+        self%largest_radius = self%reference%largest_radius
     end subroutine new_viscoelastic_medium
 
     !> The elastic material that stands for a relaxing one; of a power law its modulus at the time for which that of the first
@@ -210,21 +212,5 @@ contains
 
         call self%reference%add_breaks(radii, error)
     end subroutine add_breaks
-
-    pure function is_exact(self) result(answer)
-        class(viscoelastic_t), intent(in) :: self
-        logical :: answer
-
-        answer = self%reference%is_exact()
-    end function is_exact
-
-    pure function is_viscoelastic(self) result(answer)
-        class(viscoelastic_t), intent(in) :: self
-        logical :: answer
-
-        associate (unused => self)
-        end associate
-        answer = .true.
-    end function is_viscoelastic
 
 end module mdrcontact_medium_viscoelastic
