@@ -25,13 +25,17 @@ module mdrcontact_body
         real(wp) :: first_depth = 0.0_wp, last_depth = 0.0_wp
         !> the smallest and the largest Young's modulus in it, 0 where they are not known [modulus]
         real(wp) :: softest = 0.0_wp, stiffest = 0.0_wp
-        !> whether the constants vary with depth: sublayers() refuses it
+        !> whether the constants vary continuously with depth: it has no layers
         logical :: is_graded = .false.
     contains
         !> the compliance of its surface under a load
         procedure(compliance_under), deferred :: compliance
         !> the homogeneous layers of a body, for stresses inside
         procedure(sublayers_at), deferred :: sublayers
+        !> G and nu at a depth
+        procedure(moduli_at), deferred :: moduli
+        !> depths between which they are analytic
+        procedure(breaks_of), deferred :: add_breaks
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
         procedure :: copy_to
         !> makes the numbers that every body has those of another one
@@ -54,6 +58,23 @@ module mdrcontact_body
             type(layers_t), intent(out) :: layers
             type(error_t), allocatable, intent(inout) :: error
         end subroutine sublayers_at
+
+        pure subroutine moduli_at(self, z, shear, poisson)
+            import :: body_t, wp
+            class(body_t), intent(in) :: self
+            !> depth, at least 0 [length]
+            real(wp), intent(in) :: z
+            !> G [modulus] and nu [1] there
+            real(wp), intent(out) :: shear, poisson
+        end subroutine moduli_at
+
+        pure subroutine breaks_of(self, depths, error)
+            import :: body_t, error_t, wp
+            class(body_t), intent(in) :: self
+            !> ascending; not allocated: none yet. Beyond the last one the constants do not vary [length]
+            real(wp), allocatable, intent(inout) :: depths(:)
+            type(error_t), allocatable, intent(inout) :: error
+        end subroutine breaks_of
     end interface
 
 contains

@@ -6,8 +6,7 @@
 module mdrcontact_model
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use mdrcontact_body, only: body_t
-    use mdrcontact_body_graded, only: graded_body_t
-    use mdrcontact_body_stack, only: stack_t
+    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
@@ -175,14 +174,11 @@ contains
             call move_alloc(exact, medium)
             return
         end if
-        select type (body)
-        type is (stack_t)
-            call new_layered_medium(medium, body, model, chosen, error)
-        type is (graded_body_t)
+        if (body%is_graded) then
             call new_graded_medium(medium, body, model, chosen, error)
-        class default
-            call raise(error, error_invalid, "this body is not allowed with an approximate model: use exact")
-        end select
+        else
+            call new_layered_medium(medium, body, model, chosen, error)
+        end if
         if (allocated(error) .or. .not. allocated(medium)) return
         if (.not. allocated(medium%pressed)) call body%copy_to(medium%pressed, error)
     end subroutine new_medium
@@ -192,26 +188,27 @@ contains
         class(body_t), intent(in) :: body
         integer, intent(in) :: model
         type(error_t), allocatable, intent(inout) :: error
-        integer :: i
+        type(layers_t) :: layers
+        integer :: i, n
 
         i = model_position(model)
         if (i == 0) then
             call refuse(model, "", model_table%code >= 0, error)
-            return
-        end if
-        select type (body)
-        type is (stack_t)
-            if (size(body%layers) > 1 .and. .not. model_table(i)%layers) then
-                call refuse(model, " for "//count_text(size(body%layers))//" layers", model_table%layers, error)
-            else if (body%rigid_base .and. model_table(i)%base == base_elastic) then
-                call refuse(model, " on a rigid base (substrate E = infinity)", model_table%base /= base_elastic, error)
-            else if (model_table(i)%base == base_rigid .and. .not. body%rigid_base) then
-                call raise(error, error_invalid, "substrate E = "//to_text(body%substrate%young)//" is not allowed: the model "// &
-                           trim(model_table(i)%name)//" is for a layer on a rigid base, substrate E = infinity")
-            end if
-        type is (graded_body_t)
+        else if (body%is_graded) then
             if (.not. model_table(i)%graded) call refuse(model, " for a graded body", model_table%graded, error)
-        end select
+        else
+            call body%sublayers(layers, error)
+            if (allocated(error)) return
+            n = size(layers%thickness)
+            if (n > 1 .and. .not. model_table(i)%layers) then
+                call refuse(model, " for "//count_text(n)//" layers", model_table%layers, error)
+            else if (layers%rigid_base .and. model_table(i)%base == base_elastic) then
+                call refuse(model, " on a rigid base (substrate E = infinity)", model_table%base /= base_elastic, error)
+            else if (model_table(i)%base == base_rigid .and. .not. layers%rigid_base) then
+                call raise(error, error_invalid, "substrate E = "//to_text(layers%materials(n + 1)%young)//" is not allowed: "// &
+                           "the model "//trim(model_table(i)%name)//" is for a layer on a rigid base, substrate E = infinity")
+            end if
+        end if
     end subroutine check_model
 
     pure subroutine refuse(model, what, allowed, error)
@@ -247,7 +244,7 @@ contains
 
     subroutine new_graded_medium(medium, body, model, options, error)
         class(medium_t), allocatable, intent(out) :: medium
-        type(graded_body_t), intent(in) :: body
+        class(body_t), intent(in) :: body
         integer, intent(in) :: model
         type(model_options_t), intent(in) :: options
         type(error_t), allocatable, intent(inout) :: error
@@ -260,22 +257,28 @@ contains
 
     subroutine new_layered_medium(medium, body, model, options, error)
         class(medium_t), allocatable, intent(out) :: medium
-        type(stack_t), intent(in) :: body
+        class(body_t), intent(in) :: body
         integer, intent(in) :: model
         type(model_options_t), intent(in) :: options
         type(error_t), allocatable, intent(inout) :: error
         type(homogeneous_t) :: homogeneous
         type(gao_t), allocatable :: gao
+        type(layers_t) :: layers
+        integer :: n
 
-        if (size(body%layers) == 0) then
-            call new_homogeneous(homogeneous, body%substrate)
+        call body%sublayers(layers, error)
+        if (allocated(error)) return
+        n = size(layers%thickness)
+        if (n == 0) then
+            call new_homogeneous(homogeneous, layers%materials(1))
             allocate (medium, source=homogeneous)
         else if (any(model == [models%gao, models%gao_series, models%gao_power])) then
             allocate (gao)
-            call new_gao_layered(gao, body%layers, body%thickness, body%substrate, error, gao_options(model, options))
+            call new_gao_layered(gao, layers%materials(:n), layers%thickness, layers%materials(n + 1), error, &
+                                 gao_options(model, options))
             call move_alloc(gao, medium)
         else
-            call new_coated_medium(medium, body%layers(1), body%thickness(1), body%substrate, model, options, error)
+            call new_coated_medium(medium, layers%materials(1), layers%thickness(1), layers%materials(2), model, options, error)
         end if
     end subroutine new_layered_medium
 

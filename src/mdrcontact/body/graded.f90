@@ -1,13 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A body with E(z) and nu(z) varying with depth: its constants at any depth, and sublayers that thin towards the surface.
-!>
-!> Below the first, homogeneous sublayer (a negligible fraction of the gradient's depth) sublayers take a tenth of their
-!> depth, so that any wavelength sees the same number of them.
 module mdrcontact_body_graded
     use mdrcontact_body, only: body_t
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_gradation, only: gradation_t, new_gradation, nodes
     use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_body_sublayers, only: sublayer_ends
     use mdrcontact_error, only: check_memory, check_poisson, check_positive, check_table, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
@@ -21,13 +19,9 @@ module mdrcontact_body_graded
     private
     public :: graded_body_t, new_graded_body, new_graded_body_from_functions
 
-    !> Growth of depth from one sublayer to the next, and the largest ratio of shear moduli within one.
-    real(wp), parameter :: growth = 1.1_wp, largest_ratio = 1.3_wp
     !> Octaves of depth above the first entry of a table, and in the range of a function, before the homogeneous top.
     integer, parameter :: table_octaves = 30, function_octaves = 50
     real(wp), parameter :: function_tolerance = 1.0e-13_wp
-    !> Relative, of the integrals that show whether a rule follows the constants.
-    real(wp), parameter :: rule_tolerance = 1.0e-13_wp
     !> Functions that want more panels than this are not smooth.
     integer, parameter :: most_panels = 500
 
@@ -40,12 +34,10 @@ module mdrcontact_body_graded
         !> depths of the sublayers' ends, 0 first [length]
         real(wp), allocatable :: ends(:)
     contains
-        procedure :: constants
-        procedure :: is_integrated_by
-        procedure :: add_knots
+        procedure :: moduli
+        procedure :: add_breaks
         procedure :: compliance => surface_compliance
         procedure :: sublayers
-        procedure :: faces_through
         procedure :: copy_to
     end type graded_body_t
 
@@ -113,9 +105,9 @@ contains
                                                               noise=1.0e-15_wp, most=most_panels, &
                                                               everywhere=.true.)
         if (allocated(error)) return
-        call self%add_knots(depths, error)
+        call self%add_breaks(depths, error)
         do i = 1, size(depths)
-            call self%constants(depths(i), shear, nu)
+            call self%moduli(depths(i), shear, nu)
             call check_positive(error, "E at z = "//to_text(depths(i)), 2.0_wp*shear*(1.0_wp + nu))
             call check_poisson(error, "nu at z = "//to_text(depths(i)), nu)
         end do
@@ -123,7 +115,7 @@ contains
     end subroutine new_graded_body_from_functions
 
     !> Adds to ascending depths those between which the constants are analytic; beyond the last they are constant [length].
-    pure subroutine add_knots(self, depths, error)
+    pure subroutine add_breaks(self, depths, error)
         class(graded_body_t), intent(in) :: self
         !> ascending [length]; not allocated: none yet
         real(wp), allocatable, intent(inout) :: depths(:)
@@ -135,10 +127,10 @@ contains
             call merge_breaks(depths, self%young_of%panel_edges(), error)
             call merge_breaks(depths, self%poisson_of%panel_edges(), error)
         end if
-    end subroutine add_knots
+    end subroutine add_breaks
 
     !> G [modulus] and nu at depth z >= 0.
-    pure subroutine constants(self, z, shear, poisson)
+    pure subroutine moduli(self, z, shear, poisson)
         class(graded_body_t), intent(in) :: self
         !> depth, at least 0 [length]
         real(wp), intent(in) :: z
@@ -160,47 +152,7 @@ contains
             if (abs(poisson - 0.5_wp) < function_tolerance) poisson = 0.5_wp
         end if
         shear = 0.5_wp*young/(1.0_wp + poisson)
-    end subroutine constants
-
-    !> Whether a rule on [0, 1] integrates the constants between two depths as it does over both halves, where its nodes are others,
-    !> to its tolerance or to what the rounding of z allows.
-    pure function is_integrated_by(self, places, weights, from, to) result(answer)
-        class(graded_body_t), intent(in) :: self
-        !> nodes and weights, same size
-        real(wp), intent(in) :: places(:), weights(:)
-        !> 0 <= from < to, no knot between them [length]
-        real(wp), intent(in) :: from, to
-        logical :: answer
-        real(wp), dimension(6) :: whole, halves
-        real(wp) :: middle, shear(2), nu, rounding
-
-        middle = from + 0.5_wp*(to - from)
-        answer = .not. (from < middle .and. middle < to)
-        if (answer) return
-        whole = moments(self, places, weights, from, to, from)
-        halves = moments(self, places, weights, from, middle, from) + moments(self, places, weights, middle, to, from)
-        call self%constants(from, shear(1), nu)
-        call self%constants(to, shear(2), nu)
-        rounding = epsilon(1.0_wp)*to/(to - from)*(maxval(shear)/minval(shear) - 1.0_wp)
-        answer = all(abs(whole - halves) <= max(rule_tolerance, rounding)*halves)
-    end function is_integrated_by
-
-    !> int {G, 1/G, 1 + nu} dz between two depths, and the same times z - start. Whatever is integrated lies between G and 1/G.
-    pure function moments(self, places, weights, from, to, start) result(values)
-        type(graded_body_t), intent(in) :: self
-        real(wp), intent(in) :: places(:), weights(:), from, to, start
-        real(wp) :: values(6)
-        real(wp) :: z, shear, nu, constants(3)
-        integer :: i
-
-        values = 0.0_wp
-        do i = 1, size(places)
-            z = from + (to - from)*places(i)
-            call self%constants(z, shear, nu)
-            constants = weights(i)*(to - from)*[shear, 1.0_wp/shear, 1.0_wp + nu]
-            values = values + [constants, (z - start)*constants]
-        end do
-    end function moments
+    end subroutine moduli
 
     !> Sublayers from a homogeneous one of thickness `first` down to the last knot, split at each; the numbers that every body has.
     subroutine build(self, first, error)
@@ -211,12 +163,12 @@ contains
         real(wp), allocatable :: knots(:)
         integer :: i, n
 
-        call self%add_knots(knots, error)
+        call self%add_breaks(knots, error)
         call new_antiderivative(t, antiderivative, error)
         if (.not. allocated(error)) call sublayer_ends(self, first, knots, t, antiderivative(nodes + 1, :), self%ends, error)
         if (allocated(error)) return
         n = size(self%ends) - 1
-        call self%constants(0.5_wp*first, g, v)
+        call self%moduli(0.5_wp*first, g, v)
         self%surface_material = material_t(2.0_wp*g*(1.0_wp + v), v)
         self%surface_modulus = 2.0_wp*g/(1.0_wp - v)
         self%softest = self%surface_material%young
@@ -226,7 +178,7 @@ contains
             self%softest = min(self%softest, minval(2.0_wp*shear*(1.0_wp + nu)))
             self%stiffest = max(self%stiffest, maxval(2.0_wp*shear*(1.0_wp + nu)))
         end do
-        call self%constants(self%ends(n + 1), g, v)
+        call self%moduli(self%ends(n + 1), g, v)
         self%long_wave_limit = self%surface_modulus*(1.0_wp - v)/(2.0_wp*g)
         self%first_depth = self%ends(2)
         self%last_depth = self%ends(n + 1)
@@ -244,50 +196,10 @@ contains
 
         do j = 1, size(t)
             associate (top => self%ends(sublayer), bottom => self%ends(sublayer + 1))
-                call self%constants(merge(0.5_wp*bottom, top + (bottom - top)*t(j), sublayer == 1), shear(j), poisson(j))
+                call self%moduli(merge(0.5_wp*bottom, top + (bottom - top)*t(j), sublayer == 1), shear(j), poisson(j))
             end associate
         end do
     end subroutine constants_in
-
-    subroutine sublayer_ends(self, first, knots, places, weights, ends, error)
-        class(graded_body_t), intent(in) :: self
-        real(wp), intent(in) :: first, knots(:)
-        !> the rule by which a sublayer is integrated
-        real(wp), intent(in) :: places(:), weights(:)
-        real(wp), allocatable, intent(out) :: ends(:)
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: here, next, shear, shear_next, nu
-        integer :: i, count, round, stat
-
-        ! counted, then set
-        do round = 1, 2
-            count = 2
-            here = first
-            do i = 1, size(knots)
-                do while (here < knots(i))
-                    next = min(here*growth, knots(i))
-                    if (knots(i) - next < 0.3_wp*(next - here)) next = knots(i)
-                    call self%constants(here, shear, nu)
-                    do
-                        call self%constants(next, shear_next, nu)
-                        if (next <= here*(1.0_wp + 8.0_wp*epsilon(1.0_wp))) exit
-                        if (max(shear/shear_next, shear_next/shear) <= largest_ratio) then
-                            if (self%is_integrated_by(places, weights, here, next)) exit
-                        end if
-                        next = here + 0.5_wp*(next - here)
-                    end do
-                    count = count + 1
-                    if (round == 2) ends(count) = next
-                    here = next
-                end do
-            end do
-            if (round == 2) exit
-            allocate (ends(count), stat=stat)
-            call check_memory(error, stat)
-            if (stat /= 0) return
-            ends(:2) = [0.0_wp, first]
-        end do
-    end subroutine sublayer_ends
 
     subroutine copy_to(self, copy, error)
         class(graded_body_t), intent(in) :: self
@@ -328,7 +240,7 @@ contains
         if (stat /= 0) return
         do i = 1, n
             call constants_in(self, i, t, shear(:, i), poisson(:, i))
-            call self%constants(self%ends(i + 1), end_shear(i), end_poisson(i))
+            call self%moduli(self%ends(i + 1), end_shear(i), end_poisson(i))
         end do
         call new_gradation(own, load, self%ends, shear, poisson, end_shear, end_poisson, error)
         if (load == normal_load) own%at_zero = self%long_wave_limit
@@ -345,22 +257,5 @@ contains
         layers%rigid_base = .false.
         call raise(error, error_invalid, "a graded body has no layers whose energies could be told apart")
     end subroutine sublayers
-
-    !> Depths between which the constants vary little and lengths are small against the depth: 0, `first`, the knots and others.
-    subroutine faces_through(self, first, depths, faces, error)
-        class(graded_body_t), intent(in) :: self
-        !> > 0, and others, ascending from there on [length]
-        real(wp), intent(in) :: first, depths(:)
-        !> ascending from 0 [length]
-        real(wp), allocatable, intent(out) :: faces(:)
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: antiderivative(nodes + 1, nodes), t(nodes)
-        real(wp), allocatable :: knots(:)
-
-        call self%add_knots(knots, error)
-        call merge_breaks(knots, depths, error)
-        call new_antiderivative(t, antiderivative, error)
-        if (.not. allocated(error)) call sublayer_ends(self, first, knots, t, antiderivative(nodes + 1, :), faces, error)
-    end subroutine faces_through
 
 end module mdrcontact_body_graded

@@ -2,6 +2,7 @@
 !> Bonded homogeneous layers with their elastic constants: a body as the stresses inside it need it.
 module mdrcontact_body_layers
     use mdrcontact_kinds, only: wp
+    use mdrcontact_material, only: material_t
     implicit none (type, external)
     private
     public :: layers_t
@@ -10,6 +11,8 @@ module mdrcontact_body_layers
     type :: layers_t
         !> thicknesses > 0 [length]
         real(wp), allocatable :: thickness(:)
+        !> materials of the layers and, one more, of the half-space; not allocated of layers that were not given as such
+        type(material_t), allocatable :: materials(:)
         !> shear moduli mu [modulus] and Poisson's ratios of the layers and, one more, of the half-space
         real(wp), allocatable :: shear(:), poisson(:)
         !> bonded to a rigid base: the half-space's constants are not used

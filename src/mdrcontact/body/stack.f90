@@ -9,6 +9,7 @@ module mdrcontact_body_stack
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, moduli_t
     use mdrcontact_numerics_copy, only: copy_array
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     implicit none (type, external)
     private
     public :: stack_t, new_stack
@@ -26,6 +27,8 @@ module mdrcontact_body_stack
     contains
         procedure :: compliance => surface_compliance
         procedure :: sublayers
+        procedure :: moduli => moduli_at
+        procedure :: add_breaks
         procedure :: copy_to
     end type stack_t
 
@@ -180,10 +183,12 @@ contains
 
         n = size(self%layers)
         layers%rigid_base = self%rigid_base
-        allocate (layers%thickness(n), layers%shear(n + 1), layers%poisson(n + 1), stat=stat)
+        allocate (layers%thickness(n), layers%shear(n + 1), layers%poisson(n + 1), layers%materials(n + 1), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         layers%thickness(:) = self%thickness
+        layers%materials(:n) = self%layers
+        layers%materials(n + 1) = self%substrate
         do i = 1, n
             layers%shear(i) = self%layers(i)%shear()
             layers%poisson(i) = self%layers(i)%poisson
@@ -191,5 +196,46 @@ contains
         layers%shear(n + 1) = merge(1.0_wp, self%substrate%shear(), self%rigid_base)
         layers%poisson(n + 1) = merge(0.0_wp, self%substrate%poisson, self%rigid_base)
     end subroutine sublayers
+
+    !> At an interface those of what lies below it; in a rigid base those of the last layer.
+    pure subroutine moduli_at(self, z, shear, poisson)
+        class(stack_t), intent(in) :: self
+        real(wp), intent(in) :: z
+        real(wp), intent(out) :: shear, poisson
+        type(material_t) :: material
+        real(wp) :: bottom
+        integer :: i
+
+        if (.not. self%rigid_base) material = self%substrate
+        if (self%rigid_base) material = self%layers(size(self%layers))
+        bottom = 0.0_wp
+        do i = 1, size(self%layers)
+            bottom = bottom + self%thickness(i)
+            if (z >= bottom) cycle
+            material = self%layers(i)
+            exit
+        end do
+        shear = material%shear()
+        poisson = material%poisson
+    end subroutine moduli_at
+
+    pure subroutine add_breaks(self, depths, error)
+        class(stack_t), intent(in) :: self
+        real(wp), allocatable, intent(inout) :: depths(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: bottoms(:)
+        real(wp) :: bottom
+        integer :: i, stat
+
+        allocate (bottoms(size(self%thickness)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        bottom = 0.0_wp
+        do i = 1, size(bottoms)
+            bottom = bottom + self%thickness(i)
+            bottoms(i) = bottom
+        end do
+        call merge_breaks(depths, bottoms, error)
+    end subroutine add_breaks
 
 end module mdrcontact_body_stack

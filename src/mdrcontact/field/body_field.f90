@@ -2,7 +2,6 @@
 !> Displacements and stresses inside a body, layered or graded.
 module mdrcontact_field_body_field
     use mdrcontact_body, only: body_t
-    use mdrcontact_body_graded, only: graded_body_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_gradient_states, only: gradient_states_t, new_gradient_states
@@ -36,20 +35,19 @@ contains
         integer, intent(in) :: threads
         type(layers_t) :: layers
 
-        select type (body)
-        type is (graded_body_t)
+        if (body%is_graded) then
             call graded_field(load, body, r, z, field, error, friction, angle, threads)
-        class default
+        else
             call body%sublayers(layers, error)
             if (allocated(error)) return
             call interior_field(load, layers, r, z, below, field, error, friction, angle, threads)
-        end select
+        end if
     end subroutine body_field
 
     !> By groups of depths.
     subroutine graded_field(load, body, r, z, field, error, friction, angle, threads)
         class(load_t), intent(in) :: load
-        type(graded_body_t), intent(in) :: body
+        class(body_t), intent(in) :: body
         real(wp), intent(in) :: r(:), z(:)
         real(wp), intent(out) :: field(:, :)
         type(error_t), allocatable, intent(out) :: error
@@ -84,7 +82,7 @@ contains
     !> At points of few depths.
     subroutine group_field(load, body, r, z, depth, field, error, friction, angle, threads)
         class(load_t), intent(in) :: load
-        type(graded_body_t), intent(in) :: body
+        class(body_t), intent(in) :: body
         !> the last one in units of a
         real(wp), intent(in) :: r(:), z(:), depth(:)
         real(wp), intent(out) :: field(:, :)
@@ -109,7 +107,7 @@ contains
             depths(i)%z = depth(i)
             depths(i)%layer = which(i)
             depths(i)%shear = body%surface_material%shear()
-            call body%constants(z(i), shear, depths(i)%poisson)
+            call body%moduli(z(i), shear, depths(i)%poisson)
             depths(i)%local = shear/depths(i)%shear
         end do
         call state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads)

@@ -6,9 +6,10 @@
 !> and from a wavenumber on a sum of (alpha + beta k z) e^(-k (z + s)) over few s follows it: fields of half-spaces again,
 !> s deeper. They are found by least squares and compared with the states between the wavenumbers of the fit.
 module mdrcontact_field_gradient_states
-    use mdrcontact_body_graded, only: graded_body_t
+    use mdrcontact_body, only: body_t
     use mdrcontact_body_elements_gradient, only: anti_plane_rate, gradient_series, in_plane_rate, multiply_series, order
     use mdrcontact_body_elements_layer, only: half_space_compliance
+    use mdrcontact_body_sublayers, only: faces_through
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_field_states, only: depth_t, normal_rows, shear_rows, states_t
     use mdrcontact_field_waves, only: faded
@@ -60,7 +61,7 @@ contains
     !> At distinct depths.
     subroutine new_gradient_states(self, body, radius, z, error)
         type(gradient_states_t), intent(out) :: self
-        type(graded_body_t), intent(in) :: body
+        class(body_t), intent(in) :: body
         !> contact radius [length], and depths [a]
         real(wp), intent(in) :: radius, z(:)
         type(error_t), allocatable, intent(inout) :: error
@@ -72,7 +73,8 @@ contains
         if (stat /= 0) return
         self%z(:) = z
         self%is_near(:) = .false.
-        call body%faces_through(radius*min(first_step, minval(z, mask=z > 0.0_wp)), pack(radius*z, z > 0.0_wp), self%faces, error)
+        call faces_through(body, radius*min(first_step, minval(z, mask=z > 0.0_wp)), pack(radius*z, z > 0.0_wp), self%faces, &
+                           error)
         if (allocated(error)) return
         self%faces(:) = self%faces/radius
         do i = 1, size(z)
@@ -94,18 +96,18 @@ contains
 
     !> G and nu; above the first depth those of the surface.
     pure function constants(body, z) result(values)
-        type(graded_body_t), intent(in) :: body
+        class(body_t), intent(in) :: body
         !> [length]
         real(wp), intent(in) :: z
         real(wp) :: values(2)
 
-        call body%constants(merge(0.5_wp*body%first_depth, z, z < body%first_depth), values(1), values(2))
+        call body%moduli(merge(0.5_wp*body%first_depth, z, z < body%first_depth), values(1), values(2))
     end function constants
 
     !> The series of all steps.
     subroutine build(self, body, radius, error)
         type(gradient_states_t), intent(inout) :: self
-        type(graded_body_t), intent(in) :: body
+        class(body_t), intent(in) :: body
         real(wp), intent(in) :: radius
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: antiderivative(nodes + 1, nodes), t(nodes), here(2), surface(2), length

@@ -4,7 +4,8 @@
 !>
 !> The integrals are done once, when the medium is made, over a range of contact radii; afterwards E_eff(a) is an interpolation.
 module mdrcontact_medium_graded
-    use mdrcontact_body_graded, only: graded_body_t
+    use mdrcontact_body, only: body_t
+    use mdrcontact_body_sublayers, only: is_integrated_by
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort
@@ -61,7 +62,7 @@ contains
     !> A graded body by Gao's weights.
     subroutine new_graded(self, body, error, options, under_shear)
         type(graded_t), intent(out) :: self
-        class(graded_body_t), intent(in) :: body
+        class(body_t), intent(in) :: body
         type(error_t), allocatable, intent(out) :: error
         type(gao_options_t), intent(in), optional :: options
         !> G_t in place of E_eff; default false
@@ -71,7 +72,7 @@ contains
         integer :: i, stat
 
         call disable_gsl_abort()
-        call body%add_knots(knots, error)
+        call body%add_breaks(knots, error)
         if (allocated(error)) return
         average%top_depth = knots(1)/(range_factor*contrast(body, knots))
         average%bottom_depth = knots(size(knots))
@@ -81,10 +82,10 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         do i = 1, size(average%z)
-            call body%constants(average%z(i), average%shear(i), average%poisson(i))
+            call body%moduli(average%z(i), average%shear(i), average%poisson(i))
         end do
-        call body%constants(0.0_wp, average%top_shear, average%top_poisson)
-        call body%constants(average%bottom_depth, average%bottom_shear, average%bottom_poisson)
+        call body%moduli(0.0_wp, average%top_shear, average%top_poisson)
+        call body%moduli(average%bottom_depth, average%bottom_shear, average%bottom_poisson)
         if (present(options)) average%options = options
         if (present(under_shear)) average%under_shear = under_shear
         self%options = average%options
@@ -106,16 +107,16 @@ contains
 
     !> The ratio of the largest to the smallest G at the knots.
     pure function contrast(body, knots) result(ratio)
-        class(graded_body_t), intent(in) :: body
+        class(body_t), intent(in) :: body
         real(wp), intent(in) :: knots(:)
         real(wp) :: ratio
         real(wp) :: shear, nu, least, most
         integer :: i
 
-        call body%constants(0.0_wp, least, nu)
+        call body%moduli(0.0_wp, least, nu)
         most = least
         do i = 1, size(knots)
-            call body%constants(knots(i), shear, nu)
+            call body%moduli(knots(i), shear, nu)
             least = min(least, shear)
             most = max(most, shear)
         end do
@@ -130,12 +131,11 @@ contains
         type(graded_t), allocatable :: own
 
         allocate (own)
-        select type (body => self%pressed)
-        class is (graded_body_t)
-            call new_graded(own, body, error, self%options, under_shear=.true.)
-        class default
+        if (allocated(self%pressed)) then
+            call new_graded(own, self%pressed, error, self%options, under_shear=.true.)
+        else
             call raise(error, error_invalid, "the tangential stiffness is not known for this medium: its body was not kept")
-        end select
+        end if
         if (.not. allocated(error)) call move_alloc(own, tangential)
     end subroutine new_tangential
 
@@ -172,7 +172,7 @@ contains
     !> integrates the constants.
     subroutine depth_nodes(average, body, knots, error)
         type(average_t), intent(inout) :: average
-        class(graded_body_t), intent(in) :: body
+        class(body_t), intent(in) :: body
         real(wp), intent(in) :: knots(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: t(wide_nodes), w(wide_nodes), t6(narrow_nodes), w6(narrow_nodes), from, to
@@ -190,10 +190,10 @@ contains
                     call check_cancelled(error)
                     if (allocated(error)) return
                     to = min(4.0_wp*from, knots(i))
-                    do while (.not. body%is_integrated_by(t, w, from, to))
+                    do while (.not. is_integrated_by(body, t, w, from, to))
                         to = from + 0.5_wp*(to - from)
                     end do
-                    if (to <= 1.3_wp*from .and. body%is_integrated_by(t6, w6, from, to)) then
+                    if (to <= 1.3_wp*from .and. is_integrated_by(body, t6, w6, from, to)) then
                         call add_panel(t6, w6)
                     else
                         call add_panel(t, w)
