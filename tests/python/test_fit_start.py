@@ -62,3 +62,23 @@ def test_the_scale_of_forces_alone_is_a_division():
     found = mdr.fit(mdr.ForceDepth(depth, force), BALL, mdr.Homogeneous(mdr.Elastic(1.0, 0.5)), ["E"])
     unit = np.asarray(mdr.Contact(BALL, mdr.Homogeneous(mdr.Elastic(1.0, 0.5))).at_depth(depth).force)
     assert found.estimates["E"] == pytest.approx(float(unit @ force / (unit @ unit)), rel=1e-6)
+
+
+def test_weights_next_to_contact_leave_other_forces_out():
+    """A repulsion before contact moves the modulus by a third of what it does without weights, or less."""
+    clean = mdr.fit(approach(), BALL, GEL, FREE).estimates["E"]
+    data = approach(tail=2e-10, begin=-4e-6)
+    plain = mdr.fit(data, BALL, GEL, FREE)
+    weighted = mdr.fit(data, BALL, GEL, FREE, contact_weight=1e-6)
+    assert abs(plain.estimates["E"] / clean - 1.0) > 0.003
+    assert abs(weighted.estimates["E"] / clean - 1.0) < abs(plain.estimates["E"] / clean - 1.0) / 2.0
+    nothing = mdr.fit(approach(), BALL, GEL, FREE, contact_weight=1e-7)
+    assert nothing.estimates["E"] == pytest.approx(clean, rel=0.01)
+
+
+@pytest.mark.parametrize("distance", [-1e-9, float("nan"), float("inf")])
+def test_wrong_weights_are_refused(distance):
+    with pytest.raises(mdr.InvalidArgumentError, match="contact_weight"):
+        mdr.fit(approach(), BALL, GEL, FREE, contact_weight=distance)
+    with pytest.raises(mdr.InvalidArgumentError, match="forces against depth"):
+        mdr.fit(mdr.ModulusRadius([1e-7, 2e-7, 3e-7], [1e9, 2e9, 1e9]), BALL, GEL, ["E"], contact_weight=1e-9)

@@ -52,7 +52,13 @@ def fits():
     profile = mdr.modulus_at_depths(csm, BALL, FILM, ["coating.E"])
     time = np.linspace(0.0, 1.0, 9)
     omega = np.geomspace(1.0, 10.0, 5)
+    end = mdr.Move("up to depth 5 nm", 5e-9, 7e10, 1e9)
     return [
+        mdr.Moves(result, "coating.E", (end,), (), ()),
+        end,
+        result.misfit,
+        mdr.rate(result),
+        mdr.mean_of_tests([result, result], "coating.E"),
         curve,
         csm,
         unloading,
@@ -166,6 +172,7 @@ def records():
         measurement.find_baseline(h[:60], p[:60], 30),
         measurement.PopIn(3, 1e-8, 1e-5, 1e-9),
         measurement.Drift(1e-11, 1e-12),
+        measurement.Pull(1e-9, -1e-8, 1e-11),
     ]
 
 

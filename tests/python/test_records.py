@@ -17,6 +17,7 @@ from mdrcontact.measurement import (
     find_baseline,
     find_contact_point,
     find_pop_in,
+    find_pull,
     find_segments,
     find_strays,
     segments,
@@ -84,6 +85,21 @@ def test_a_reading_that_strays_is_no_pop_in():
     depth[1200:] += 4e-9
     found = find_pop_in(depth, force)
     assert found is not None and abs(found.position - 1199) <= 1 and found.jump == pytest.approx(4.1e-9, abs=0.5e-9)
+
+
+@pytest.mark.parametrize("pull", [0.0, 2e-9])
+def test_pulls_of_a_record(pull):
+    """Found where they are, with their size; noise is none."""
+    depth = np.linspace(-2e-6, 1e-6, 900)
+    random = np.random.default_rng(0).standard_normal(900)
+    force = 5e-10 + 1e-3 * np.maximum(depth, 0.0) ** 1.0 - pull * np.exp(-(((depth + 1e-7) / 5e-8) ** 2)) + 5e-11 * random
+    found = find_pull(depth[::-1], force[::-1])
+    if pull == 0.0:
+        assert found is None
+    else:
+        assert found is not None
+        assert found.force == pytest.approx(pull, abs=2e-10) and found.depth == pytest.approx(-1e-7, abs=2e-8)
+        assert found.noise == pytest.approx(5e-11, rel=0.2)
 
 
 def test_pop_ins():

@@ -38,6 +38,8 @@ class Data:
     """what else is known of each point"""
     contact_points: Mapping[str, float] = MappingProxyType({})
     """depth of first contact by each estimator that has looked at the record"""
+    pulls: Mapping[str, float] = MappingProxyType({})
+    """forces of jump-in and pull-off that the record shows, without a model"""
     also_free: tuple[str, ...] = ()
     """numbers of the instrument that a fit finds beside those that it names"""
 

@@ -3,14 +3,23 @@
 
 from __future__ import annotations
 
+import copy
+import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+import numpy as np
+
+from .._boundary import number
+from ..errors import InvalidArgumentError
 from .advice import advice
-from .data import Data
+from .data import Data, ForceDepth
 from .parameters import Free, Instrument, JointPrior
-from .problem import make_problem
+from .problem import Problem, make_problem
 from .result import FitResult
+
+_ROUNDS, _LEAST = 4, 1e-2
+"""Of weighted fits, and the least weight of a residual."""
 
 
 def fit(
@@ -27,6 +36,7 @@ def fit(
     max_iterations: int = 100,
     check_units: bool = True,
     known: Iterable[JointPrior] = (),
+    contact_weight: float = 0.0,
 ) -> FitResult:
     """Finds the parameters under which indenter and medium explain the data best: nonlinear least squares of the same forward model
     that `Contact` computes, over GSL's trust region.
@@ -47,23 +57,44 @@ def fit(
     max_iterations : of one search, at least 1
     check_units : refuses data more than 300 times larger or smaller than the model at the start
     known : JointPrior(...) of several parameters together, as a tip's calibration gives them
+    contact_weight : of ForceDepth: within this distance of first contact residuals count in proportion to their distance from it,
+        for forces of other kinds act there; 0: all count alike [length]
 
     Bad data raise an exception; a search that does not converge returns its best point, and says so in `converged` and `warnings`.
     """
-    problem = make_problem(
-        data,
-        indenter,
-        medium,
-        free,
-        instrument,
-        loss,
-        loss_scale,
-        adhesion_rule,
-        sd_is_absolute,
-        max_iterations,
-        check_units,
-        known,
-    )
+    options = (instrument, loss, loss_scale, adhesion_rule, sd_is_absolute, max_iterations, check_units, tuple(known))
+    distance = number("contact_weight", contact_weight)
+    if not 0.0 <= distance < math.inf:
+        raise InvalidArgumentError(f"contact_weight = {contact_weight!r} is not allowed: it must be at least 0 and finite")
+    if distance > 0.0:
+        return _weighted(data, distance, indenter, medium, free, options)
+    return _fitted(make_problem(data, indenter, medium, free, *options))
+
+
+def _fitted(problem: Problem) -> FitResult:
     result = FitResult(problem, *problem.answer())
     result.warnings = advice(result)
     return result
+
+
+def _weighted(data: Data, distance: float, indenter: Any, medium: Any, free: Any, options: tuple[Any, ...]) -> FitResult:
+    """Where contact begins is known after a fit only: a few rounds."""
+    if not isinstance(data, ForceDepth):
+        raise InvalidArgumentError("contact_weight is not allowed: it belongs to forces against depth")
+    result = _fitted(make_problem(data, indenter, medium, free, *options))
+    own = 1.0 if data.sd is None else data.sd
+    # weights beside standard deviations that are not known are their ratios
+    absolute = bool(options[4]) and data.sd is not None
+    weighted = (*options[:4], absolute, *options[5:])
+    for _ in range(_ROUNDS):
+        away = np.abs(data.x - result.values["depth_offset"]) / distance
+        part = copy.copy(data)
+        part.sd = np.asarray(own / np.clip(away, _LEAST, 1.0))
+        problem = make_problem(part, indenter, medium, free, *weighted)
+        result = _fitted(problem.changed(part, start=_begin(problem, result)))
+    return result
+
+
+def _begin(problem: Problem, result: FitResult) -> Any:
+    """What has been found, to go on from."""
+    return np.array([result.values.get(name, value) for name, value in zip(problem.names, problem.table[0], strict=True)])

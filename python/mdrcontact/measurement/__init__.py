@@ -3,6 +3,7 @@
 
 from .contact_point import Baseline, depth_from_height, find_baseline, find_contact_point
 from .dynamic import without_oscillation
+from .pull import Pull, find_pull
 from .segments import (
     Drift,
     PopIn,
@@ -27,6 +28,8 @@ __all__ = [
     "Segmentation",
     "drift_rate",
     "find_pop_in",
+    "find_pull",
+    "Pull",
     "find_segments",
     "find_strays",
     "segmentation",

@@ -310,6 +310,7 @@ def data_of(section: Section, cantilever: Cantilever, record: Record, kind: str)
     data = _record_data(section, record, kind)
     data.warnings += record.warnings
     data.contact_points, data.also_free = record.contact_points, record.also_free
+    data.pulls = {name: pull.force for name, pull in record.pulls.items()}
     if isinstance(data, Unloading):
         record.notes += data.found_and_used()
     else:

@@ -45,6 +45,7 @@ _FIT: Mapping[str, Dimension | None] = {
     "adhesion_rule": None,
     "max_iterations": None,
     "sd_is_absolute": None,
+    "contact_weight": LENGTH,
     "joint_prior": None,
 }
 
@@ -124,6 +125,8 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
         options["loss_scale"] = fit.number("loss_scale")
     if "max_iterations" in fit:
         options["max_iterations"] = fit.count("max_iterations", 100, 100_000)
+    if "contact_weight" in fit:
+        options["contact_weight"] = fit.quantity("contact_weight")
     if "sd_is_absolute" in fit:
         options["sd_is_absolute"] = fit.truth("sd_is_absolute")
     if "joint_prior" in fit:

@@ -24,6 +24,7 @@ from ..measurement import (
     without_drift,
 )
 from ..measurement.contact_point import METHODS, SOURCES
+from ..measurement.pull import Pull, find_pull
 from ..measurement.segments import joined
 from .section import ProblemError, Section
 from .units import FORCE, LENGTH, SPEED, told
@@ -65,6 +66,8 @@ class Record:
     """of the height, 1 if it grows into the sample; None: to be found"""
     contact_points: dict[str, float] = field(default_factory=dict)
     """depth of first contact by each estimator, from the zero that is used"""
+    pulls: dict[str, Pull] = field(default_factory=dict)
+    """"jump-in" and "pull-off", where the record has them"""
     also_free: tuple[str, ...] = ()
     """offsets that the fit finds, whether it names them or not"""
     segments: Sequence[Segment] | None = None
@@ -133,6 +136,8 @@ def prepare(section: Section, cantilever: Cantilever, record: Record, kind: str)
         _subtract_drift(section, record)
     if is_raw or "contact_point" in section or "baseline" in section:
         _find_zero(section, record, is_raw, kind == "force-depth")
+    if is_raw:
+        _find_pulls(record)
     if "before_pop_in" in section and section.truth("before_pop_in"):
         _cut_at_pop_in(record)
     elif "branch" in section or is_raw:
@@ -215,6 +220,19 @@ def _find_zero(section: Section, record: Record, is_raw: bool, is_fitted: bool) 
     if method == "fit":
         record.also_free = ("depth_offset", "force_offset")
         record.notes.append("what is left of contact point and baseline is fitted: depth_offset and force_offset are free")
+
+
+def _find_pulls(record: Record) -> None:
+    """Of a record with its baseline: what approach and retract say without a model."""
+    depth, top = _depth(record), int(np.argmax(record.force))
+    for name, part in (("jump-in", slice(0, top + 1)), ("pull-off", slice(top, None))):
+        try:
+            found = find_pull(depth[part], record.force[part])
+        except MDRError:
+            continue
+        if found is not None:
+            record.pulls[name] = found
+            record.notes.append(f"{name}: {told(found.force, FORCE)} at depth {told(found.depth, LENGTH)}, before any fit")
 
 
 def _take_off_baseline(record: Record, contact: int, tilts: bool) -> None:
