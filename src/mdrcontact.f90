@@ -8,6 +8,7 @@
 !> The procedures compute in the caller's arithmetic, which must be the default: rounding to nearest.
 module mdrcontact
     use mdrcontact_body, only: body_t
+    use mdrcontact_body_compliance, only: compliance_t, normal_load, shear_load, twist_load
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
