@@ -4,7 +4,7 @@
 !> The codes are the status values of the C API (`MDR_E...` in mdrcontact.h) and select the
 !> exception class in Python. A message names the argument, its value and what is allowed.
 module mdrcontact_error
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_padded_text, only: padded_count, padded_number
     implicit none (type, external)
@@ -111,7 +111,7 @@ contains
         real(wp), intent(in) :: value
         integer, intent(in), optional :: entry
 
-        if (.not. ieee_is_finite(value)) call raise_value(error, name, value, "it must be a finite number", entry)
+        if (.not. is_finite(value)) call raise_value(error, name, value, "it must be a finite number", entry)
     end subroutine check_finite
 
     !> Raises unless the `stat` of an allocation is zero.
@@ -170,7 +170,7 @@ contains
         real(wp), intent(in) :: value
         integer, intent(in), optional :: entry
 
-        if (ieee_is_finite(value)) then
+        if (is_finite(value)) then
             if (value > 0.0_wp) return
         end if
         call raise_value(error, name, value, "it must be finite and greater than 0", entry)
@@ -183,7 +183,7 @@ contains
         real(wp), intent(in) :: value
         integer, intent(in), optional :: entry
 
-        if (ieee_is_finite(value)) then
+        if (is_finite(value)) then
             if (value >= 0.0_wp) return
         end if
         call raise_value(error, name, value, "it must be finite and at least 0", entry)
@@ -195,7 +195,7 @@ contains
         character(len=*), intent(in) :: name
         real(wp), intent(in) :: value, smallest, largest
 
-        if (ieee_is_finite(value)) then
+        if (is_finite(value)) then
             if (value >= smallest .and. value <= largest) return
         end if
         call raise_value(error, name, value, "it must be from "//to_text(smallest)//" to "//to_text(largest))
@@ -208,7 +208,7 @@ contains
         real(wp), intent(in) :: value
         integer, intent(in), optional :: entry
 
-        if (ieee_is_finite(value)) then
+        if (is_finite(value)) then
             if (value > -1.0_wp .and. value <= 0.5_wp) return
         end if
         call raise_value(error, name, value, "Poisson's ratio must be greater than -1 and at most 0.5", entry)
@@ -241,7 +241,7 @@ contains
         end if
         if (allocated(error)) return
         do i = 1, size(x)
-            if (ieee_is_finite(x(i)) .and. ieee_is_finite(y(i))) cycle
+            if (is_finite(x(i)) .and. is_finite(y(i))) cycle
             call check_finite(error, x_name, x(i), i)
             call check_finite(error, y_name, y(i), i)
             if (allocated(error)) return

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The fields of a state of contact: line load, pressure, displacement, and stresses and energies inside the bodies.
 module mdrcontact_field
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
@@ -213,17 +213,17 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp), dimension(size(compared)) :: r, pressure, motion
         real(wp) :: field(size(compared), components)
-        logical :: is_finite(size(compared))
+        logical :: inside(size(compared))
 
         deviation = 0.0_wp
         r = compared*state%radius
         call self%interior(state, upper, r, 0.0_wp*r, .true., 0.0_wp, 0.0_wp*r, field, error, 1)
         if (.not. allocated(error)) call self%pressure(state, r, pressure, error)
         if (allocated(error)) return
-        is_finite = ieee_is_finite(pressure) .and. ieee_is_finite(field(:, s_zz))
-        if (.not. any(is_finite)) return
-        deviation = maxval(abs(field(:, s_zz) + pressure), mask=is_finite) &
-                    /max(abs(state%force)/(pi*state%radius**2), maxval(abs(pressure), mask=is_finite))
+        inside = is_finite(pressure) .and. is_finite(field(:, s_zz))
+        if (.not. any(inside)) return
+        deviation = maxval(abs(field(:, s_zz) + pressure), mask=inside) &
+                    /max(abs(state%force)/(pi*state%radius**2), maxval(abs(pressure), mask=inside))
         associate (equilibrium => self%equilibrium, medium => self%equilibrium%medium)
             ! the springs of a homogeneous body are exact, though its modulus is an effective one
             if (.not. (medium%is_exact .or. medium%has_free_springs)) return

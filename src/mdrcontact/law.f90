@@ -6,8 +6,8 @@
 !> of threads may share it. Unlike the contact it is made from, the law has an answer for bodies that are apart: force,
 !> radius, stiffness and slope are 0 below first touch, and with adhesion below pull-off (on loading: below d = 0).
 module mdrcontact_law
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
     use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_base_nonfinite, only: is_finite, quiet_nan
     use mdrcontact_batch, only: check_threads
     use mdrcontact_contact, only: check_branch, on_loading, on_unloading
     use mdrcontact_error, only: check_finite, check_positive, check_same_size, count_text, error_domain, error_invalid, error_t, &
@@ -242,7 +242,7 @@ contains
 
         call self%at_depth(depth, point, error, branch)
         value = point%energy
-        if (allocated(error)) value = ieee_value(value, ieee_quiet_nan)
+        if (allocated(error)) value = quiet_nan
     end function energy
 
     pure subroutine force_elsewhere(self, depth, branch, force, slope)
@@ -259,7 +259,7 @@ contains
         call check_branch(error, way)
         call check_point(error, self%by_depth, way, depth)
         if (allocated(error)) then
-            force = ieee_value(force, ieee_quiet_nan)
+            force = quiet_nan
             slope = force
         else
             call point_at(self%by_depth, way, depth, force, slope, radius, stiffness)
@@ -420,7 +420,7 @@ contains
         real(wp) :: lowest
 
         ! a comparison with NaN would signal an invalid operation
-        if (.not. ieee_is_finite(s)) then
+        if (.not. is_finite(s)) then
             call check_finite(error, name_of(table), s)
         else if (s > table%highest) then
             if (.not. table%continued) call raise(error, error_domain, " = "//to_text(s)//" is not allowed: the law was "// &

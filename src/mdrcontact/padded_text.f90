@@ -3,7 +3,7 @@
 !> gfortran keeps the length of a deferred-length function result in static memory, where threads that fail at
 !> the same time would overwrite it, so texts made by functions need lengths that are known beforehand.
 module mdrcontact_padded_text
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -27,7 +27,7 @@ contains
 
         if (value /= value) then
             text = "NaN"
-        else if (.not. ieee_is_finite(value)) then
+        else if (.not. is_finite(value)) then
             text = merge("-infinity", "infinity ", value < 0.0_wp)
         else if (value /= 0.0_wp .and. (abs(value) < 1.0e-3_wp .or. abs(value) >= 1.0e6_wp)) then
             call write_scientific(value, text)

@@ -4,7 +4,7 @@
 !> With adhesion the edge springs are drawn by dl(a): d = d0(a) - dl(a), F = F0(a) - k(a) dl(a), d0 and F0 those of the non-adhesive
 !> state. With a zeta(a) the depth is zeta(a) g(a), equation (9).
 module mdrcontact_contact_equilibrium
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_scaled_profile, only: new_scaled_profile, scaled_profile_t
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
@@ -170,7 +170,7 @@ contains
         if (allocated(error)) return
         state%depth = state%depth + state%excess
         state%force = state%force + state%stiffness*state%excess
-        if (.not. (ieee_is_finite(state%depth) .and. ieee_is_finite(state%force) .and. ieee_is_finite(state%stiffness))) then
+        if (.not. (is_finite(state%depth) .and. is_finite(state%force) .and. is_finite(state%stiffness))) then
             call raise(error, error_no_convergence, "the state at radius = "//to_text(radius)// &
                        " is beyond the range of floating-point numbers")
         end if
@@ -198,7 +198,7 @@ contains
             ! property B (theory 4, 6): dF = k dd
             slopes = [depth_slope/state%depth, state%stiffness*depth_slope/state%force, stiffness_slope/state%stiffness] &
                      *(radius - self%profile%end_radius)
-            if (.not. (depth_slope > 0.0_wp .and. all(ieee_is_finite(slopes)))) slopes = 0.0_wp
+            if (.not. (depth_slope > 0.0_wp .and. all(is_finite(slopes)))) slopes = 0.0_wp
         end if
         if (.not. self%work_of_adhesion > 0.0_wp) return
         if (self%rule == adhesion_energy .or. (self%rule == adhesion_automatic .and. self%medium%is_exact)) then

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> An indenter whose depth is corrected, d = zeta(a) g(a), equation (9): zeta g stands for g in all that follows from it.
 module mdrcontact_contact_scaled_profile
-    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+    use mdrcontact_base_nonfinite, only: quiet_nan
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_copy, only: copy_array
@@ -150,7 +150,7 @@ contains
         call graded_edges(lower, upper, [lower], self%profile%singular_radius, edges, error)
         if (allocated(error)) then
             ! a moment has no status: the state that it belongs to is refused as not finite
-            moment = ieee_value(moment, ieee_quiet_nan)
+            moment = quiet_nan
             return
         end if
         do i = 1, size(edges) - 1

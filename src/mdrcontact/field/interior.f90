@@ -4,7 +4,7 @@
 !> In the surface layer: the closed field of a half-space of its material, and the Hankel integral of what the layers below
 !> add; deeper: the Hankel integral of the whole state. z >= 0 points into the body, tension is positive.
 module mdrcontact_field_interior
-    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_t, raise, to_text
     use mdrcontact_field_half_space, only: add_normal_image, add_normal_sums, add_shear_image, add_shear_sums, half_space_rule_t, &
@@ -427,7 +427,7 @@ contains
             slope = load%slope(r, [0.0_wp])
             if (abs(slope(1)) <= huge(1.0_wp)) return
         end if
-        if (abs(slope(1)) > 0.0_wp) pressure = -sign(ieee_value(1.0_wp, ieee_positive_inf), slope(1))
+        if (abs(slope(1)) > 0.0_wp) pressure = -sign(infinity, slope(1))
     end function infinite_pressure
 
     !> Infinities where the pressure is infinite: the quadratures do not see them.

@@ -2,8 +2,8 @@
 !> Profile-likelihood intervals: how far one parameter can be moved, all others refitted, before the sum
 !> of squares rises by its quantile.
 module mdrcontact_fit_interval
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_negative_inf, ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, count_text, error_invalid, error_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_fit, only: fit_result_t, solve_fit
@@ -61,7 +61,7 @@ contains
             factor = gsl_cdf_tdist_pinv(0.5_wp*(1.0_wp + level), degrees_of_freedom)
         end if
         ! at p = 1/2 and few degrees of freedom GSL's is below 0
-        if (.not. (ieee_is_finite(factor) .and. factor >= 0.0_wp)) then
+        if (.not. (is_finite(factor) .and. factor >= 0.0_wp)) then
             call raise(error, error_no_convergence, "the quantile at level = "//to_text(level)//" for degrees_of_freedom = "// &
                        to_text(degrees_of_freedom)//" is not found or not finite")
         end if
@@ -93,7 +93,7 @@ contains
         if (allocated(error)) return
         i = findloc(fit%free, position, dim=1)
         freedom = max(fit%degrees_of_freedom/fit%widening(i)**2, 1.0_wp)
-        if (allocated(data%sd) .and. problem%sd_is_absolute) freedom = ieee_value(freedom, ieee_positive_inf)
+        if (allocated(data%sd) .and. problem%sd_is_absolute) freedom = infinity
         call interval_quantile(level, freedom, threshold, error)
         if (allocated(error)) return
         ! correlated residuals weigh less than so many independent ones
@@ -168,8 +168,8 @@ contains
         if (abs(bound) < huge(1.0_wp) .and. limit < farthest*threshold) then
             p = bound
         else
-            p = ieee_value(1.0_wp, ieee_positive_inf)
-            if (direction < 0.0_wp) p = ieee_value(1.0_wp, ieee_negative_inf)
+            p = infinity
+            if (direction < 0.0_wp) p = -infinity
         end if
     end subroutine find_end
 

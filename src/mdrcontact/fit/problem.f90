@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is fitted to what: the parameters of indenter, medium and instrument, and the measured data.
 module mdrcontact_fit_problem
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
+    use mdrcontact_base_nonfinite, only: is_finite, is_nan
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_choice, check_count_from, check_finite, check_not_negative, check_positive, count_text, &
                                 error_invalid, error_t, raise, to_text
@@ -181,7 +181,7 @@ contains
             if (size(self%prior_weights, 2) /= expected) then
                 call raise(error, error_invalid, "prior_weights has "//count_text(size(self%prior_weights, 2))// &
                            " columns: it must have one for each of the "//count_text(expected)//" parameters")
-            else if (.not. all(ieee_is_finite(self%prior_weights))) then
+            else if (.not. all(is_finite(self%prior_weights))) then
                 call raise(error, error_invalid, "prior_weights is not allowed: its entries must be finite")
             end if
         end if
@@ -197,7 +197,7 @@ contains
         integer, intent(in) :: i
         type(error_t), allocatable, intent(inout) :: error
 
-        if (ieee_is_nan(parameter%value)) call check_finite(error, name, parameter%value, i)
+        if (is_nan(parameter%value)) call check_finite(error, name, parameter%value, i)
         if (.not. parameter%is_free) return
         call check_finite(error, name//": the value of a free parameter", parameter%value, i)
         call check_not_negative(error, name//": prior_sd", parameter%prior_sd, i)
@@ -301,11 +301,11 @@ contains
         integer, intent(in) :: data_kind, i
         logical :: answer
 
-        answer = all(ieee_is_finite([self%x(i), self%y(i)]))
+        answer = all(is_finite([self%x(i), self%y(i)]))
         if (answer .and. x_is_positive(data_kind)) answer = self%x(i) > 0.0_wp
-        if (answer .and. allocated(self%sd)) answer = ieee_is_finite(self%sd(i)) .and. self%sd(i) > 0.0_wp
+        if (answer .and. allocated(self%sd)) answer = is_finite(self%sd(i)) .and. self%sd(i) > 0.0_wp
         if (answer .and. data_kind == data_stiffness_depth) answer = self%y(i) > 0.0_wp
-        if (answer .and. needs_given(data_kind)) answer = ieee_is_finite(self%given(i))
+        if (answer .and. needs_given(data_kind)) answer = is_finite(self%given(i))
         if (answer .and. data_kind == data_dynamic_stiffness) answer = self%given(i) > 0.0_wp
     end function is_good
 

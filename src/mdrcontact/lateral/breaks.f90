@@ -4,7 +4,7 @@
 !>
 !> What a later ball or disc covers has no part in it: however many overlap, only what is seen costs panels.
 module mdrcontact_lateral_breaks
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_section, only: is_round, most_crossings, section_t, touching_radii
     use mdrcontact_lateral_shape, only: depth_breaks, most_depths, section_at, shape_ball, shape_t
@@ -43,9 +43,9 @@ contains
             if (.not. is_ball(i)) breaks = [breaks, depths(:found)/a]
             ! what lies far beside the contact is seen from depths as large
             beside = surface
-            if (found == 2 .and. all(ieee_is_finite(depths))) beside = max(surface, 0.5_wp*sum(depths)/a)
+            if (found == 2 .and. all(is_finite(depths))) beside = max(surface, 0.5_wp*sum(depths)/a)
             call touching_radii(section_at(shapes(i), x, y, a, beside), touching, found)
-            farthest = max(farthest, maxval(touching(:found), mask=ieee_is_finite(touching(:found))))
+            farthest = max(farthest, maxval(touching(:found), mask=is_finite(touching(:found))))
         end do
         allocate (balls%centre(count(is_ball), 3))
         do j = 1, 3
@@ -96,7 +96,7 @@ contains
         do i = 1, size(sections)
             if (is_disc(i)) cycle
             call touching_radii(sections(i), touching, found)
-            breaks = [breaks, pack(touching(:found), ieee_is_finite(touching(:found)))]
+            breaks = [breaks, pack(touching(:found), is_finite(touching(:found)))]
         end do
         allocate (discs%centre(count(is_disc), 2))
         do j = 1, 2

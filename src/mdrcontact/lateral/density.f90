@@ -10,7 +10,7 @@
 !> s and t are oblate spheroidal coordinates, rho^2 = (1 + s^2)(1 - t^2), z = s t, and the volume element is (s^2 + t^2) ds dt
 !> dtheta.
 module mdrcontact_lateral_density
-    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
     private
@@ -39,7 +39,7 @@ contains
         if (max(rho, z) > farthest) return
         root = sqrt(cmplx((rho - 1.0_wp)*(rho + 1.0_wp) + z**2, 2.0_wp*z, wp))
         if (abs(root) < nearest) then
-            shear = ieee_value(shear, ieee_positive_inf)
+            shear = infinity
             poisson = shear
             return
         end if

@@ -4,7 +4,7 @@
 !> There the weights are smooth up to the edge of the contact. The rule converges exponentially for smooth functions; for those with
 !> jumps it is slow, and shapes or voxels are the better description.
 module mdrcontact_lateral_field
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, check_poisson, check_within, error_callback, error_no_convergence, error_t, raise, &
                                 to_text
@@ -152,7 +152,7 @@ contains
         real(wp), intent(in) :: shear, poisson
         type(error_t), allocatable, intent(inout) :: error
 
-        if (ieee_is_finite(shear) .and. ieee_is_finite(poisson)) then
+        if (is_finite(shear) .and. is_finite(poisson)) then
             if (shear > 0.0_wp .and. poisson > -1.0_wp .and. poisson <= 0.5_wp) return
         end if
         call raise(error, error_callback, "the function of the structure returned G = "//to_text(shear)//", nu = "// &

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Bodies embedded in a half-space z > 0: layers, half-spaces, balls, fibres, pillars, boxes (theory 7).
 module mdrcontact_lateral_shape
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan, ieee_positive_inf, ieee_value
+    use mdrcontact_base_nonfinite, only: infinity, is_finite, is_nan
     use mdrcontact_error, only: check_finite, check_positive, count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_section, only: ellipse, everything, rectangle, section_t, strip
@@ -103,7 +103,7 @@ contains
                 end if
                 section%kind = strip
                 section%direction = p(4:5)/slope
-                section%extent = [(z - p(3))/a*p(6)/slope, ieee_value(1.0_wp, ieee_positive_inf)]
+                section%extent = [(z - p(3))/a*p(6)/slope, infinity]
             case (shape_ball)
                 half = (p(4) - (z - p(3)))*(p(4) + (z - p(3)))
                 if (half <= 0.0_wp) return
@@ -188,7 +188,7 @@ contains
         character(len=*), intent(in) :: low_name, high_name
         real(wp), intent(in) :: low, high
 
-        if (ieee_is_nan(low) .or. ieee_is_nan(high)) then
+        if (is_nan(low) .or. is_nan(high)) then
             call raise(error, error_invalid, low_name//" and "//high_name//" must be numbers, not NaN")
         else if (.not. low < high) then
             call raise(error, error_invalid, high_name//" = "//to_text(high)//" is not allowed: it must be greater than "// &
@@ -204,7 +204,7 @@ contains
 
         if (allocated(error)) return
         length = norm2(direction)
-        if (ieee_is_finite(length) .and. length > 0.0_wp) then
+        if (is_finite(length) .and. length > 0.0_wp) then
             direction = direction/length
         else
             call raise(error, error_invalid, name//" of length "//to_text(length)//" is not allowed: it must be finite and "// &

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A table of a law as a row of 64-bit words and back: numbers keep every bit, on any machine.
 module mdrcontact_law_words
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_interval, only: coefficient_count, column_count, interval_t, most_bits, panel_count, row_t
@@ -83,7 +83,7 @@ contains
         if (.not. self%sound) return
         value = transfer(self%words(self%next), value)
         self%next = self%next + 1
-        self%sound = ieee_is_finite(value)
+        self%sound = is_finite(value)
         if (.not. self%sound) value = 0.0_wp
     end function number
 

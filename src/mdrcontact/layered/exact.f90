@@ -4,7 +4,7 @@
 !> Once made, the medium holds its body and the kernel; a contact radius then costs a small symmetric positive definite system.
 !> Results meet the stated relative tolerance, or an error says that they do not.
 module mdrcontact_layered_exact
-    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_body, only: body_t
     use mdrcontact_body_compliance, only: compliance_t, normal_load, shear_load, twist_load
     use mdrcontact_body_stack, only: new_stack, stack_t
@@ -345,7 +345,7 @@ contains
             if (r(i) < a) then
                 values(i) = values(i) + self%surface_modulus*load%edge/(pi*sqrt((a - r(i))*(a + r(i))))
             else
-                values(i) = sign(ieee_value(1.0_wp, ieee_positive_inf), excess)
+                values(i) = sign(infinity, excess)
             end if
         end do
     end subroutine pressure
@@ -502,7 +502,7 @@ contains
             call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
                        "not known: give E and nu")
         else
-            medium%surface_modulus = ieee_value(1.0_wp, ieee_positive_inf)
+            medium%surface_modulus = infinity
             medium%tolerance = largest_tolerance
         end if
     end subroutine new_body_under_load

@@ -2,7 +2,7 @@
 !> The profile against which first shear is a contact without adhesion: [R(0) - R(x)]/G0* with R = q_n + K_t q_n, q_n the normal
 !> line load and K_t the springs' interaction under shear (theory 10). On a homogeneous body it is (E*/G*) g(x).
 module mdrcontact_layered_slip_profile
-    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+    use mdrcontact_base_nonfinite, only: quiet_nan
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_legendre, only: normalisation
@@ -45,9 +45,9 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
-        associate (unused => self)
+        associate (unused => self, also_unused => x)
         end associate
-        y = ieee_value(x, ieee_quiet_nan)
+        y = quiet_nan
     end function no_height
 
     elemental function mdr(self, x) result(y)

@@ -4,7 +4,7 @@
 !> The rule: contact radius from the shape, stiffness from the radius, force by integrating the stiffness from first contact.
 !> Beside a flat end g' is infinite; it is taken at distances from there: the rounding of s would be seen far beyond that of a.
 module mdrcontact_medium_effective
-    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_load, only: load_t
     use mdrcontact_field_slip, only: slip_t
@@ -235,7 +235,7 @@ contains
             from_axis = lowest <= 0.0_wp
             if (from_axis) lowest = smallest_panel_ratio*a
             if (r(i) < a .and. profile%mdr_slope_beyond(r(i), 0.0_wp) > huge(a)) then
-                values(i) = ieee_value(values(i), ieee_positive_inf)
+                values(i) = infinity
             else if (a > lowest) then
                 ! r too: a flat end's edge just beyond it has short panels
                 breaks = [r(i), lowest]
@@ -334,7 +334,7 @@ contains
         if (exponent > 1.0e-6_wp) then
             integral = profile%mdr_slope(x)/exponent
         else
-            integral = ieee_value(integral, ieee_positive_inf)
+            integral = infinity
         end if
     end function near_axis
 
@@ -348,7 +348,7 @@ contains
         else if (r < a) then
             values = excess/sqrt((a - r)*(a + r))
         else
-            values = sign(ieee_value(values, ieee_positive_inf), excess)
+            values = sign(infinity, excess)
         end if
     end function edge_pressure
 

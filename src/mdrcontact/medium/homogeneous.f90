@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The homogeneous half-space (theory 2): the same modulus at every contact radius, and closed forms for every indenter.
 module mdrcontact_medium_homogeneous
-    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_int
+    use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
     use mdrcontact_gsl, only: gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
@@ -49,7 +49,7 @@ contains
     subroutine new_rigid(self)
         type(homogeneous_t), intent(out) :: self
 
-        call set_modulus(self, ieee_value(1.0_wp, ieee_positive_inf))
+        call set_modulus(self, infinity)
     end subroutine new_rigid
 
     !> Two half-spaces pressed together, exactly: 1/E* = 1/E1* + 1/E2*.

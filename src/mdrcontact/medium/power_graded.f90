@@ -4,7 +4,7 @@
 !> The springs c(x) = c1 x^m stiffen or soften with their distance from the axis and the MDR profile has a kernel of its own:
 !>     g(x) = x^{1-m} int_0^x f'(r) (x^2 - r^2)^{(m-1)/2} dr,      d = g(a),      F = 2 int_0^a c(x) (d - g(x)) dx.
 module mdrcontact_medium_power_graded
-    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_error, only: check_poisson, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -178,7 +178,7 @@ contains
             if (r(i) > 0.0_wp .or. self%exponent >= 0.0_wp) then
                 values(i) = values(i)*self%spring*r(i)**self%exponent
             else
-                values(i) = ieee_value(values(i), ieee_positive_inf)
+                values(i) = infinity
             end if
         end do
     end subroutine line_load
@@ -204,12 +204,12 @@ contains
         do i = 1, size(r)
             values(i) = 0.0_wp
             if (excess /= 0.0_wp) then
-                values(i) = excess*ieee_value(values(i), ieee_positive_inf)
+                values(i) = excess*infinity
                 if (r(i) < a) values(i) = excess*((a - r(i))*(a + r(i)))**power
             end if
             start = max(r(i), profile%end_radius)
             if (self%exponent <= 0.0_wp .and. r(i) > 0.0_wp .and. r(i) == profile%end_radius .and. a > start) then
-                values(i) = ieee_value(values(i), ieee_positive_inf)
+                values(i) = infinity
             else if (a > start) then
                 corners = [start, pack(breaks, breaks > start), a]
                 do k = 1, size(corners) - 1
@@ -400,7 +400,7 @@ contains
             if (growth > 1.0e-6_wp) then
                 integral = g%slope(near)*near**self%exponent/growth
             else
-                integral = ieee_value(integral, ieee_positive_inf)
+                integral = infinity
             end if
         else if (r < start) then
             integral = (mdr(self, profile, start + near, error) - mdr(self, profile, start, error))*((start - r)*(start + r))**power

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What homogeneous half-spaces that are pressed together oppose to a twist and to a shift.
 module mdrcontact_medium_shear_moduli
-    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: in_series, material_t
@@ -20,7 +20,7 @@ contains
         real(wp), intent(out) :: moduli(2)
         type(error_t), allocatable, intent(out) :: error
 
-        moduli = ieee_value(1.0_wp, ieee_positive_inf)
+        moduli = infinity
         if (allocated(medium%pressed)) moduli = of(medium%pressed%surface_material)
         if (allocated(medium%counterbody)) moduli = in_series(moduli, of(medium%counterbody%surface_material))
         if ((.not. allocated(medium%pressed) .and. medium%share_of_upper < 1.0_wp) .or. &

@@ -3,7 +3,7 @@
 !>
 !> It is interpolated in ln a, and constant below its smallest radius: forces are integrated from first contact.
 module mdrcontact_numerics_radius_law
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_error, only: check_memory, check_positive, check_table, error_callback, error_invalid, error_memory, &
                                 error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
@@ -226,7 +226,7 @@ contains
         y = self%f%value(self%last)
         if (allocated(self%f%error)) then
             self%error = self%f%error
-        else if (.not. (ieee_is_finite(y) .and. y > 0.0_wp)) then
+        else if (.not. (is_finite(y) .and. y > 0.0_wp)) then
             call raise(self%error, error_callback, "the function for "//self%name//" returned "//to_text(y)//" at a = "// &
                        to_text(self%last)//": it must return a finite number greater than 0")
         end if

@@ -5,7 +5,7 @@
 !> series is the function where it was not sampled. A panel that begins at a break of the function uses the variable
 !> sqrt(x - left edge), in which the square-root branches of contact mechanics are analytic.
 module mdrcontact_numerics_sampled_function
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
@@ -120,7 +120,7 @@ contains
                 error = f%error
                 return
             end if
-            if (.not. all(ieee_is_finite(coefficients))) then
+            if (.not. all(is_finite(coefficients))) then
                 call raise(error, error_no_convergence, "the function leaves the number range near x = "//to_text(left))
                 return
             end if

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A real function of one real variable that carries its own data: what root finders, samplers and callbacks take.
 module mdrcontact_numerics_scalar_function
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+    use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_error, only: error_callback, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -57,7 +57,7 @@ contains
         y = self%f%value(x)
         if (allocated(self%f%error)) then
             self%error = self%f%error
-        else if (.not. ieee_is_finite(y)) then
+        else if (.not. is_finite(y)) then
             call raise(self%error, error_callback, "the "//trim(self%name)//" returned "//to_text(y)//" at "//self%argument// &
                        " = "//to_text(x)//": it must return a finite number")
         end if

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The flat-ended (truncated) cone: flat up to b, then f(r) = (r - b) tan(phi).
 module mdrcontact_profile_flat_cone
-    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+    use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_error, only: check_inclination, check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: merge_breaks
@@ -88,7 +88,7 @@ contains
         if (root > 0.0_wp) then
             y = self%tangent*(atan2(root, self%end_radius) + self%end_radius/root)
         else
-            y = merge(0.0_wp, ieee_value(gap, ieee_positive_inf), gap < 0.0_wp)
+            y = merge(0.0_wp, infinity, gap < 0.0_wp)
         end if
     end function mdr_slope_beyond
 
