@@ -4,9 +4,9 @@
  * Compiled laws in inner loops: force and slope as inline functions of C and C++, for the price of their polynomial.
  *
  * A view is a plain structure that points into a law: made once by mdr_law_view_of(), valid as long as the law, to be copied freely
- * and used by any number of threads. The functions below compute by themselves where a contact without adhesion is closed and its
- * indenter smooth: at depths between view.lowest and view.highest. Everywhere else (open contact, near first touch, adhesion,
- * behind a break of the indenter, beyond the largest depth, NaN) they call the library. Either way the results are those of
+ * and used by any number of threads. The functions below compute by themselves where the bodies are apart, and where a contact without adhesion is closed and
+ * its indenter smooth: at depths between view.lowest and view.highest. Everywhere else (near first touch, adhesion, behind a break
+ * of the indenter, beyond the largest depth, NaN) they call the library. Either way the results are those of
  * mdr_law_at_depth(), to the last bit unless the compiler makes one operation of a*b + c (-ffp-contract=off prevents it).
  */
 #ifndef MDRCONTACT_LAW_H
@@ -14,6 +14,7 @@
 
 #include "mdrcontact.h"
 
+#include <float.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -32,6 +33,9 @@ typedef struct mdr_law_view {
     const mdr_law *law;     /**< Asked everywhere else. */
     int branch;             /**< The same; one of enum mdr_branch. */
     int shift;              /**< Of the bits, to give the panel. */
+    double open;            /**< Up to this depth the bodies are apart [length]. */
+    double first;           /**< From there to this depth F = at_first (d/first)^power, in the library; -infinity: nowhere. */
+    double at_first, power; /**< See first. */
 } mdr_law_view;
 
 /** The view of a law.
@@ -39,6 +43,12 @@ typedef struct mdr_law_view {
  *  @param branch  one of enum mdr_branch
  *  @param view    receives the view */
 int mdr_law_view_of(const mdr_law *law, int branch, mdr_law_view *view);
+
+/* Whether the bodies are apart at a depth; false of what is no depth. */
+static inline int mdr_law_is_open(const mdr_law_view *view, double d)
+{
+    return d <= view->open && d >= -DBL_MAX;
+}
 
 /* The number of the panel of y, and y less its middle. */
 static inline uint64_t mdr_law_panel(const mdr_law_view *view, double y, double *t)
@@ -88,6 +98,10 @@ static inline int mdr_law_view_force(const mdr_law_view *view, double d, double 
         *F = mdr_law_polynomial(view->force + 8 * panel, t);
         return MDR_SUCCESS;
     }
+    if (mdr_law_is_open(view, d)) {
+        *F = 0.0;
+        return MDR_SUCCESS;
+    }
     return mdr_law_force(view->law, view->branch, d, F, NULL);
 }
 
@@ -103,6 +117,11 @@ static inline int mdr_law_view_force_slope(const mdr_law_view *view, double d, d
         const uint64_t panel = mdr_law_panel(view, view->scale * d + view->offset, &t);
         *F = mdr_law_polynomial_with_slope(view->force + 8 * panel, t, &rate);
         *slope = view->scale * rate;
+        return MDR_SUCCESS;
+    }
+    if (mdr_law_is_open(view, d)) {
+        *F = 0.0;
+        *slope = 0.0;
         return MDR_SUCCESS;
     }
     return mdr_law_force(view->law, view->branch, d, F, slope);
@@ -126,6 +145,11 @@ static inline int mdr_law_view_state(const mdr_law_view *view, double d, mdr_law
         for (int i = 7; i >= 0; --i) work = work * t + c[i] * (1.0 / (i + 1)); /* of F from the middle to t */
         point->energy = view->energy[panel] + work * t / view->scale;
         point->beyond = 0.0;
+        return MDR_SUCCESS;
+    }
+    if (mdr_law_is_open(view, d)) {
+        point->force = point->slope = point->radius = point->stiffness = point->energy = point->beyond = 0.0;
+        point->depth = d;
         return MDR_SUCCESS;
     }
     return mdr_law_at_depth(view->law, view->branch, d, point);

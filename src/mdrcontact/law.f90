@@ -17,7 +17,7 @@ module mdrcontact_law
     use mdrcontact_law_friction, only: friction_law_t
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial, polynomial_with_slope
     use mdrcontact_law_table, only: below_range, interval_for, interval_in, law_table_t, no_contact, scale_table, segment_for, &
-                                    values_in
+                                    value_below, values_in
     implicit none (type, external)
     private
     public :: contact_law_t, law_point_t
@@ -256,6 +256,14 @@ contains
 
         way = on_unloading
         if (present(branch)) way = branch
+        ! without adhesion both branches are one
+        if (.not. self%by_depth%adhesive .and. depth < self%by_depth%lowest .and. is_finite(depth) .and. &
+            (way == on_unloading .or. way == on_loading)) then
+            force = 0.0_wp
+            slope = 0.0_wp
+            if (depth > 0.0_wp) call value_below(self%by_depth, depth, force, slope)
+            return
+        end if
         call check_branch(error, way)
         call check_point(error, self%by_depth, way, depth)
         if (allocated(error)) then

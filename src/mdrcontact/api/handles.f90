@@ -6,7 +6,7 @@
 module mdrcontact_api_handles
     use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact, only: contact_t, on_unloading
     use mdrcontact_contact_loop, only: loop_t
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_history_friction, only: friction_t
@@ -83,7 +83,7 @@ contains
             out = c_loc(inside)
             select type (law => inside%object)
             type is (contact_law_t)
-                inside%view = view_of(law%by_depth)
+                inside%view = view_of(law%by_depth, on_unloading)
                 inside%view%law = out
             end select
         end if

@@ -132,9 +132,8 @@ contains
         call check_given(error, "view", present(view))
         status = status_of(error)
         if (allocated(error)) return
-        view = view_of(inside%by_depth)
+        view = view_of(inside%by_depth, int(branch))
         view%law = law
-        view%branch = branch
     end function mdr_law_view_of
 
     function mdr_law_at_force(law, branch, f, point) result(status) bind(C)

@@ -3,12 +3,12 @@
 module mdrcontact_law_evaluate
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use mdrcontact_batch, only: batch_t, run_batch
-    use mdrcontact_contact, only: on_unloading
+    use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_interval, only: shift_of
-    use mdrcontact_law_table, only: below_range, energy_below, energy_in, interval_for, law_table_t, no_contact, values_below, &
-                                    values_in
+    use mdrcontact_law_table, only: below_range, energy_below, energy_in, interval_for, law_table_t, no_contact, start_of, &
+                                    values_below, values_in
     implicit none (type, external)
     private
     public :: law_view_t, view_of, point_at, point_in, energy_at, run_points, count_within, wanted_t
@@ -25,6 +25,9 @@ module mdrcontact_law_evaluate
         !> whom to ask outside
         type(c_ptr) :: law = c_null_ptr
         integer(c_int) :: branch = on_unloading, shift = 0_c_int
+        !> up to where the bodies are apart; from there to `first` F or d is at_first (s/first)^power
+        real(c_double) :: open = -huge(1.0_c_double), first = -huge(1.0_c_double)
+        real(c_double) :: at_first = 0.0_c_double, power = 0.0_c_double
     end type law_view_t
 
     !> Where values at points go; null: not wanted. Pointers, as absent arrays of assumed shape cannot be handed on without a
@@ -40,7 +43,6 @@ module mdrcontact_law_evaluate
     type, extends(batch_t) :: points_t
         type(law_table_t), pointer :: table => null()
         type(law_view_t) :: view
-        integer :: branch = on_unloading
         !> whether all points lie within the view
         logical :: all_direct = .false.
         real(wp), pointer, contiguous :: s(:) => null()
@@ -64,11 +66,16 @@ module mdrcontact_law_evaluate
 
 contains
 
-    !> The view of a table, which must outlive it.
-    function view_of(table) result(view)
+    !> The view of a branch of a table, which must outlive it.
+    function view_of(table, branch) result(view)
         type(law_table_t), intent(in), target :: table
+        !> on_loading or on_unloading
+        integer, intent(in) :: branch
         type(law_view_t) :: view
 
+        view%branch = int(branch, c_int)
+        view%open = last_open(table, branch)
+        if (.not. table%adhesive) call start_of(table, view%first, view%at_first, view%power)
         if (table%direct%lowest > table%direct%highest) return
         view%lowest = table%direct%lowest
         view%highest = table%direct%highest
@@ -81,6 +88,17 @@ contains
         view%contact = c_loc(table%contact(1)%radius%c)
         if (allocated(table%energy)) view%energy = c_loc(table%energy)
     end function view_of
+
+    !> The largest s at which the bodies are apart.
+    pure function last_open(table, branch) result(s)
+        type(law_table_t), intent(in) :: table
+        integer, intent(in) :: branch
+        real(wp) :: s
+
+        s = 0.0_wp
+        if (.not. table%adhesive) return
+        s = nearest(max(table%lowest, merge(0.0_wp, table%lowest, branch == on_loading)), -1.0_wp)
+    end function last_open
 
     !> F or d, its slope, a and k at finite s, which is at most the highest unless the table is continued; all 0 where the bodies
     !> are apart. Beyond the range a and k are those at its end.
@@ -150,8 +168,7 @@ contains
 
         points%is_quick = .true.
         points%table => table
-        points%view = view_of(table)
-        points%branch = branch
+        points%view = view_of(table, branch)
         points%all_direct = all_direct
         points%s => s
         points%wanted = wanted
@@ -185,7 +202,7 @@ contains
             if (self%all_direct) return
             do i = first, last
                 if (self%s(i) >= view%lowest .and. self%s(i) <= view%highest) cycle
-                call point_at(self%table, self%branch, self%s(i), other, slope, radius, stiffness)
+                call point_at(self%table, int(view%branch), self%s(i), other, slope, radius, stiffness)
                 if (associated(wanted%other)) wanted%other(i) = other
                 if (associated(wanted%slope)) wanted%slope(i) = slope
                 if (associated(wanted%radius)) wanted%radius(i) = radius

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> One direction of a compiled law: depth to force (a, k), or force to depth (a, k), on every stable segment of the branch.
 module mdrcontact_law_table
+    use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_contact, only: on_loading
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_interval, only: column_count, contains_ends, interval_place, interval_rate, interval_t, panel_count, &
@@ -10,12 +11,12 @@ module mdrcontact_law_table
     private
     public :: contact_rows_t, law_table_t, table_segment_t
     public :: interval_for, segment_for, interval_in, below_range, no_contact
-    public :: values_in, values_below, energy_in, energy_below, find_direct, add_energies, scale_table
+    public :: values_in, value_below, values_below, start_of, energy_in, energy_below, find_direct, add_energies, scale_table
 
     !> What interval_for says where there is no interval: below the compiled range of a contact without adhesion; open.
     integer, parameter :: below_range = -1, no_contact = 0
     !> Columns.
-    integer, parameter :: other_column = 1, radius_column = 2, stiffness_column = 3
+    integer, parameter :: other_column = 1, radius_column = 2
 
     !> A stable segment: s grows from lowest to highest with the contact radius, through the intervals first to last.
     type :: table_segment_t
@@ -54,6 +55,15 @@ module mdrcontact_law_table
         !> the interval in which nothing has to be looked for: no root, one segment, the first panels; empty if there is none
         type(interval_t) :: direct = interval_t(lowest=1.0_wp, highest=-1.0_wp)
     end type law_table_t
+
+    interface
+        !> C's, since gfortran takes several powers at a time with other last digits, and law_force.c takes one.
+        pure function power_of(base, exponent) result(power) bind(C, name="pow")
+            import :: c_double
+            real(c_double), intent(in), value :: base, exponent
+            real(c_double) :: power
+        end function power_of
+    end interface
 
 contains
 
@@ -212,18 +222,37 @@ contains
         if (self%intervals(1)%first_panel == 0 .and. contains_ends(self%intervals(1))) self%direct = self%intervals(1)
     end subroutine find_direct
 
+    !> Where the compiled range of a table without adhesion begins, F or d there, and the power of s that continues it below.
+    pure subroutine start_of(self, lowest, other, power)
+        type(law_table_t), intent(in) :: self
+        real(wp), intent(out) :: lowest, other, power
+
+        lowest = self%lowest
+        other = self%end_values(other_column)
+        power = self%powers(other_column)
+    end subroutine start_of
+
+    !> F or d there, and its slope: all of values_below that many callers want.
+    pure subroutine value_below(self, s, other, slope)
+        type(law_table_t), intent(in) :: self
+        !> between 0 and the lowest
+        real(wp), intent(in) :: s
+        real(wp), intent(out) :: other, slope
+
+        other = self%end_values(other_column)*power_of(s/self%lowest, self%powers(other_column))
+        slope = self%powers(other_column)*other/s
+    end subroutine value_below
+
     !> The same between first touch and the compiled range: powers of s that continue value and slope.
     pure subroutine values_below(self, s, other, slope, radius, stiffness)
         type(law_table_t), intent(in) :: self
         real(wp), intent(in) :: s
         real(wp), intent(out) :: other, slope, radius, stiffness
-        real(wp) :: part(column_count)
 
-        part = self%end_values*(s/self%lowest)**self%powers
-        other = part(other_column)
-        slope = self%powers(other_column)*other/s
-        radius = self%end_radius + part(radius_column)
-        stiffness = part(stiffness_column)
+        call value_below(self, s, other, slope)
+        radius = self%end_radius + self%end_values(radius_column)*power_of(s/self%lowest, self%powers(radius_column))
+        stiffness = slope
+        if (.not. self%by_depth) stiffness = 1.0_wp/slope
     end subroutine values_below
 
     !> int F dd from first touch to a depth below the compiled range.
@@ -233,7 +262,7 @@ contains
         real(wp) :: energy
         real(wp) :: force
 
-        force = self%end_values(other_column)*(s/self%lowest)**self%powers(other_column)
+        force = self%end_values(other_column)*power_of(s/self%lowest, self%powers(other_column))
         energy = force*s/(1.0_wp + self%powers(other_column))
     end function energy_below
 
