@@ -539,6 +539,30 @@ def test_surface_fits_tips_whose_load_varies_beside_the_axis(tip, thickness):
     assert np.abs(field.s_zz[finite] + pressure[finite]).max() < 1e-10 * pressure[finite].max()
 
 
+KINKED = [mdr.Cone(0.3), mdr.PowerLaw(1.5, 0.3), mdr.PowerLaw(2.5, 0.3), mdr.RoundedCone(0.3, 0.05), mdr.FlatEndedCone(0.2, 0.3)]
+"""Tips whose springs' displacement by the layers of a graded body falls too slowly as a series."""
+
+
+@pytest.mark.parametrize("moduli", [(1.0, 30.0), (30.0, 1.0)])
+@pytest.mark.parametrize("tip", KINKED, ids=lambda tip: type(tip).__name__ + str(getattr(tip, "exponent", "")))
+def test_kinked_tips_on_graded_bodies(tip, moduli):
+    """The field on the surface, by waves in layers, against the contact, by its line; the energy against the work done."""
+    contact = mdr.Contact(tip, mdr.Graded([0.0, 1.0], moduli, 0.3))
+    state = contact.at_radius(1.0)
+    r = np.array([0.0, 0.1, 0.31, 0.62, 0.9, 0.99, 1.0001, 1.1, 1.5, 3.0])
+    field, pressure = contact.interior(r, 0.0, state), contact.pressure(r[1:6], state)
+    assert np.abs(field.u_z - contact.displacement(r, state)).max() < 1e-9 * state.depth
+    assert np.abs(field.s_zz[1:6] + pressure).max() < 1e-9 * pressure.max()
+    # int F dd from a smaller contact, beyond all kinks: differences of d(a), Gauss and Legendre over a
+    x, w = np.polynomial.legendre.leggauss(12)
+    a = 0.7 + 0.3 * x
+    before, after = (contact.at_radius(a * (1.0 + k * 1e-3)).depth for k in (-1, 1))
+    two_before, two_after = (contact.at_radius(a * (1.0 + k * 1e-3)).depth for k in (-2, 2))
+    slope = (8.0 * (after - before) - (two_after - two_before)) / (12e-3 * a)
+    gained = contact.elastic_energy(state) - contact.elastic_energy(contact.at_radius(0.4))
+    assert 0.3 * np.sum(w * contact.at_radius(a).force * slope) == pytest.approx(gained, rel=1e-6)
+
+
 @pytest.mark.parametrize("young", [(1.0, 30.0), (100.0, 1.0), (3.9, 0.35)])
 def test_pressures_of_graded_bodies_beside_the_axis(young):
     contact = mdr.Contact(mdr.PowerLaw(3.0, 0.3), mdr.Graded([0.0, 0.84], young, 0.42))

@@ -5,6 +5,8 @@ module mdrcontact_field_profile_load
     use mdrcontact_field_load, only: load_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_fields, only: line_load_t
+    use mdrcontact_layered_panels, only: panels_t
     use mdrcontact_layered_series, only: even_slope
     use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_profile, only: profile_t
@@ -20,6 +22,8 @@ module mdrcontact_field_profile_load
         real(wp) :: modulus = 0.0_wp
         !> coefficients of P_2j(x/a), j = 0, 1, ..., in v [length]
         real(wp), allocatable :: v(:)
+        !> v where that series falls too slowly
+        type(panels_t), allocatable :: pieces
     contains
         procedure :: slope
     end type profile_load_t
@@ -27,24 +31,27 @@ module mdrcontact_field_profile_load
 contains
 
     !> The load of a state.
-    subroutine new_profile_load(self, profile, modulus, radius, edge, v, error)
+    subroutine new_profile_load(self, profile, modulus, springs, error)
         type(profile_load_t), intent(out) :: self
         class(profile_t), intent(in) :: profile
-        !> contact modulus of the surface layer [modulus], contact radius [length], q(a) [modulus length]
-        real(wp), intent(in) :: modulus, radius, edge
-        !> coefficients of P_2j(x/a) in v [length]; none on a homogeneous body
-        real(wp), intent(in) :: v(:)
+        !> contact modulus of the surface layer [modulus]
+        real(wp), intent(in) :: modulus
+        type(line_load_t), intent(in) :: springs
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: breaks(:)
 
         call profile%copy_to(self%profile, error)
         self%modulus = modulus
-        self%radius = radius
-        self%edge = edge
-        allocate (self%v, source=v)
+        self%radius = springs%a
+        self%edge = modulus*springs%edge
+        if (allocated(springs%panels)) then
+            self%pieces = springs%panels
+        else
+            self%v = springs%v
+        end if
         call profile%add_breaks(breaks, error)
         if (profile%end_radius > 0.0_wp) call merge_breaks(breaks, [profile%end_radius], error)
-        call merge_breaks(self%kinks, breaks(:count(breaks < radius)), error)
+        call merge_breaks(self%kinks, breaks(:count(breaks < springs%a)), error)
         if (allocated(error)) return
         call self%mark_axis()
     end subroutine new_profile_load
@@ -53,9 +60,14 @@ contains
         class(profile_load_t), intent(in) :: self
         real(wp), intent(in) :: start, distance(:)
         real(wp) :: y(size(distance))
+        integer :: i
 
-        y = -self%modulus*(self%profile%mdr_slope_beyond(start, distance) &
-                           + even_slope(self%v, (start + distance)/self%radius)/self%radius)
+        if (allocated(self%pieces)) then
+            y = [(self%pieces%slope(start + distance(i)), i=1, size(distance))]
+        else
+            y = even_slope(self%v, (start + distance)/self%radius)/self%radius
+        end if
+        y = -self%modulus*(self%profile%mdr_slope_beyond(start, distance) + y)
     end function slope
 
 end module mdrcontact_field_profile_load

@@ -362,7 +362,7 @@ contains
         real(wp), allocatable :: added(:)
         integer :: stat
 
-        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
+        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error, at_points=.true.)
         if (allocated(error)) return
         call self%surface%displacement_outside(profile, a, load%depth - profile%mdr(a), r, values, error)
         if (allocated(error) .or. self%kernel%vanishes) return
@@ -426,7 +426,8 @@ contains
         integer :: i
 
         values = 0.0_wp
-        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
+        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error, &
+                           at_points=.not. allocated(self%parts))
         if (allocated(error)) return
         if (.not. allocated(self%parts)) then
             values(lower_body) = self%surface_modulus*load%work_on(profile, load%v, error)
@@ -450,10 +451,10 @@ contains
         type(line_load_t) :: springs
         type(profile_load_t), allocatable :: own
 
-        call new_line_load(springs, self%kernel, self%tolerance, profile, a, excess, error)
+        call new_line_load(springs, self%kernel, self%tolerance, profile, a, excess, error, at_points=.true.)
         if (allocated(error)) return
         allocate (own)
-        call new_profile_load(own, profile, self%surface_modulus, a, self%surface_modulus*springs%edge, springs%v, error)
+        call new_profile_load(own, profile, self%surface_modulus, springs, error)
         if (.not. allocated(error)) call move_alloc(own, load)
     end subroutine surface_load
 

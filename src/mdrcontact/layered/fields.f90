@@ -64,7 +64,7 @@ contains
         !> [length]
         real(wp), intent(in) :: a, excess
         type(error_t), allocatable, intent(out) :: error
-        !> for q and p alone, not for the series; default false
+        !> for q, p, what lies beyond the edge, and the work of the whole, not for the series; default false
         logical, intent(in), optional :: at_points
         real(wp) :: reached, on_panels
         integer :: n
@@ -113,6 +113,7 @@ contains
         ! the series may do yet
         if (allocated(missed)) return
         self%a = a
+        self%depth = solution%depth + excess
         self%edge = excess*solution%punch_edge
         allocate (self%panels)
         call new_panels(self%panels, kernel, profile, a, solution%force + 2.0_wp*a*solution%modulus*excess, self%edge, reached, &
@@ -279,7 +280,7 @@ contains
         end do
     end subroutine displacement_by
 
-    !> int_0^a q (q + E0* v) dx/E0*^2 with v as coefficients of P_2j(x/a) [length^3].
+    !> int_0^a q (q + E0* v) dx/E0*^2 with v as coefficients of P_2j(x/a) [length^3]; on panels v is that of the whole.
     function work_on(self, profile, v, error) result(work)
         class(line_load_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -297,8 +298,12 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         call self%at(profile, x, q)
-        moved(:) = q
-        call add_even_sum(v, x, self%a, 1.0_wp, moved)
+        if (allocated(self%panels)) then
+            moved(:) = self%depth - profile%mdr(x)
+        else
+            moved(:) = q
+            call add_even_sum(v, x, self%a, 1.0_wp, moved)
+        end if
         work = sum(dx*q*moved)
     end function work_on
 
@@ -335,6 +340,10 @@ contains
 
         values = 0.0_wp
         if (kernel%vanishes) return
+        if (allocated(self%panels)) then
+            call self%panels%interaction_beyond(kernel, n, distances, values, error)
+            return
+        end if
         a = self%a/kernel%unit
         terms = size(self%q)
         ! X does not show beyond the degree at which the series was let end: that of the product is twice as large
