@@ -107,6 +107,16 @@ def test_sharp_tips_on_films_lose_the_area_of_their_loop(exponent):
     assert pair.cycle_energy(sliding, state=state) == pytest.approx(area, rel=1e-9)
 
 
+def test_a_model_whose_stiffness_falls_is_refused():
+    """Under equivalent moduli of an auxetic film k_t(a) falls for a while: superposed punches then yield energy."""
+    film = mdr.Coated(mdr.Elastic(7.5, -0.5), 1.0, mdr.Elastic(0.13, 0.0), "gao-power")
+    pair = mdr.Friction(mdr.Contact(mdr.Paraboloid(0.4), film), MU)
+    with pytest.raises(mdr.DomainError, match="tangential stiffness of this model falls with the contact radius near"):
+        pair.at_shift(1e-6, pair.contact.at_radius(1.0))
+    small = pair.contact.at_radius(0.1)
+    assert pair.at_shift(0.5 * pair.sliding_shift(small), small).dissipated_energy > 0.0
+
+
 def test_small_amplitudes_keep_their_digits():
     pair = friction()
     state = pair.contact.at_radius(1.0)

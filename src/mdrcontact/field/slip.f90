@@ -8,7 +8,7 @@
 !> D the energy dissipated. All integrands are positive: nothing cancels, however little slips. With a coefficient of friction mu,
 !> s and T are mu times, D is mu^2 times as large at the same stick radius.
 module mdrcontact_field_slip
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: new_antiderivative
     implicit none (type, external)
@@ -21,6 +21,8 @@ module mdrcontact_field_slip
     real(wp), parameter :: negligible = 1.0e-11_wp
     !> Annuli of slip thinner than this part of the radius: s and T, differences where they are known, are integrated.
     real(wp), parameter :: thin = 0.01_wp
+    !> A stiffness that falls by a smaller power of the radius is one that does not vary.
+    real(wp), parameter :: falling = 1.0e-9_wp
     !> How close to a singular point of the pressure the traction is taken, relative.
     real(wp), parameter :: close = 1.0e-9_wp
 
@@ -174,6 +176,10 @@ contains
                 db = length
             end if
             call self%rates(b, known, rate, stiffness, slope, error)
+            if (.not. allocated(error) .and. any(b*slope < -falling*stiffness)) then
+                call raise(error, error_domain, "the tangential stiffness of this model falls with the contact radius near "// &
+                           to_text(b(minloc(b*slope/stiffness, dim=1)))//": its slip would yield energy; the exact model does not")
+            end if
             if (allocated(error)) return
             ! from the lower end of the panel to each node, and to its upper end
             within = matmul(antiderivative, rate*db)

@@ -174,12 +174,13 @@ def test_hertz_and_the_sphere(R, material, share):
 
 @relation(30, tip=d.simple_tips, medium=st.one_of(d.exact_films, d.homogeneous), share=d.shares)
 def test_far_away_the_surface_is_that_of_a_point_force(tip, medium, share):
-    """u at 3e4 a and 3e4 h against F/(pi E* r) of the substrate."""
+    """u far beyond a, and beyond h times the contrast, against F/(pi E* r) of the substrate: what differs falls as r^-3."""
     base = medium.material if isinstance(medium, mdr.Homogeneous) else medium.substrate
     assume(base is not mdr.RIGID)
     contact = mdr.Contact(tip.profile, medium)
     state = contact.at_radius(float(tip.radii(share)[-1]))
-    far = 3e4 * max(state.radius, getattr(medium, "thickness", 0.0))
+    contrast = medium.coating.E / base.E if isinstance(medium, mdr.Coated) else 1.0
+    far = 3e4 * max(state.radius, getattr(medium, "thickness", 0.0)) * max(contrast, 1.0)
     near(contact.displacement(far, state), state.force / (math.pi * reduced(base) * far), 1e-6)
 
 
