@@ -67,7 +67,10 @@ def xls(rows):
 def series(count=3):
     """A spreadsheet of NanoSuite: results, settings and tests."""
     settings = [["Test", "Poissons Ratio", "Depth Limit"], ["", "", "nm"], *([i + 1, 0.18, 2000.0] for i in range(count))]
-    return xlsx({"Required Inputs": settings, **{f"Test {i + 1:03}": nanosuite(i) for i in reversed(range(count))}})
+    results = [["Test", "Displacement", "Load", "Stiffness"], ["", "nm", "mN", "N/m"]]
+    results += [[i + 1, 250.0, 10.0, 9e4] for i in range(8)]
+    tests = {f"Test {i + 1:03}": nanosuite(i) for i in reversed(range(count))}
+    return xlsx({"Results": results, "Required Inputs": settings, **tests})
 
 
 def fischer(count=3):

@@ -56,7 +56,16 @@ def test_all_sheets_that_hold_a_test_are_read_by_the_marks_of_the_instrument(tmp
         data, notes = one.read()
         assert "1 unloadings, 1 used" in notes
         assert data.unloadings[0].force == pytest.approx(10e-3 * (i + 1), rel=1e-3)
-    assert "4 tables, 3 used; without the columns that are needed: 'Required Inputs'" in found[0].read()[1]
+    assert "5 tables, 3 used; without the columns that are needed: 'Results', 'Required Inputs'" in found[0].read()[1]
+
+
+def test_readings_that_are_not_used_are_kept_for_the_picture(tmp_path):
+    (one,) = curves(tmp_path, "gel.txt", kind="force-depth", more='branch = "loading"', E="100 Pa")
+    data, notes = one.read()
+    depth, force = data.unused
+    assert len(depth) == len(force) == 479 - len(data) and f"{len(data)} of 479 readings are used" in notes
+    figure = mdr.fit(data, mdr.Paraboloid(27.5e-6), mdr.Homogeneous(mdr.Elastic(100.0, 0.5)), ["E", "depth_offset"]).plot()
+    assert "not used" in figure.axes[0].get_legend_handles_labels()[1]
 
 
 def test_one_sheet_of_several(tmp_path):

@@ -75,6 +75,7 @@ class Data:
         self.x, self.y = columns[self.x_name], columns[self.y_name]
         self.given, self.sd = columns.get(self.given_name), columns.get("sd")
         self.branch: NDArray[np.int32] | None = None
+        # readings of the record that are not fitted, where x and y are its depth and force
         self.unused: tuple[Array, ...] | None = None
         if self.sd is not None:
             fine = np.flatnonzero((self.sd > 0.0) & (self.sd < _FINEST * np.abs(self.y)))

@@ -35,7 +35,7 @@ _LINE = 84
 """Letters in a line of the title."""
 _BEFORE, _MARGIN = 2.0, 0.03
 """How much of a baseline is shown, in depths of the contact, and what is left free beside it, of the width."""
-_BLUE, _RED, _GREY = "#0072B2", "#D55E00", "#707070"
+_BLUE, _RED, _GREY, _PALE = "#0072B2", "#D55E00", "#707070", "#cccccc"
 
 
 def draw(
@@ -114,6 +114,9 @@ def _draw_points(
     # the fit is one line for each branch
     ends = [0, *(np.flatnonzero(np.diff(data.branch[order]) != 0) + 1 if data.branch is not None else []), len(x)]
     bars = None if data.sd is None else data.sd[order] * noise / y_unit.factor
+    if data.unused is not None:
+        unused = [v / unit.factor for v, unit in zip(data.unused, (x_unit, y_unit), strict=True)]
+        above.plot(*unused, ".", color=_PALE, markersize=2, zorder=0.5, label="not used")
     if bars is None or len(x) > 300:
         above.plot(x, y, ".", color=_GREY, markersize=3, label="data")
     else:

@@ -20,6 +20,11 @@ SUFFIXES = (".jpk-force", ".jpk-force-map", ".jpk-qi-data", ".jpk-qi-series", ".
 """Endings of files that are left to afmformats."""
 TEXT_SUFFIXES = (".csv", ".txt")
 """Endings of files that it may know where they are no plain tables."""
+_HINTS = {
+    ".zip": "; unpack it, and give the folder of its files",
+    ".h5": "; of HDF5 only force curves that it wrote are read: export depth, force and time as text",
+}
+"""What to do with a file that is not of the format that its ending promises."""
 _MODALITIES = ("force-distance", "creep-compliance", "stress-relaxation")
 _HEIGHTS = ("height (measured)", "height (piezo)")
 
@@ -73,7 +78,8 @@ def read_afm(path: Path, spring_constant: float | None = None, deflection_sensit
     except afmformats.errors.MissingMetaDataError as problem:
         raise MissingSettings(f"{path}: {problem}: give [instrument] spring_constant and deflection_sensitivity") from problem
     except (Exception, afmformats.errors.AFMFileFormatError) as problem:  # noqa: BLE001 - damage makes readers raise anything
-        raise FileError(f"{path}: afmformats cannot read it: {type(problem).__name__}: {problem}") from problem
+        hint = _HINTS.get(path.suffix.lower(), "")
+        raise FileError(f"{path}: afmformats cannot read it{hint}: {type(problem).__name__}: {problem}") from problem
     if not curves:
         raise FileError(f"{path}: it holds no curves of force against distance, of creep or of relaxation")
     return curves

@@ -69,7 +69,7 @@ def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
 
 def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[MeasuredTable]:
     """Those tables that have the columns of this kind of data; sheets with the settings of a method have not."""
-    found = [table for table in tables if _fits(section, table, kind)]
+    found = [table for table in tables if fits(section, table, kind)]
     if not found or kind in RECORDS and not any(has(section, found[0], role) for role in ("depth", "height")):
         column(section, max(tables, key=lambda table: len(table.values)), "depth" if kind in RECORDS else TABLES[kind][1][-1])
     if len(found) < len(tables):
@@ -79,10 +79,13 @@ def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[Mea
     return found or tables
 
 
-def _fits(section: Section, table: MeasuredTable, kind: str) -> bool:
+def fits(section: Section, table: MeasuredTable, kind: str) -> bool:
     """Whether a table may be a test; what is missing in the only one of a file is told where it is read."""
     if not table.name:
         return True
+    # one row for each test is what a program made of them
+    if any(title.strip().lower() == "test" for title in table.titles):
+        return False
     if kind in RECORDS:
         return any(has(section, table, role) for role in ("depth", "height"))
     return has(section, table, TABLES[kind][1][-1])

@@ -315,7 +315,8 @@ def data_of(section: Section, cantilever: Cantilever, record: Record, kind: str)
         record.notes += data.found_and_used()
     else:
         record.notes.append(record.counts())
-        data.unused = tuple(np.concatenate(columns) for columns in zip(*record.unused, strict=True)) if record.unused else None
+        if record.unused and isinstance(data, ForceDepth):
+            data.unused = tuple(np.concatenate(columns) for columns in zip(*record.unused, strict=True))
     return data, record.notes
 
 

@@ -17,7 +17,7 @@ from ..measurement import Segment
 from ..measurement.afm import SUFFIXES
 from . import data as measured
 from .columns import MeasuredTable, TableOptions, read_tables
-from .curves import Curve, curves
+from .curves import Curve, curves, fits
 from .formats import Fact
 from .record import Cantilever, Record
 from .section import ProblemError, Section
@@ -27,8 +27,6 @@ Array = NDArray[np.float64]
 
 _FEWEST = 5
 """Stiffnesses that make a record a dynamic one."""
-_CREEP = 0.01
-"""Of its height: a test in time whose hold moves by more creeps at a force, one that moves by less relaxes at a depth."""
 _WIDEST = 9
 """Columns of a table without titles."""
 
@@ -97,8 +95,9 @@ def _test(one: Curve, record: Record) -> Test:
 def _options(path: Path, one: Curve, record: Record, test: Test) -> dict[str, object]:
     """[data] for a file, from what is in it."""
     is_raw = record.depth is None
+    in_time = next((note for note in record.notes if "a test of" in note), "")
     if path.suffix.lower() in SUFFIXES:
-        return {"kind": _kind_in_time(record)} if any("a test of" in note for note in record.notes) else {"kind": "force-depth"}
+        return {"kind": "depth-time" if "creep" in in_time else "force-time" if in_time else "force-depth"}
     unloads = unloading_parts(test.segments, test.force, 0.4)
     if _has_stiffness(path):
         return {"kind": "stiffness-depth", "branch": "loading"} if len(test.segments) > 1 else {"kind": "stiffness-depth"}
@@ -108,16 +107,12 @@ def _options(path: Path, one: Curve, record: Record, test: Test) -> dict[str, ob
     return {"kind": "force-depth", "branch": "loading"} if len(test.segments) > 1 else {"kind": "force-depth"}
 
 
-def _kind_in_time(record: Record) -> str:
-    assert record.height is not None
-    holds = [float(np.ptp(record.height[s.points])) for s in record.segments or () if s.kind == "hold"]
-    return "depth-time" if max(holds, default=0.0) > _CREEP * float(np.ptp(record.height)) else "force-time"
-
-
 def _has_stiffness(path: Path) -> bool:
     """Whether a table has stiffnesses beside depths and forces."""
     section = _section({"kind": "stiffness-depth"})
-    tables = [table for table in read_tables(path) if all(measured.has(section, table, r) for r in ("depth", "stiffness"))]
+    tables = [
+        table for table in read_tables(path) if measured.has(section, table, "stiffness") and fits(section, table, "unloading")
+    ]
     return any(np.isfinite(measured.column(section, table, "stiffness").values).sum() >= _FEWEST for table in tables)
 
 
