@@ -422,6 +422,18 @@ static void turning_planes(void)
     CHECK_SUCCESS(mdr_contact_free(&c));
 }
 
+/* All but the padding between the members, which is not written. */
+static int same_facts(const mdr_law_facts *a, const mdr_law_facts *b)
+{
+    return a->lowest_depth == b->lowest_depth && a->highest_depth == b->highest_depth && a->lowest_force == b->lowest_force
+           && a->highest_force == b->highest_force && a->tolerance == b->tolerance && a->error == b->error
+           && a->solutions == b->solutions && a->adhesive == b->adhesive && a->segments == b->segments
+           && a->description_length == b->description_length && a->continue_beyond == b->continue_beyond
+           && a->sliders == b->sliders && a->memory_size == b->memory_size && a->coefficient == b->coefficient
+           && a->highest_sliding_shift == b->highest_sliding_shift && a->first_shear_error == b->first_shear_error
+           && a->path_error == b->path_error;
+}
+
 /* The same law from its file and from memory; files of laws with friction of earlier versions are refused by name. */
 static void law_files(void)
 {
@@ -445,7 +457,7 @@ static void law_files(void)
     CHECK_SUCCESS(mdr_law_load(path, &again));
     CHECK_SUCCESS(mdr_law_info(law, &facts));
     CHECK_SUCCESS(mdr_law_info(again, &other));
-    CHECK_TRUE(memcmp(&facts, &other, sizeof facts) == 0 && facts.continue_beyond == 1);
+    CHECK_TRUE(same_facts(&facts, &other) && facts.continue_beyond == 1);
     CHECK_SUCCESS(mdr_law_description(again, words, (int)sizeof words));
     CHECK_TRUE(strcmp(words, "a ball on steel") == 0 && facts.description_length == 15);
     for (int i = 0; i < 5; i++) {

@@ -167,11 +167,12 @@ def test_readings_without_a_contact_radius_are_refused(change, words):
         mdr.fit(mdr.StiffnessDepth(*change(data.x, data.force, data.y)), tip, body, ["coating.E"], check_units=False)
 
 
-def record(film, tip, lag=0.0):
-    """Loading and unloading of the library's own contact; `lag` of the largest depth stays behind."""
+def record(film, tip, left=0.0):
+    """Loading and unloading of the library's own contact; `left` of the largest depth stays when the force is gone."""
     states = mdr.Contact(tip, film).at_depth(np.linspace(1e-3, 0.3, 300) * THICKNESS)
     depth, force = np.asarray(states.depth), np.asarray(states.force)
-    return np.concatenate([depth, depth[::-1]]), np.concatenate([force, np.interp(depth[::-1] - lag, depth, force, left=0.0)])
+    back = left * depth[-1] + (1.0 - left) * depth[::-1]
+    return np.concatenate([depth, back]), np.concatenate([force, force[::-1]])
 
 
 @pytest.mark.parametrize("tip", TIPS)
@@ -187,7 +188,7 @@ def test_elastic_unloading_curves(film, tip):
 
 def test_an_unloading_curve_that_leaves_depth_behind_is_not_elastic():
     body, tip = FILMS["oxide on Si"], TIPS["Berkovich"]
-    h, p = record(body, tip, 0.1 * THICKNESS)
+    h, p = record(body, tip, 0.3)
     assert not mdr.Unloading(h, p).seems_elastic
     assert not mdr.Unloading(h[300:], p[300:]).seems_elastic, "without loading it is not known"
     assert mdr.Unloading(h, p, elastic=True).elastic
