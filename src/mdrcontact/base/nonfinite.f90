@@ -12,7 +12,9 @@ module mdrcontact_base_nonfinite
 
     !> The bits of infinity, all of the exponent's, and those of the number without its sign.
     integer(int64), parameter :: exponent_bits = int(z"7FF0000000000000", int64), unsigned_bits = huge(0_int64)
+    !> Positive infinity.
     real(wp), parameter :: infinity = transfer(exponent_bits, 0.0_wp)
+    !> A NaN that raises no flag.
     real(wp), parameter :: quiet_nan = transfer(int(z"7FF8000000000000", int64), 0.0_wp)
 
 contains
@@ -25,6 +27,7 @@ contains
         finite = iand(transfer(x, 0_int64), exponent_bits) /= exponent_bits
     end function is_finite
 
+    !> Whether x is NaN.
     elemental function is_nan(x) result(nan)
         real(wp), intent(in) :: x
         logical :: nan

@@ -67,9 +67,10 @@ def test_energy_is_the_integral(tip, medium, work, share):
         size=law.energy(ends[-1]) - law.energy(law.depth_range[0]),
     )
     if work == 0.0:
-        # nearer to first touch than 1e-4 of its range the law is a power of d
+        # nearer to first touch than 1e-4 of its range the law is a power of d, whose energy is off by up to 5 % of itself
         found = [contact.elastic_energy(depth=float(x)) for x in ends]
-        near(law.energy(ends), found, 1e-7, size=np.array(found) + contact.elastic_energy(depth=0.02 * float(ends[-1])))
+        touch = contact.elastic_energy(depth=1e-4 * float(ends[-1]))
+        near(law.energy(ends), found, 1e-7, size=np.array(found) + 0.05e7 * touch)
 
 
 @relation(12, may_refuse=0.2, tip=d.endless_tips, medium=media, work=works, share=d.shares)
