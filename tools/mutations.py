@@ -136,7 +136,7 @@ MUTATIONS = [
      "here*merge(8.0_wp, far_growth, here > far*self%radius)", "test_torsion.py"),
     ("lateral/breaks.f90", "< self%radius(k)**2) return", "> self%radius(k)**2) return", "lateral_structures"),
     ("lateral/slab.f90", "ratio = max(-far, min(far, length/a))", "ratio = length/a", "c_lateral"),
-    ("law/sliders.f90", "max(shift - before, size_of_way/mu)", "max(shift - before, size_of_way)", "law_friction"),
+    ("law/sliders/motion.f90", "max(shift - before, size_of_way/mu)", "max(shift - before, size_of_way)", "law_friction"),
     ("python:friction.py", "_NOTICEABLE = 1e-3", "_NOTICEABLE = 1e-1", "test_friction.py"),
     ("medium/power_graded.f90", "2.0_wp*roots*weights", "roots*weights", "power_graded|^test_contact$"),
     ("medium/power_graded.f90", "nearest_axis = 1.0e-8_wp", "nearest_axis = 1.0e-2_wp", "power_graded|^test_contact$"),

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction of compiled laws: the tangential force of many contacts step by step, along any path of the shift in the plane and of F.
 !>
-!> The springs of a contact are divided among a few vector sliders, mdrcontact_law_sliders. That is stick, partial slip, sliding and
+!> The springs of a contact are divided among a few vector sliders, mdrcontact_law_sliders_motion. That is stick, partial slip, sliding and
 !> what earlier slip left behind, with an error of some 1.5 % (8 sliders) or 0.5 % (16) of mu F against as many springs as one
 !> likes; T is continuous in F and in the shift, no cycle yields energy, and a step has a derivative. Springs for themselves are
 !> exact for homogeneous bodies along a line; in the plane they are a model (docs/laws.md).
@@ -15,8 +15,11 @@ module mdrcontact_law_friction
     use mdrcontact_law_evaluate, only: point_at, run_points, wanted_t
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial_with_slope
     use mdrcontact_law_levels, only: fewest_sliders, levels_t, most_sliders, new_levels
-    use mdrcontact_law_sliders, only: at_lost, at_shift, is_record, keep, motion_t, move, part, record_size, &
-                                     stored_energy, tangent_of, turn_record
+    use mdrcontact_law_sliders_frame, only: turn_record
+    use mdrcontact_law_sliders_keep, only: keep
+    use mdrcontact_law_sliders_motion, only: motion_t, move
+    use mdrcontact_law_sliders_record, only: at_lost, at_shift, is_record, part, record_size, stored_energy
+    use mdrcontact_law_sliders_tangent, only: tangent_of
     use mdrcontact_law_table, only: law_table_t, scale_table
     implicit none (type, external)
     private
