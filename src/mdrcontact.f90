@@ -24,6 +24,7 @@ module mdrcontact
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_callback, error_cancelled, error_domain, error_file, error_invalid, error_memory, &
                                 error_no_convergence, error_t, error_unreachable
+    use mdrcontact_field, only: interior, interior_error, layer_energy
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_body, only: fit_body_t, indenter_cone, indenter_flat_cone, indenter_flat_paraboloid, indenter_flat_punch, &
                                    indenter_given, indenter_paraboloid, indenter_power_law, indenter_rounded_cone, indenter_sphere
@@ -56,7 +57,7 @@ module mdrcontact
     use mdrcontact_law_friction, only: contact_steps_t, friction_law_t
     use mdrcontact_law_friction_from_contact, only: new_contact_law
     use mdrcontact_law_file, only: load_law, save_law
-    use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
+    use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material

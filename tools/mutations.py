@@ -78,7 +78,7 @@ MUTATIONS = [
      "state%dissipated_energy = self%coefficient*dissipated\n        state%sliding", "test_friction c_friction"),
     ("history/friction.f90", "turn%tangential_force - 2.0_wp*half", "turn%tangential_force - 1.0_wp*half",
      "test_friction c_friction"),
-    ("field/slip.f90", "dissipated = shift*first - second", "dissipated = shift*first - 0.5_wp*second", "test_friction"),
+    ("medium/slip.f90", "dissipated = shift*first - second", "dissipated = shift*first - 0.5_wp*second", "test_friction"),
     ("history/friction_springs.f90", "0.5_wp*step%rise*(end + begin)", "0.5_wp*step%rise*(end - begin)", "test_friction_history"),
     ("history/friction_springs.f90", "sense*self%limit*depth, -sense*self%limit, sense",
      "sense*self%limit*depth, sense*self%limit, sense",
@@ -148,7 +148,7 @@ MUTATIONS = [
      "test_field_transform"),
     ("field/hankel.f90", "self%all_load(self%done + 1:self%done + n)", "self%all_load(1:n)", "test_field_layers"),
     ("field/energy.f90", "weight(first:last), error)", "weight(:last - first + 1), error)", "test_field_layers"),
-    ("field/load.f90", "length = panel%low", "length = 4.0_wp*panel%low", "test_field_transform"),
+    ("medium/load.f90", "length = panel%low", "length = 4.0_wp*panel%low", "test_field_transform"),
     ("contact/loop.f90", "            if (from >= largest) first = entered\n", "", "c_loop"),
     ("lateral/section.f90", "rho >= norm2(centre) + maxval", "rho >= norm2(centre) + minval", "lateral_structures"),
 ]  # fmt: skip

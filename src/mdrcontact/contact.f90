@@ -9,7 +9,7 @@ module mdrcontact_contact
     use mdrcontact_contact_falls, only: find_falls
     use mdrcontact_error, only: check_choice, check_finite, check_not_negative, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
-    use mdrcontact_field, only: check_state, fields_t
+    use mdrcontact_contact_fields, only: check_state, fields_t
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_contact_inversion, only: invert, neighbours_t
     use mdrcontact_contact_warnings, only: contact_warning_t, find_warnings

@@ -9,8 +9,8 @@
 module mdrcontact_medium
     use mdrcontact_body, only: body_t
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
-    use mdrcontact_field_load, only: load_t
-    use mdrcontact_field_slip, only: slip_t
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_profile, only: profile_t

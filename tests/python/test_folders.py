@@ -24,19 +24,7 @@ ORDER = [
     {"api"},
 ]
 """Folders, and files without a folder, one place each. A file may use its own place and those before it."""
-EXCEPTIONS = {
-    ("contact.f90", "field"),
-    ("law/friction_from_contact.f90", "history"),
-    ("layered/exact.f90", "field"),
-    ("layered/exact.f90", "medium"),
-    ("layered/sampled.f90", "medium"),
-    ("layered/slip.f90", "field"),
-    ("layered/slip.f90", "medium"),
-    ("medium.f90", "field"),
-    ("medium/effective.f90", "field"),
-    ("medium/superposed_slip.f90", "field"),
-    ("medium/twisted_slip.f90", "field"),
-}
+EXCEPTIONS = {("law/friction_from_contact.f90", "history")}
 """Files that use a later folder. This list may only become shorter."""
 USE = re.compile(r"^\s*use\s+(mdrcontact_\w+)", re.MULTILINE)
 

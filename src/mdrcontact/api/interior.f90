@@ -8,6 +8,7 @@ module mdrcontact_api_interior
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_choice, check_count_from, check_memory, error_t, raise_at
+    use mdrcontact_field, only: interior, interior_error, layer_energy
     use mdrcontact_field_interior, only: components
     implicit none (type, external)
     private
@@ -48,7 +49,7 @@ contains
         if (.not. allocated(error) .and. n > 0) then
             azimuth = 0.0_c_double
             if (present(angle)) azimuth = angle(:n)
-            call contact%interior(state, body == upper_body, r(:n), z(:n), side == side_below, friction, azimuth, field, error, &
+            call interior(contact, state, body == upper_body, r(:n), z(:n), side == side_below, friction, azimuth, field, error, &
                                   wanted_threads())
             do i = 1, n
                 if (allocated(error)) exit
@@ -77,7 +78,7 @@ contains
         call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
         call check_given(error, "state", present(state))
         call check_given(error, "deviation", present(deviation))
-        if (.not. allocated(error)) call contact%interior_error(state, body == upper_body, found, error)
+        if (.not. allocated(error)) call interior_error(contact, state, body == upper_body, found, error)
         if (.not. allocated(error)) call check_results(error, [found])
         status = status_of(error)
         if (.not. allocated(error)) deviation = found
@@ -102,7 +103,7 @@ contains
         call check_count_from(error, "capacity", int(capacity), 0)
         call check_array(error, "out", capacity, present(out))
         call check_given(error, "count", present(count))
-        if (.not. allocated(error)) call contact%layer_energy(state, body == upper_body, energies, error)
+        if (.not. allocated(error)) call layer_energy(contact, state, body == upper_body, energies, error)
         status = status_of(error)
         if (allocated(error)) return
         count = size(energies, kind=c_int)

@@ -4,7 +4,7 @@ module mdrcontact_contact_exact_zeta
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_exact, only: layered_exact_t, new_exact_pair, new_layered_exact
+    use mdrcontact_medium_exact, only: layered_exact_t, new_exact_pair, new_layered_exact
     use mdrcontact_medium, only: medium_t
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_table, radius_law_t
     use mdrcontact_profile, only: profile_t

@@ -7,7 +7,7 @@ module mdrcontact_field_body_field
     use mdrcontact_field_gradient_states, only: gradient_states_t, new_gradient_states
     use mdrcontact_field_interior, only: check_distances, components, depth_of, interior_field, state_field
     use mdrcontact_field_lattice, only: distinct, lattice_t, new_lattice
-    use mdrcontact_field_load, only: load_t
+    use mdrcontact_medium_load, only: load_t
     use mdrcontact_field_states, only: depth_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)

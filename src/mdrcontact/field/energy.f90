@@ -7,7 +7,7 @@
 module mdrcontact_field_energy
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_field_load, only: load_t
+    use mdrcontact_medium_load, only: load_t
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_sweep, only: layer_state, new_sweep, normal_rows, sweep_t
     use mdrcontact_field_transform, only: hankel_transform

@@ -7,7 +7,7 @@
 !>     c0 = 1/(rho (rho + zeta)^2)   c1 = (zeta + 2 rho)/(rho^3 (rho + zeta)^2)                     (J2/r^2)
 !> and I[f] = (1/pi) {q(a) Im P(z + i a) - int_0^a q' Im P dx} with dP/dzeta = f: no factor a/z is lost near the surface.
 module mdrcontact_field_half_space
-    use mdrcontact_field_load, only: load_t, panel_t
+    use mdrcontact_medium_load, only: load_t, panel_t
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre

@@ -7,7 +7,7 @@ module mdrcontact_field_hankel
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_half_space, only: shear_sums
-    use mdrcontact_field_load, only: load_t
+    use mdrcontact_medium_load, only: load_t
     use mdrcontact_field_states, only: depth_t, normal_rows, shear_rows, states_t
     use mdrcontact_field_transform, only: hankel_transform
     use mdrcontact_field_waves, only: bessel_012, faded, part_of_waves, wave_rule

@@ -11,7 +11,7 @@ module mdrcontact_field_interior
                                            new_half_space_rule, normal_sums, shear_sums
     use mdrcontact_field_hankel, only: add_grid, add_point, hankel_t, new_hankel
     use mdrcontact_field_lattice, only: distinct_among, lattice_t, new_lattice
-    use mdrcontact_field_load, only: load_t
+    use mdrcontact_medium_load, only: load_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_field_layered_states, only: layered_states_t, new_layered_states
     use mdrcontact_field_states, only: depth_t, states_t

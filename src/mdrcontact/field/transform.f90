@@ -8,7 +8,7 @@ module mdrcontact_field_transform
     use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
-    use mdrcontact_field_load, only: load_t, panel_t
+    use mdrcontact_medium_load, only: load_t, panel_t
     use mdrcontact_field_waves, only: block => panel_nodes
     use mdrcontact_gsl, only: gsl_sort_index
     use mdrcontact_kinds, only: pi, wp

@@ -9,8 +9,8 @@ module mdrcontact_history_friction
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
-    use mdrcontact_field, only: check_positions
-    use mdrcontact_field_slip, only: slip_t
+    use mdrcontact_contact_fields, only: check_positions
+    use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_numerics_roots, only: solve_increasing

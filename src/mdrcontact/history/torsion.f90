@@ -8,7 +8,7 @@ module mdrcontact_history_torsion
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, error_t, error_unreachable, raise, to_text
-    use mdrcontact_field_slip, only: slip_t
+    use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_first_shear, tangential_state_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_twisted_slip, only: new_twisted_slip, twisted_slip_t

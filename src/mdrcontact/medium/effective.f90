@@ -6,8 +6,8 @@
 module mdrcontact_medium_effective
     use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_error, only: check_memory, error_t
-    use mdrcontact_field_load, only: load_t
-    use mdrcontact_field_slip, only: slip_t
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_superposed_slip, only: new_superposed_slip, superposed_slip_t

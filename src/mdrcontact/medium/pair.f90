@@ -6,8 +6,8 @@
 module mdrcontact_medium_pair
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_exact, only: layered_exact_t, new_exact_pair, new_layered_exact
-    use mdrcontact_layered_sampled, only: new_sampled_exact
+    use mdrcontact_medium_exact, only: layered_exact_t, new_exact_pair, new_layered_exact
+    use mdrcontact_medium_sampled_exact, only: new_sampled_exact
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus, new_homogeneous_pair

@@ -7,7 +7,7 @@
 !> Jaeger, Arch. Appl. Mech. 65 (1995) 478).
 module mdrcontact_medium_superposed_slip
     use mdrcontact_error, only: check_memory, error_t
-    use mdrcontact_field_slip, only: beside, slip_t
+    use mdrcontact_medium_slip, only: beside, slip_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_numerics_pick, only: pick

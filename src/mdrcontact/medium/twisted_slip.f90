@@ -12,7 +12,7 @@
 module mdrcontact_medium_twisted_slip
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise
-    use mdrcontact_field_slip, only: slip_t, thin
+    use mdrcontact_medium_slip, only: slip_t, thin
     use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_medium, only: medium_t, not_known

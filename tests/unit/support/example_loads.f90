@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Line loads known in closed form: q(x) = sum of c_i x^(i - 1), as those of a flat punch, cone, paraboloid on a half-space.
 module example_loads
-    use mdrcontact_field_load, only: load_t
+    use mdrcontact_medium_load, only: load_t
     use mdrcontact_kinds, only: half_pi, wp
     implicit none (type, external)
     private

@@ -4,7 +4,7 @@ module reference_tables
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_exact, only: layered_exact_t, new_layered_exact
+    use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_material, only: material_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous

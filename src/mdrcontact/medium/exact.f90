@@ -3,22 +3,22 @@
 !>
 !> Once made, the medium holds its body and the kernel; a contact radius then costs a small symmetric positive definite system.
 !> Results meet the stated relative tolerance, or an error says that they do not.
-module mdrcontact_layered_exact
+module mdrcontact_medium_exact
     use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_body, only: body_t
     use mdrcontact_body_compliance, only: compliance_t, normal_load, shear_load, twist_load
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_memory, check_within, error_invalid, error_t, raise, to_text
-    use mdrcontact_field_load, only: load_t
-    use mdrcontact_field_profile_load, only: new_profile_load, profile_load_t
-    use mdrcontact_field_slip, only: slip_t
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_medium_profile_load, only: new_profile_load, profile_load_t
+    use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_combine, only: add_kernels
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
-    use mdrcontact_layered_slip, only: layered_slip_t, new_layered_slip
+    use mdrcontact_medium_exact_slip, only: layered_slip_t, new_layered_slip
     use mdrcontact_layered_solve, only: solution_t, solve
     use mdrcontact_layered_stiffness, only: relative_stiffness
     use mdrcontact_material, only: in_series, material_t
@@ -588,4 +588,4 @@ contains
         end do
     end subroutine disc_products
 
-end module mdrcontact_layered_exact
+end module mdrcontact_medium_exact

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The line load under an indenter on a homogeneous or layered body: q(x) = E0* (d - g(x) - v(x)), with g the indenter's
 !> one-dimensional profile and v what the layers below the first do to the springs, a sum of even Legendre polynomials of x/a.
-module mdrcontact_field_profile_load
-    use mdrcontact_field_load, only: load_t
+module mdrcontact_medium_profile_load
+    use mdrcontact_medium_load, only: load_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_fields, only: line_load_t
@@ -70,4 +70,4 @@ contains
         y = -self%modulus*(self%profile%mdr_slope_beyond(start, distance) + y)
     end function slope
 
-end module mdrcontact_field_profile_load
+end module mdrcontact_medium_profile_load

@@ -2,7 +2,7 @@
 !> The load on a surface as stresses inside need it: an axisymmetric pressure given by its line load q(x), 0 <= x <= a.
 !>
 !> p(r) follows from q by equation (6).
-module mdrcontact_field_load
+module mdrcontact_medium_load
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
@@ -325,4 +325,4 @@ contains
         end if
     end function order_on_axis
 
-end module mdrcontact_field_load
+end module mdrcontact_medium_load

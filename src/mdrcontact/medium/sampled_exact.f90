@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> E_eff(a) of a body solved exactly, sampled once: one body of a pair whose other body is known by an effective modulus only.
-module mdrcontact_layered_sampled
+module mdrcontact_medium_sampled_exact
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_exact, only: layered_exact_t
+    use mdrcontact_medium_exact, only: layered_exact_t
     use mdrcontact_medium, only: modulus_of_radius_t
     use mdrcontact_medium_tabulated, only: new_medium_from_function, tabulated_medium_t
     implicit none (type, external)
@@ -51,4 +51,4 @@ contains
         call exact%pressed%copy_to(self%pressed, error)
     end subroutine new_sampled_exact
 
-end module mdrcontact_layered_sampled
+end module mdrcontact_medium_sampled_exact

@@ -2,9 +2,9 @@
 !> First shear of a layered body, exactly in the axisymmetric part (theory 10): with a disc of stick of radius c the load
 !> q* = q_n - q_t is that of a contact of radius c without adhesion, with the kernel of shear and the profile
 !> [R(0) - R(x)]/G0*. Its depth is R(0)/G0* - s, its force F - T.
-module mdrcontact_layered_slip
+module mdrcontact_medium_exact_slip
     use mdrcontact_error, only: check_memory, error_domain, error_t, raise
-    use mdrcontact_field_slip, only: slip_t, thin
+    use mdrcontact_medium_slip, only: slip_t, thin
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_kernel, only: kernel_t
@@ -257,4 +257,4 @@ contains
                               values, error)
     end subroutine traction
 
-end module mdrcontact_layered_slip
+end module mdrcontact_medium_exact_slip

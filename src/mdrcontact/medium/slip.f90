@@ -7,7 +7,7 @@
 !>     s = int_c^a sigma db,    T = int_c^a k_t sigma db,    D = int_c^a (s - s(b)) s(b) k_t'(b) db,
 !> D the energy dissipated. All integrands are positive: nothing cancels, however little slips. With a coefficient of friction mu,
 !> s and T are mu times, D is mu^2 times as large at the same stick radius.
-module mdrcontact_field_slip
+module mdrcontact_medium_slip
     use mdrcontact_error, only: error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: new_antiderivative
@@ -220,4 +220,4 @@ contains
         if (r < c .and. (r <= 0.0_wp .or. r == end_radius)) near = max((1.0_wp + close)*r, close*c)
     end function beside
 
-end module mdrcontact_field_slip
+end module mdrcontact_medium_slip
