@@ -64,7 +64,7 @@ static void report(const char *what, const char *under, double figure, double bo
     fflush(stdout);
 }
 
-/* A contact and the states asked of it. */
+/* A contact and the states computed of it. */
 typedef struct states {
     const mdr_contact *contact;
     int count;

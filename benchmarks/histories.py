@@ -94,11 +94,11 @@ def main():
 
     print(f"## Viscoelastic bodies\n\n{machine()}\n\n| what | time | budget |\n|---|---|---|")
     for what, seconds, budget in rows:
-        print(f"| {what} | {told(seconds)} | {'' if budget is None else told(budget)} |")
+        print(f"| {what} | {duration(seconds)} | {'' if budget is None else duration(budget)} |")
     return any(budget is not None and seconds > budget for _, seconds, budget in rows)
 
 
-def told(seconds):
+def duration(seconds):
     """A time in words."""
     for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
         if seconds >= size or unit == "µs":

@@ -16,7 +16,7 @@ install(FILES "${PROJECT_SOURCE_DIR}/include/mdrcontact.h" "${PROJECT_SOURCE_DIR
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # Module files belong to one compiler. gfortran's holds all that it re-exports; others read the modules behind it too, of which
-# those of the C layer are nobody's business.
+# those of the C layer are internal.
 if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
   set(pattern PATTERN "mdrcontact.mod")
 else()

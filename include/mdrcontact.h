@@ -149,7 +149,7 @@ int mdr_last_failure(mdr_failure *failure);
 int mdr_set_threads(int threads);
 
 /**
- * Asked during calls that take long whether to stop.
+ * Called during long calls; its result says whether to stop.
  * @param context  the pointer given with the function
  * @return         0 to go on; anything else to end the call, and then again until it has returned
  */
@@ -157,9 +157,9 @@ typedef int (*mdr_cancel)(void *context);
 
 /**
  * From now on all calls of the calling thread that take long - fits, maps, tables, laws, loops, arrays of states - ask `cancel`
- * whether to stop: after at most 0.2 s, not more often than every 0.05 s, in this thread. A call that is told so returns
+ * whether to stop: after at most 0.2 s, not more often than every 0.05 s, in this thread. A call that is cancelled returns
  * MDR_ECANCELLED, has written nothing, and leaves every handle as it was. Each thread has its own.
- * @param cancel   NULL: none is asked, as at first
+ * @param cancel   NULL: none is called, as at first
  * @param context  passed on to cancel, may be NULL
  */
 int mdr_set_cancel(mdr_cancel cancel, void *context);
@@ -168,7 +168,7 @@ int mdr_set_cancel(mdr_cancel cancel, void *context);
  * From now on mdr_contact_history() writes to *part, in the calling thread, how far its march through time is. Another thread may
  * read it meanwhile, or the function given to mdr_set_cancel(). Each thread has its own.
  * @param part  [1] receives the number of rounds that are done, each with steps half as long as those of the one before, plus the
- *              part of the path that the present one has behind it; NULL: nobody is told, as at first
+ *              part of the path that the present one has behind it; NULL: none is called, as at first
  */
 int mdr_set_progress(double part[]);
 
@@ -1502,7 +1502,7 @@ typedef struct mdr_law_facts {
     double highest_depth;   /**< The compiled range ends here [length]. */
     double lowest_force;    /**< The same for the force [modulus length^2]. */
     double highest_force;   /**< The same for the force [modulus length^2]. */
-    double tolerance;       /**< What was asked for, relative. */
+    double tolerance;       /**< The tolerance that was set, relative. */
     double error;           /**< The largest relative error found when the law was verified against the contact. */
     int solutions;          /**< Contact states computed to make and verify the law. */
     int adhesive;           /**< 1 with adhesion, else 0. */

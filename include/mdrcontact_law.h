@@ -30,7 +30,7 @@ typedef struct mdr_law_view {
     const double *force;    /**< [8] for each panel: F in powers of y less the middle. */
     const double *contact;  /**< [16] for each panel: a and k likewise. */
     const double *energy;   /**< For each panel: U in its middle. */
-    const mdr_law *law;     /**< Asked everywhere else. */
+    const mdr_law *law;     /**< Called everywhere else. */
     int branch;             /**< The same; one of enum mdr_branch. */
     int shift;              /**< Of the bits, to give the panel. */
     double open;            /**< Up to this depth the bodies are apart [length]. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * MPI: the contact of a rough coated surface, its asperities shared out among the processes. One makes the law and broadcasts
- * what its file would hold; the others read it from memory, and nobody solves the contact twice.
+ * what its file would hold; the others read it from memory, and no process solves the contact twice.
  *
  * Greenwood and Williamson, Proc. R. Soc. A 295 (1966) 300: asperities of equal radius, their heights z above the mean plane random
  * with the density exp(-z/s)/s. A plane at separation h presses those with z > h by d = z - h each.

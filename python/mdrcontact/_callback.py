@@ -16,7 +16,7 @@ MDR_FUNCTION = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, ctypes.POINTER(ct
 class Callback:
     """A Python function as the address of a C function.
 
-    An exception must not travel through compiled code: it is kept here, the library is told that the function failed, and
+    An exception must not travel through compiled code: it is kept here, the library gets the status of a failed function, and
     `reraise` raises it after the library has returned and tidied up.
     """
 

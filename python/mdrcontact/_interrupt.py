@@ -23,8 +23,8 @@ if threading.current_thread() is threading.main_thread():
 def workers(threads: int | None) -> Iterator[ThreadPoolExecutor]:
     """Threads whose calls into the library end soon where the one that waits for them is interrupted."""
     stop = threading.Event()
-    asked = _MDR_CANCEL(lambda _context: stop.is_set())
-    address = ctypes.cast(asked, ctypes.c_void_p).value or 0
+    cancel = _MDR_CANCEL(lambda _context: stop.is_set())
+    address = ctypes.cast(cancel, ctypes.c_void_p).value or 0
     with ThreadPoolExecutor(threads, initializer=lambda: call(_native.set_cancel, address, 0)) as pool:
         try:
             yield pool

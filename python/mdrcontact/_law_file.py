@@ -41,7 +41,7 @@ class LawFile:
 
     @property
     def tolerance(self) -> float:
-        """The relative tolerance asked for."""
+        """The relative tolerance that was set."""
         return float(self._facts["tolerance"])
 
     @property

@@ -80,7 +80,7 @@ class SlipInsideWarning(MDRWarning):
 
 
 class BeyondRangeWarning(MDRWarning):
-    """A compiled law that continues beyond its range was asked there: the numbers are those of its tangent."""
+    """A compiled law that continues beyond its range was evaluated there: the numbers are those of its tangent."""
 
 
 class LargeStrainWarning(MDRWarning):

@@ -16,7 +16,7 @@ module mdrcontact_batch
     !> What is to be done with each entry. It is shared by the threads: results go to arrays it points to. (It is passed as
     !> intent(inout): of an intent(in) argument gfortran 12 takes what its pointers point to as unchanged, too.)
     type, abstract :: batch_t
-        !> entries of some nanoseconds: the caller is not asked whether to stop
+        !> entries of some nanoseconds: the cancel function is not called
         logical :: is_quick = .false.
     contains
         procedure(entries), deferred :: work
@@ -118,7 +118,7 @@ contains
         integer, intent(in) :: number, first, last
         !> number of the earliest block that has failed, and its error; both shared by the threads
         integer, intent(inout) :: failed
-        !> whether the caller's thread, the only one that has someone to ask, was told to stop
+        !> whether the caller's thread, the only one with a cancel function, was cancelled
         integer(c_int), intent(inout) :: is_told
         type(error_t), allocatable, intent(inout) :: error
         type(error_t), allocatable :: found

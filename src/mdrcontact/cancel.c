@@ -16,7 +16,7 @@ static _Thread_local struct {
     void *context;
     double last_time;
     int answer;
-    /* in a thread that helps another one: whether that one was told to stop */
+    /* in a thread that helps another one: whether that one was cancelled */
     const volatile int *helped;
     /* who wants to know how far it is */
     volatile double *progress;
@@ -57,7 +57,7 @@ int mdrcontact_is_cancelled(void)
     timespec_get(&now, TIME_UTC);
     time = (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
     passed = time - cancel_state.last_time;
-    /* a clock that was set back starts anew; who has said yes is asked until the call has returned */
+    /* a clock that was set back starts anew; a function that has said yes is called until the call has returned */
     if (cancel_state.answer == 0 && passed >= 0.0 && passed < interval) return 0;
     cancel_state.last_time = time;
     cancel_state.answer = cancel_state.question(cancel_state.context);

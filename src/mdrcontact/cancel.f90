@@ -51,7 +51,7 @@ module mdrcontact_cancel
 contains
 
     !> From now on every call of the calling thread that takes long asks `cancel`, at least every 0.2 s, and ends with
-    !> error_cancelled where it says so; without arguments none is asked any more.
+    !> error_cancelled where it says so; without arguments none is called any more.
     subroutine set_cancel(cancel, context)
         !> absent: none
         procedure(cancel_function), optional :: cancel
@@ -81,9 +81,9 @@ contains
         status = mdr_set_progress(place)
     end subroutine set_progress
 
-    !> In a thread that helps another one: check_cancelled follows what that one was told.
+    !> In a thread that helps another one: check_cancelled follows that one.
     subroutine help(is_told)
-        !> address of an integer(c_int) that is not 0 once it was told to stop; null: the thread no longer helps
+        !> address of an integer(c_int) that is not 0 once it was cancelled; null: the thread no longer helps
         type(c_ptr), intent(in) :: is_told
 
         call mdrcontact_help(is_told)
@@ -96,7 +96,7 @@ contains
         if (mdrcontact_is_cancelled() /= 0) call raise(error, error_cancelled, "cancelled by the caller")
     end subroutine check_cancelled
 
-    !> Says to whoever asked how far the call is.
+    !> Reports how far the call is.
     subroutine report_progress(part)
         !> rounds that are done, and the part of the present one
         real(c_double), intent(in) :: part

@@ -280,7 +280,7 @@ contains
         call self%stable_segments(control, list, error)
         if (allocated(error)) return
         if (size(list) == 0) then
-            call raise(error, error_unreachable, "this contact has no stable adhesive state under the control asked for")
+            call raise(error, error_unreachable, "this contact has no stable adhesive state under this control")
             return
         end if
         allocate (ends(size(list)))

@@ -138,7 +138,7 @@ contains
         character(len=*), intent(in) :: name
         integer, intent(in) :: count, smallest
 
-        ! text is made for counts that are wrong only: this is asked at each call for one state
+        ! text is made for counts that are wrong only: this runs at each call for one state
         if (count >= smallest) return
         call check_choice(error, name, count, smallest, huge(1), "at least "//count_text(smallest))
     end subroutine check_count_from

@@ -3,7 +3,7 @@
  * Whole files, read and written from any number of threads. (Fortran's own statements refuse a file that another unit has open,
  * end a name at its trailing blanks, and write in place.)
  *
- * A file is written beside its place, flushed, closed and then moved there: whoever reads the name finds the old content or the
+ * A file is written beside its place, flushed, closed and then moved there: a reader of the name finds the old content or the
  * new, and a full disk costs nothing but an error. A symbolic link is followed, its target replaced. What exists and is not a
  * regular file (a folder, a device, a pipe) or is write-protected is left alone.
  */

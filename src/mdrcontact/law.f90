@@ -50,7 +50,7 @@ module mdrcontact_law
     type :: contact_law_t
         !> F, a, k from the depth, and d, a, k from the force; `lowest` and `highest` are the ends of the range
         type(law_table_t) :: by_depth, by_force
-        !> asked for, and the largest error found on verification
+        !> the tolerance set, and the largest error found on verification
         real(wp) :: tolerance = 0.0_wp, error = 0.0_wp
         !> contact states computed to make and to verify it
         integer :: solutions = 0

@@ -165,7 +165,7 @@ contains
         integer, intent(in) :: body
         !> positions r >= 0 [length]
         real(wp), intent(in) :: r(:)
-        !> u(r) of both surfaces together, each positive into its body; then of the one asked for [length]
+        !> u(r) of both surfaces together, each positive into its body; then of the requested one [length]
         real(wp), intent(inout) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 

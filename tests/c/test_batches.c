@@ -149,7 +149,7 @@ static void test_one_by_one(const objects *o, const double *alone)
     CHECK_INT(memcmp(all, alone + 16 * QUICK, sizeof all), 0);
 }
 
-/* Of several bad entries the first is named, whoever meets one first; nothing is written. */
+/* Of several bad entries the first is named, whichever thread meets one first; nothing is written. */
 static void test_errors(const objects *o)
 {
     double bad[STATES], out[STATES], x[STATES];
@@ -221,7 +221,7 @@ static int material(double x, double y, double z, double *E, double *nu, void *c
     return 0;
 }
 
-/* Within a parallel region nothing is shared out again, whatever is asked for and even where the runtime would allow it. */
+/* Within a parallel region nothing is shared out again, whatever is set and even where the runtime would allow it. */
 static void test_callers_with_openmp(const objects *o, const double *alone)
 {
     int failed = 0, different = 0, one = 0;

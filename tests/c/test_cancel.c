@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Calls that would take seconds to minutes are told to stop at the second question: each asks again before its end, asks at most
+ * Calls that would take seconds to minutes are cancelled at the second question: each asks again before its end, asks at most
  * once a thread after the answer, writes nothing, and leaves its handles as they were. How long that took is printed, in processor
  * time.
  */
@@ -10,10 +10,10 @@
 
 enum { MANY = 1000000, ROWS = 400, BALLS = 40, POINTS = 400 };
 
-enum { TOLD_AT = 2, MOST_AFTER = 2 };
+enum { ANSWERED_AT = 2, MOST_AFTER = 2 };
 
-/* When the call was last asked, and was told to stop; the longest time without a question; the number of questions. */
-static double asked, told, longest_gap;
+/* When the function was last called, and cancelled; the longest time without a question; the number of questions. */
+static double called, answered, longest_gap;
 static int answers_no, questions;
 
 static double seconds(void)
@@ -24,11 +24,11 @@ static double seconds(void)
 static int stop(void *context)
 {
     const double now = seconds();
-    if (now - asked > longest_gap) longest_gap = now - asked;
-    asked = now;
+    if (now - called > longest_gap) longest_gap = now - called;
+    called = now;
     questions++;
-    if (*(const int *)context || questions < TOLD_AT) return 0;
-    if (questions == TOLD_AT) told = now;
+    if (*(const int *)context || questions < ANSWERED_AT) return 0;
+    if (questions == ANSWERED_AT) answered = now;
     return 1;
 }
 
@@ -108,12 +108,13 @@ static void check_cancelled(const char *name, int (*call)(void))
     int status;
     fill_untouched(MANY, out);
     answers_no = questions = 0;
-    asked = seconds();
-    told = longest_gap = 0.0;
+    called = seconds();
+    answered = longest_gap = 0.0;
     status = call();
-    printf("%s: asked every %.0f ms at least, ended %.0f ms after the answer\n", name, 1e3 * longest_gap, 1e3 * (seconds() - told));
+    printf("%s: called every %.0f ms at least, ended %.0f ms after the answer\n", name, 1e3 * longest_gap,
+           1e3 * (seconds() - answered));
     CHECK_STATUS(status, MDR_ECANCELLED, "cancelled by the caller");
-    CHECK_TRUE(questions >= TOLD_AT && questions <= TOLD_AT + MOST_AFTER);
+    CHECK_TRUE(questions >= ANSWERED_AT && questions <= ANSWERED_AT + MOST_AFTER);
     CHECK_UNTOUCHED(MANY, out);
 }
 

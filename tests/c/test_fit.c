@@ -168,7 +168,7 @@ static void bad_input_is_refused(void)
     CHECK_CLOSE(upper, sqrt(2.0 * 0.81 / 0.19), 1e-12);
     CHECK_SUCCESS(mdr_fit_quantile(0.95, INFINITY, &upper));
     CHECK_CLOSE(upper, 1.9599639845400545, 1e-12);
-    /* where GSL finds none, or infinity, and would end the process unless told otherwise */
+    /* where GSL finds none, or infinity, and would end the process unless set otherwise */
     upper = 7.0;
     CHECK_INT(mdr_fit_quantile(1e-3, 1e-300, &upper), MDR_ENOCONVERGENCE);
     CHECK_INT(mdr_fit_quantile(1e-150, 1e-4, &upper), MDR_ENOCONVERGENCE); /* -4e-15 */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * GSL and LAPACK fail on command: no workspace, no step, a matrix that is not positive definite. This program brings functions of
- * their names, which the library then calls, and which refuse while they are told to. Every call must say so in its status.
+ * their names, which the library then calls, and which refuse while a switch is set. Every call must say so in its status.
  */
 #define _GNU_SOURCE
 #include "check.h"
@@ -167,7 +167,7 @@ static int fit(void)
     problem.parameters = p;
     problem.parameter_count = 10;
     status = mdr_fit_solve(&problem, 3, depth, load, NULL, NULL, NULL, NULL, NULL, NULL, NULL, out, NULL, &summary);
-    /* the best point found is a result, told by its flag */
+    /* the best point found is a result, marked by its flag */
     return status == MDR_SUCCESS && !summary.converged ? MDR_ENOCONVERGENCE : status;
 }
 

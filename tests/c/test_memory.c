@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * No memory for a large array: MDR_ENOMEMORY, nothing written, nothing lost. This program brings its own malloc, which
- * refuses large requests while it is told to; everything else goes on to the C library's.
+ * refuses large requests while a switch is set; everything else goes on to the C library's.
  */
 #include "check.h"
 

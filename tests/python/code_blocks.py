@@ -60,7 +60,7 @@ def blocks(path: Path) -> list[Block]:
             words = re.fullmatch(r"(\w+)(?: file=(\S+))?", token.info.strip())
             assert words, f"{path.name}, line {line}: the block must say its language: ```{token.info}"
             language, file = words[1], words[2]
-            assert language in RUN, f"{path.name}, line {line}: nobody knows how to run {language!r}; there are {', '.join(RUN)}"
+            assert language in RUN, f"{path.name}, line {line}: there is no way to run {language!r}; there are {', '.join(RUN)}"
             if language == "text" and not file and previous == "fence" and found[-1].language != "text":
                 found[-1] = found[-1]._replace(output=token.content)
             found.append(Block(path.name, line, language, file, token.content, None))
@@ -110,7 +110,7 @@ class Reader:
         return self.command("bash", "-euo", "pipefail", "-c", block.text)
 
     def compiled(self, block: Block, suffix: str, options: tuple[str, ...], main: str) -> str:
-        """Compiles without a warning; a main program is linked with what the page had before, and run."""
+        """Compiles without a warning; a main program is linked with the blocks before it, and run."""
         stem = Path(block.file).stem if block.file else f"block_{block.line}"
         source, target = self.folder / (block.file or stem + suffix), self.folder / f"{stem}.o"
         source.write_text(block.text, encoding="utf-8")

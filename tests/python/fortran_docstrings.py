@@ -3,7 +3,7 @@
 
 FORD's `warn` asks for a docstring on every local variable too, so the question is put here. Every public module, constant, type,
 interface and procedure needs one. What the facade module exports is for users: there the components and bindings of types and the
-numbers, texts and arrays among the arguments need one as well. An argument of derived type is told by its type, and a binding
+numbers, texts and arrays among the arguments need one as well. An argument of derived type is clear by its type, and a binding
 that overrides another one by that.
 """
 

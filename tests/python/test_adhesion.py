@@ -113,7 +113,7 @@ def test_two_stable_states():
     assert len(lowest.others) == 1 and lowest.others[0].force > lowest.force
     small, large = contact.at_force(0.0, "loading"), contact.at_force(0.0)
     assert large.radius > 3 * small.radius
-    # fields are those of the state asked for
+    # fields are those of the requested state
     for state, branch in ((small, "loading"), (large, "unloading")):
         expected = contact.pressure(0.3 * state.radius, radius=state.radius)
         assert contact.pressure(0.3 * state.radius, force=0.0, branch=branch) == pytest.approx(expected, rel=1e-8)

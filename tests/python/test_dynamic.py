@@ -37,7 +37,7 @@ def test_each_point_gives_the_modulus_of_the_film():
     assert found.modulus == pytest.approx(np.full(30, OXIDE.E), rel=1e-5)
     assert found.at_zero == pytest.approx(OXIDE.E, rel=1e-5)
     assert not found.warnings and not found.failures
-    assert np.all(np.diff(found.analysis.reduced_modulus) > 0.0), "without the film told apart it rises to the substrate"
+    assert np.all(np.diff(found.analysis.reduced_modulus) > 0.0), "without the film separated it rises to the substrate"
 
 
 @pytest.mark.slow

@@ -214,7 +214,7 @@ def test_exceptions_of_user_functions_arrive_unchanged(make):
             make(lambda x, bad=bad: bad)
     with pytest.raises(KeyboardInterrupt):
         make(_interrupt)
-    # and the library goes on as if nothing had happened
+    # and the library goes on unharmed
     assert mdr.Cone(0.2).height(1.0) == pytest.approx(math.tan(0.2), rel=1e-15)
 
 

@@ -25,7 +25,7 @@ TRUTH = {
     "raw_afm_on_rubber": {"coating.E": 2e6},
     "csm_on_silica": {"indenter.C1": 1200e-9, "frame_compliance": 1e-7},
 }
-"""What examples/fit/make_data.py was told."""
+"""The constants of examples/fit/make_data.py."""
 
 
 @pytest.mark.parametrize("name", TRUTH)
@@ -119,7 +119,7 @@ def test_separators_and_decimal_commas(tmp_path, capsys):
 @pytest.mark.parametrize(("young", "nu"), [(72.0, 0.17), (411.0, 0.28)], ids=["fused silica", "tungsten"])
 @pytest.mark.parametrize("kind", ["force-depth", "stiffness-depth"])
 def test_tip_calibration_with_a_diamond(young, nu, kind, tmp_path):
-    """The radius of a diamond tip from indents in a body whose material is known, against Hertz (1882): nobody types an E*."""
+    """The radius of a diamond tip from indents in a body whose material is known, against Hertz (1882): no E* is typed."""
     R, reduced = 2e-6, 1e9 / ((1 - nu**2) / young + (1 - 0.07**2) / 1141.0)
     d = np.linspace(5e-9, 80e-9, 30)
     force, stiffness = 4 / 3 * reduced * np.sqrt(R) * d**1.5, 2 * reduced * np.sqrt(R * d)

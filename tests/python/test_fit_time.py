@@ -242,4 +242,4 @@ def test_one_reading_does_not_determine_two_moduli(force, loss):
     found = mdr.fit(data, mdr.Paraboloid(5e-6), body, ["terms[0].modulus", "relaxed_shear_modulus"], loss=loss)
     assert found.warnings[0].startswith("the data do not determine relaxed_shear_modulus and terms[0].modulus together")
     assert all(found.standard_errors[name] > 100.0 * found.estimates[name] for name in found.names)
-    assert found.told("terms[0].modulus") == "not determined"
+    assert found.as_text("terms[0].modulus") == "not determined"

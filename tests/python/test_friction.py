@@ -508,9 +508,9 @@ def test_slip_that_begins_inside_warns(force_first):
 def test_slip_inside_is_warned_of_at_the_line_that_asks(ask):
     friction = mdr.Friction(mdr.Contact(mdr.FlatEndedCone(0.608, 0.191), STIFF_FILM), 0.3)
     state = friction.contact.at_radius(0.614)
-    with pytest.warns(mdr.SlipInsideWarning) as told:
+    with pytest.warns(mdr.SlipInsideWarning) as shown:
         ask(friction, state)
-    assert [(Path(one.filename), one.lineno) for one in told] == [(Path(__file__), ask.__code__.co_firstlineno)]
+    assert [(Path(one.filename), one.lineno) for one in shown] == [(Path(__file__), ask.__code__.co_firstlineno)]
 
 
 def test_states_are_answered_where_the_pressure_is_refused(monkeypatch):

@@ -162,9 +162,9 @@ def test_a_path_on_a_film_by_rings(tmp_path, capsys):
     off = np.abs(found["tangential force"] - expected.tangential_force[ends]).max() / scale
     lost = expected.dissipated_energy[ends]
     lost_off = np.abs(found["dissipated energy"] - lost).max() / lost[-1]
-    told = [float(part.split()[0]) for part in words.split(" by ")[1:]]
-    assert 0.0 < told[0] < 5e-3 and 0.0 < told[1] < 5e-2
-    assert off < told[0] and lost_off < told[1], (off, lost_off, told)
+    shown = [float(part.split()[0]) for part in words.split(" by ")[1:]]
+    assert 0.0 < shown[0] < 5e-3 and 0.0 < shown[1] < 5e-2
+    assert off < shown[0] and lost_off < shown[1], (off, lost_off, shown)
     # the end of each step by its tangential force in place of its shift
     slides = found["sliding"] > 0.5
     first = np.flatnonzero(slides)[0]

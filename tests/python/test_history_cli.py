@@ -135,8 +135,8 @@ def test_a_long_march_shows_how_far_it_is(monkeypatch):
     for patience, shown in ((0.0, True), (60.0, False)):
         monkeypatch.setattr(sys, "stderr", terminal := Terminal())
         monkeypatch.setattr(_progress, "PATIENCE", patience)
-        told = contact.history(time, depth=0.4 * time, tolerance=1e-4, progress=True)
-        assert np.array_equal(told.force, quiet.force)
+        loud = contact.history(time, depth=0.4 * time, tolerance=1e-4, progress=True)
+        assert np.array_equal(loud.force, quiet.force)
         assert ("round" in terminal.getvalue()) == shown
     threads = threading.active_count()
     with pytest.raises(mdr.InvalidArgumentError, match="depth"):

@@ -169,9 +169,9 @@ def test_one_hard_collision_does_not_end_a_run():
         assert force[1] == pytest.approx(last.force + 1e-8 * last.slope, rel=1e-12)
         with pytest.warns(mdr.BeyondRangeWarning):
             assert other.force(end + 1e-8) == force[1]
-        with pytest.warns(mdr.BeyondRangeWarning) as told:
+        with pytest.warns(mdr.BeyondRangeWarning) as shown:
             other.at_depth(end + 1e-8), other.energy([end + 1e-8])
-        assert [one.filename for one in told] == [__file__] * 2
+        assert [one.filename for one in shown] == [__file__] * 2
         with pytest.warns(mdr.BeyondRangeWarning, match="force"):
             assert other.at_force(float(force[1])).depth == pytest.approx(end + 1e-8, rel=1e-7)
 
@@ -195,7 +195,7 @@ def test_command_makes_the_law_of_a_problem(tmp_path, capsys):
     (tmp_path / "problem.toml").write_text((ROOT / "examples" / "problems" / "tin_on_steel.toml").read_text(encoding="utf-8"))
     problem, path = str(tmp_path / "problem.toml"), tmp_path / "film.law"
     assert main(["law", problem, str(path), "--tolerance", "1e-7", "--continue-beyond"]) == 0
-    assert "asked for 1e-07" in capsys.readouterr().out
+    assert "tolerance 1e-07" in capsys.readouterr().out
     law = mdr.ContactLaw.load(path)
     assert 50e-9 <= law.depth_range[1] < 52e-9
     assert "TiN" in law.description

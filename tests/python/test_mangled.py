@@ -23,7 +23,7 @@ FILES = {
     "indent_on_oxide.txt": 72e9,
     "raw_afm_on_rubber.txt": 2e6,
 }
-"""Film moduli that examples/fit/make_data.py was told."""
+"""Film moduli in examples/fit/make_data.py."""
 DAMAGES = {}
 
 
@@ -304,9 +304,9 @@ def fitted(folder, name, change=None):
 def usual(tmp_path_factory):
     """The first words of the warnings of each sound file: whatever numbers follow, they tell of no damage."""
     folder = tmp_path_factory.mktemp("sound")
-    told = {name: {words[:20] for words in fitted(folder, name)[2]} for name in FILES}
-    assert set().union(*told.values()) == {"the tip is taken as "}
-    return told
+    shown = {name: {words[:20] for words in fitted(folder, name)[2]} for name in FILES}
+    assert set().union(*shown.values()) == {"the tip is taken as "}
+    return shown
 
 
 @pytest.mark.parametrize("kind", DAMAGES)

@@ -21,9 +21,9 @@ def test_states_and_fields_warn_once_for_a_contact() -> None:
     assert pressure == pytest.approx(-1.9 * state.force / (4.0 * np.pi), rel=0.05)
     with pytest.warns(mdr.NotOneDiscWarning):
         mdr.Contact(mdr.Cone(0.1), STIFF).at_depth(np.linspace(0.0, 1.0, 50))
-    with pytest.warns(mdr.NotOneDiscWarning) as told:
+    with pytest.warns(mdr.NotOneDiscWarning) as shown:
         mdr.Contact(mdr.FlatPunch(1.5), STIFF).pressure([0.0, 1.0], depth=0.1)
-    assert told[0].filename == __file__
+    assert shown[0].filename == __file__
 
 
 def test_a_ring_of_contact_farther_out_is_seen() -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which curves of a folder count, and how warnings of many curves are told."""
+"""Which curves of a folder count, and how warnings of many curves are counted."""
 
 from __future__ import annotations
 

@@ -152,7 +152,7 @@ def test_a_depth_leads_to_the_radius_of_power_laws_by_their_shear_moduli():
     assert found == contact.dynamic_stiffness(2.0, radius=radius)
     assert found == pytest.approx(math.gamma(0.7) * 2j**0.3 * elastic.medium.stiffness(radius), rel=1e-9)
     later = contact.replace(medium=mdr.Coated(film, 1.0, mdr.PowerLawRheology(4.0 * 16.0**-0.3, 16.0, 0.3, nu=0.1)))
-    assert later.dynamic_stiffness(2.0, depth=0.5) == pytest.approx(found, rel=1e-12)  # the same base, G told at another time
+    assert later.dynamic_stiffness(2.0, depth=0.5) == pytest.approx(found, rel=1e-12)  # the same base, G given at another time
     time = np.linspace(0.0, 2.0, 9)
     assert later.history(time, depth=0.2 * time).force == pytest.approx(contact.history(time, depth=0.2 * time).force, rel=1e-9)
 
@@ -200,7 +200,7 @@ def marched(case, body, indenter, tolerance=None):
 @pytest.mark.parametrize("case", MARCHED)
 @pytest.mark.parametrize("body", ["F1", "F2", "F3", "F5"])
 def test_table_of_marched_histories(case, body):
-    """A tolerance that is asked for is met, three times over as elsewhere; a paraboloid."""
+    """A tolerance that is set is met, three times over as elsewhere; a paraboloid."""
     error, accuracy = marched(case, body, "paraboloid", 1e-5)
     assert np.all(error < np.maximum(3.0 * accuracy, 3e-5))
 

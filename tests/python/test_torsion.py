@@ -104,7 +104,7 @@ def test_all_indenters(indenter):
 
 @pytest.mark.parametrize("share", [0.6, 0.8, 0.84, 0.9])
 def test_stick_close_to_a_flat_end(share):
-    """In a narrow ring around it the twist has a root: a torque 4 % too small had been given there."""
+    """In a narrow ring around it the twist has a root: a torque 4 % too small was given there."""
     pair = friction(mdr.FlatEndedCone(0.4, 0.1))
     state = pair.contact.at_radius(0.41)
     found = pair.torsion.at_torque(share * pair.torsion.sliding_torque(state), state)

@@ -56,7 +56,7 @@ class _Warnings:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs the command; returns its exit status. Faults are told in one line on standard error."""
+    """Runs the command; returns its exit status. Faults are printed in one line on standard error."""
     parser = argparse.ArgumentParser(prog="mdrcontact", description=_DESCRIPTION, epilog=_EPILOG, formatter_class=_FORMAT)
     parser.add_argument("--version", action="version", version=f"mdrcontact {__version__}")
     subparsers = parser.add_subparsers(metavar="COMMAND", required=True)

@@ -11,7 +11,7 @@ from ..adhesion import Loop, PullOff
 from ..contact import Contact
 from ..problem import Problem, ProblemError, load
 from ..problem.adhesion import Adhesion
-from ..problem.units import ENERGY, FORCE, LENGTH, WORK_OF_ADHESION, practical, told
+from ..problem.units import ENERGY, FORCE, LENGTH, WORK_OF_ADHESION, practical, shown
 from . import figures, files
 from .table import Column, aligned, as_csv, column, number
 
@@ -52,11 +52,11 @@ def run(arguments: argparse.Namespace) -> None:
     pull_offs = [(f"pull-off, {control} prescribed", contact.pull_off(control)) for control in ("force", "depth")]
     loop = cycle(contact, problem, problem.adhesion)
     print(f"{problem.title}\n")
-    gamma = told(problem.adhesion.work_of_adhesion, WORK_OF_ADHESION)
+    gamma = shown(problem.adhesion.work_of_adhesion, WORK_OF_ADHESION)
     print(f"work of adhesion: {gamma}, adhesion rule: {problem.adhesion.adhesion_rule}\n")
     print(_states(pull_offs))
     print(f"\n{_jumps(loop)}")
-    print(f"\nenergy lost in the cycle: {told(loop.dissipated_energy, ENERGY)}")
+    print(f"\nenergy lost in the cycle: {shown(loop.dissipated_energy, ENERGY)}")
     results = {}
     if arguments.csv:
         ways = ["approach" if i <= loop.turning_point else "retraction" for i in range(len(loop.depth))]

@@ -13,7 +13,7 @@ from ..contact import Contact
 from ..errors import MDRError
 from ..medium import Pair
 from ..problem import Problem, load
-from ..problem.units import LENGTH, MODULUS, told
+from ..problem.units import LENGTH, MODULUS, shown
 from . import figures, files
 from .solve import Curve, columns, crossing, progress, solve, thickness
 from .table import Column, as_csv, as_text, column, spread_over
@@ -70,12 +70,12 @@ def thickness_note(problem: Problem, curve: Curve) -> str | None:
     h = thickness(problem.medium)
     if h is None:
         return None
-    thick = told(h, LENGTH)
+    thick = shown(h, LENGTH)
     depth = crossing(curve, h)
     if depth is None:
         side = "stays below" if curve.radius[-1] <= h else "is always above"
         return f"The contact radius {side} the coating thickness, h = {thick}."
-    return f"The contact radius equals the coating thickness, a = h = {thick}, at depth {told(depth, LENGTH)}."
+    return f"The contact radius equals the coating thickness, a = h = {thick}, at depth {shown(depth, LENGTH)}."
 
 
 def rigid_note(problem: Problem, curve: Curve) -> str | None:

@@ -19,7 +19,7 @@ from ..problem.units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, Unit, 
 from .answers import Answer, reference, response_of, spread_text
 from .solve import Array, Curve, crossing, thickness
 
-# Okabe and Ito's colours: told apart by all eyes. Dashes tell apart what colours no longer do.
+# Okabe and Ito's colours: distinct to all eyes. Dashes distinguish what colours no longer do.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 DASHES = ("-", (0, (5, 2)), (0, (1, 1.2)))
 _EXACT = {"color": "#000000", "linewidth": 2.6, "zorder": 1.5}

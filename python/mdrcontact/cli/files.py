@@ -63,7 +63,7 @@ def _read_by(arguments: argparse.Namespace) -> list[Path]:
     """The files that the command line and the problem file name to be read."""
     data, problem = getattr(arguments, "data", []), Path(arguments.problem)
     given = [problem, *(data if isinstance(data, list) else [data])]
-    with suppress(ProblemError):  # told where it is read
+    with suppress(ProblemError):  # reported where it is read
         given += [problem.parent / name for name in _named_in(parse_file(problem))]
     return [
         path

@@ -171,14 +171,14 @@ def _rows_of(curves: list[Curve], results: list[Any], names: tuple[str, ...], ra
         if isinstance(result, FailedFit):
             rows.append([curve.name, *(len(names) * ["-"]), "-", "-", "-", "-", "not fitted"])
             continue
-        told = [result.told(name) for name in names]
+        found = [result.as_text(name) for name in names]
         can_say = result.describes_data is not None
         ratio = f"{result.reduced_chi_square:.3g}" if result.noise_is_known and can_say else "-"
         sizes = [percent(size) for size in (result.misfit.rms, result.misfit.noise)]
         rating = ratings[id(result)]
         left_out = "" if rating.is_sound else ", left out"
         words = result.verdict if result.converged else "not converged"
-        rows.append([curve.name, *told, ratio, *sizes, f"{rating.score:.1f}", words + left_out])
+        rows.append([curve.name, *found, ratio, *sizes, f"{rating.score:.1f}", words + left_out])
     return rows
 
 

@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from ..problem import ProblemError, load
-from ..problem.units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, told
+from ..problem.units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, shown
 from . import files
 from .cycles import Cycles, cycles
 from .friction_figure import friction_figure, path_figure
@@ -117,8 +117,8 @@ def _path_words(led: Led) -> str:
     )
     return (
         f"path of {steps} steps, {sliding} of them end in sliding; coefficient of friction {led.friction.coefficient:g}\n"
-        f"largest tangential force {told(forces[largest], FORCE)} in step {largest + 1}, dissipated energy "
-        f"{told(np.asarray(led.shear.dissipated_energy)[-1], ENERGY)}\n"
+        f"largest tangential force {shown(forces[largest], FORCE)} in step {largest + 1}, dissipated energy "
+        f"{shown(np.asarray(led.shear.dissipated_energy)[-1], ENERGY)}\n"
         f"{means}"
     )
 
@@ -127,9 +127,9 @@ def _words(found: Cycles) -> str:
     state, mu = found.state, found.friction.coefficient
     stiffness = float(found.friction.contact.medium.tangential_stiffness(state.radius))
     return (
-        f"normal force {told(state.force, FORCE)}, depth {told(state.depth, LENGTH)}, contact radius "
-        f"{told(state.radius, LENGTH)}, coefficient of friction {mu:g}\n"
-        f"tangential stiffness without slip {told(stiffness, STIFFNESS)}, {stiffness / float(state.stiffness):.4g} of the "
+        f"normal force {shown(state.force, FORCE)}, depth {shown(state.depth, LENGTH)}, contact radius "
+        f"{shown(state.radius, LENGTH)}, coefficient of friction {mu:g}\n"
+        f"tangential stiffness without slip {shown(stiffness, STIFFNESS)}, {stiffness / float(state.stiffness):.4g} of the "
         "normal one\n"
-        f"sliding from shift {told(found.sliding_shift, LENGTH)} on, under {told(mu * float(state.force), FORCE)}"
+        f"sliding from shift {shown(found.sliding_shift, LENGTH)} on, under {shown(mu * float(state.force), FORCE)}"
     )

@@ -12,7 +12,7 @@ from ..contact import Contact
 from ..history import History
 from ..problem import Problem, ProblemError, load
 from ..problem.history import HistoryPath
-from ..problem.units import ENERGY, FORCE, LENGTH, TIME, told
+from ..problem.units import ENERGY, FORCE, LENGTH, TIME, shown
 from . import files, history_figure
 from .table import Column, as_csv, as_text, column
 
@@ -110,11 +110,11 @@ def columns(history: History) -> list[Column]:
 def summary(problem: Problem, history: History) -> str:
     """The largest force, when contact is lost, and the energy lost over a closed path."""
     largest = int(np.argmax(history.force))
-    lines = [f"largest force: {told(history.force[largest], FORCE)} at {told(history.time[largest], TIME)}"]
+    lines = [f"largest force: {shown(history.force[largest], FORCE)} at {shown(history.time[largest], TIME)}"]
     touching = np.flatnonzero(history.radius > 0.0)
     if touching.size and touching[-1] < len(history.radius) - 1 and history.depth[touching[-1]] > 0.0:
         lost = history.time[touching[-1] + 1]
-        lines.append(f"contact is lost before {told(lost, TIME)}, while the surface still comes back")
+        lines.append(f"contact is lost before {shown(lost, TIME)}, while the surface still comes back")
     if touching.size and history.radius[-1] == 0.0:
-        lines.append(f"energy lost: {told(history.work, ENERGY)}")
+        lines.append(f"energy lost: {shown(history.work, ENERGY)}")
     return "\n".join(lines)

@@ -11,7 +11,7 @@ from pathlib import Path
 from ..errors import MDRError
 from ..problem.fit_file import load_fit_file
 from ..problem.inspection import Array, Inspection, Test, inspect_file
-from ..problem.units import FORCE, LENGTH, Dimension, told
+from ..problem.units import FORCE, LENGTH, Dimension, shown
 from . import files
 from .inspect_figure import inspect_figure
 from .table import aligned
@@ -74,7 +74,7 @@ def _table(tests: list[Test]) -> str:
 
 
 def _span(values: Array, dimension: Dimension) -> str:
-    return f"{told(float(values.min()), dimension, 4)} to {told(float(values.max()), dimension, 4)}"
+    return f"{shown(float(values.min()), dimension, 4)} to {shown(float(values.max()), dimension, 4)}"
 
 
 def _would_be_fitted(path: Path, found: Inspection) -> str:

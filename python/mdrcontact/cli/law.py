@@ -9,7 +9,7 @@ from pathlib import Path
 from ..friction import Friction
 from ..law import ContactLaw
 from ..problem import ProblemError, load
-from ..problem.units import FORCE, LENGTH, UnitError, parse, told
+from ..problem.units import FORCE, LENGTH, UnitError, parse, shown
 from . import files
 
 HELP = "compile the contact into a file that other codes read"
@@ -64,8 +64,8 @@ def run(arguments: argparse.Namespace) -> None:
     )
     print(f"{problem.title}\n")
     for name, ends, dimension in (("depth", law.depth_range, LENGTH), ("force", law.force_range, FORCE)):
-        print(f"{name:<16}{told(ends[0], dimension)} to {told(ends[1], dimension)}")
-    print(f"{'error':<16}{law.error:.0e} relative, asked for {law.tolerance:.0e}; {law.solutions} contact states")
+        print(f"{name:<16}{shown(ends[0], dimension)} to {shown(ends[1], dimension)}")
+    print(f"{'error':<16}{law.error:.0e} relative, tolerance {law.tolerance:.0e}; {law.solutions} contact states")
     if law.sliders:
         off = f"T off by {law.first_shear_error:.1%} of mu F in first shear"
         print(f"{'sliders':<16}{law.sliders}, {law.memory_size} numbers a contact; {off}")

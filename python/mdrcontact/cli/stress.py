@@ -17,7 +17,7 @@ from ..failure import Failure
 from ..interior import Interior
 from ..problem import Problem, ProblemError, load
 from ..problem.strength import Strengths
-from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, told
+from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, shown
 from . import files
 from .inside import Inside, interface_name, layer_map, layer_name
 from .stress_figure import stress_figure
@@ -80,7 +80,7 @@ def _inside(problem: Problem, contact: Contact, state: State, friction: float, w
             failures = _failures(contact, problem.strength, friction, 3.0 * float(state.radius), bar)
         reached = {(failure.mode, failure.place) for failure in failures}
         unreached = [
-            f"{mode}, {(interface_name if mode.startswith('interface') else layer_name)(faces, i)}, {told(value, MODULUS)}"
+            f"{mode}, {(interface_name if mode.startswith('interface') else layer_name)(faces, i)}, {shown(value, MODULUS)}"
             for mode, values in problem.strength.items()
             for i, value in enumerate(values)
             if value is not None and (mode, i) not in reached
@@ -110,8 +110,8 @@ def _words(found: Inside) -> str:
     """The state, the maxima and the failures."""
     state = found.state
     parts = [
-        f"depth {told(state.depth, LENGTH)}, contact radius {told(state.radius, LENGTH)}, "
-        f"force {told(state.force, FORCE)}, mean pressure {told(state.force / math.pi / state.radius**2, MODULUS)}"
+        f"depth {shown(state.depth, LENGTH)}, contact radius {shown(state.radius, LENGTH)}, "
+        f"force {shown(state.force, FORCE)}, mean pressure {shown(state.force / math.pi / state.radius**2, MODULUS)}"
         + (f", sliding with friction {found.friction:g}" if found.friction else "")
     ]
     rows = [["largest", "where", "value", "r/a", "z"]]
@@ -136,14 +136,14 @@ def _words(found: Inside) -> str:
             [
                 failure.mode,
                 failure_place(found.faces, failure),
-                told(failure.strength, MODULUS),
+                shown(failure.strength, MODULUS),
                 *(
                     ["at once", "", ""]
                     if failure.at_once
                     else [
-                        told(failure.state.force, FORCE),
-                        told(failure.state.depth, LENGTH),
-                        told(failure.state.radius, LENGTH),
+                        shown(failure.state.force, FORCE),
+                        shown(failure.state.depth, LENGTH),
+                        shown(failure.state.radius, LENGTH),
                     ]
                 ),
             ]
@@ -151,7 +151,7 @@ def _words(found: Inside) -> str:
         ]
         parts.append("In the order in which they come as the load grows:\n\n" + aligned(rows, left=2))
     if found.unreached:
-        farthest = told(3.0 * float(state.radius), LENGTH)
+        farthest = shown(3.0 * float(state.radius), LENGTH)
         parts.append(f"Not reached up to a = {farthest}, singular edges apart: {'; '.join(found.unreached)}")
     return "\n\n".join(parts)
 
@@ -170,9 +170,9 @@ def _row(what: str, where: str, maximum: Maximum, state: State) -> list[str]:
     return [
         what,
         where,
-        told(maximum.value, MODULUS),
+        shown(maximum.value, MODULUS),
         number(sign * round(maximum.r / float(state.radius), 4)),
-        told(maximum.z, LENGTH),
+        shown(maximum.z, LENGTH),
     ]
 
 

@@ -12,7 +12,7 @@ from .. import medium as media
 from .. import profile as profiles
 from ..errors import MDRError
 from ..material import Elastic
-from ..problem.units import LENGTH, MODULUS, told
+from ..problem.units import LENGTH, MODULUS, shown
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from .misfit import SMALL, percent
 from .result import FitResult
@@ -60,7 +60,7 @@ def _contact_point(result: FitResult) -> list[str]:
         return []
     share = f"{100.0 * apart / deepest:.0f} % of the depth" if deepest > 0.0 else "more than the depth"
     what = "look at the curve" if "depth_offset" in result.names else "look at the curve, and leave depth_offset free"
-    return [f"the estimators of the contact point disagree by {told(apart, LENGTH)}, {share}: {what}"]
+    return [f"the estimators of the contact point disagree by {shown(apart, LENGTH)}, {share}: {what}"]
 
 
 def _search(result: FitResult) -> list[str]:
@@ -222,8 +222,8 @@ def _softer_than_base(result: FitResult) -> list[str]:
     names = contradictions(result)
     problem = result.problem
     return [
-        f"{name} = {told(result.values[name], MODULUS, 3)} is softer than what lies below, where the search began at "
-        f"{told(problem.table[0, problem.names.index(name)], MODULUS, 3)}: the readings are softer than the base would be without "
+        f"{name} = {shown(result.values[name], MODULUS, 3)} is softer than what lies below, where the search began at "
+        f"{shown(problem.table[0, problem.names.index(name)], MODULUS, 3)}: the readings are softer than the base would be without "
         "the film. That says nothing of the film: look for a blunter or rougher tip, yield, a wrong contact point or radius, or a "
         "softer base"
         for name in names

@@ -62,7 +62,7 @@ class ModelRanking(NamedTuple):
             cells = []
             for name in names:
                 bias = f" ({100.0 * entry.bias[name]:+.1f} %)" if name in entry.bias else ""
-                cells.append(entry.result.told(name) + bias)
+                cells.append(entry.result.as_text(name) + bias)
             note = "" if entry.result.converged else " (not converged)"
             error = "" if entry.error is None else f"{100.0 * entry.error:+.1f} %" + (" WRONG HERE" if entry.is_wrong else "")
             numbers = [f"{entry.delta_aic:.1f}", f"{entry.result.bic:.5g}", f"{entry.weight:.2g}"]

@@ -286,7 +286,7 @@ class StiffnessDepth(Data):
 class ModulusRadius(Data):
     """Effective contact modulus against contact radius, as instruments export it.
 
-    radius : contact radius a [length]; where the export has a/h, multiply with the thickness that the instrument was told
+    radius : contact radius a [length]; where the export has a/h, multiply with the thickness entered at the instrument
     modulus : E_eff = k/(2a) [modulus]. If the indenter's own compliance is still in it (reduced modulus), say
         Instrument(indenter=...). A Young's modulus that was printed for an assumed nu: E_eff = E/(1 - nu^2)
     sd, relative_sd : of the modulus, as in ForceDepth

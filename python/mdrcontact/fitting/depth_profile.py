@@ -67,7 +67,7 @@ class DepthProfile(NamedTuple):
             words.append(
                 f"the modulus changes with depth, by {100.0 * change / self.at_zero:+.0f} % from the first to the last point: "
                 "the film "
-                "yields, piles up or cracks, or the tip, the contact point or the substrate are not as told. Fit the shallow "
+                "yields, piles up or cracks, or the tip, the contact point or the substrate are not as given. Fit the shallow "
                 "part alone"
             )
         return words
@@ -102,7 +102,7 @@ class DepthProfile(NamedTuple):
             "x",
             color=_GREY,
             markersize=3,
-            label="reduced modulus E_r, film not told apart",
+            label="reduced modulus E_r, film not separated",
         )
         ends = np.array([0.0, float(np.nanmax(self.analysis.depth))])
         axis.plot(length.of(ends), unit.of(self.at_zero + self.slope * ends), color=_RED, linewidth=1.2)

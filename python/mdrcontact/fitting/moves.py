@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from .._choices import nearest
 from ..errors import InvalidArgumentError, MDRError
-from ..problem.units import MODULUS, practical, told
+from ..problem.units import MODULUS, practical, shown
 from .data import Data, ForceDepth
 from .parameters import Free
 from .quantities import dimension_of, dimension_of_data, words_of
@@ -157,7 +157,7 @@ def _ranges(result: FitResult) -> Iterator[_Choice]:
         end = begin + part * (deepest - begin)
         keep = data.x <= end
         if np.sum(keep & (data.x > begin)) >= _FEWEST // 2:
-            yield f"up to {data.x_name} {told(end, dimension, 3)}", end, _part(data, keep), {}
+            yield f"up to {data.x_name} {shown(end, dimension, 3)}", end, _part(data, keep), {}
 
 
 def _branches(result: FitResult) -> Iterator[_Choice]:

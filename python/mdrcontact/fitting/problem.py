@@ -39,7 +39,7 @@ _LOSSES = {"linear": 0, "huber": 1, "cauchy": 2}
 
 
 class Problem(NamedTuple):
-    """Everything the library is told, and the way back to objects."""
+    """Everything the library is given, and the way back to objects."""
 
     data: Data
     indenter: Numbers

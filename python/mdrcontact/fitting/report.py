@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from .. import _native
-from ..problem.units import told
+from ..problem.units import shown
 from .quantities import digits, dimension_of, measured, unit_of, words_of
 
 _STYLE = """
@@ -106,7 +106,7 @@ def _estimates(result: Any, level: float) -> list[list[str]]:
         prior = result.problem.free[name].prior
         known = "in a joint prior" if _in_joint_prior(result, name) else measured(name, *prior) if prior else ""
         doubts = "; ".join(result.doubts(name))
-        rows.append([f"{words_of(name)} ({name})", result.told(name), f"{ends} {unit.symbol}".rstrip(), known, doubts])
+        rows.append([f"{words_of(name)} ({name})", result.as_text(name), f"{ends} {unit.symbol}".rstrip(), known, doubts])
     return rows
 
 
@@ -137,7 +137,7 @@ def _fixed(result: Any) -> list[list[str]]:
     rows = [["held fixed", "value"]]
     for name, value in result.values.items():
         if name not in result.names and np.isfinite(value):
-            rows.append([f"{words_of(name)} ({name})", told(value, dimension_of(name), 6)])
+            rows.append([f"{words_of(name)} ({name})", shown(value, dimension_of(name), 6)])
     return rows
 
 

@@ -213,7 +213,7 @@ class FitResult:
             error = self.standard_errors[name]
             unit = unit_of(name, max(abs(self.estimates[name]), error))
             ends = " to ".join(digits(end / unit.factor, error / unit.factor) for end in (lower, upper))
-            rows.append([f"{words_of(name)} ({name})", self.told(name), ends, "; ".join(self.doubts(name))])
+            rows.append([f"{words_of(name)} ({name})", self.as_text(name), ends, "; ".join(self.doubts(name))])
         widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
         lines = [f"Fit of {len(self.data)} points: " + ("converged" if self.converged else "NOT CONVERGED, best point found")]
         lines[0] += f" after {self.iterations} iterations"
@@ -264,7 +264,7 @@ class FitResult:
         low, high = f"{sigma.min():.3g}", f"{sigma.max():.3g}"
         return [f"the surface sinks in by {low if low == high else f'{low} to {high}'} P/S under {under}"]
 
-    def told(self, name: str) -> str:
+    def as_text(self, name: str) -> str:
         """An estimate with its standard error and unit, or what else there is to say of it."""
         value, error = self.estimates[name], self.standard_errors[name]
         if self.at_bound[name]:
@@ -377,7 +377,7 @@ class FitResult:
     def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
         """Data, fit and residuals as a matplotlib figure with units (the numbers of the problem are taken as SI); written to `path`
         (.png, .pdf, .svg) if one is given."""
-        title = [f"{words_of(name)} = {self.told(name)}" for name in self.names]
+        title = [f"{words_of(name)} = {self.as_text(name)}" for name in self.names]
         if len(self.data) > 2:
             title.append(self.misfit_words())
         # what widens an error is in the error

@@ -15,7 +15,7 @@ from ..errors import InvalidArgumentError, MDRError
 from ..material import Elastic
 from ..measurement.segments import Segment, curve, find_segments
 from ..medium import Homogeneous
-from ..problem.units import LENGTH, told
+from ..problem.units import LENGTH, shown
 from ..profile import PowerLaw
 from .data import REVERSIBLE, ForceDepth, StiffnessDepth, UnloadingPoint
 from .parameters import Free
@@ -168,8 +168,8 @@ def _doubts_of_record(h: Array, p: Array, first: Segment) -> list[str]:
     low, high = (float(h1 - (h2 - h1) / (steepness ** (1.0 / power) - 1.0)) for power in (2.0, 1.0))
     if not low - _ZERO * deepest < 0.0 < high + _ZERO * deepest:
         words.append(
-            f"contact begins at a depth between {told(low, LENGTH)} and {told(high, LENGTH)}, not at 0: contact depth and area are "
-            "wrong by as much. Subtract it from the depths, or let the contact point be found"
+            f"contact begins at a depth between {shown(low, LENGTH)} and {shown(high, LENGTH)}, not at 0: contact depth and area "
+            "are wrong by as much. Subtract it from the depths, or let the contact point be found"
         )
     # work that goes in stays, or comes out in part
     if float(0.5 * (p[1:] + p[:-1]) @ np.diff(h)) < -_GAIN * rise * deepest:

@@ -88,7 +88,7 @@ def tiled_map(
     Each tile sees `halo` cells around it; all beyond counts with the slice's mean (periodic) or as what lies beside. The error in
     E_eff is at most the contrast there times `weight_beyond`, which tells before what a halo is worth.
 
-    Where voxels.labels is a Dask array the result is one too, computed when asked for, tile by tile on any cluster. Else it is an
+    Where voxels.labels is a Dask array the result is one too, computed on demand, tile by tile on any cluster. Else it is an
     array, or `out` (for instance a numpy.memmap), of shape (len(a), ny, nx).
     """
     radii, team = _radii(a), _team(threads)

@@ -25,7 +25,7 @@ _EQUAL = 0.01
 
 
 class Curve(NamedTuple):
-    """One curve of a file, which is read when it is asked for."""
+    """One curve of a file, which is read on demand."""
 
     name: str
     read: Callable[[], tuple[Data, list[str]]]
@@ -80,7 +80,7 @@ def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[Mea
 
 
 def fits(section: Section, table: MeasuredTable, kind: str) -> bool:
-    """Whether a table may be a test; what is missing in the only one of a file is told where it is read."""
+    """Whether a table may be a test; what is missing in the only one of a file is reported where it is read."""
     if not table.name:
         return True
     # one row for each test is what a program made of them

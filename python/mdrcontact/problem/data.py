@@ -29,7 +29,7 @@ from .numerals import MARKS
 from .record import KEYS, Cantilever, Record, prepare
 from .roles import ROLES
 from .section import ProblemError, Section
-from .units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, is_cyclic, told
+from .units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, is_cyclic, shown
 
 Array = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ class _Column(NamedTuple):
     def described(self, role: str) -> str:
         """What was understood: role, title, unit and range."""
         finite = self.values[np.isfinite(self.values)]
-        span = " to ".join(told(float(v), self.dimension) for v in (finite.min(), finite.max())) if finite.size else "no numbers"
+        span = " to ".join(shown(float(v), self.dimension) for v in (finite.min(), finite.max())) if finite.size else "no numbers"
         return f"{role} from column {self.title!r}" + (f" in {self.unit}" if self.unit else "") + f": {span}"
 
 
@@ -177,7 +177,7 @@ def _between(section: Section, values: Mapping[str, Array]) -> NDArray[np.bool_]
             high = section.quantity(f"max_{role}") if f"max_{role}" in section else math.inf
             keep &= ~((values[role] < low) | (values[role] > high))
             if not keep.any():
-                ends = " to ".join(told(float(v), LENGTH) for v in (np.nanmin(values[role]), np.nanmax(values[role])))
+                ends = " to ".join(shown(float(v), LENGTH) for v in (np.nanmin(values[role]), np.nanmax(values[role])))
                 raise ProblemError(
                     f"[data]: no reading lies between min_{role} and max_{role}: the {role} runs from {ends}: check the units"
                 )

@@ -23,7 +23,7 @@ from .record import Cantilever
 from .section import ProblemError, Section
 from .tip_file import with_calibration
 from .toml import parse_file
-from .units import COMPLIANCE, FORCE, LENGTH, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension, told
+from .units import COMPLIANCE, FORCE, LENGTH, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension, shown
 
 _INSTRUMENT: Mapping[str, Dimension | None] = {
     "work_of_adhesion": WORK_OF_ADHESION,
@@ -86,8 +86,8 @@ class FitFile(NamedTuple):
             own = said.get(fact.name)
             if own is not None and abs(own - fact.value) > _APART * abs(fact.value):
                 words.append(
-                    f"{fact.name} is {told(own, fact.dimension)} in the problem file and {told(fact.value, fact.dimension)} in the "
-                    "file of the instrument: one of them is wrong"
+                    f"{fact.name} is {shown(own, fact.dimension)} in the problem file and {shown(fact.value, fact.dimension)} in "
+                    "the file of the instrument: one of them is wrong"
                 )
         return words
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from .section import ProblemError
-from .units import COMPLIANCE, LENGTH, MODULUS, SPEED, STIFFNESS, Dimension, told
+from .units import COMPLIANCE, LENGTH, MODULUS, SPEED, STIFFNESS, Dimension, shown
 
 
 class Fact(NamedTuple):
@@ -21,7 +21,7 @@ class Fact(NamedTuple):
     dimension: Dimension
 
     def __str__(self) -> str:
-        return f"{self.name} {told(self.value, self.dimension)}"
+        return f"{self.name} {shown(self.value, self.dimension)}"
 
 
 _NUMBER = r"\s*:?\s*([-+]?[0-9]+(?:[.,][0-9]+)?(?:[eE][-+]?[0-9]+)?)"

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from .columns import MeasuredTable, read_table
 from .roles import ROLES
 from .section import ProblemError, Section
-from .units import FORCE, LENGTH, Dimension, told
+from .units import FORCE, LENGTH, Dimension, shown
 
 KNOWN: Mapping[str, Dimension | None] = {
     "coefficient": None,
@@ -101,7 +101,7 @@ def _read_path(section: Section, folder: Path) -> SlidingPath:
             raise ProblemError(f"{table.path}: row {row + 1} of the numbers has no {what}: each row is a step and needs one")
     for row in np.flatnonzero(values < 0.0)[:1]:
         raise ProblemError(
-            f"{table.path}: {normal} = {told(values[row], _NORMAL[normal][0])} in row {row + 1} of the numbers is not allowed: it "
+            f"{table.path}: {normal} = {shown(values[row], _NORMAL[normal][0])} in row {row + 1} of the numbers is not allowed: it "
             "must be 0 or more, 0 where the bodies part"
         )
     if not np.any(values > 0.0):

@@ -27,7 +27,7 @@ from ..measurement.contact_point import METHODS, SOURCES
 from ..measurement.pull import Pull, find_pull
 from ..measurement.segments import joined
 from .section import ProblemError, Section
-from .units import FORCE, LENGTH, SPEED, told
+from .units import FORCE, LENGTH, SPEED, shown
 
 Array = NDArray[np.float64]
 
@@ -100,7 +100,7 @@ class Record:
         along = self.height if self.depth is None else self.depth
         assert along is not None
         found = segmentation(along, self.force)
-        noise = f"noise {told(found.noise[0], LENGTH, 3)} and {told(found.noise[1], FORCE, 3)}"
+        noise = f"noise {shown(found.noise[0], LENGTH, 3)} and {shown(found.noise[1], FORCE, 3)}"
         if found.unsure:
             begins = ", ".join(str(found.segments[i].start) for i in found.unsure[:5])
             noise += f"; unsure of what begins at reading {begins}: it is hardly more than the noise"
@@ -181,8 +181,8 @@ def _subtract_drift(section: Section, record: Record) -> None:
         rate, error = drift_rate(record.time[holds[-1].points], depth[holds[-1].points])
     record.depth = without_drift(record.time, depth, rate)
     whole = rate * float(np.ptp(record.time))
-    words = f"drift {told(rate, SPEED)}" + (f" ± {told(error, SPEED)}" if error else "")
-    record.notes.append(f"{words}, {told(whole, LENGTH)} over the whole test, is taken off")
+    words = f"drift {shown(rate, SPEED)}" + (f" ± {shown(error, SPEED)}" if error else "")
+    record.notes.append(f"{words}, {shown(whole, LENGTH)} over the whole test, is taken off")
 
 
 def _approach(record: Record) -> slice:
@@ -214,7 +214,7 @@ def _find_zero(section: Section, record: Record, is_raw: bool, is_fitted: bool) 
     record.contact_points = {name: float(depth[i]) - zero for name, i in found.items()}
     begins = METHODS[0] if method == "fit" else method
     others = ", ".join(
-        f"{told(at, LENGTH)} from it by {name} ({SOURCES[name]})" for name, at in record.contact_points.items() if name != begins
+        f"{shown(at, LENGTH)} from it by {name} ({SOURCES[name]})" for name, at in record.contact_points.items() if name != begins
     )
     record.notes.append(f"contact point by {begins} ({SOURCES[begins]}), reading {contact}; {others}")
     if method == "fit":
@@ -232,7 +232,7 @@ def _find_pulls(record: Record) -> None:
             continue
         if found is not None:
             record.pulls[name] = found
-            record.notes.append(f"{name}: {told(found.force, FORCE)} at depth {told(found.depth, LENGTH)}, before any fit")
+            record.notes.append(f"{name}: {shown(found.force, FORCE)} at depth {shown(found.depth, LENGTH)}, before any fit")
 
 
 def _take_off_baseline(record: Record, contact: int, tilts: bool) -> None:
@@ -244,8 +244,8 @@ def _take_off_baseline(record: Record, contact: int, tilts: bool) -> None:
     record.force = record.force - line.at(depth)
     left = "" if tilts or share < _LITTLE else ', which stays: baseline = "tilt" takes it off'
     record.notes.append(
-        f"baseline: offset {told(float(line.at(depth)[contact]), FORCE)} at contact, noise {told(line.noise, FORCE)}, taken off; "
-        f"its tilt makes {told(whole, FORCE)} over the curve, {100.0 * share:.2g} % of the force{left}"
+        f"baseline: offset {shown(float(line.at(depth)[contact]), FORCE)} at contact, noise {shown(line.noise, FORCE)}, taken off; "
+        f"its tilt makes {shown(whole, FORCE)} over the curve, {100.0 * share:.2g} % of the force{left}"
     )
 
 
@@ -262,7 +262,7 @@ def _cut_at_pop_in(record: Record) -> None:
         return
     record.keep(np.arange(len(record.force)) <= pop_in.position)
     record.notes.append(
-        f"pop-in of {told(pop_in.jump, LENGTH)} at depth {told(pop_in.depth, LENGTH)}, force {told(pop_in.force, FORCE)}: the "
+        f"pop-in of {shown(pop_in.jump, LENGTH)} at depth {shown(pop_in.depth, LENGTH)}, force {shown(pop_in.force, FORCE)}: the "
         f"{pop_in.position + 1} points before it are used"
     )
 
@@ -271,8 +271,8 @@ def _mention_pop_in(record: Record) -> None:
     pop_in = _pop_in(record)
     if pop_in is not None:
         record.notes.append(
-            f"pop-in of {told(pop_in.jump, LENGTH)} at depth {told(pop_in.depth, LENGTH)}, force "
-            f"{told(pop_in.force, FORCE)}: only before it was the contact elastic. [data] before_pop_in = true uses that part alone"
+            f"pop-in of {shown(pop_in.jump, LENGTH)} at depth {shown(pop_in.depth, LENGTH)}, force "
+            f"{shown(pop_in.force, FORCE)}: only before it was the contact elastic. [data] before_pop_in = true uses that part"
         )
 
 

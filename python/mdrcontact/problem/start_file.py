@@ -7,7 +7,7 @@ import json
 from collections.abc import Mapping, Sequence
 
 from .formats import Fact
-from .units import LENGTH, told
+from .units import LENGTH, shown
 
 _GUESS = "  # not in the file: put in yours"
 _BALL = """\
@@ -57,9 +57,9 @@ def start_file(name: str, data: Mapping[str, object], facts: Sequence[Fact], dee
     radius = said.get("indenter.radius")
     body = _PYRAMID if kind in _SHARP else _RELAXING if kind.endswith("-time") else _BALL
     text = body.format(
-        radius=told(radius or 5e-6, LENGTH),
+        radius=shown(radius or 5e-6, LENGTH),
         radius_note="  # the file says so" if radius else _GUESS,
-        height=told(2.0 * deepest, LENGTH, 2),
+        height=shown(2.0 * deepest, LENGTH, 2),
     )
     lines = [f"# mdrcontact fit {name} --problem THIS.toml", f'title = "{_plain(name)}"', "", text]
     lines += [f"# the file says: {fact}" for fact in facts]

@@ -175,7 +175,7 @@ def practical(dimension: Dimension, values: Iterable[float]) -> Unit:
     return Unit(name, factor)
 
 
-def told(value: SupportsFloat, dimension: Dimension, figures: int = 5) -> str:
+def shown(value: SupportsFloat, dimension: Dimension, figures: int = 5) -> str:
     """An SI value with its practical unit, as it is printed; "-" where it is not finite."""
     number = float(value)
     if not math.isfinite(number):

@@ -17,7 +17,7 @@ static const int64_t live_tag = INT64_C(7239381865347100001);
 
 int mdrcontact_law_at_depth(const mdr_law *law, int branch, double d, mdr_law_point *point);
 
-/* F and its slope, either of which may be NULL, near first touch; 0 if they are not to be had so. On both branches: there is one. */
+/* F and its slope, either of which may be NULL, near first touch; 0 if this is no such place. On both branches: there is one. */
 static int near_first_touch(const mdr_law *law, int branch, double d, double *F, double *slope)
 {
     const handle *inside = (const handle *)law;

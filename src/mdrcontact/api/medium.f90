@@ -17,7 +17,7 @@ module mdrcontact_api_medium
     public :: mdr_medium_homogeneous, mdr_medium_contact_modulus, mdr_medium_modulus, mdr_medium_stiffness
     public :: mdr_medium_tangential_modulus, mdr_medium_torsional_stiffness
 
-    !> What is asked of a medium.
+    !> The quantities of a medium.
     integer, parameter :: of_modulus = 1, of_stiffness = 2, of_tangential_modulus = 3, of_torsional_stiffness = 4
 
 contains

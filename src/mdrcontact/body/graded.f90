@@ -255,7 +255,7 @@ contains
         associate (unused => self)
         end associate
         layers%rigid_base = .false.
-        call raise(error, error_invalid, "a graded body has no layers whose energies could be told apart")
+        call raise(error, error_invalid, "a graded body has no layers with energies of their own")
     end subroutine sublayers
 
 end module mdrcontact_body_graded

@@ -220,7 +220,7 @@ contains
         type(equilibrium_t), intent(in) :: equilibrium
         real(wp), intent(in) :: left, right
         logical, intent(in) :: root, by_slopes
-        !> whether slopes are known; where they are asked for and are not, there is no series
+        !> whether slopes are known; where they are needed and are not, there is no series
         logical, intent(inout) :: has_slopes
         real(wp), intent(out) :: coefficients(rows, nodes)
         type(error_t), allocatable, intent(out) :: error

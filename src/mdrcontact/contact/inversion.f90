@@ -19,7 +19,7 @@ module mdrcontact_contact_inversion
         type(equilibrium_t), pointer :: equilibrium => null()
         type(control_t) :: control
         real(wp) :: target_value = 0.0_wp
-        !> the last state looked at, and dk/da there; not found where the depth alone was asked for
+        !> the last state looked at, and dk/da there; not found where only the depth was needed
         type(contact_state_t) :: state
         real(wp) :: stiffness_slope = 0.0_wp
         !> its coordinate and the mismatch there
@@ -54,7 +54,7 @@ module mdrcontact_contact_inversion
     !> The radius of a homogeneous body is but a guess: found to this part of itself, and in at most so many steps.
     real(wp), parameter :: short_step = 0.01_wp
     integer, parameter :: most_steps = 50
-    !> Parts of the medium's largest radius: wider states are dear where they are solved for, and may be refused; near the other
+    !> Parts of the medium's largest radius: wider states cost much where they are solved for, and may be refused; near the other
     !> one, states are as those of the surface alone.
     real(wp), parameter :: wide = 1.0e-2_wp, narrow = 1.0e-7_wp
     !> So far below the coordinate from which on the depth falls a search begins that would begin beyond it.
@@ -378,7 +378,7 @@ contains
         depth_slope = formula
         modulus = 0.0_wp
         force = 0.0_wp
-        ! Where the depth is a formula the force, an integral, is not asked for in vain.
+        ! Where the depth is a formula the force, an integral, is not computed in vain.
         self%has_state = self%control%force_weight > 0.0_wp .or. depth_slope < 0.0_wp
         if (self%has_state) then
             call self%equilibrium%medium%response(self%equilibrium%profile, radius, depth, force, modulus, stiffness_slope, &

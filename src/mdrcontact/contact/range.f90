@@ -32,7 +32,7 @@ module mdrcontact_contact_range
     !> Closer to a flat end, as a part of its radius, a - b has no digits left.
     real(wp), parameter :: closest = 1.0e-12_wp
 
-    !> The depth found may be this much farther out than the one asked for: more costs samples, less costs solutions.
+    !> The depth found may be this much farther out than the requested one: more costs samples, less costs solutions.
     real(wp), parameter :: margin = 1.03_wp
     integer, parameter :: most_steps = 80
     real(wp), parameter :: widest_step = 4.0_wp

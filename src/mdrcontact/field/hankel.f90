@@ -27,7 +27,7 @@ module mdrcontact_field_hankel
         class(states_t), pointer :: states => null()
         !> wavenumbers and p_hat dk of the part
         real(wp), allocatable :: k(:), load(:)
-        !> of all parts, and how many of them were had
+        !> of all parts, and how many of them are known
         real(wp), allocatable :: all_k(:), all_load(:)
         integer :: done = 0
     contains

@@ -32,7 +32,7 @@ module mdrcontact_fit_force_curve
         logical :: adhesive = .false.
         !> the state at the vertical wall of the indenter, beyond which it is a flat punch
         type(contact_state_t), allocatable :: wall
-        !> where many depths will be asked for without adhesion: ln d at the ends of the curve's panels; series of ln F and of the
+        !> where many depths follow without adhesion: ln d at the ends of the curve's panels; series of ln F and of the
         !> coordinate in ln d between them (2, terms, panels); and whether they are as accurate as the curve
         real(wp), allocatable :: log_depths(:), series(:, :, :)
         logical, allocatable :: converged(:)
@@ -47,10 +47,10 @@ contains
     subroutine new_force_curve(self, equilibrium, smallest, largest, error, count)
         type(force_curve_t), intent(out) :: self
         type(equilibrium_t), intent(in) :: equilibrium
-        !> the range of depths that will be asked for, largest > 0, or with adhesion anything but 0 [length]
+        !> the range of depths that will follow, largest > 0, or with adhesion anything but 0 [length]
         real(wp), intent(in) :: smallest, largest
         type(error_t), allocatable, intent(out) :: error
-        !> how many depths will be asked for; default: few
+        !> how many depths will follow; default: few
         integer, intent(in), optional :: count
         real(wp), allocatable :: brackets(:, :), coordinates(:)
         real(wp) :: found

@@ -120,7 +120,7 @@ contains
                       problem%parameters(position)%lower, lower, error)
         call find_end(fixed, weighted, position, fit%values(position), step, threshold, best, &
                       problem%parameters(position)%upper, upper, error)
-        ! until here a model that was not computed to its end had no value
+        ! until here a model that was not computed to its end was without a value
         call check_cancelled(error)
     end subroutine profile_interval
 

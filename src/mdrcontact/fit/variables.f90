@@ -88,7 +88,7 @@ contains
                     self%scale(i) = typical(j - instrument, problem%parameters(j), problem%data_kind, data)
                 end if
             case default
-                ! a parameter that runs to the end of what is tried has no optimum: it is at a bound, and told so
+                ! a parameter that runs to the end of what is tried has no optimum: it is at a bound, and marked so
                 self%lower(i) = max(self%lower(i), self%start(i)*exp(-widest_logarithm))
                 self%upper(i) = min(self%upper(i), self%start(i)*exp(widest_logarithm))
                 if (kinds(j) == not_negative) then

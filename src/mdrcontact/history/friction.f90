@@ -69,7 +69,7 @@ module mdrcontact_history_friction
         procedure :: traction
     end type first_shear_t
 
-    !> ln of s or T over what is asked for, of x = ln(a^2/c^2 - 1).
+    !> ln of s or T over the requested value, of x = ln(a^2/c^2 - 1).
     type, extends(scalar_function_t) :: shear_equation_t
         class(slip_t), pointer :: slip => null()
         real(wp) :: target = 0.0_wp

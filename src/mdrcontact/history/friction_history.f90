@@ -20,7 +20,7 @@ module mdrcontact_history_friction_history
     !> What is prescribed along the surface, enum mdr_tangential_given.
     integer, parameter :: given_shift = 1, given_tangential_force = 2
     integer, parameter :: most_doublings = 60
-    !> How many rings may be asked for.
+    !> How many rings are allowed.
     integer, parameter :: usual_rings = 100, fewest_rings = 10, most_rings = 1000
 
     !> What is remembered: the states reached, all 0 at first, with the energy dissipated since then; and by springs, or by rings
@@ -38,7 +38,7 @@ module mdrcontact_history_friction_history
         type(friction_t) :: friction
         !> G* [modulus]
         real(wp) :: modulus = 0.0_wp
-        !> where springs interact, and where they are asked for
+        !> where springs interact, and where they are requested
         type(ring_grid_t), allocatable :: grid
         !> who keeps a copy can go back to it
         type(friction_past_t), allocatable, public :: past
@@ -215,7 +215,7 @@ contains
         end associate
     end subroutine move
 
-    !> The shift at which the tangential force is as asked for: it rises with the shift.
+    !> The shift at which the tangential force has the given value: it rises with the shift.
     subroutine find_shift(self, state, force, shift, error)
         class(friction_history_t), intent(in), target :: self
         type(contact_state_t), intent(in) :: state

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The elastic curve F(d), a(d) from which the history of a body of one relaxation shape follows: states of the elastic contact, by
-!> a compiled law where each is the solution of a system and many are asked for.
+!> a compiled law where each is the solution of a system and many are needed.
 module mdrcontact_history_relaxation_curve
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t

@@ -43,7 +43,7 @@ module mdrcontact_history_relaxation_march
         real(wp) :: gap = 0.0_wp
         !> 1: grew in the last step, -1: shrank
         integer :: direction = 1
-        !> radii where the contact has turned, or what is prescribed had a kink, ascending
+        !> radii where the contact has turned, or where what is prescribed bends, ascending
         real(wp), allocatable :: turns(:)
         !> q and z_l (nodes, l)
         type(panels_t) :: panels

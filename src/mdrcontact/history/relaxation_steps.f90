@@ -216,7 +216,7 @@ contains
     subroutine widest(contact, medium, solid, span, given, largest, radius, error)
         type(contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
-        !> the same with a glassy and a relaxed modulus of each material between the times asked
+        !> the same with a glassy and a relaxed modulus of each material between the requested times
         type(viscoelastic_t), intent(in) :: solid
         !> duration of the history [time]
         real(wp), intent(in) :: span

@@ -84,7 +84,7 @@ contains
         centre = local_centre(self)
         select case (self%kind)
         case (ellipse)
-            ! most circles meet none: roots are dear
+            ! most circles meet none: roots cost much
             if (rho >= norm2(centre) + maxval(self%extent)) return
             if (rho <= max(norm2(centre) - maxval(self%extent), minval(self%extent) - norm2(centre))) return
             inverse = 1.0_wp/self%extent**2

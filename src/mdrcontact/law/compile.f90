@@ -190,7 +190,7 @@ contains
             call append(table, interval, coefficients)
         else
             call raise(error, error_no_convergence, "no piecewise polynomial of "//to_text(2.0_wp**most_bits)// &
-                       " panels in an octave meets the tolerance asked for between "//to_text(interval%lowest)//" and "// &
+                       " panels in an octave meets the tolerance between "//to_text(interval%lowest)//" and "// &
                        to_text(interval%highest))
         end if
     end subroutine compile_interval

@@ -20,10 +20,10 @@ module mdrcontact_law_from_contact
     private
     public :: new_contact_law, law_options_t, default_law_tolerance
 
-    !> Relative tolerance of a law for which none is asked for.
+    !> Relative tolerance of a law for which none is given.
     real(wp), parameter :: default_law_tolerance = 1.0e-9_wp
     real(wp), parameter :: smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
-    !> Decades of depth below the largest, where none are asked for.
+    !> Decades of depth below the largest, where none are given.
     real(wp), parameter :: default_decades = 1.0e-4_wp
     !> Shares of the tolerance: of the samples, and of the polynomials through them.
     real(wp), parameter :: sample_share = 0.1_wp, fit_share = 0.3_wp
@@ -35,7 +35,7 @@ module mdrcontact_law_from_contact
     !> By so much in the coordinate a law goes on beyond its largest depth, for rounding.
     real(wp), parameter :: beyond = 1.0e-6_wp
 
-    !> What a law can be asked for.
+    !> The options of a law.
     type :: law_options_t
         !> Without adhesion: the depth down to which the tolerance holds [length]; 0: 1e-4 of the largest. Nearer to first touch
         !> the law follows a power of d. With adhesion the law begins at pull-off.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Many points of a law's view: as the inline functions of mdrcontact_law.h, to the last bit, for two or four points at a time. Which
- * of them the processor can do is asked at run time; without vectors of GNU C it is one point at a time.
+ * of them the processor can do is found at run time; without vectors of GNU C it is one point at a time.
  */
 #include "mdrcontact_law.h"
 

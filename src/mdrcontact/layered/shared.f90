@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What exact media that are made one after the other share: the waves of the kernel's tabulation, and
-!> the kernel itself where only the unit of length changes. It belongs to whoever makes the media; media do not refer to it.
+!> the kernel itself where only the unit of length changes. It belongs to what makes the media; media do not refer to it.
 module mdrcontact_layered_shared
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp

@@ -39,7 +39,7 @@ module mdrcontact_layered_slip_profile
 
 contains
 
-    !> Not asked for: only the springs press against this profile, and their forces come from its moments.
+    !> Not needed: only the springs press against this profile, and their forces come from its moments.
     elemental function no_height(self, x) result(y)
         class(slip_profile_t), intent(in) :: self
         real(wp), intent(in) :: x

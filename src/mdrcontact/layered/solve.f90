@@ -107,7 +107,7 @@ contains
     !> Says that the tolerance was missed, and what to do.
     pure subroutine raise_missed(error, what, tolerance, a, reached)
         type(error_t), allocatable, intent(inout) :: error
-        !> what was asked for
+        !> what was requested
         character(len=*), intent(in) :: what
         !> relative; contact radius [length]; what was reached
         real(wp), intent(in) :: tolerance, a, reached

@@ -102,7 +102,7 @@ module mdrcontact_medium_slip
 
 contains
 
-    !> D by integration over the stick radii that the contact had.
+    !> D by integration over the stick radii of the contact's past.
     subroutine dissipation(self, c, width, shift, dissipated, error)
         class(slip_t), intent(in) :: self
         !> stick radius, a - c without cancellation, and s [length]

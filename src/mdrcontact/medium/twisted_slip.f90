@@ -205,7 +205,7 @@ contains
         values = 4.0_wp*self%shear*r*values
     end subroutine line_load
 
-    !> p where it slips; in the disc of stick the sum of (4 G r/pi) dphi/sqrt(b^2 - r^2) over the stick radii b that it had.
+    !> p where it slips; in the disc of stick the sum of (4 G r/pi) dphi/sqrt(b^2 - r^2) over the stick radii b of its past.
     subroutine traction(self, c, r, values, error)
         class(twisted_slip_t), intent(in) :: self
         real(wp), intent(in) :: c

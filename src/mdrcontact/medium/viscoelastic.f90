@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A viscoelastic half-space, homogeneous or layered. It has no elastic states: whoever asks for one is told so. Histories
+!> A viscoelastic half-space, homogeneous or layered. It has no elastic states: a request for one is refused. Histories
 !> (mdrcontact_history) and oscillations (mdrcontact_history_oscillation) of a contact start from the materials that it keeps.
 module mdrcontact_medium_viscoelastic
     use mdrcontact_body_stack, only: new_stack, stack_t
@@ -19,7 +19,7 @@ module mdrcontact_medium_viscoelastic
 
     !> What an elastic question is answered with.
     character(len=*), parameter :: takes_time = &
-                                   "this body is viscoelastic, and what is asked for belongs to an elastic one: ask for its "// &
+                                   "this body is viscoelastic, and the quantity belongs to an elastic one: ask for its "// &
                                    "history (a path in time) or its dynamic stiffness (an oscillation), or take the glassy "// &
                                    "or the relaxed material"
 

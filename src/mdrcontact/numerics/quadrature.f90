@@ -137,7 +137,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         !> nodes - lower without cancellation, for integrands that are singular there
         real(wp), allocatable, intent(out), optional :: distances(:)
-        !> nodes in a panel, where rounding is not asked for
+        !> nodes in a panel, where rounding is not requested
         integer, intent(in), optional :: per_panel
         real(wp), allocatable :: edges(:), offsets(:), t(:), w(:)
         logical, allocatable :: at_break(:)

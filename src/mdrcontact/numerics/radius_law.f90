@@ -21,7 +21,7 @@ module mdrcontact_numerics_radius_law
     !> What the slope of an interpolated quantity may lack, relative: a function that is itself computed to 1e-9 has no better one.
     real(wp), parameter :: interpolation_roughness = 1.0e-6_wp
 
-    !> The interpolated quantity. Beyond its largest radius it is not asked.
+    !> The interpolated quantity. Beyond its largest radius it is not evaluated.
     type :: radius_law_t
         !> of the table or the range; to be read only [length]
         real(wp) :: smallest_radius = 0.0_wp, largest_radius = 0.0_wp
@@ -188,7 +188,7 @@ contains
         call merge_breaks(radii, self%breaks, error)
     end subroutine add_breaks
 
-    !> Radii between which the law varies so fast that its sampling had to be refined: quadrature follows it there. And the smallest
+    !> Radii between which the law varies so fast that its sampling was refined: quadrature follows it there. And the smallest
     !> one where the law, constant below, has a kink.
     pure function fine_edges(sampled) result(radii)
         type(sampled_function_t), intent(in) :: sampled

@@ -23,7 +23,7 @@ module mdrcontact_numerics_roots
     real(wp), parameter :: nearby = 0.1_wp
     !> Steps that shrink less do not converge yet; how far from the root they end.
     real(wp), parameter :: largest_ratio = 0.1_wp, negligible = 0.1_wp*epsilon(1.0_wp)
-    !> A function that takes what accuracy it is asked for takes steps of this length at most, begins with this accuracy, and is
+    !> A function that takes an accuracy takes steps of this length at most, begins with this accuracy, and is
     !> looked at with this part of the distance that is left to the root; Newton's steps leave this part of their square.
     real(wp), parameter :: careful_step = 2.0_wp, first_accuracy = 1.0e-2_wp, share = 0.1_wp, curvature = 0.3_wp
     !> Square of a distance of values, and length of a step, below which a cubic does not pay.
@@ -85,8 +85,8 @@ contains
     !> from the second on a cubic through two points with theirs, in y, or in x where f is nearly flat or falls for a while; else
     !> secant steps, from `guess` until they converge, bracketed
     !> by the signs seen on the way; Brent's method if they do not. The last step, which leaves less than rounding or than f asks
-    !> for, is taken without looking at f again, unless f is rough. Far from the root f is asked for less accuracy.
-    !> A step up to where f cannot be had is halved, a few times.
+    !> for, is taken without looking at f again, unless f is rough. Far from the root f is evaluated with less accuracy.
+    !> A step up to where f has no value is halved, a few times.
     !> `found` is false, and `root` the nearer end, if f keeps its sign over the whole interval.
     subroutine solve_increasing(f, guess, slope, smallest, largest, root, found, error, distance)
         class(scalar_function_t), intent(inout) :: f

@@ -9,7 +9,7 @@ module mdrcontact_numerics_scalar_function
     public :: scalar_function_t, watched_function_t
 
     !> Extend it with the data that the function needs. A failed evaluation allocates `error` and
-    !> returns any number; whoever called the function looks at `error` before using the number.
+    !> returns any number; the caller looks at `error` before using the number.
     type, abstract :: scalar_function_t
         !> allocated by an evaluation that failed
         type(error_t), allocatable :: error
@@ -17,7 +17,7 @@ module mdrcontact_numerics_scalar_function
         real(wp) :: known_slope = 0.0_wp
         !> f is rough at the level of its rounding errors: a root counts only if f was looked at there
         logical :: is_rough = .false.
-        !> distance from the root within which whoever looks for it goes the rest of the way alone; 0: as near as rounding allows
+        !> distance from the root within which the search goes the rest of the way alone; 0: as near as rounding allows
         real(wp) :: near_enough = 0.0_wp
         !> accuracy of f that is enough at the next evaluation, and on return what was reached; 0: the best there is
         real(wp) :: accuracy = 0.0_wp

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Radii at which a user's profile is not analytic - where a rounding meets a cone, the knots of a spline - seen from how narrow the
-!> panels of the sampled function had to be. Quadratures lose their digits where they are not split there.
+!> panels of the sampled function must be. Quadratures lose their digits where they are not split there.
 module mdrcontact_profile_corners
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Exact media are dear, graded ones dearer. */
+/* Exact media cost much, graded ones more. */
 enum { PRICE_OF_EXACT = 30, PRICE_OF_EXACT_GRADED = 60, PRICE_OF_SAMPLED = 10 };
 
 static const mdr_medium_options *take_options(input *in, int *model, mdr_medium_options *options)

@@ -25,11 +25,11 @@ static int call(const mdr_contact *c, int which, int branch, int n, const double
     return status;
 }
 
-/* What was asked for is what is there. */
-static void compare(const char *name, int n, const double asked[], const double found[], double scale)
+/* What was requested is what is there. */
+static void compare(const char *name, int n, const double wanted[], const double found[], double scale)
 {
     for (int i = 0; i < n; i++) {
-        if (fabs(found[i] - asked[i]) > 1e-6 * (fabs(asked[i]) + scale)) finding(name, "another state than asked for", found[i]);
+        if (fabs(found[i] - wanted[i]) > 1e-6 * (fabs(wanted[i]) + scale)) finding(name, "another state than requested", found[i]);
     }
 }
 

@@ -85,7 +85,7 @@ static void history(world *w)
 {
     const int given = take_code(&w->in, 3), n = take_count(&w->in);
     double time[MOST_POINTS], in[MOST_POINTS], d[MOST_POINTS], a[MOST_POINTS], F[MOST_POINTS], tolerance = 1e-2, part = 0.0;
-    const double *asked = given == MDR_GIVEN_DEPTH ? d : given == MDR_GIVEN_FORCE ? F : a;
+    const double *wanted = given == MDR_GIVEN_DEPTH ? d : given == MDR_GIVEN_FORCE ? F : a;
     int slot, status;
     const mdr_contact *contact = some_contact(w, &slot);
 
@@ -104,7 +104,7 @@ static void history(world *w)
     judge("mdr_contact_history", status, n, a, NOT_NEGATIVE);
     judge("mdr_contact_history", status, n, F, FINITE);
     for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
-        if (fabs(asked[i] - in[i]) > 1e-6 * fabs(in[i])) finding("mdr_contact_history", "another path than asked for", asked[i]);
+        if (fabs(wanted[i] - in[i]) > 1e-6 * fabs(in[i])) finding("mdr_contact_history", "another path than requested", wanted[i]);
     }
     judge_status("mdr_contact_history", mdr_contact_history(contact, given, 1e-2, 1, time, in, NULL, NULL, NULL));
 }

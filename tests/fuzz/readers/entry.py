@@ -52,7 +52,7 @@ def _read_problem(data: bytes) -> None:
     except MDRError:
         return
     if state.radius != 0.0:
-        raise AssertionError("another state than asked for")
+        raise AssertionError("another state than requested")
 
 
 def _read_fit(data: bytes) -> None:

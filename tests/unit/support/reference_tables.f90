@@ -56,7 +56,7 @@ contains
         words(i) = text(from:)
     end subroutine split
 
-    !> The numbers of a text between commas or other marks, as many as are asked for.
+    !> The numbers of a text between commas or other marks, as many as are requested.
     subroutine numbers_of(text, mark, values)
         character(len=*), intent(in) :: text
         character(len=1), intent(in) :: mark
