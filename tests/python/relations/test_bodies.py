@@ -196,7 +196,7 @@ def test_a_table_of_moduli(moduli):
 
 @relation(12, E=st.lists(d.between(0.3, 3.0), min_size=2, max_size=3), nu=d.usual_ratios, a=d.between(0.2, 3.0))
 def test_a_grading_is_the_limit_of_layers(E, nu, a):
-    """An exact graded body against stacks of 8, 16 and 32 layers with the moduli of their middles, extrapolated."""
+    """An exact graded body against stacks of 16, 32 and 64 layers with the moduli of their middles, extrapolated."""
     z = np.arange(len(E)) * 0.5
 
     def stack(n):
@@ -204,10 +204,10 @@ def test_a_grading_is_the_limit_of_layers(E, nu, a):
         moduli = np.interp(0.5 * (edges[1:] + edges[:-1]), z, E)
         return mdr.Layered([(mdr.Elastic(m, nu), h) for m, h in zip(moduli, np.diff(edges), strict=True)], mdr.Elastic(E[-1], nu))
 
-    first, second, third = (stack(n * (len(E) - 1)).modulus(a) for n in (8, 16, 32))
+    first, second, third = (stack(n * (len(E) - 1)).modulus(a) for n in (16, 32, 64))
     before, found = (4.0 * second - first) / 3.0, (4.0 * third - second) / 3.0
-    # two extrapolations may agree by chance: the last difference of the stacks bounds them, too
-    near(mdr.Graded(z, E, nu).modulus(a), found, max(abs(found - before), abs(third - second) / 16.0) / found + 1e-7)
+    # two extrapolations may agree by chance, and their order is not 2 where E is steep: the last difference of the stacks bounds them, too
+    near(mdr.Graded(z, E, nu).modulus(a), found, max(abs(found - before), abs(third - second)) / found + 1e-7)
 
 
 @relation(30, medium=EXACT)
