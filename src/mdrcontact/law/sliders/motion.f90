@@ -18,6 +18,7 @@ module mdrcontact_law_sliders_motion
 
     !> A slider that came to its limit in the step before is within it, whatever rounding says: it sticks if the shift turns back.
     real(wp), parameter :: within = 1.0_wp + 16.0_wp*epsilon(1.0_wp), slips = 1.0_wp/within
+    !> Numbers that a step knows of sliders and levels, at most.
     integer, parameter :: most = most_sliders + most_levels + 1
 
     !> A step: its sliders, those of levels passed in it included.
