@@ -54,6 +54,8 @@ SENSITIVITY = Dimension("a deflection sensitivity", "m/V", "50 nm/V", (("nm/V", 
 VISCOSITY = Dimension("a viscosity", "Pa*s", "10 kPa*s", (("Pa*s", 1.0), ("kPa*s", 1e3), ("MPa*s", 1e6)))
 ANGLE = Dimension("an angle", "rad", "20 deg", (("rad", 1.0),), ("deg",))
 RATIO = Dimension("a number", "", "1", (("", 1.0),))
+_USUAL = (LENGTH, FORCE, STIFFNESS, MODULUS, TIME, AREA, VOLTAGE)
+"""Of the columns of tables."""
 
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\W\d_].*?)?\s*")
 
@@ -87,6 +89,9 @@ def _factor(unit: str, dimension: Dimension) -> Decimal:
     """
     if len(unit) > _LONGEST_UNIT:
         raise UnitError(f"there is no unit {unit[:20] + '...'!r} of {len(unit)} characters")
+    for name, factor in dimension.practical:
+        if unit == name:  # usual units: pint takes half a second to begin
+            return Decimal(repr(factor))
     try:
         parsed = _registry().Unit("" if unit in _PLAIN else unit)
         one = _registry().Quantity(Decimal(1), _as_turns(parsed) if dimension == FREQUENCY else parsed).to_root_units()
@@ -121,7 +126,7 @@ def is_cyclic(unit: str) -> bool:
 
 def is_unit(text: str) -> bool:
     """Whether a text is a unit of anything, "%" and "-" for plain numbers included."""
-    if text == "%" or text in _PLAIN:
+    if text == "%" or text in _PLAIN or any(text == name for dimension in _USUAL for name, _ in dimension.practical):
         return True
     if len(text) > _LONGEST_UNIT:
         return False
