@@ -228,3 +228,26 @@ def test_terms_of_an_area_function_may_begin_at_zero():
     assert found.iterations < 20
     assert found.interval("indenter.C1", method="profile") == pytest.approx(found.interval("indenter.C1"), rel=1e-3)
     assert found.standard_errors["indenter.C1"] == pytest.approx(3.7e-9, rel=0.1)
+
+
+def test_the_last_term_of_an_area_function_is_an_area():
+    """Next to the apex it is all of the area: searches went below 0, where there is no tip, and ended anywhere."""
+    curves = []
+    for seed in range(6):
+        force = 1e-3 * 2.0 ** np.arange(6)
+        points = [
+            mdr.Unloading(*indentation(f, c1=C1, frame=FRAME, noise=2e-6, seed=10 * seed + i)[1:3]) for i, f in enumerate(force)
+        ]
+        curves.append(together(points))
+    data = together(curves)
+    assert np.all(np.diff(data.x) >= 0.0), "by depth"
+    names = ["indenter.C0", "indenter.C1", "frame_compliance"]
+    tip = mdr.AreaFunction([24.5, 0.0, 0.0], max_height=1e-6)
+    few = mdr.fit(data, tip, KNOWN, names, instrument=TOOL)
+    more = mdr.fit(data, tip, KNOWN, [*names, "indenter.C2"], instrument=TOOL)
+    assert more.converged and more.chi_square <= few.chi_square * (1.0 + 1e-6)
+    assert more.estimates["indenter.C2"] == 0.0 and "leave this term out" in more.summary()
+    # a least height leaves room for any sign
+    tip = mdr.AreaFunction([24.5, 0.0, 0.0], max_height=1e-6, min_height=20e-9)
+    free = mdr.fit(data, tip, KNOWN, [*names, "indenter.C2"], instrument=TOOL)
+    assert free.converged and not free.at_bound["indenter.C2"]

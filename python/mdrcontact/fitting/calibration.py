@@ -25,7 +25,9 @@ def together(curves: Sequence[StiffnessDepth]) -> StiffnessDepth:
         return curves[0]
     if all(curve.unloadings for curve in curves):
         columns = [np.concatenate([getattr(c, name) for c in curves]) for name in ("x", "force", "y", "sd")]
-        data = StiffnessDepth(*columns[:3], sd=columns[3])
+        # by depth: one test after the other they would look like a curve that goes back
+        depth, force, stiffness, sd = (values[np.argsort(columns[0])] for values in columns)
+        data = StiffnessDepth(depth, force, stiffness, sd=sd)
         data.seems_elastic = all(curve.seems_elastic for curve in curves)
     elif any(curve.unloadings for curve in curves):
         raise InvalidArgumentError("unloading curves and CSM curves cannot be calibrated together: take one kind")

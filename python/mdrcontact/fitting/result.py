@@ -300,6 +300,8 @@ class FitResult:
             return f"at its {end} bound"
         if entry.prior is not None:
             return "20 standard deviations from its prior: the data contradict it"
+        if name.startswith("indenter.C"):
+            return "at 0, below which there is no tip next to its apex: leave this term out"
         return f"at the {end} end of what is allowed or searched: the data do not limit it, or it began too far away"
 
     @property

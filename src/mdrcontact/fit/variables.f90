@@ -79,11 +79,7 @@ contains
                 self%upper(i) = min(self%upper(i), largest_fraction)
             case (signed)
                 if (j <= indenter_count(problem%body)) then
-                    associate (coefficients => problem%parameters(indenter_count(problem%body) - area_terms + 1: &
-                                                                  indenter_count(problem%body))%value)
-                        self%scale(i) = typical_coefficient(j - indenter_count(problem%body) + area_terms, coefficients, &
-                                                            maxval(abs(data%x)))
-                    end associate
+                    call scale_coefficient(self, i, problem%parameters(:indenter_count(problem%body)), maxval(abs(data%x)))
                 else
                     self%scale(i) = typical(j - instrument, problem%parameters(j), problem%data_kind, data)
                 end if
@@ -174,6 +170,22 @@ contains
             end do
         end select
     end subroutine mark_materials
+
+    !> Scale and bounds of a coefficient of an area function. The last term is the area next to the apex, which is not negative.
+    pure subroutine scale_coefficient(self, i, indenter, deepest)
+        type(variables_t), intent(inout) :: self
+        !> position among the free parameters
+        integer, intent(in) :: i
+        !> least and largest height, then the coefficients
+        type(fit_parameter_t), intent(in) :: indenter(:)
+        real(wp), intent(in) :: deepest
+        integer :: first, last
+
+        first = size(indenter) - area_terms + 1
+        self%scale(i) = typical_coefficient(self%free(i) - first + 1, indenter(first:)%value, deepest)
+        last = first - 1 + findloc(indenter(first:)%is_free .or. abs(indenter(first:)%value) > 0.0_wp, .true., 1, back=.true.)
+        if (self%free(i) == last .and. .not. indenter(first - 2)%value > 0.0_wp) self%lower(i) = max(self%lower(i), 0.0_wp)
+    end subroutine scale_coefficient
 
     !> The scale of coefficient i of an area function C0 h^2 + C1 h + C2 h^(1/2) + ...: what alone would make the contact area at
     !> the depth h.
