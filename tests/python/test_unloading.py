@@ -12,6 +12,7 @@ from records import HARDNESS, REDUCED, indentation, sink_in
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
+from mdrcontact.problem.fit_file import load_fit_file
 
 TIP = mdr.AreaFunction([24.5], max_height=1e-6)
 DIAMOND = mdr.Elastic(1141e9, 0.07)
@@ -175,6 +176,23 @@ def test_a_record_says_where_its_depths_begin_and_in_which_order_it_was_measured
     assert mdr.Unloading(h[top:], p[top:]).warnings[0].startswith("the record begins with unloading")
 
 
+CYCLES = """
+[indenter]
+shape = "area-function"
+coefficients = [24.5]
+length_unit = "nm"
+max_height = "2 um"
+[medium]
+type = "homogeneous"
+material = { E = "70 GPa", nu = 0.2 }
+[data]
+kind = "unloading"
+contact_point = "piecewise"
+[fit]
+free = ["E"]
+"""
+
+
 def cycles(loads, hold, noise, points=60):
     """A record of load cycles into a plastic body, each to half of its force: depth and force."""
     depth, force = [], []
@@ -203,6 +221,33 @@ def test_every_cycle_of_a_record_counts(hold):
     assert data.found_and_used() == ["10 unloadings, 10 used"]
     forces = [q.force for q in data.unloadings]
     assert forces == pytest.approx(50e-3 * loads / loads[-1], rel=5e-3, abs=20e-6)
+
+
+def test_a_hold_in_which_the_depth_goes_up_and_down_is_no_unloading():
+    h, p = cycles(2.0 ** np.arange(10), 60, 5e-5)
+    held = np.flatnonzero(np.abs(p - 0.125 * 50e-3) < 10e-6)
+    held = held[np.argmax(np.diff(held) == 1) :][:60]
+    wave = np.sin(np.linspace(0.0, 2.0 * np.pi, len(held)))
+    h[held] += 0.4e-9 * wave
+    p[held] += 8e-6 * wave
+    assert mdr.Unloading(h, p).found_and_used() == ["10 unloadings, 10 used"]
+
+
+def test_depths_of_cycles_begin_where_the_first_loading_does(tmp_path):
+    """Later cycles lie on other curves, and a contact point sought among them came out deeper than the first cycle."""
+    h, p = cycles(2.0 ** np.arange(8), 30, 1e-6)
+    away = np.linspace(-80e-9, 0.0, 60)
+    np.savetxt(
+        tmp_path / "cycles.txt",
+        np.column_stack([1e9 * (np.concatenate([away, h]) + 200e-9), 1e3 * np.concatenate([0.0 * away, p])]),
+        header="depth [nm]\tload [mN]",
+        comments="",
+        delimiter="\t",
+    )
+    (tmp_path / "p.toml").write_text(CYCLES)
+    ((_, data, notes),) = [(one.name, *one.read()) for one in load_fit_file(tmp_path / "p.toml").curves(tmp_path / "cycles.txt")]
+    assert "8 unloadings, 8 used" in notes
+    assert data.x == pytest.approx([q.depth for q in mdr.Unloading(h, p).unloadings], abs=0.02 * h[60])
 
 
 def test_an_unloading_that_says_nothing_is_counted_with_its_reason():

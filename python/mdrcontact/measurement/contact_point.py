@@ -17,7 +17,8 @@ Array = NDArray[np.float64]
 
 METHODS = ("piecewise", "ratio-of-variances")
 SOURCES = {"piecewise": "Lin, Dimitriadis, Horkay 2007", "ratio-of-variances": "Gavara 2016"}
-_FEWEST = 20
+FEWEST = 20
+"""Readings in which a contact point is looked for."""
 _WINDOW = 0.05
 """Of the points: those to either side whose variances are compared."""
 _CANDIDATES = 200
@@ -48,7 +49,7 @@ def find_contact_point(depth: ArrayLike, force: ArrayLike, method: str = "piecew
         (Gavara 2016, Sci. Rep. 6, 21267)
     power : of the contact for "piecewise": 1.5 for spheres and paraboloids, 2 for cones and pyramids
     """
-    d, f = curve(depth, force, fewest=_FEWEST)
+    d, f = curve(depth, force, fewest=FEWEST)
     if method not in METHODS:
         raise InvalidArgumentError(f"method = {method!r} is not allowed: {nearest(str(method), METHODS)}")
     return _piecewise(d, f, number("power", power)) if method == "piecewise" else _ratio_of_variances(f)
@@ -70,7 +71,7 @@ def _piecewise(d: Array, f: Array, power: float) -> int:
     first = f[: max(len(f) // 10, 5)]
     level = first.mean() + max(_LOW * np.ptp(f), 20.0 * float(np.std(first)))
     above = np.flatnonzero(f > level)
-    last = max(int(above[0]) if len(above) else len(f) - 1, _FEWEST - 1)
+    last = max(int(above[0]) if len(above) else len(f) - 1, FEWEST - 1)
     d, f = d[: last + 1], f[: last + 1]
     places = np.arange(3, max(len(d) - 3, 4))
     step = max(1, len(places) // _CANDIDATES)

@@ -119,11 +119,12 @@ def segmentation(depth: ArrayLike, force: ArrayLike) -> Segmentation:
         return part.kind != "hold" and way < limit
 
     found = joined(parts)
-    # between two holds it is a ripple of one, of a few points beside one a part of it
+    # between two holds it is a ripple of one; beside one, of a few points or at one force, a part of it
     kinds, few = ["", *(s.kind for s in found), ""], max(2, len(d) // _SHORTEST) + 1
     holds = [(kinds[i] == "hold") + (kinds[i + 2] == "hold") for i in range(len(found))]
     inside = [
-        is_small(s) and (beside == 2 or beside == 1 and s.stop - s.start <= few) for s, beside in zip(found, holds, strict=True)
+        is_small(s) and (beside == 2 or beside == 1 and (s.stop - s.start <= few or _is_at_one_force(f, s)))
+        for s, beside in zip(found, holds, strict=True)
     ]
     found = joined([s._replace(kind="hold") if still else s for s, still in zip(found, inside, strict=True)])
     return Segmentation(found, noise, [i for i, s in enumerate(found) if is_small(s)])
@@ -220,6 +221,11 @@ def _is_held(h: Array, p: Array, a: int, b: int, force: Array) -> bool:
         is_steady = np.ptp(p[a:b]) < _SAME * level + 6.0 * _noise(p) and np.ptp(h[a:b]) < _CREEP * np.ptp(h)
         return bool(is_steady or np.ptp(h[a:b]) < _SAME * np.ptp(h))
     return bool(np.ptp(h[a:b]) < 1e-3 * np.ptp(h) + 10.0 * _noise(h))
+
+
+def _is_at_one_force(f: Array, part: Segment) -> bool:
+    level = abs(float(np.median(f[part.points]) - f.min()))
+    return float(np.ptp(f[part.points])) < _LEVEL * level + 6.0 * _noise(f)
 
 
 def joined(parts: Iterable[Segment]) -> list[Segment]:

@@ -23,7 +23,7 @@ from ..measurement import (
     segmentation,
     without_drift,
 )
-from ..measurement.contact_point import METHODS, SOURCES
+from ..measurement.contact_point import FEWEST, METHODS, SOURCES
 from ..measurement.pull import Pull, find_pull
 from ..measurement.segments import joined
 from .section import ProblemError, Section
@@ -190,8 +190,15 @@ def _approach(record: Record) -> slice:
     return slice(0, int(np.argmax(record.force)) + 1)
 
 
+def _first_loading(record: Record) -> slice:
+    """The points up to the first unloading of a record of cycles: later ones lie on other curves."""
+    whole = _approach(record)
+    first = next((s.start for s in record.parts()[0] if s.kind == "unloading"), whole.stop)
+    return slice(0, first) if FEWEST <= first < whole.stop else whole
+
+
 def _find_zero(section: Section, record: Record, is_raw: bool, is_fitted: bool) -> None:
-    depth, approach = _depth(record), _approach(record)
+    depth, approach = _depth(record), _approach(record) if is_raw else _first_loading(record)
     usual = ("fit" if is_fitted else METHODS[0]) if is_raw else "given"
     method = section.choice("contact_point", (*METHODS, *(["fit"] if is_fitted else []), "given"), default=usual)
     baseline = section.choice("baseline", ("tilt", "offset", "none"), default="offset" if is_raw else "none")
@@ -201,7 +208,7 @@ def _find_zero(section: Section, record: Record, is_raw: bool, is_fitted: bool) 
         found = {name: find_contact_point(depth[approach], record.force[approach], name) for name in METHODS}
         contact = found[method if method in METHODS else METHODS[0]]
         if baseline != "none":
-            _take_off_baseline(record, contact, baseline == "tilt")
+            _take_off_baseline(record, approach, contact, baseline == "tilt")
     except MDRError as problem:
         raise ProblemError(
             f'contact point and baseline cannot be found: {problem}; say contact_point = "given" and baseline = "none" for a '
@@ -235,8 +242,8 @@ def _find_pulls(record: Record) -> None:
             record.notes.append(f"{name}: {shown(found.force, FORCE)} at depth {shown(found.depth, LENGTH)}, before any fit")
 
 
-def _take_off_baseline(record: Record, contact: int, tilts: bool) -> None:
-    depth, approach = _depth(record), _approach(record)
+def _take_off_baseline(record: Record, approach: slice, contact: int, tilts: bool) -> None:
+    depth = _depth(record)
     tilted = find_baseline(depth[approach], record.force[approach], contact)
     line = tilted if tilts else find_baseline(depth[approach], record.force[approach], contact, tilt=False)
     whole = tilted.tilt * float(np.ptp(depth))

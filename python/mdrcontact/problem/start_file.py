@@ -59,7 +59,7 @@ def start_file(name: str, data: Mapping[str, object], facts: Sequence[Fact], dee
     text = body.format(
         radius=shown(radius or 5e-6, LENGTH),
         radius_note="  # the file says so" if radius else _GUESS,
-        height=shown(2.0 * deepest, LENGTH, 2),
+        height=shown(2.0 * deepest, LENGTH, 3),
     )
     lines = [f"# mdrcontact fit {name} --problem THIS.toml", f'title = "{_plain(name)}"', "", text]
     lines += [f"# the file says: {fact}" for fact in facts]
