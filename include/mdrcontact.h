@@ -1517,12 +1517,75 @@ typedef struct mdr_law_facts {
                                    with 8 sliders at most, 0.6 % with 16. */
     double path_error;      /**< The largest error of T found along cycles of depth and shift against the exact history, relative to
                                  the largest coefficient F; -1 on bodies other than homogeneous ones. */
+    int buffer_size;        /**< How many numbers mdr_law_buffer() writes. */
 } mdr_law_facts;
 
 /** What a law is.
  *  @param law    law
  *  @param facts  begun by MDR_SIZED; receives it */
 int mdr_law_info(const mdr_law *law, mdr_law_facts *facts);
+
+/** What the first number of a law's buffer is. */
+enum mdr_law_format { MDR_LAW_FORMAT = 1296843313 /**< This version. */ };
+
+/** How the buffer of a law begins. Counts, places and flags are doubles too; places count numbers from the beginning. */
+typedef struct mdr_law_head {
+    double format;         /**< MDR_LAW_FORMAT. */
+    double size;           /**< How many numbers the buffer has. */
+    double adhesive;       /**< 1 with adhesion, else 0. */
+    double continues;      /**< 1 if the law answers beyond its largest depth, along the tangent there; else 0. */
+    double end_radius;     /**< Radius of the indenter's flat end [length]. */
+    double lowest;         /**< The compiled range begins here [length]. */
+    double highest;        /**< The compiled range ends here [length]. */
+    double open_loading;   /**< Up to this depth the bodies are apart on loading [length]. */
+    double open_unloading; /**< The same on unloading [length]. */
+    double first_force;    /**< Without adhesion, from depth 0 to the lowest: F = first_force (d/lowest)^force_power
+                                [modulus length^2]. */
+    double first_radius;   /**< There a = end_radius + first_radius (d/lowest)^radius_power [length]. */
+    double force_power;    /**< See first_force. */
+    double radius_power;   /**< See first_radius. */
+    double direct;         /**< The number of the interval that answers without search; -1: none. */
+    double segment_count;  /**< Stable segments of the branch, by ascending radius. */
+    double segments;       /**< Place of the first mdr_law_segment. */
+    double interval_count; /**< Intervals, those of a segment one after the other. */
+    double intervals;      /**< Place of the first mdr_law_interval. */
+    double panel_count;    /**< Panels, those of an interval one after the other. */
+    double force;          /**< Place of the coefficients of F, [8] for each panel; a multiple of 8. */
+    double contact;        /**< Place of those of a and k, [8] and [8] for each panel. */
+    double energy;         /**< Place of U in the middle of each panel. */
+} mdr_law_head;
+
+/** A stable segment of a law. */
+typedef struct mdr_law_segment {
+    double lowest;  /**< It begins at this depth [length]. */
+    double highest; /**< It ends at this depth [length]. */
+    double first;   /**< Its first interval, counted from 0. */
+    double last;    /**< Its last interval. */
+} mdr_law_segment;
+
+/** An interval of a law, cut into panels: each octave of y = scale d + offset, or with a root scale sqrt(side (d - origin)) + offset,
+ *  into 2^bits of one length, from y = 1 on. In a panel F, a and k are polynomials of degree 7 of y less the panel's middle. */
+typedef struct mdr_law_interval {
+    double lowest;        /**< It begins at this depth [length]. */
+    double highest;       /**< It ends at this depth [length]. */
+    double scale;         /**< Of y [1/length, with a root its square root]. */
+    double offset;        /**< Of y. */
+    double last_y;        /**< y is at least 1 and at most this. */
+    double is_root;       /**< 1 with a root, else 0. */
+    double origin;        /**< Where the root begins [length]. */
+    double side;          /**< 1 above the origin, -1 below. */
+    double smallest_root; /**< dy/dd is taken with a root of at least this [square root of a length]. */
+    double bits;          /**< Panels in an octave, as a power of 2. */
+    double first_panel;   /**< The number of its first panel, counted from 0. */
+} mdr_law_interval;
+
+/** A law as one array of numbers without addresses: for the memory of a device, memory that processes share, a file that they map.
+ *  The inline functions of mdrcontact_law.h evaluate it where it lies, with the same bits; friction is not in it. It begins with an
+ *  mdr_law_head.
+ *  @param law     law
+ *  @param size    how many numbers the buffer takes: at least buffer_size of mdr_law_facts
+ *  @param buffer  [size] receives the numbers; for speed at a multiple of 64 bytes */
+int mdr_law_buffer(const mdr_law *law, int size, double buffer[]);
 
 /** The problem a law was made from, in the words of the options.
  *  @param law     law

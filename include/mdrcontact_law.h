@@ -1,13 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file mdrcontact_law.h
- * Compiled laws in inner loops: force and slope as inline functions of C and C++, for the price of their polynomial.
+ * Compiled laws in inner loops and on devices: inline functions of C99, C++, CUDA, HIP, SYCL and OpenMP that evaluate a law by
+ * themselves. None calls the library.
  *
- * A view is a plain structure that points into a law: made once by mdr_law_view_of(), valid as long as the law, to be copied freely
- * and used by any number of threads. The functions below compute by themselves where the bodies are apart, and where a contact without adhesion is closed and
- * its indenter smooth: at depths between view.lowest and view.highest. Everywhere else (near first touch, adhesion, behind a break
- * of the indenter, beyond the largest depth, NaN) they call the library. Either way the results are those of
- * mdr_law_at_depth(), to the last bit unless the compiler makes one operation of a*b + c (-ffp-contract=off prevents it).
+ * A view reads the buffer of a law, an array of doubles (mdr_law_buffer()) that may lie in the memory of a device, in memory that
+ * processes share, or in a file that many of them map. mdr_law_view_of() gives the view of a law's own buffer, mdr_law_view_from()
+ * that of a copy, mdr_law_view_at() that of a copy in another memory. A view is a plain structure, valid as long as its buffer, to be
+ * copied freely and used by any number of threads.
+ *
+ * The results are those of mdr_law_at_depth(), to the last bit where the compiler makes no one operation of a*b + c
+ * (-ffp-contract=off; nvcc: --fmad=false). The functions return MDR_SUCCESS, MDR_EDOMAIN beyond the largest depth, unless the law
+ * continues beyond it, or MDR_EINVALID for a depth that is NaN or infinite; then their outputs are NaN. What mdr_last_error() says
+ * does not change: mdr_law_at_depth() at the same depth gives the words.
  */
 #ifndef MDRCONTACT_LAW_H
 #define MDRCONTACT_LAW_H
@@ -15,8 +20,18 @@
 #include "mdrcontact.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
+
+/** How the functions below are declared. To be defined before where a compiler needs other words. */
+#ifndef MDR_INLINE
+#if defined(__CUDACC__) || defined(__HIPCC__) || defined(__CUDA__)
+#define MDR_INLINE __host__ __device__ static inline
+#else
+#define MDR_INLINE static inline
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -24,18 +39,16 @@ extern "C" {
 
 /** What the inline functions read. */
 typedef struct mdr_law_view {
-    double lowest, highest; /**< Depths between which they compute [length]; lowest > highest: nowhere. */
-    double scale, offset;   /**< y = scale d + offset, 1 <= y: its exponent and leading bits number the panel. */
+    double lowest, highest; /**< Depths between which one interval without a root answers [length]; lowest > highest: nowhere. */
+    double scale, offset;   /**< There y = scale d + offset, 1 <= y: its exponent and leading bits number the panel. */
     uint64_t mask, half;    /**< These bits of y, and the bit of the panel's middle. */
     const double *force;    /**< [8] for each panel: F in powers of y less the middle. */
     const double *contact;  /**< [16] for each panel: a and k likewise. */
     const double *energy;   /**< For each panel: U in its middle. */
-    const mdr_law *law;     /**< Called everywhere else. */
-    int branch;             /**< The same; one of enum mdr_branch. */
+    const double *buffer;   /**< All of the law: an mdr_law_head, and what it tells of. */
+    int branch;             /**< One of enum mdr_branch. */
     int shift;              /**< Of the bits, to give the panel. */
     double open;            /**< Up to this depth the bodies are apart [length]. */
-    double first;           /**< From there to this depth F = at_first (d/first)^power, in the library; -infinity: nowhere. */
-    double at_first, power; /**< See first. */
 } mdr_law_view;
 
 /** The view of a law.
@@ -44,14 +57,71 @@ typedef struct mdr_law_view {
  *  @param view    receives the view */
 int mdr_law_view_of(const mdr_law *law, int branch, mdr_law_view *view);
 
+/* How the buffer begins, and its parts. */
+MDR_INLINE const mdr_law_head *mdr_law_head_of(const mdr_law_view *view)
+{
+    return (const mdr_law_head *)view->buffer;
+}
+
+MDR_INLINE const mdr_law_segment *mdr_law_segments_of(const mdr_law_view *view)
+{
+    return (const mdr_law_segment *)(view->buffer + (size_t)mdr_law_head_of(view)->segments);
+}
+
+MDR_INLINE const mdr_law_interval *mdr_law_intervals_of(const mdr_law_view *view)
+{
+    return (const mdr_law_interval *)(view->buffer + (size_t)mdr_law_head_of(view)->intervals);
+}
+
+/** The view of a buffer, to be used where the buffer has another address: on a device.
+ *  @param buffer  as mdr_law_buffer() writes it; read here
+ *  @param there   where the same numbers lie for those who use the view
+ *  @param branch  one of enum mdr_branch
+ *  @param view    receives the view */
+MDR_INLINE int mdr_law_view_at(const double *buffer, const double *there, int branch, mdr_law_view *view)
+{
+    const mdr_law_head *const head = (const mdr_law_head *)buffer;
+    if (!buffer || !there || !view) return MDR_ENULL;
+    if (head->format != (double)MDR_LAW_FORMAT || (branch != MDR_ON_LOADING && branch != MDR_ON_UNLOADING)) return MDR_EINVALID;
+    view->buffer = there;
+    view->force = there + (size_t)head->force;
+    view->contact = there + (size_t)head->contact;
+    view->energy = there + (size_t)head->energy;
+    view->branch = branch;
+    view->open = branch == MDR_ON_LOADING ? head->open_loading : head->open_unloading;
+    view->lowest = 1.0;
+    view->highest = -1.0;
+    view->scale = view->offset = 0.0;
+    view->mask = view->half = 0;
+    view->shift = 0;
+    if (head->direct >= 0.0) {
+        const mdr_law_interval *const interval =
+            (const mdr_law_interval *)(buffer + (size_t)head->intervals) + (size_t)head->direct;
+        view->lowest = interval->lowest;
+        view->highest = interval->highest;
+        view->scale = interval->scale;
+        view->offset = interval->offset;
+        view->shift = 52 - (int)interval->bits;
+        view->half = (uint64_t)1 << (view->shift - 1);
+        view->mask = ~(2 * view->half - 1);
+    }
+    return MDR_SUCCESS;
+}
+
+/** The view of a buffer where it lies. Arguments as of mdr_law_view_at(). */
+MDR_INLINE int mdr_law_view_from(const double *buffer, int branch, mdr_law_view *view)
+{
+    return mdr_law_view_at(buffer, buffer, branch, view);
+}
+
 /* Whether the bodies are apart at a depth; false of what is no depth. */
-static inline int mdr_law_is_open(const mdr_law_view *view, double d)
+MDR_INLINE int mdr_law_is_open(const mdr_law_view *view, double d)
 {
     return d <= view->open && d >= -DBL_MAX;
 }
 
 /* The number of the panel of y, and y less its middle. */
-static inline uint64_t mdr_law_panel(const mdr_law_view *view, double y, double *t)
+MDR_INLINE uint64_t mdr_law_panel(const mdr_law_view *view, double y, double *t)
 {
     uint64_t bits;
     double middle;
@@ -64,14 +134,14 @@ static inline uint64_t mdr_law_panel(const mdr_law_view *view, double y, double 
 }
 
 /* c[0] + c[1] t + ... + c[7] t^7 */
-static inline double mdr_law_polynomial(const double c[], double t)
+MDR_INLINE double mdr_law_polynomial(const double c[], double t)
 {
     const double q = t * t;
     return (c[0] + q * (c[2] + q * (c[4] + q * c[6]))) + t * (c[1] + q * (c[3] + q * (c[5] + q * c[7])));
 }
 
 /* The same, and its derivative in one pass. */
-static inline double mdr_law_polynomial_with_slope(const double c[], double t, double *slope)
+MDR_INLINE double mdr_law_polynomial_with_slope(const double c[], double t, double *slope)
 {
     const double q = t * t;
     double even = c[4] + q * c[6], odd = c[5] + q * c[7];
@@ -86,23 +156,211 @@ static inline double mdr_law_polynomial_with_slope(const double c[], double t, d
     return even + t * odd;
 }
 
+/* x^p for 0 < x <= 1 and p >= 0, by operations that give the same bits on all processors; within 1e-15 (1 + |ln x^p|).
+ * ln m = 2 artanh z between 1/sqrt 2 and sqrt 2, and 2^f, each by its interpolation at Chebyshev's points. */
+MDR_INLINE double mdr_law_power(double x, double p)
+{
+    const double normal = x < DBL_MIN ? x * 18014398509481984.0 : x; /* 2^54 */
+    uint64_t bits;
+    double m, one;
+    memcpy(&bits, &normal, sizeof bits);
+    const int64_t above = (int64_t)(bits - UINT64_C(0x3fe6a09e667f3bcd)); /* the bits of 1/sqrt 2 */
+    const double e = (double)((above >> 52) - (x < DBL_MIN ? 54 : 0));
+    bits -= (uint64_t)above & UINT64_C(0xfff0000000000000);
+    memcpy(&m, &bits, sizeof m);
+    const double z = (m - 1.0) / (m + 1.0), q = z * z, q2 = q * q;
+    const double even = 2.8853900817779268 + q2 * (0.5770780163541355 + q2 * (0.32059873801756367 + q2 * 0.221189987214124));
+    const double odd = 0.961796693925976 + q2 * (0.412198583898078 + q2 * (0.2623236397004895 + q2 * 0.21087079476015172));
+    const double t = p * (e + z * (even + q * odd)); /* log2 of x^p */
+    if (!(t > -1100.0)) return 0.0;
+    const int64_t n = (int64_t)(t - 0.5);
+    const double f = t - (double)n, g = f * f;
+    const double whole = 1.0 + g * (0.24022650695910075 + g * (0.009618129107618665 + g * (0.00015403530424776529
+                         + g * (1.3215451633221434e-06 + g * 7.070977866508138e-09))));
+    const double part = 0.6931471805599462 + g * (0.05550410866465167 + g * (0.0013333558200794592
+                        + g * (1.5252672924850737e-05 + g * 1.0205905413765595e-07)));
+    bits = (uint64_t)(n < -1022 ? n + 54 + 1023 : n + 1023) << 52;
+    memcpy(&one, &bits, sizeof one);
+    return (whole + f * part) * one * (n < -1022 ? 5.5511151231257827e-17 : 1.0); /* 2^-54 */
+}
+
+/* The segment, from 1, on which the state of the view's branch lies; 0 if there is none. */
+MDR_INLINE int mdr_law_segment_at(const mdr_law_view *view, int branch, double d)
+{
+    const mdr_law_segment *const segments = mdr_law_segments_of(view);
+    const int count = (int)mdr_law_head_of(view)->segment_count;
+    int found = 0;
+    if (branch == MDR_ON_LOADING && d < 0.0) return 0;
+    for (int i = 0; i < count; ++i) {
+        if (d < segments[i].lowest || d > segments[i].highest) continue;
+        found = i + 1;
+        if (branch == MDR_ON_LOADING) break;
+    }
+    return found;
+}
+
+/* The interval of a segment that holds d. */
+MDR_INLINE const mdr_law_interval *mdr_law_interval_at(const mdr_law_view *view, int segment, double d)
+{
+    const mdr_law_interval *const intervals = mdr_law_intervals_of(view);
+    int low = (int)mdr_law_segments_of(view)[segment - 1].first, high = (int)mdr_law_segments_of(view)[segment - 1].last;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (d > intervals[middle].highest) low = middle + 1;
+        else high = middle;
+    }
+    return intervals + low;
+}
+
+/* The state at a depth within an interval. */
+MDR_INLINE void mdr_law_state_in(const mdr_law_view *view, const mdr_law_interval *interval, double d, mdr_law_point *point)
+{
+    double from_origin = interval->side * (d - interval->origin), y, middle, t, rate, slope;
+    double first = 0.0, second = 0.0; /* the integrals of the polynomial, and of it times t, over t */
+    uint64_t bits;
+    if (interval->is_root != 0.0) {
+        from_origin = sqrt(from_origin > 0.0 ? from_origin : 0.0);
+        y = interval->scale * from_origin + interval->offset;
+    } else {
+        y = interval->scale * d + interval->offset;
+    }
+    y = y > 1.0 ? y : 1.0;
+    y = y < interval->last_y ? y : interval->last_y;
+    const int shift = 52 - (int)interval->bits;
+    const uint64_t half = (uint64_t)1 << (shift - 1);
+    memcpy(&bits, &y, sizeof bits);
+    const uint64_t panel = ((bits - UINT64_C(0x3ff0000000000000)) >> shift) + (uint64_t)interval->first_panel;
+    bits = (bits & ~(2 * half - 1)) | half;
+    memcpy(&middle, &bits, sizeof middle);
+    t = y - middle;
+
+    const double *const c = view->force + 8 * panel, *const a_and_k = view->contact + 16 * panel;
+    point->depth = d;
+    point->force = mdr_law_polynomial_with_slope(c, t, &slope);
+    rate = interval->scale;
+    if (interval->is_root != 0.0) {
+        rate = interval->side * (0.5 * rate / (from_origin > interval->smallest_root ? from_origin : interval->smallest_root));
+    }
+    point->slope = rate * slope;
+    point->radius = mdr_law_polynomial(a_and_k, t);
+    point->stiffness = mdr_law_polynomial(a_and_k + 8, t);
+    for (int i = 7; i >= 0; --i) {
+        first = first * t + c[i] * (1.0 / (i + 1));
+        second = second * t + c[i] * (1.0 / (i + 2));
+    }
+    first = first * t;
+    if (interval->is_root != 0.0) {
+        second = second * (t * t);
+        point->energy = view->energy[panel] + 2.0 * interval->side * ((middle - interval->offset) * first + second)
+                        / (interval->scale * interval->scale);
+    } else {
+        point->energy = view->energy[panel] + first / interval->scale;
+    }
+    point->beyond = 0.0;
+}
+
+/* The same between first touch and the compiled range, without adhesion: powers of d. */
+MDR_INLINE void mdr_law_state_below(const mdr_law_view *view, double d, mdr_law_point *point)
+{
+    const mdr_law_head *const head = mdr_law_head_of(view);
+    const double share = d / head->lowest;
+    point->depth = d;
+    point->force = head->first_force * mdr_law_power(share, head->force_power);
+    point->slope = head->force_power * point->force / d;
+    point->radius = head->end_radius + head->first_radius * mdr_law_power(share, head->radius_power);
+    point->stiffness = point->slope;
+    point->energy = point->force * d / (1.0 + head->force_power);
+    point->beyond = 0.0;
+}
+
+/* The same where the bodies are apart. */
+MDR_INLINE void mdr_law_state_open(double d, mdr_law_point *point)
+{
+    point->force = point->slope = point->radius = point->stiffness = point->energy = point->beyond = 0.0;
+    point->depth = d;
+}
+
+/* From the largest depth on along the tangent. */
+MDR_INLINE void mdr_law_go_beyond(double by, double d, mdr_law_point *point)
+{
+    point->energy = point->energy + (point->force + 0.5 * point->slope * by) * by;
+    point->force = point->force + point->slope * by;
+    point->depth = d;
+    point->beyond = by > 0.0 ? by : 0.0;
+}
+
+/* Whether a law has an answer at a depth. */
+MDR_INLINE int mdr_law_check_depth(const mdr_law_view *view, double d)
+{
+    const mdr_law_head *const head = mdr_law_head_of(view);
+    if (!(d >= -DBL_MAX && d <= DBL_MAX)) return MDR_EINVALID;
+    return d > head->highest && head->continues == 0.0 ? MDR_EDOMAIN : MDR_SUCCESS;
+}
+
+/* The state at a depth on a segment, 0 for open. */
+MDR_INLINE void mdr_law_state_on(const mdr_law_view *view, int segment, double d, mdr_law_point *point)
+{
+    const mdr_law_head *const head = mdr_law_head_of(view);
+    const double within = d < head->highest ? d : head->highest;
+    if (segment > 0 && within >= head->lowest) {
+        mdr_law_state_in(view, mdr_law_interval_at(view, segment, within), within, point);
+        if (d > within) mdr_law_go_beyond(d - within, d, point);
+    } else if (head->adhesive == 0.0 && within > 0.0) {
+        mdr_law_state_below(view, d, point);
+    } else {
+        mdr_law_state_open(d, point);
+    }
+}
+
+/* The state where there is none. */
+MDR_INLINE int mdr_law_refuse(int status, mdr_law_point *point)
+{
+    point->force = point->slope = point->radius = point->stiffness = point->energy = point->beyond = point->depth = (double)NAN;
+    return status;
+}
+
+/* The state at any depth. */
+MDR_INLINE int mdr_law_state_anywhere(const mdr_law_view *view, double d, mdr_law_point *point)
+{
+    const double highest = mdr_law_head_of(view)->highest;
+    const int status = mdr_law_check_depth(view, d);
+    if (status != MDR_SUCCESS) return mdr_law_refuse(status, point);
+    mdr_law_state_on(view, mdr_law_segment_at(view, view->branch, d < highest ? d : highest), d, point);
+    return MDR_SUCCESS;
+}
+
+/* F and its slope where the direct interval does not answer. */
+MDR_INLINE int mdr_law_force_elsewhere(const mdr_law_view *view, double d, double *F, double *slope)
+{
+    const mdr_law_head *const head = mdr_law_head_of(view);
+    mdr_law_point point;
+    if (mdr_law_is_open(view, d)) {
+        *F = 0.0;
+        *slope = 0.0;
+        return MDR_SUCCESS;
+    }
+    if (head->adhesive == 0.0 && d < head->lowest && d > 0.0) {
+        *F = head->first_force * mdr_law_power(d / head->lowest, head->force_power);
+        *slope = head->force_power * *F / d;
+        return MDR_SUCCESS;
+    }
+    const int status = mdr_law_state_anywhere(view, d, &point);
+    *F = point.force;
+    *slope = point.slope;
+    return status;
+}
+
 /** F at one depth, as mdr_law_force().
  *  @param view  view of a law
  *  @param d     indentation depth [length]
  *  @param F     receives the normal force [modulus length^2] */
-static inline int mdr_law_view_force(const mdr_law_view *view, double d, double *F)
+MDR_INLINE int mdr_law_view_force(const mdr_law_view *view, double d, double *F)
 {
-    if (d >= view->lowest && d <= view->highest) {
-        double t;
-        const uint64_t panel = mdr_law_panel(view, view->scale * d + view->offset, &t);
-        *F = mdr_law_polynomial(view->force + 8 * panel, t);
-        return MDR_SUCCESS;
-    }
-    if (mdr_law_is_open(view, d)) {
-        *F = 0.0;
-        return MDR_SUCCESS;
-    }
-    return mdr_law_force(view->law, view->branch, d, F, NULL);
+    double t, slope;
+    if (!(d >= view->lowest && d <= view->highest)) return mdr_law_force_elsewhere(view, d, F, &slope);
+    const uint64_t panel = mdr_law_panel(view, view->scale * d + view->offset, &t);
+    *F = mdr_law_polynomial(view->force + 8 * panel, t);
+    return MDR_SUCCESS;
 }
 
 /** F and dF/dd at one depth, as mdr_law_force().
@@ -110,28 +368,21 @@ static inline int mdr_law_view_force(const mdr_law_view *view, double d, double 
  *  @param d      indentation depth [length]
  *  @param F      receives the normal force [modulus length^2]
  *  @param slope  receives dF/dd along the branch [modulus length] */
-static inline int mdr_law_view_force_slope(const mdr_law_view *view, double d, double *F, double *slope)
+MDR_INLINE int mdr_law_view_force_slope(const mdr_law_view *view, double d, double *F, double *slope)
 {
-    if (d >= view->lowest && d <= view->highest) {
-        double t, rate;
-        const uint64_t panel = mdr_law_panel(view, view->scale * d + view->offset, &t);
-        *F = mdr_law_polynomial_with_slope(view->force + 8 * panel, t, &rate);
-        *slope = view->scale * rate;
-        return MDR_SUCCESS;
-    }
-    if (mdr_law_is_open(view, d)) {
-        *F = 0.0;
-        *slope = 0.0;
-        return MDR_SUCCESS;
-    }
-    return mdr_law_force(view->law, view->branch, d, F, slope);
+    double t, rate;
+    if (!(d >= view->lowest && d <= view->highest)) return mdr_law_force_elsewhere(view, d, F, slope);
+    const uint64_t panel = mdr_law_panel(view, view->scale * d + view->offset, &t);
+    *F = mdr_law_polynomial_with_slope(view->force + 8 * panel, t, &rate);
+    *slope = view->scale * rate;
+    return MDR_SUCCESS;
 }
 
 /** All of the state at one depth, as mdr_law_at_depth().
  *  @param view   view of a law
  *  @param d      indentation depth [length]
  *  @param point  receives the state */
-static inline int mdr_law_view_state(const mdr_law_view *view, double d, mdr_law_point *point)
+MDR_INLINE int mdr_law_view_state(const mdr_law_view *view, double d, mdr_law_point *point)
 {
     if (d >= view->lowest && d <= view->highest) {
         double t, rate, work = 0.0;
@@ -148,11 +399,46 @@ static inline int mdr_law_view_state(const mdr_law_view *view, double d, mdr_law
         return MDR_SUCCESS;
     }
     if (mdr_law_is_open(view, d)) {
-        point->force = point->slope = point->radius = point->stiffness = point->energy = point->beyond = 0.0;
-        point->depth = d;
+        mdr_law_state_open(d, point);
         return MDR_SUCCESS;
     }
-    return mdr_law_at_depth(view->law, view->branch, d, point);
+    return mdr_law_state_anywhere(view, d, point);
+}
+
+/* The next segment beyond the end of one, upwards or downwards; 0 if there is none. */
+MDR_INLINE int mdr_law_next_segment(const mdr_law_view *view, int segment, double d)
+{
+    const mdr_law_segment *const segments = mdr_law_segments_of(view);
+    const int count = (int)mdr_law_head_of(view)->segment_count;
+    if (d > segments[segment - 1].highest) {
+        for (++segment; segment < count; ++segment) {
+            if (d >= segments[segment - 1].lowest && d <= segments[segment - 1].highest) break;
+        }
+    } else if (d < segments[segment - 1].lowest) {
+        for (--segment; segment > 0; --segment) {
+            if (d >= segments[segment - 1].lowest && d <= segments[segment - 1].highest) break;
+        }
+    }
+    return segment;
+}
+
+/** The state at one depth of a contact with a history, as mdr_law_follow(); the view's branch does not matter.
+ *  @param view     view of a law
+ *  @param d        indentation depth [length]
+ *  @param segment  where the contact is: 0 for open before the first call, then what the last call left there
+ *  @param point    receives the state */
+MDR_INLINE int mdr_law_view_follow(const mdr_law_view *view, double d, int *segment, mdr_law_point *point)
+{
+    const mdr_law_head *const head = mdr_law_head_of(view);
+    const int status = mdr_law_check_depth(view, d);
+    const double within = d < head->highest ? d : head->highest;
+    if (*segment < 0 || *segment > (int)head->segment_count) return mdr_law_refuse(MDR_EINVALID, point);
+    if (status != MDR_SUCCESS) return mdr_law_refuse(status, point);
+    if (head->adhesive == 0.0) *segment = within > 0.0;
+    else if (*segment == 0) *segment = mdr_law_segment_at(view, MDR_ON_LOADING, within);
+    else *segment = mdr_law_next_segment(view, *segment, within);
+    mdr_law_state_on(view, *segment, d, point);
+    return MDR_SUCCESS;
 }
 
 #ifdef __cplusplus

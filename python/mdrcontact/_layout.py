@@ -159,6 +159,59 @@ law_facts = np.dtype(
         ("highest_sliding_shift", np.float64),
         ("first_shear_error", np.float64),
         ("path_error", np.float64),
+        ("buffer_size", np.intc),
+    ],
+    align=True,
+)
+law_head = np.dtype(
+    [
+        ("format", np.float64),
+        ("size", np.float64),
+        ("adhesive", np.float64),
+        ("continues", np.float64),
+        ("end_radius", np.float64),
+        ("lowest", np.float64),
+        ("highest", np.float64),
+        ("open_loading", np.float64),
+        ("open_unloading", np.float64),
+        ("first_force", np.float64),
+        ("first_radius", np.float64),
+        ("force_power", np.float64),
+        ("radius_power", np.float64),
+        ("direct", np.float64),
+        ("segment_count", np.float64),
+        ("segments", np.float64),
+        ("interval_count", np.float64),
+        ("intervals", np.float64),
+        ("panel_count", np.float64),
+        ("force", np.float64),
+        ("contact", np.float64),
+        ("energy", np.float64),
+    ],
+    align=True,
+)
+law_segment = np.dtype(
+    [
+        ("lowest", np.float64),
+        ("highest", np.float64),
+        ("first", np.float64),
+        ("last", np.float64),
+    ],
+    align=True,
+)
+law_interval = np.dtype(
+    [
+        ("lowest", np.float64),
+        ("highest", np.float64),
+        ("scale", np.float64),
+        ("offset", np.float64),
+        ("last_y", np.float64),
+        ("is_root", np.float64),
+        ("origin", np.float64),
+        ("side", np.float64),
+        ("smallest_root", np.float64),
+        ("bits", np.float64),
+        ("first_panel", np.float64),
     ],
     align=True,
 )
@@ -311,6 +364,8 @@ SHAPE_BALL = 2
 SHAPE_FIBRE = 3
 SHAPE_PILLAR = 4
 SHAPE_BOX = 5
+
+LAW_FORMAT = 1296843313
 
 FIT_FORCE_DEPTH = 1
 FIT_STIFFNESS_DEPTH = 2

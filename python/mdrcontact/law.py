@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native, adhesion
-from ._boundary import FloatOrArray, address, evaluate, evaluate_all, number, whole
+from ._boundary import FloatOrArray, address, call, evaluate, evaluate_all, number, whole
 from ._law_file import law_options
 from ._law_steps import LawSteps
 from ._warn import warn
@@ -154,6 +154,13 @@ class ContactLaw(LawSteps):
         )
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) > 0.0)
         return LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
+
+    def buffer(self) -> NDArray[np.float64]:
+        """The law as one array of numbers without addresses, which the inline functions of `mdrcontact_law.h` evaluate wherever it
+        lies: on a device, in shared memory, in a file. Without friction; its layout: `mdr_law_head` in `mdrcontact.h`."""
+        numbers = np.empty(int(self._facts["buffer_size"]))
+        call(_native.law_buffer, self._address, numbers.size, address(numbers))
+        return numbers
 
     def with_radius(self, radius: float) -> ContactLaw:
         """The law of the same bodies for a paraboloid of another radius R > 0 [length], from this one for R0.

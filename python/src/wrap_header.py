@@ -33,6 +33,7 @@ SIZES = {
     "mdr_lateral_rule": {"points": f"{POINTS_OF_RULE}, 3", "weights": f"{POINTS_OF_RULE}, 2"},
     "mdr_law_advance": {"shift": "n, 3", "tangent": "", "memory": "", "T": "n, 3"},
     "mdr_law_try": {"shift": "n, 3", "tangent": "", "memory": "", "T": "n, 3"},
+    "mdr_law_buffer": {"buffer": ""},
     "mdr_law_energies": {"memory": ""},
     "mdr_law_turn": {"normal": "n, 3", "spin": "", "memory": ""},
     "mdr_law_from_depth": dict.fromkeys(("F", "slope", "a", "k"), ""),

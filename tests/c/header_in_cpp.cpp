@@ -6,11 +6,8 @@ int main()
 {
     mdr_profile *p = nullptr;
     if (mdr_profile_paraboloid(1.0, &p) != MDR_SUCCESS || mdr_profile_free(&p) != MDR_SUCCESS) return 1;
-    mdr_law_view view = {1.0, -1.0, 0.0, 0.0, 0, 0, nullptr, nullptr, nullptr, nullptr, MDR_ON_UNLOADING, 0};
-    double F, slope;
-    if (mdr_law_view_force(&view, 0.5, &F) != MDR_ENULL || mdr_law_view_force_slope(&view, 0.5, &F, &slope) != MDR_ENULL) return 1;
-    mdr_law_point point;
-    if (mdr_law_view_state(&view, 0.5, &point) != MDR_ENULL) return 1;
+    mdr_law_view view;
+    if (mdr_law_view_from(nullptr, MDR_ON_UNLOADING, &view) != MDR_ENULL) return 1;
     const mdr_law_options options = MDR_SIZED(mdr_law_options);
     if (options.size != sizeof options || options.tolerance != 0.0 || options.description != nullptr) return 1;
     return p == nullptr ? 0 : 1;

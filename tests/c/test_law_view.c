@@ -51,7 +51,7 @@ static int differences(const mdr_law *law, int branch, const double d[], const d
 
 static void test_bits(double work_of_adhesion, double flat, int branch)
 {
-    static double d[N], F[N], slope[N], a[N], k[N], only_F[N], also_F[N], also_slope[N];
+    static double d[N], F[N], slope[N], a[N], k[N], only_F[N], also_F[N], also_slope[N], untouched = 3.0;
     mdr_law *law = law_with(work_of_adhesion, flat, 0);
     mdr_law_view view;
     int inside = 0;
@@ -64,12 +64,12 @@ static void test_bits(double work_of_adhesion, double flat, int branch)
     CHECK_INT(differences(law, branch, d, F, slope, a, k), 0);
     CHECK_INT(memcmp(F, only_F, sizeof F) + memcmp(F, also_F, sizeof F) + memcmp(slope, also_slope, sizeof F), 0);
     for (int i = 0; i < N; ++i) {
-        double one, other, rise, external, U;
+        double one, other, rise, external, energy;
         mdr_law_point state, point;
         CHECK_SUCCESS(mdr_law_view_state(&view, d[i], &state));
         CHECK_SUCCESS(mdr_law_at_depth(law, branch, d[i], &point));
-        CHECK_SUCCESS(mdr_law_energy(law, branch, 1, &d[i], &U));
-        CHECK_TRUE(memcmp(&state, &point, sizeof state) == 0 && same(state.energy, U));
+        CHECK_SUCCESS(mdr_law_energy(law, branch, 1, &d[i], &energy));
+        CHECK_TRUE(memcmp(&state, &point, sizeof state) == 0 && same(state.energy, energy));
         CHECK_SUCCESS(mdr_law_view_force(&view, d[i], &one));
         CHECK_SUCCESS(mdr_law_view_force_slope(&view, d[i], &other, &rise));
         CHECK_SUCCESS(mdr_law_force(law, branch, d[i], &external, NULL));
@@ -79,8 +79,85 @@ static void test_bits(double work_of_adhesion, double flat, int branch)
     CHECK_TRUE(work_of_adhesion > 0.0 ? inside == 0 : inside > N / 3);
     CHECK_INT(mdr_law_view_force(&view, 2.0, &F[0]), MDR_EDOMAIN);
     CHECK_INT(mdr_law_view_force_slope(&view, NAN, &F[0], &slope[0]), MDR_EINVALID);
-    CHECK_STATUS(mdr_law_view_state(&view, NAN, &(mdr_law_point){0}), MDR_EINVALID, "depth = NaN");
+    mdr_law_point none;
+    CHECK_INT(mdr_law_view_state(&view, INFINITY, &none), MDR_EINVALID);
+    CHECK_INT(mdr_law_view_force(&view, -INFINITY, &F[1]), MDR_EINVALID);
+    CHECK_STATUS(mdr_law_force(law, branch, -INFINITY, &untouched, NULL), MDR_EINVALID, "depth = ");
+    CHECK_TRUE(untouched == 3.0);
+    CHECK_TRUE(isnan(none.force) && isnan(F[0]) && isnan(slope[0]));
     CHECK_SUCCESS(mdr_law_free(&law));
+}
+
+/* The buffer of a law; the law is gone. */
+static double *buffer_of(mdr_law *law)
+{
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
+    CHECK_SUCCESS(mdr_law_info(law, &facts));
+    double *buffer = malloc((size_t)facts.buffer_size * sizeof *buffer);
+    CHECK_SUCCESS(mdr_law_buffer(law, facts.buffer_size, buffer));
+    CHECK_CLOSE(((const mdr_law_head *)buffer)->size, (double)facts.buffer_size, 0.0);
+    return buffer;
+}
+
+/* Deep and shallow, back and forth, near the ends of segments and beyond the largest depth. */
+static double some_depth(const mdr_law_head *head, int i)
+{
+    const double u = fabs(fmod(0.6180339887498949 * i, 1.0)), span = head->highest - head->lowest;
+    switch (i % 8) {
+    case 0: return head->lowest * (i % 3 ? 1.0 : 1.0 - 4e-16) + span * pow(u, 9.0);
+    case 1: return head->highest * (1.0 - pow(u, 9.0));
+    case 2: return -span * pow(u, 5.0);
+    case 3: return head->highest * pow(10.0, -12.0 * u);
+    case 4: return head->lowest * u;
+    case 5: return head->continues != 0.0 ? head->highest + span * u : head->highest;
+    case 6: return i % 3 ? 0.0 : DBL_MIN * u;
+    default: return head->lowest + span * u;
+    }
+}
+
+/* A copy of the buffer elsewhere says what the library's Fortran says, where the law itself answers in arrays. */
+static void test_copy(double work_of_adhesion, double flat, int continue_beyond)
+{
+    static double d[N], F[N], slope[N], a[N], k[N], U[N];
+    for (int branch = MDR_ON_LOADING; branch <= MDR_ON_UNLOADING; ++branch) {
+        mdr_law *law = law_with(work_of_adhesion, flat, continue_beyond);
+        double *buffer = buffer_of(law);
+        mdr_law_view view;
+        int segment = 0, followed = 0, failures = 0;
+
+        CHECK_SUCCESS(mdr_law_view_from(buffer, branch, &view));
+        for (int i = 0; i < N; ++i) d[i] = some_depth((const mdr_law_head *)buffer, i);
+        CHECK_SUCCESS(mdr_law_from_depth(law, branch, N, d, F, slope, a, k));
+        CHECK_SUCCESS(mdr_law_energy(law, branch, N, d, U));
+        for (int i = 0; i < N; ++i) {
+            mdr_law_point state, point, other;
+            double force, rise;
+            failures += mdr_law_view_state(&view, d[i], &state) + mdr_law_view_force_slope(&view, d[i], &force, &rise);
+            failures += !(same(state.force, F[i]) && same(state.slope, slope[i]) && same(state.radius, a[i]));
+            failures += !(same(state.stiffness, k[i]) && same(state.energy, U[i]) && same(force, F[i]) && same(rise, slope[i]));
+            failures += mdr_law_follow(law, d[i], &segment, &point) + mdr_law_view_follow(&view, d[i], &followed, &other);
+            failures += segment != followed || memcmp(&point, &other, sizeof point) != 0;
+        }
+        CHECK_INT(failures, 0);
+        CHECK_INT(mdr_law_view_follow(&view, 0.1, &(int){99}, &(mdr_law_point){0}), MDR_EINVALID);
+        free(buffer);
+        CHECK_SUCCESS(mdr_law_free(&law));
+    }
+}
+
+static void test_power(void)
+{
+    double worst = 0.0;
+    for (int i = 1; i < 200000; ++i) {
+        const double x = pow(10.0, -300.0 * fmod(0.6180339887498949 * i, 1.0) * (i % 2)) * fmod(0.7548776662466927 * i, 1.0);
+        const double p = 0.1 + 3.0 * fmod(0.5698402909980532 * i, 1.0), right = pow(x, p);
+        if (right > DBL_MIN) worst = fmax(worst, fabs(mdr_law_power(x, p) / right - 1.0) / (1.0 + fabs(log(right))));
+    }
+    CHECK_TRUE(worst < 1e-15);
+    CHECK_CLOSE(mdr_law_power(1.0, 1.4567), 1.0, 0.0);
+    CHECK_CLOSE(mdr_law_power(4.9406564584124654e-324, 0.5), 2.2227587494850775e-162, 1e-12);
+    CHECK_CLOSE(mdr_law_power(0.3, 0.0), 1.0, 0.0);
+    CHECK_TRUE(mdr_law_power(1e-300, 11.0) == 0.0 && mdr_law_power(0.5, -1e-7) > 1.0);
 }
 
 typedef void points(const mdr_law_view *view, int n, const double s[], double F[], double slope[], double a[], double k[]);
@@ -148,6 +225,11 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_view_of(NULL, MDR_ON_UNLOADING, &view), MDR_ENULL, "law");
     CHECK_STATUS(mdr_law_view_of(law, 5, &view), MDR_EINVALID, "branch");
     CHECK_STATUS(mdr_law_view_of(law, MDR_ON_UNLOADING, NULL), MDR_ENULL, "view");
+    CHECK_STATUS(mdr_law_buffer(law, 7, d), MDR_EINVALID, "size = 7 is not allowed: the law has");
+    CHECK_STATUS(mdr_law_buffer(law, 7000000, NULL), MDR_ENULL, "buffer");
+    CHECK_STATUS(mdr_law_buffer(NULL, 7, d), MDR_ENULL, "law");
+    CHECK_INT(mdr_law_view_from(NULL, MDR_ON_UNLOADING, &view), MDR_ENULL);
+    CHECK_INT(mdr_law_view_from((double[22]){1.0}, MDR_ON_UNLOADING, &view), MDR_EINVALID);
     CHECK_STATUS(mdr_law_at_depth(law, MDR_ON_UNLOADING, NAN, &point), MDR_EINVALID, "depth = NaN");
     CHECK_STATUS(mdr_law_at_depth(law, MDR_ON_UNLOADING, 0.5, NULL), MDR_ENULL, "point");
     CHECK_STATUS(mdr_law_at_force(law, MDR_ON_UNLOADING, -1.0, &point), MDR_EUNREACHABLE, "cannot be reached");
@@ -167,6 +249,11 @@ int main(void)
 #ifdef HAS_VECTORS
     test_lanes(by_two);
 #endif
+    test_copy(0.0, 0.0, 0);
+    test_copy(0.0, 0.2, 1);
+    test_copy(0.05, 0.0, 0);
+    test_copy(0.05, 0.0, 1);
+    test_power();
     test_beyond();
     test_refusals();
     return check_report("law_view");

@@ -1108,6 +1108,17 @@ int mdr_law_info(const mdr_law *law, mdr_law_facts *facts)
     return status;
 }
 
+int mdrcontact_entry_law_buffer(const mdr_law *law, int size, double buffer[]);
+int mdr_law_buffer(const mdr_law *law, int size, double buffer[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_law_buffer(law, size, buffer);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_law_buffer(law, size, buffer);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_law_save(const mdr_law *law, const char *path);
 int mdr_law_save(const mdr_law *law, const char *path)
 {

@@ -4,7 +4,7 @@
 !> All handles are of one kind: a tag, and an object whose type says what it is. A pointer to something else is refused by its tag,
 !> a handle of another object by its type. A freed handle loses its tag, which catches some uses after the end but cannot catch all.
 module mdrcontact_api_handles
-    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: contact_t, on_unloading
     use mdrcontact_contact_loop, only: loop_t
@@ -13,7 +13,8 @@ module mdrcontact_api_handles
     use mdrcontact_history_friction_history, only: friction_history_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
-    use mdrcontact_law_evaluate, only: law_view_t, view_of
+    use mdrcontact_law_evaluate, only: law_view_t
+    use mdrcontact_law_pack, only: pack_table, packed_size
     use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
@@ -31,7 +32,20 @@ module mdrcontact_api_handles
         integer(c_int64_t) :: tag = live_tag
         type(law_view_t) :: view
         class(*), allocatable :: object
+        !> of a law: what the view reads
+        real(c_double), allocatable :: numbers(:)
     end type handle_t
+
+    interface
+        !> Of law_force.c; 0.
+        function mdrcontact_law_view_from(buffer, branch, view) result(status) bind(C)
+            import :: c_double, c_int, law_view_t
+            real(c_double), intent(in) :: buffer(*)
+            integer(c_int), intent(in), value :: branch
+            type(law_view_t), intent(inout) :: view
+            integer(c_int) :: status
+        end function mdrcontact_law_view_from
+    end interface
 
     integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6, &
                           is_friction = 7, is_material = 8, is_friction_history = 9
@@ -73,6 +87,7 @@ contains
         type(handle_t), pointer :: inside
         integer :: stat
 
+        nullify (inside)
         call check_given(error, "out", present(out))
         if (.not. allocated(error)) then
             allocate (inside, stat=stat)
@@ -80,15 +95,29 @@ contains
         end if
         if (.not. allocated(error)) then
             call move_alloc(object, inside%object)
-            out = c_loc(inside)
             select type (law => inside%object)
             type is (contact_law_t)
-                inside%view = view_of(law%by_depth, on_unloading)
-                inside%view%law = out
+                call add_view(law, inside, error)
             end select
+            if (allocated(error)) deallocate (inside)
         end if
         status = status_of(error)
+        if (.not. allocated(error)) out = c_loc(inside)
     end function hand_over
+
+    !> The numbers of a law, and the view of them.
+    subroutine add_view(law, inside, error)
+        type(contact_law_t), intent(in) :: law
+        type(handle_t), intent(inout) :: inside
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat, unused
+
+        allocate (inside%numbers(packed_size(law%by_depth)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        call pack_table(law%by_depth, inside%numbers)
+        unused = mdrcontact_law_view_from(inside%numbers, int(on_unloading, c_int), inside%view)
+    end subroutine add_view
 
     subroutine open_profile(handle, name, object, error)
         type(c_ptr), intent(in) :: handle

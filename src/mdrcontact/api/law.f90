@@ -1,23 +1,24 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Compiled contact laws for C: making them, one point, and what they are.
 module mdrcontact_api_law
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: check_size, read_options, write_facts
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_api_text, only: read_text, write_text
-    use mdrcontact_contact, only: check_branch, contact_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_contact, only: check_branch, contact_t, on_unloading
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_history_friction, only: friction_t
     use mdrcontact_law, only: contact_law_t, law_point_t
-    use mdrcontact_law_evaluate, only: law_view_t, view_of
+    use mdrcontact_law_evaluate, only: law_view_t
     use mdrcontact_law_friction, only: default_sliders, friction_law_t
     use mdrcontact_law_friction_from_contact, only: new_contact_law
     use mdrcontact_law_from_contact, only: law_options_t
+    use mdrcontact_law_pack, only: packed_size
     implicit none (type, external)
     private
     public :: mdr_law_new, mdr_law_with_radius, mdrcontact_law_at_depth, &
-              mdr_law_view_of, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description
+              mdr_law_view_of, mdr_law_buffer, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
@@ -44,7 +45,18 @@ module mdrcontact_api_law
         integer(c_int) :: sliders = 0_c_int, memory_size = 0_c_int
         real(c_double) :: coefficient = 0.0_c_double, highest_sliding_shift = 0.0_c_double
         real(c_double) :: first_shear_error = 0.0_c_double, path_error = 0.0_c_double
+        integer(c_int) :: buffer_size = 0_c_int
     end type c_law_facts_t
+
+    interface
+        !> The view of an open handle's law, of law_force.c.
+        subroutine mdrcontact_law_view(law, branch, view) bind(C)
+            import :: c_int, c_ptr, law_view_t
+            type(c_ptr), intent(in), value :: law
+            integer(c_int), intent(in), value :: branch
+            type(law_view_t), intent(inout) :: view
+        end subroutine mdrcontact_law_view
+    end interface
 
 contains
 
@@ -132,9 +144,33 @@ contains
         call check_given(error, "view", present(view))
         status = status_of(error)
         if (allocated(error)) return
-        view = view_of(inside%by_depth, int(branch))
-        view%law = law
+        call mdrcontact_law_view(law, branch, view)
     end function mdr_law_view_of
+
+    function mdr_law_buffer(law, size, buffer) result(status) bind(C, name="mdrcontact_entry_law_buffer")
+        type(c_ptr), value :: law
+        integer(c_int), value :: size
+        real(c_double), intent(inout), optional :: buffer(*)
+        integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        type(law_view_t) :: view
+        real(c_double), pointer, contiguous :: numbers(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(law, "law", inside, error)
+        call check_given(error, "buffer", present(buffer))
+        if (.not. allocated(error)) then
+            if (size < packed_size(inside%by_depth)) then
+                call raise(error, error_invalid, " = "//count_text(int(size))//" is not allowed: the law has "// &
+                           count_text(packed_size(inside%by_depth))//" numbers, buffer_size of mdr_law_facts", "size")
+            end if
+        end if
+        status = status_of(error)
+        if (allocated(error)) return
+        call mdrcontact_law_view(law, int(on_unloading, c_int), view)
+        call c_f_pointer(view%buffer, numbers, [packed_size(inside%by_depth)])
+        buffer(:packed_size(inside%by_depth)) = numbers
+    end function mdr_law_buffer
 
     function mdr_law_at_force(law, branch, f, point) result(status) bind(C)
         type(c_ptr), value :: law
@@ -220,6 +256,7 @@ contains
         made%segments = size(inside%by_depth%segments, kind=c_int)
         made%description_length = len(inside%description, kind=c_int)
         made%continue_beyond = merge(1_c_int, 0_c_int, inside%by_depth%continued)
+        made%buffer_size = int(packed_size(inside%by_depth), c_int)
         if (allocated(inside%friction)) call add_friction(inside%friction, made)
         call write_facts(facts, c_loc(made), used)
     end function mdr_law_info

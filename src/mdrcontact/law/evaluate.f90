@@ -7,27 +7,26 @@ module mdrcontact_law_evaluate
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_interval, only: shift_of
-    use mdrcontact_law_table, only: below_range, energy_below, energy_in, interval_for, law_table_t, no_contact, start_of, &
-                                    values_below, values_in
+    use mdrcontact_law_table, only: below_range, energy_below, energy_in, interval_for, law_table_t, no_contact, values_below, &
+                                    values_in
     implicit none (type, external)
     private
-    public :: law_view_t, view_of, point_at, point_in, energy_at, run_points, count_within, wanted_t
+    public :: law_view_t, last_open, point_at, point_in, energy_at, run_points, count_within, wanted_t
 
-    !> struct mdr_law_view of include/mdrcontact_law.h: the interval of a table in which nothing has to be looked for.
+    !> struct mdr_law_view of include/mdrcontact_law.h.
     type, bind(C) :: law_view_t
-        !> s at its ends; lowest > highest if there is no such interval
+        !> s at the ends of the interval in which nothing has to be looked for; lowest > highest if there is none
         real(c_double) :: lowest = 1.0_c_double, highest = -1.0_c_double
         real(c_double) :: scale = 0.0_c_double, offset = 0.0_c_double
         !> bits of y that number the panel, and the bit of its middle
         integer(c_int64_t) :: mask = 0_c_int64_t, half = 0_c_int64_t
         !> first coefficients of F or d, and of a and k; first energy, by depth
         type(c_ptr) :: force = c_null_ptr, contact = c_null_ptr, energy = c_null_ptr
-        !> whom to ask outside
-        type(c_ptr) :: law = c_null_ptr
+        !> all of the law, as law/pack.f90 writes it; not needed by those who stay within the interval
+        type(c_ptr) :: buffer = c_null_ptr
         integer(c_int) :: branch = on_unloading, shift = 0_c_int
-        !> up to where the bodies are apart; from there to `first` F or d is at_first (s/first)^power
-        real(c_double) :: open = -huge(1.0_c_double), first = -huge(1.0_c_double)
-        real(c_double) :: at_first = 0.0_c_double, power = 0.0_c_double
+        !> up to where the bodies are apart
+        real(c_double) :: open = -huge(1.0_c_double)
     end type law_view_t
 
     !> Where values at points go; null: not wanted. Pointers, as absent arrays of assumed shape cannot be handed on without a
@@ -66,16 +65,14 @@ module mdrcontact_law_evaluate
 
 contains
 
-    !> The view of a branch of a table, which must outlive it.
-    function view_of(table, branch) result(view)
+    !> The interval of a table, which must outlive the view, in which nothing has to be looked for.
+    function direct_view(table, branch) result(view)
         type(law_table_t), intent(in), target :: table
         !> on_loading or on_unloading
         integer, intent(in) :: branch
         type(law_view_t) :: view
 
         view%branch = int(branch, c_int)
-        view%open = last_open(table, branch)
-        if (.not. table%adhesive) call start_of(table, view%first, view%at_first, view%power)
         if (table%direct%lowest > table%direct%highest) return
         view%lowest = table%direct%lowest
         view%highest = table%direct%highest
@@ -86,8 +83,7 @@ contains
         view%mask = not(2_c_int64_t*view%half - 1_c_int64_t)
         view%force = c_loc(table%other(1)%c)
         view%contact = c_loc(table%contact(1)%radius%c)
-        if (allocated(table%energy)) view%energy = c_loc(table%energy)
-    end function view_of
+    end function direct_view
 
     !> The largest s at which the bodies are apart.
     pure function last_open(table, branch) result(s)
@@ -168,7 +164,7 @@ contains
 
         points%is_quick = .true.
         points%table => table
-        points%view = view_of(table, branch)
+        points%view = direct_view(table, branch)
         points%all_direct = all_direct
         points%s => s
         points%wanted = wanted

@@ -9,6 +9,10 @@
 void mdrcontact_law_points(const mdr_law_view *view, int n, const double s[], double other[], double slope[], double radius[],
                            double stiffness[]);
 
+/* Of table.f90. */
+double mdrcontact_law_power(double base, double exponent);
+double mdrcontact_law_power(double base, double exponent) { return mdr_law_power(base, exponent); }
+
 static double within(const mdr_law_view *view, double s)
 {
     return s > view->highest ? view->highest : s > view->lowest ? s : view->lowest;

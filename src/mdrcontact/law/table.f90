@@ -11,7 +11,7 @@ module mdrcontact_law_table
     private
     public :: contact_rows_t, law_table_t, table_segment_t
     public :: interval_for, segment_for, interval_in, below_range, no_contact
-    public :: values_in, value_below, values_below, start_of, energy_in, energy_below, find_direct, add_energies, scale_table
+    public :: values_in, value_below, values_below, energy_in, energy_below, find_direct, add_energies, scale_table
 
     !> What interval_for says where there is no interval: below the compiled range of a contact without adhesion; open.
     integer, parameter :: below_range = -1, no_contact = 0
@@ -57,8 +57,8 @@ module mdrcontact_law_table
     end type law_table_t
 
     interface
-        !> C's, since gfortran takes several powers at a time with other last digits, and law_force.c takes one.
-        pure function power_of(base, exponent) result(power) bind(C, name="pow")
+        !> base^exponent for 0 < base <= 1: that of include/mdrcontact_law.h, in kernel.c.
+        pure function power_of(base, exponent) result(power) bind(C, name="mdrcontact_law_power")
             import :: c_double
             real(c_double), intent(in), value :: base, exponent
             real(c_double) :: power
@@ -221,16 +221,6 @@ contains
         if (self%adhesive .or. size(self%segments) /= 1) return
         if (self%intervals(1)%first_panel == 0 .and. contains_ends(self%intervals(1))) self%direct = self%intervals(1)
     end subroutine find_direct
-
-    !> Where the compiled range of a table without adhesion begins, F or d there, and the power of s that continues it below.
-    pure subroutine start_of(self, lowest, other, power)
-        type(law_table_t), intent(in) :: self
-        real(wp), intent(out) :: lowest, other, power
-
-        lowest = self%lowest
-        other = self%end_values(other_column)
-        power = self%powers(other_column)
-    end subroutine start_of
 
     !> F or d there, and its slope: all of values_below that many callers want.
     pure subroutine value_below(self, s, other, slope)
