@@ -41,6 +41,7 @@ module mdrcontact
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
     use mdrcontact_history_torsion, only: new_torsion, torsion_t, torsional_state_t
     use mdrcontact_history_relaxation, only: contact_history
+    use mdrcontact_history_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_creep, step_relaxation, step_response
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_density, only: deviatoric_weight, lateral_density, volumetric_weight
@@ -62,7 +63,8 @@ module mdrcontact
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
-    use mdrcontact_medium, only: lower_body, medium_t, upper_body
+    use mdrcontact_medium, only: medium_t, new_medium, new_pair
+    use mdrcontact_medium_solver, only: lower_body, solver_t, upper_body
     use mdrcontact_medium_values, only: modulus_values
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_nu_given, gao_nu_substrate, gao_nu_surface, gao_options_t, gao_t, &
                                      new_gao, new_gao_layered
@@ -72,14 +74,13 @@ module mdrcontact
     use mdrcontact_medium_graded, only: graded_t, new_graded
     use mdrcontact_medium_hay_crawford, only: hay_crawford_t, new_hay_crawford
     use mdrcontact_medium_mencik, only: mencik_t, new_mencik
-    use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_medium_perriot_barthel, only: new_perriot_barthel, perriot_barthel_t
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
     use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium, viscoelastic_t
     use mdrcontact_medium_wave, only: new_wave, wave_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
-    use mdrcontact_model, only: find_model, model_options_t, models, new_medium
+    use mdrcontact_model, only: find_model, model_options_t, models, new_solver
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
     use mdrcontact_profile_area_function, only: new_area_function_profile

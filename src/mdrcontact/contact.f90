@@ -15,12 +15,13 @@ module mdrcontact_contact
     use mdrcontact_contact_warnings, only: contact_warning_t, find_warnings
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_numerics_radius_law, only: radius_law_t
     implicit none (type, external)
     private
-    public :: contact_t, new_contact, contact_options_t
+    public :: contact_t, new_contact, check_adhesion, contact_options_t
     public :: on_loading, on_unloading, check_branch
 
     !> Which stable state is meant where an adhesive contact has several: the one met when the bodies approach, or
@@ -58,17 +59,33 @@ module mdrcontact_contact
         procedure :: warnings
     end type contact_t
 
+    interface new_contact
+        module procedure new_contact_with_medium, new_contact_with_solver
+    end interface new_contact
+
 contains
 
-    !> A contact of `profile` with `medium`.
-    subroutine new_contact(self, profile, medium, error, options)
+    !> A contact of `profile` with an elastic medium.
+    subroutine new_contact_with_medium(self, profile, medium, error, options)
         type(contact_t), intent(out) :: self
         !> copied
         class(profile_t), intent(in) :: profile
         !> copied
-        class(medium_t), intent(in) :: medium
+        type(medium_t), intent(in) :: medium
         type(error_t), allocatable, intent(out) :: error
         !> without it: no adhesion, zeta = 1
+        type(contact_options_t), intent(in), optional :: options
+
+        call medium%check_elastic(error)
+        if (.not. allocated(error)) call new_contact(self, profile, medium%solver, error, options)
+    end subroutine new_contact_with_medium
+
+    !> The same with a medium that is known by its solver.
+    subroutine new_contact_with_solver(self, profile, medium, error, options)
+        type(contact_t), intent(out) :: self
+        class(profile_t), intent(in) :: profile
+        class(solver_t), intent(in) :: medium
+        type(error_t), allocatable, intent(out) :: error
         type(contact_options_t), intent(in), optional :: options
         type(radius_law_t), allocatable :: zeta
 
@@ -86,7 +103,7 @@ contains
         end if
         if (.not. allocated(error)) call set_adhesion(self, options%work_of_adhesion, options%adhesion_rule, error)
         if (.not. (allocated(error) .or. self%is_adhesive())) call find_falls(self%equilibrium, error)
-    end subroutine new_contact
+    end subroutine new_contact_with_solver
 
     subroutine set_adhesion(self, work_of_adhesion, rule, error)
         type(contact_t), intent(inout) :: self
@@ -94,20 +111,23 @@ contains
         integer, intent(in) :: rule
         type(error_t), allocatable, intent(out) :: error
 
-        call check_not_negative(error, "work_of_adhesion", work_of_adhesion)
-        call check_choice(error, "adhesion_rule", rule, adhesion_automatic, adhesion_energy, &
-                          "0 (automatic), 1 (paper) or 2 (energy)")
-        if (.not. allocated(error) .and. work_of_adhesion > 0.0_wp .and. self%equilibrium%medium%relaxes) then
-            call raise(error, error_invalid, " = "//to_text(work_of_adhesion)//" is not allowed with a viscoelastic body: how "// &
-                       "much its edge holds depends on how fast it moves, on a scale that this theory does not have", &
-                       "work_of_adhesion")
-        end if
+        call check_adhesion(work_of_adhesion, rule, error)
         if (allocated(error) .or. work_of_adhesion <= 0.0_wp) return
         self%equilibrium%work_of_adhesion = work_of_adhesion
         self%equilibrium%rule = rule
         allocate (self%branch)
         call new_branch(self%branch, self%equilibrium, error)
     end subroutine set_adhesion
+
+    pure subroutine check_adhesion(work_of_adhesion, rule, error)
+        real(wp), intent(in) :: work_of_adhesion
+        integer, intent(in) :: rule
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_not_negative(error, "work_of_adhesion", work_of_adhesion)
+        call check_choice(error, "adhesion_rule", rule, adhesion_automatic, adhesion_energy, &
+                          "0 (automatic), 1 (paper) or 2 (energy)")
+    end subroutine check_adhesion
 
     !> Whether the work of adhesion is greater than 0.
     pure function is_adhesive(self) result(answer)

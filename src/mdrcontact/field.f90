@@ -12,7 +12,7 @@ module mdrcontact_field
     use mdrcontact_field_interior, only: components, s_zz, u_z
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium, only: lower_body, upper_body
+    use mdrcontact_medium_solver, only: lower_body, upper_body
     implicit none (type, external)
     private
     public :: interior, interior_error, layer_energy

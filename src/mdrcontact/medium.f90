@@ -1,416 +1,93 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The medium: whatever answers "pressed by this profile, what are depth, force, stiffness and line load at contact radius a?".
-!>
-!> Every frictionless contact state at radius a is the non-adhesive state plus a flat punch of radius a:
-!>     q(x; a) = q_nonadhesive(x; a) + excess * q_punch(x; a),    excess = d - d0(a),
-!> q_punch per unit of depth, d0 the depth of the non-adhesive state.
-!> `excess` is 0 without adhesion, negative at an adhesive edge (theory 5) and positive at a vertical wall (flat punch).
-!> Contact, adhesion and fitting are written in these terms and never ask which kind of medium they hold.
+!> A medium: a body under a model, or two of them. Elastic bodies have a solver; one that relaxes has materials in its place.
 module mdrcontact_medium
     use mdrcontact_body, only: body_t
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
-    use mdrcontact_medium_load, only: load_t
-    use mdrcontact_medium_slip, only: slip_t
-    use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_scalar_function, only: scalar_function_t
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_medium_pair, only: new_pair
+    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_viscoelastic, only: viscoelastic_t
+    use mdrcontact_model, only: model_options_t, new_solver
     implicit none (type, external)
     private
-    public :: medium_t, modulus_of_radius_t, not_known, reason_length, lower_body, upper_body
+    public :: medium_t, new_medium, new_pair, refuse_states
 
-    !> Which body of a contact, enum mdr_body of the C header.
-    integer, parameter :: lower_body = 1, upper_body = 2
-    !> Room for the words of why_it_ends.
-    integer, parameter :: reason_length = 120
-
-    !> An elastic half-space. Concrete media are made by their `new_...` procedures and never change afterwards.
-    !> All radii are positive and finite, and at most the profile's largest_radius: callers check this.
-    type, abstract :: medium_t
-        !> the body that is pressed and, of two deformable ones, the upper one, where they are known; not allocated else
-        class(body_t), allocatable :: pressed, counterbody
-        !> whether it stands for two deformable bodies
-        logical :: is_pair = .false.
-        !> what the upper body takes of a change of depth, where that is the same at all radii: 0 if the indenter is rigid [1]
-        real(wp) :: share_of_upper = 0.0_wp
-        !> the smallest and the largest contact radius at which it is defined [length]; huge() where there is no end
-        real(wp) :: smallest_radius = 0.0_wp, largest_radius = huge(1.0_wp)
-        !> relative accuracy of E_eff and its slope where they are interpolated between samples; 0 where they are computed
-        real(wp) :: roughness = 0.0_wp
-        !> how many times stiffer the surface is than what lies below it, at most, where that is known
-        real(wp) :: surface_contrast = 1.0_wp
-        !> what follows a message that a contact would be larger: why, and what to do; blank where the end was given by the caller
-        character(len=reason_length) :: why_it_ends = ""
-        !> whether its states are the exact ones of a body: depths need no zeta (9), and an adhesive edge meets the energy balance.
-        !> Of a medium with an effective modulus both are choices (theory 4 and 5)
-        logical :: is_exact = .false.
-        !> whether a state is a formula, so that it costs less than to start a thread for it
-        logical :: is_formula = .false.
-        !> whether E_eff(a) is a formula; elsewhere each value is the solution of a system
-        logical :: is_modulus_formula = .true.
-        !> whether the load of a spring depends on its own displacement alone, by one factor for all of them
-        logical :: has_free_springs = .false.
-        !> whether its states depend on time: it has no elastic ones
-        logical :: relaxes = .false.
-        !> whether it does not deform: one body of a pair, no medium by itself
-        logical :: is_rigid = .false.
+    !> Either a solver or a body that relaxes; both are to be read only.
+    type :: medium_t
+        class(solver_t), allocatable :: solver
+        type(viscoelastic_t), allocatable :: relaxing
     contains
-        !> E_eff(a), equation (10) [modulus]
-        procedure(radius_function), deferred :: modulus
-        !> dE_eff/da [modulus/length]
-        procedure(radius_function), deferred :: modulus_slope
-        !> depth [length] and force [modulus length^2] of the non-adhesive contact at radius a
-        procedure(nonadhesive_state), deferred :: depth_and_force
-        !> q(x; a) [modulus length], 0 <= x <= a
-        procedure(field), deferred :: line_load
-        !> p(r) [modulus], 0 <= r <= a; infinite at r = a where excess is not 0
-        procedure(field), deferred :: pressure
-        !> displacement of the surface u(r) [length], r > a, positive into the medium
-        procedure(field), deferred :: displacement_outside
-        !> depth alone [length]; a medium that finds it without the force overrides it
-        procedure :: nonadhesive_depth
-        !> d0'(a) [1] where the medium knows it without solving anything; negative if it does not
-        procedure :: nonadhesive_slope => unknown_slope
-        !> depth, force, modulus and the slope of the stiffness at one radius; a medium that finds them together overrides it
-        procedure :: response
-        !> raises where the medium does not hold under this indenter
-        procedure :: check_profile => any_profile
-        !> radii where E_eff is not analytic, ascending [length]
-        procedure :: add_breaks => no_breaks
-        !> what the upper body takes of a small change of depth at radius a [1]
-        procedure :: upper_share
-        !> makes it the medium of two bodies
-        procedure :: set_pair
-        !> makes what every medium has that of another one
-        procedure, non_overridable :: take_common
-        !> displacement of one of the surfaces from that of both together
-        procedure :: take_share
-        !> elastic energy of the lower and of the upper body
-        procedure :: energies => no_energies
-        !> the line load of a state as stresses inside need it
-        procedure :: surface_load => no_surface_load
-        !> the medium that answers to a shift along the surface as this one does to a depth: its modulus is G_t(a) = k_t(a)/(2 a)
-        procedure :: new_tangential => no_tangential
-        !> the stiffness against a twist about the axis, M/phi [modulus length^3]
-        procedure :: torsional_stiffness => no_torsion
-        !> first shear of a state, with that medium
-        procedure :: new_slip => no_slip
-        !> displacements integrated over discs, of unit pressures on discs
-        procedure :: disc_products => no_discs
-        !> a copy, or error_memory; those with arrays that grow with a caller's data override it
+        !> raises unless it has a solver
+        procedure :: check_elastic
+        !> a copy, or error_memory
         procedure :: copy_to
     end type medium_t
 
-    !> E_eff of a medium as a function of the contact radius.
-    type, extends(scalar_function_t) :: modulus_of_radius_t
-        class(medium_t), pointer :: medium => null()
-    contains
-        procedure :: value => modulus_at
-    end type modulus_of_radius_t
-
-    abstract interface
-        subroutine radius_function(self, a, values, error)
-            import :: error_t, medium_t, wp
-            class(medium_t), intent(in) :: self
-            !> contact radii [length]
-            real(wp), intent(in) :: a(:)
-            !> same size as a
-            real(wp), intent(out) :: values(:)
-            type(error_t), allocatable, intent(out) :: error
-        end subroutine radius_function
-
-        subroutine nonadhesive_state(self, profile, a, depth, force, error)
-            import :: error_t, medium_t, profile_t, wp
-            class(medium_t), intent(in) :: self
-            class(profile_t), intent(in) :: profile
-            !> contact radius [length]
-            real(wp), intent(in) :: a
-            !> d [length] and F [modulus length^2]
-            real(wp), intent(out) :: depth, force
-            type(error_t), allocatable, intent(out) :: error
-        end subroutine nonadhesive_state
-
-        subroutine field(self, profile, a, excess, r, values, error)
-            import :: error_t, medium_t, profile_t, wp
-            class(medium_t), intent(in) :: self
-            class(profile_t), intent(in) :: profile
-            !> contact radius [length] and depth beyond that of the non-adhesive state [length]
-            real(wp), intent(in) :: a, excess
-            !> positions [length]
-            real(wp), intent(in) :: r(:)
-            !> same size as r
-            real(wp), intent(out) :: values(:)
-            type(error_t), allocatable, intent(out) :: error
-        end subroutine field
-    end interface
+    interface new_pair
+        module procedure new_pair_of_media
+    end interface new_pair
 
 contains
 
-    function modulus_at(self, x) result(y)
-        class(modulus_of_radius_t), intent(inout) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-        real(wp) :: values(1)
+    !> A body under a model.
+    subroutine new_medium(self, body, model, error, options, shared)
+        type(medium_t), intent(out) :: self
+        class(body_t), intent(in) :: body
+        !> one of models%...
+        integer, intent(in) :: model
+        type(error_t), allocatable, intent(out) :: error
+        !> without it: the defaults
+        type(model_options_t), intent(in), optional :: options
+        !> what exact media made one after the other have in common
+        type(layered_shared_t), intent(inout), optional :: shared
 
-        call self%medium%modulus([x], values, self%error)
-        y = values(1)
-    end function modulus_at
+        call new_solver(self%solver, body, model, error, options, shared)
+    end subroutine new_medium
 
-    !> The same share everywhere; a medium whose bodies differ by more than a factor overrides it.
-    subroutine take_share(self, profile, a, excess, body, r, values, error)
-        class(medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond that of the non-adhesive state [length]
-        real(wp), intent(in) :: a, excess
-        !> lower_body or upper_body
-        integer, intent(in) :: body
-        !> positions r >= 0 [length]
-        real(wp), intent(in) :: r(:)
-        !> u(r) of both surfaces together, each positive into its body; then of the requested one [length]
-        real(wp), intent(inout) :: values(:)
+    !> The medium of two bodies, of which a relaxing one may be the lower of a rigid upper one.
+    subroutine new_pair_of_media(self, lower, upper, error)
+        type(medium_t), intent(out) :: self
+        !> media of one body each. Copied
+        type(medium_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => profile, also_unused => excess, unused_too => r)
-        end associate
-        if (body == upper_body) then
-            values = self%upper_share(a)*values
-        else
-            values = (1.0_wp - self%upper_share(a))*values
-        end if
-    end subroutine take_share
-
-    subroutine no_energies(self, profile, a, excess, values, error)
-        class(medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond that of the non-adhesive state [length]
-        real(wp), intent(in) :: a, excess
-        !> of the lower and the upper body [modulus length^3]
-        real(wp), intent(out) :: values(2)
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => profile, unused_too => a, and_this => excess)
-        end associate
-        values = 0.0_wp
-        call not_known(self, "the elastic energy of a body is", "one that is homogeneous or solved exactly, or an effective "// &
-                       "modulus", error)
-    end subroutine no_energies
-
-    elemental function upper_share(self, a) result(share)
-        class(medium_t), intent(in) :: self
-        !> contact radius [length]
-        real(wp), intent(in) :: a
-        real(wp) :: share
-
-        associate (unused => a)
-        end associate
-        share = self%share_of_upper
-    end function upper_share
-
-    !> The bodies are those of two media.
-    subroutine set_pair(self, lower, upper, error)
-        class(medium_t), intent(inout) :: self
-        class(medium_t), intent(in) :: lower, upper
-        type(error_t), allocatable, intent(inout) :: error
-
-        self%is_pair = .true.
-        if (allocated(lower%pressed)) call lower%pressed%copy_to(self%pressed, error)
-        if (allocated(upper%pressed)) call upper%pressed%copy_to(self%counterbody, error)
-    end subroutine set_pair
-
-    subroutine take_common(self, other, error)
-        class(medium_t), intent(inout) :: self
-        class(medium_t), intent(in) :: other
-        type(error_t), allocatable, intent(inout) :: error
-
-        self%is_pair = other%is_pair
-        self%share_of_upper = other%share_of_upper
-        self%smallest_radius = other%smallest_radius
-        self%largest_radius = other%largest_radius
-        self%roughness = other%roughness
-        self%surface_contrast = other%surface_contrast
-        self%why_it_ends = other%why_it_ends
-        self%is_exact = other%is_exact
-        self%is_formula = other%is_formula
-        self%is_modulus_formula = other%is_modulus_formula
-        self%has_free_springs = other%has_free_springs
-        self%relaxes = other%relaxes
-        self%is_rigid = other%is_rigid
-        if (allocated(other%pressed)) call other%pressed%copy_to(self%pressed, error)
-        if (allocated(other%counterbody)) call other%counterbody%copy_to(self%counterbody, error)
-    end subroutine take_common
-
-    subroutine nonadhesive_depth(self, profile, a, value, error)
-        class(medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length]
-        real(wp), intent(in) :: a
-        !> depth of the contact without adhesion [length]
-        real(wp), intent(out) :: value
-        type(error_t), allocatable, intent(out) :: error
-        real(wp) :: force
-
-        call self%depth_and_force(profile, a, value, force, error)
-    end subroutine nonadhesive_depth
-
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
-        class(medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length]
-        real(wp), intent(in) :: a
-        !> without adhesion: d [length], F [modulus length^2], E_eff [modulus] and k'(a) = 2 (E_eff + a E_eff') [modulus]
-        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
-        type(error_t), allocatable, intent(out) :: error
-        !> stiffness_slope is as exact as the rest: an adhesive edge depends on it; default false
-        logical, intent(in), optional :: adhesive
-        !> d0'(a) [1]: replaced where nonadhesive_slope does not know it and the solution does
-        real(wp), intent(inout), optional :: depth_slope
-        !> relative accuracy that is enough, where less costs less; on return that of the numbers, 0 if it is the medium's own
-        real(wp), intent(inout), optional :: accuracy
-        real(wp) :: value(1), slope(1)
-
-        if (present(adhesive) .or. present(depth_slope)) continue
-        if (present(accuracy)) accuracy = 0.0_wp
-        modulus = 0.0_wp
-        stiffness_slope = 0.0_wp
-        call self%depth_and_force(profile, a, depth, force, error)
-        if (.not. allocated(error)) call self%modulus([a], value, error)
-        if (.not. allocated(error)) call self%modulus_slope([a], slope, error)
+        call upper%check_elastic(error)
         if (allocated(error)) return
-        modulus = value(1)
-        stiffness_slope = 2.0_wp*(modulus + a*slope(1))
-    end subroutine response
+        if (allocated(lower%relaxing) .and. upper%solver%is_rigid) then
+            call lower%copy_to(self, error)
+            return
+        end if
+        call lower%check_elastic(error)
+        if (.not. allocated(error)) call new_pair(self%solver, lower%solver, upper%solver, error)
+    end subroutine new_pair_of_media
 
-    pure function unknown_slope(self, profile, a) result(slope)
+    pure subroutine check_elastic(self, error)
         class(medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length]
-        real(wp), intent(in) :: a
-        real(wp) :: slope
-
-        associate (unused => self, also_unused => profile, unused_too => a)
-        end associate
-        slope = -1.0_wp
-    end function unknown_slope
-
-    pure subroutine any_profile(self, profile, error)
-        class(medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
         type(error_t), allocatable, intent(inout) :: error
 
-        associate (unused => self, also_unused => profile, unused_too => error)
-        end associate
-    end subroutine any_profile
+        if (allocated(self%relaxing)) call refuse_states(error)
+    end subroutine check_elastic
 
-    pure subroutine no_breaks(self, radii, error)
-        class(medium_t), intent(in) :: self
-        !> ascending [length]; not allocated: none yet
-        real(wp), allocatable, intent(inout) :: radii(:)
+    !> Raises what is said of states of a body that relaxes, wherever they are requested.
+    pure subroutine refuse_states(error)
         type(error_t), allocatable, intent(inout) :: error
 
-        associate (unused => self, also_unused => error)
-        end associate
-        if (.not. allocated(radii)) allocate (radii(0))
-    end subroutine no_breaks
+        call raise(error, error_invalid, "the body is viscoelastic, so that stiffness and states depend on time: use its "// &
+                   "history (a path in time) or its dynamic stiffness (an oscillation) under a rigid indenter, or take the "// &
+                   "glassy or the relaxed material")
+    end subroutine refuse_states
 
-    recursive subroutine copy_to(self, copy, error)
+    subroutine copy_to(self, copy, error)
         class(medium_t), intent(in) :: self
-        class(medium_t), allocatable, intent(out) :: copy
+        type(medium_t), intent(inout) :: copy
         type(error_t), allocatable, intent(inout) :: error
         integer :: stat
 
-        allocate (copy, source=self, stat=stat)
+        if (allocated(error)) return
+        if (allocated(self%solver)) call self%solver%copy_to(copy%solver, error)
+        if (.not. allocated(self%relaxing)) return
+        allocate (copy%relaxing, source=self%relaxing, stat=stat)
         call check_memory(error, stat)
     end subroutine copy_to
-
-    subroutine no_surface_load(self, profile, a, excess, load, error)
-        class(medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond the non-adhesive one [length]
-        real(wp), intent(in) :: a, excess
-        class(load_t), allocatable, intent(inout) :: load
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => profile, unused_too => a, and_this => excess, this_too => load)
-        end associate
-        call not_known(self, "stresses inside are", "a homogeneous, coated, layered or graded one", error)
-    end subroutine no_surface_load
-
-    subroutine no_tangential(self, tangential, error)
-        class(medium_t), intent(in) :: self
-        class(medium_t), allocatable, intent(out) :: tangential
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self)
-        end associate
-        call not_known(self, "the tangential stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
-                       "one with the model exact or one of the weighted means (gao, gao-series, gao-power)", error)
-        if (.not. allocated(error)) allocate (tangential, source=self)
-    end subroutine no_tangential
-
-    subroutine no_torsion(self, a, values, error)
-        class(medium_t), intent(in) :: self
-        !> contact radii [length]
-        real(wp), intent(in) :: a(:)
-        !> M/phi [modulus length^3]
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => a)
-        end associate
-        values = 0.0_wp
-        call not_known(self, "the torsional stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
-                       "one with the model exact", error)
-    end subroutine no_torsion
-
-    !> int u dA over discs around the axis, u the displacement by a pressure of 1 on another one. With it what rings of constant
-    !> pressure do to each other is a sum of four terms.
-    subroutine no_discs(self, radius, radii, products, error)
-        class(medium_t), intent(in) :: self
-        !> of the disc under pressure, and of the others [length]
-        real(wp), intent(in) :: radius
-        !> see radius
-        real(wp), intent(in) :: radii(:)
-        !> (size(radii)) [length^3/modulus]
-        real(wp), intent(out) :: products(:)
-        type(error_t), allocatable, intent(inout) :: error
-
-        associate (unused => self, unused_too => radius + sum(radii))
-        end associate
-        products = 0.0_wp
-        call not_known(self, "histories of friction on rings are", "a homogeneous one with E and nu, or a coated, layered or "// &
-                       "graded one with the model exact", error)
-    end subroutine no_discs
-
-    subroutine no_slip(self, tangential, profile, a, excess, slip, error)
-        class(medium_t), intent(in) :: self
-        !> as new_tangential makes it
-        class(medium_t), intent(in) :: tangential
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond the non-adhesive one [length], >= 0
-        real(wp), intent(in) :: a, excess
-        class(slip_t), allocatable, intent(out) :: slip
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => tangential, unused_too => profile, and_this => a, this_too => excess)
-        end associate
-        if (allocated(slip)) return
-        call raise(error, error_invalid, "friction is not known for this medium")
-    end subroutine no_slip
-
-    !> The refusal of what only other media answer.
-    subroutine not_known(self, what, instead, error)
-        class(medium_t), intent(in) :: self
-        !> with its verb
-        character(len=*), intent(in) :: what
-        !> media that answer
-        character(len=*), intent(in) :: instead
-        type(error_t), allocatable, intent(out) :: error
-
-        if (self%relaxes) then
-            call raise(error, error_invalid, what//" not known for a viscoelastic body, whose stiffness depends on how long it "// &
-                       "is loaded: take the glassy or the relaxed material")
-        else
-            call raise(error, error_invalid, what//" not known for this medium: use "//instead)
-        end if
-    end subroutine not_known
 
 end module mdrcontact_medium

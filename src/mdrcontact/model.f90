@@ -2,7 +2,7 @@
 !> The models under which a body becomes a medium: the one table of their codes, names and options, and the one factory.
 !>
 !>     call new_stack(film, [oxide], [500e-9_wp], silicon, error)
-!>     if (.not. allocated(error)) call new_medium(medium, film, models%exact, error)
+!>     if (.not. allocated(error)) call new_solver(medium, film, models%exact, error)
 module mdrcontact_model
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use mdrcontact_body, only: body_t
@@ -12,7 +12,7 @@ module mdrcontact_model
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_bec, only: bec_t, new_bec
     use mdrcontact_medium_bottom_effect, only: bottom_effect_ratio, bottom_effect_t, dimitriadis_series, garcia_series, &
                                                  new_bottom_effect
@@ -26,7 +26,7 @@ module mdrcontact_model
     use mdrcontact_medium_wave, only: new_wave, wave_t
     implicit none (type, external)
     private
-    public :: models, model_table, new_medium, find_model, model_position
+    public :: models, model_table, new_solver, find_model, model_position
     public :: model_options_t, option_names, option_values, options_of, with_constant
 
     !> Codes of the models, enum mdr_model of the C header.
@@ -152,8 +152,8 @@ contains
     end function with_constant
 
     !> A body under a model. The medium keeps the body.
-    subroutine new_medium(medium, body, model, error, options, shared)
-        class(medium_t), allocatable, intent(out) :: medium
+    subroutine new_solver(medium, body, model, error, options, shared)
+        class(solver_t), allocatable, intent(out) :: medium
         class(body_t), intent(in) :: body
         !> one of models%...
         integer, intent(in) :: model
@@ -181,7 +181,7 @@ contains
         end if
         if (allocated(error) .or. .not. allocated(medium)) return
         if (.not. allocated(medium%pressed)) call body%copy_to(medium%pressed, error)
-    end subroutine new_medium
+    end subroutine new_solver
 
     !> Raises unless the model exists and knows this kind of body.
     pure subroutine check_model(body, model, error)
@@ -243,7 +243,7 @@ contains
     end function gao_options
 
     subroutine new_graded_medium(medium, body, model, options, error)
-        class(medium_t), allocatable, intent(out) :: medium
+        class(solver_t), allocatable, intent(out) :: medium
         class(body_t), intent(in) :: body
         integer, intent(in) :: model
         type(model_options_t), intent(in) :: options
@@ -256,7 +256,7 @@ contains
     end subroutine new_graded_medium
 
     subroutine new_layered_medium(medium, body, model, options, error)
-        class(medium_t), allocatable, intent(out) :: medium
+        class(solver_t), allocatable, intent(out) :: medium
         class(body_t), intent(in) :: body
         integer, intent(in) :: model
         type(model_options_t), intent(in) :: options
@@ -284,7 +284,7 @@ contains
 
     !> The models that know one coating only.
     subroutine new_coated_medium(medium, coating, h, substrate, model, options, error)
-        class(medium_t), allocatable, intent(out) :: medium
+        class(solver_t), allocatable, intent(out) :: medium
         type(material_t), intent(in) :: coating, substrate
         real(wp), intent(in) :: h
         integer, intent(in) :: model

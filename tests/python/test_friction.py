@@ -232,7 +232,7 @@ def test_flat_ends_along_paths_by_rings():
 def test_viscoelastic_bodies_say_why_they_are_refused():
     body = mdr.Homogeneous(mdr.Viscoelastic(500.0, [(300.0, 0.05)], bulk_modulus=5e3))
     for refused in (lambda: friction(body), lambda: body.tangential_stiffness(1.0), lambda: body.torsional_stiffness(1.0)):
-        with pytest.raises(mdr.InvalidArgumentError, match="stiffness is not known for a viscoelastic body.* relaxed material"):
+        with pytest.raises(mdr.InvalidArgumentError, match="the body is viscoelastic, so that stiffness.* relaxed material"):
             refused()
     relaxed = mdr.Homogeneous(body.material.relaxed)
     assert relaxed.torsional_stiffness(1.0) == pytest.approx(16.0 / 3.0 * 500.0, rel=1e-12)

@@ -14,6 +14,7 @@ module mdrcontact_api_contact
     use mdrcontact_contact_values, only: contact_field, contact_states, given_depth, given_force, given_radius
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_count_from, check_memory, check_table, count_text, error_invalid, error_t, raise
+    use mdrcontact_history_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_table, radius_law_t
@@ -41,14 +42,12 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         class(profile_t), pointer :: indenter
-        class(medium_t), pointer :: body
-        type(contact_t), allocatable :: contact
+        type(medium_t), pointer :: body
         class(*), allocatable :: object
         type(c_contact_options_t), target :: given
         type(contact_options_t) :: chosen
         type(error_t), allocatable :: error
 
-        allocate (contact)
         call read_options(error, "options", options, c_loc(given), c_sizeof(given))
         call open_handle(profile, "profile", indenter, error)
         call open_handle(medium, "medium", body, error)
@@ -60,10 +59,30 @@ contains
                        "table of zeta: set zeta_count = 0 or zeta_is_exact = 0")
         end if
         if (given%zeta_count /= 0 .and. .not. allocated(error)) call read_zeta(given, chosen%zeta, error)
-        if (.not. allocated(error)) call new_contact(contact, indenter, body, error, chosen)
-        call move_alloc(contact, object)
+        if (.not. allocated(error)) call make_contact(object, indenter, body, chosen, error)
         status = hand_over(object, out, error)
     end function mdr_contact_new
+
+    !> A contact with an elastic medium, or with one that relaxes.
+    subroutine make_contact(object, indenter, body, options, error)
+        class(*), allocatable, intent(out) :: object
+        class(profile_t), intent(in) :: indenter
+        type(medium_t), intent(in) :: body
+        type(contact_options_t), intent(in) :: options
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_t), allocatable :: contact
+        type(relaxing_contact_t), allocatable :: relaxing
+
+        if (allocated(body%relaxing)) then
+            allocate (relaxing)
+            call new_relaxing_contact(relaxing, indenter, body%relaxing, error, options)
+            call move_alloc(relaxing, object)
+        else
+            allocate (contact)
+            call new_contact(contact, indenter, body%solver, error, options)
+            call move_alloc(contact, object)
+        end if
+    end subroutine make_contact
 
     !> zeta(a) from the table in the options.
     subroutine read_zeta(options, zeta, error)

@@ -193,11 +193,12 @@ contains
         character(len=*), intent(in) :: name
         type(medium_choice_t), intent(inout) :: choice
         type(error_t), allocatable, intent(inout) :: error
-        class(medium_t), pointer :: medium
+        type(medium_t), pointer :: medium
 
         if (choice%kind /= medium_given .or. allocated(error)) return
         call open_handle(handle, name, medium, error)
         if (allocated(error)) return
+        allocate (choice%object)
         call medium%copy_to(choice%object, error)
     end subroutine take_object
 
@@ -207,17 +208,17 @@ contains
         character(len=*), intent(in) :: name
         type(medium_choice_t), intent(inout) :: choice
         type(error_t), allocatable, intent(inout) :: error
-        class(medium_t), pointer :: medium
+        type(medium_t), pointer :: medium
         integer :: stat
 
         if (choice%kind /= medium_viscoelastic .or. allocated(error)) return
         call open_handle(handle, name, medium, error)
         if (allocated(error)) return
-        if (.not. medium%relaxes) then
+        if (.not. allocated(medium%relaxing)) then
             call raise(error, error_invalid, " is not allowed: it must be viscoelastic", name)
             return
         end if
-        allocate (choice%object, source=medium, stat=stat)
+        allocate (choice%pattern, source=medium%relaxing, stat=stat)
         call check_memory(error, stat)
     end subroutine take_pattern
 

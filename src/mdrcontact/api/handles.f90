@@ -11,16 +11,18 @@ module mdrcontact_api_handles
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_history_friction, only: friction_t
     use mdrcontact_history_friction_history, only: friction_history_t
+    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_evaluate, only: law_view_t
     use mdrcontact_law_pack, only: pack_table, packed_size
     use mdrcontact_material_rheology, only: rheology_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium, only: medium_t, refuse_states
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: deliver, hand_over, open_handle
+    public :: deliver, deliver_solver, hand_over, hand_over_solver, open_handle
     public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free, &
               mdr_friction_free, mdr_material_free, mdr_friction_history_free
 
@@ -56,7 +58,7 @@ module mdrcontact_api_handles
     !> The object behind a handle, by the type of the pointer that is to hold it; null after an error. `name` is the argument's.
     interface open_handle
         module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction, &
-                         open_material, open_friction_history
+                         open_material, open_friction_history, open_relaxing_contact
     end interface open_handle
 
 contains
@@ -119,6 +121,37 @@ contains
         unused = mdrcontact_law_view_from(inside%numbers, int(on_unloading, c_int), inside%view)
     end subroutine add_view
 
+    !> Puts a copy of a solver of few numbers behind the handle of a medium.
+    function deliver_solver(solver, out, error) result(status)
+        class(solver_t), intent(in) :: solver
+        type(c_ptr), intent(inout), optional :: out
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int) :: status
+        class(solver_t), allocatable :: copy
+        integer :: stat
+
+        if (.not. allocated(error)) then
+            allocate (copy, source=solver, stat=stat)
+            call check_memory(error, stat)
+        end if
+        status = hand_over_solver(copy, out, error)
+    end function deliver_solver
+
+    !> The same with the solver itself.
+    function hand_over_solver(solver, out, error) result(status)
+        class(solver_t), allocatable, intent(inout) :: solver
+        type(c_ptr), intent(inout), optional :: out
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int) :: status
+        type(medium_t), allocatable :: medium
+        class(*), allocatable :: object
+
+        allocate (medium)
+        call move_alloc(solver, medium%solver)
+        call move_alloc(medium, object)
+        status = hand_over(object, out, error)
+    end function hand_over_solver
+
     subroutine open_profile(handle, name, object, error)
         type(c_ptr), intent(in) :: handle
         character(len=*), intent(in) :: name
@@ -138,7 +171,7 @@ contains
     subroutine open_medium(handle, name, object, error)
         type(c_ptr), intent(in) :: handle
         character(len=*), intent(in) :: name
-        class(medium_t), pointer, intent(out) :: object
+        type(medium_t), pointer, intent(out) :: object
         type(error_t), allocatable, intent(inout) :: error
         class(*), pointer :: inside
 
@@ -146,7 +179,7 @@ contains
         call look_inside(handle, name, is_medium, inside, error)
         if (allocated(error)) return
         select type (inside)
-        class is (medium_t)
+        type is (medium_t)
             object => inside
         end select
     end subroutine open_medium
@@ -164,8 +197,28 @@ contains
         select type (inside)
         type is (contact_t)
             object => inside
+        class default
+            call refuse_states(error)
         end select
     end subroutine open_contact
+
+    subroutine open_relaxing_contact(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(relaxing_contact_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, is_contact, inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (relaxing_contact_t)
+            object => inside
+        class default
+            call raise(error, error_invalid, "the body is elastic: its states do not depend on time")
+        end select
+    end subroutine open_relaxing_contact
 
     subroutine open_loop(handle, name, object, error)
         type(c_ptr), intent(in) :: handle
@@ -378,6 +431,8 @@ contains
             kind = is_law
         type is (contact_t)
             kind = is_contact
+        type is (relaxing_contact_t)
+            kind = is_contact
         type is (loop_t)
             kind = is_loop
         type is (friction_t)
@@ -388,7 +443,7 @@ contains
             kind = is_material
         class is (profile_t)
             kind = is_profile
-        class is (medium_t)
+        type is (medium_t)
             kind = is_medium
         class is (structure_t)
             kind = is_structure

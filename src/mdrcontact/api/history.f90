@@ -5,10 +5,10 @@ module mdrcontact_api_history
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_status, only: status_of
-    use mdrcontact_contact, only: contact_t
     use mdrcontact_error, only: check_memory, error_t, raise_at
     use mdrcontact_history_relaxation, only: contact_history
     use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_response
+    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -24,7 +24,7 @@ contains
         real(c_double), intent(in), optional :: time(*), in(*)
         real(c_double), intent(inout), optional :: d(*), a(*), f(*)
         integer(c_int) :: status
-        type(contact_t), pointer :: contact
+        type(relaxing_contact_t), pointer :: contact
         real(c_double), allocatable :: values(:, :)
         type(error_t), allocatable :: error
         integer :: i, stat
@@ -57,7 +57,7 @@ contains
         real(c_double), intent(in), optional :: omega(*), radius(*)
         real(c_double), intent(inout), optional :: storage(*), loss(*)
         integer(c_int) :: status
-        type(contact_t), pointer :: contact
+        type(relaxing_contact_t), pointer :: contact
         complex(wp), allocatable :: values(:)
         type(error_t), allocatable :: error
         integer :: i, stat
@@ -92,7 +92,7 @@ contains
         real(c_double), intent(in), optional :: time(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-        type(contact_t), pointer :: contact
+        type(relaxing_contact_t), pointer :: contact
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 

@@ -5,16 +5,16 @@ module mdrcontact_api_layered
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: deliver, hand_over
+    use mdrcontact_api_handles, only: deliver_solver, hand_over_solver
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_body, only: body_t
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_material, only: material_t, new_material
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
-    use mdrcontact_model, only: model_options_t, new_medium
+    use mdrcontact_model, only: model_options_t, new_solver
     implicit none (type, external)
     private
     public :: mdr_medium_coated, mdr_medium_layered, mdr_medium_graded, mdr_medium_graded_callback, mdr_medium_power_graded
@@ -107,7 +107,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_power_graded(medium, e0, z0, exponent, nu, error)
-        status = deliver(medium, out, error)
+        status = deliver_solver(medium, out, error)
     end function mdr_medium_power_graded
 
     !> The medium of a body, unless there is an error already.
@@ -118,14 +118,12 @@ contains
         type(c_ptr), intent(inout), optional :: out
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
-        class(medium_t), allocatable :: medium
-        class(*), allocatable :: object
+        class(solver_t), allocatable :: medium
         type(model_options_t) :: chosen
 
         call read_medium_options(error, options, chosen)
-        if (.not. allocated(error)) call new_medium(medium, body, int(model), error, chosen)
-        call move_alloc(medium, object)
-        status = hand_over(object, out, error)
+        if (.not. allocated(error)) call new_solver(medium, body, int(model), error, chosen)
+        status = hand_over_solver(medium, out, error)
     end function deliver_model
 
     !> Layers that have been checked, on a substrate or, with an infinite substrate_e, on a rigid base.

@@ -3,14 +3,15 @@
 module mdrcontact_api_material
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results, make_room
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: deliver, hand_over, open_handle
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: check_choice, check_memory, check_not_negative, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
-    use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium, viscoelastic_t
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium
     use mdrcontact_model, only: model_options_t
     implicit none (type, external)
     private
@@ -191,7 +192,8 @@ contains
         integer(c_int), value :: model
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(viscoelastic_t) :: medium
+        type(medium_t), allocatable :: medium
+        class(*), allocatable :: object
         type(rheology_t), allocatable :: stack(:)
         type(rheology_t), pointer :: material
         type(model_options_t) :: chosen
@@ -227,8 +229,11 @@ contains
             call open_handle(substrate, "substrate", material, error)
             if (.not. allocated(error)) stack(n + 1) = material
         end if
-        if (.not. allocated(error)) call new_viscoelastic_medium(medium, stack, h, rigid_base, int(model), chosen, error)
-        status = deliver(medium, out, error)
+        allocate (medium)
+        allocate (medium%relaxing)
+        if (.not. allocated(error)) call new_viscoelastic_medium(medium%relaxing, stack, h, rigid_base, int(model), chosen, error)
+        call move_alloc(medium, object)
+        status = hand_over(object, out, error)
     end function mdr_medium_viscoelastic
 
 end module mdrcontact_api_material

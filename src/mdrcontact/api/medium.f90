@@ -3,13 +3,13 @@
 module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results, make_room
-    use mdrcontact_api_handles, only: deliver, hand_over, open_handle
+    use mdrcontact_api_handles, only: deliver_solver, hand_over, open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_material, only: material_t, new_material
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium, only: medium_t, new_pair
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
-    use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_medium_values, only: modulus_values
     implicit none (type, external)
     private
@@ -32,7 +32,7 @@ contains
 
         call new_material(material, e, nu, error)
         call new_homogeneous(medium, material)
-        status = deliver(medium, out, error)
+        status = deliver_solver(medium, out, error)
     end function mdr_medium_homogeneous
 
     function mdr_medium_contact_modulus(contact_modulus, out) result(status) bind(C, name="mdrcontact_entry_medium_contact_modulus")
@@ -43,7 +43,7 @@ contains
         type(error_t), allocatable :: error
 
         call new_homogeneous_from_modulus(medium, contact_modulus, error)
-        status = deliver(medium, out, error)
+        status = deliver_solver(medium, out, error)
     end function mdr_medium_contact_modulus
 
     function mdr_medium_rigid(out) result(status) bind(C, name="mdrcontact_entry_medium_rigid")
@@ -53,18 +53,19 @@ contains
         type(error_t), allocatable :: error
 
         call new_rigid(medium)
-        status = deliver(medium, out, error)
+        status = deliver_solver(medium, out, error)
     end function mdr_medium_rigid
 
     function mdr_medium_pair(lower, upper, out) result(status) bind(C, name="mdrcontact_entry_medium_pair")
         type(c_ptr), value :: lower, upper
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        class(medium_t), pointer :: first, second
-        class(medium_t), allocatable :: medium
+        type(medium_t), pointer :: first, second
+        type(medium_t), allocatable :: medium
         class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (medium)
         call open_handle(lower, "lower", first, error)
         call open_handle(upper, "upper", second, error)
         if (.not. allocated(error)) call new_pair(medium, first, second, error)
@@ -120,14 +121,17 @@ contains
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-        class(medium_t), pointer :: medium
-        class(medium_t), allocatable, target :: tangential
+        type(medium_t), pointer :: whole
+        class(solver_t), pointer :: medium
+        class(solver_t), allocatable, target :: tangential
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
         integer :: i
 
-        call open_handle(m, "m", medium, error)
+        call open_handle(m, "m", whole, error)
+        if (.not. allocated(error)) call whole%check_elastic(error)
         if (.not. allocated(error)) then
+            medium => whole%solver
             if (medium%is_rigid) call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable "// &
                                               "body", "m")
         end if

@@ -4,8 +4,9 @@ module mdrcontact_api_medium_data
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty, check_each_positive
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_handles, only: hand_over_solver
     use mdrcontact_error, only: check_table, error_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
     implicit none (type, external)
     private
@@ -19,7 +20,7 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(tabulated_medium_t), allocatable :: medium
-        class(*), allocatable :: object
+        class(solver_t), allocatable :: solver
         type(error_t), allocatable :: error
 
         allocate (medium)
@@ -33,8 +34,8 @@ contains
             call check_each_positive(error, "moduli", moduli(:n))
         end if
         if (.not. allocated(error)) call new_tabulated_medium(medium, a(:n), moduli(:n), error)
-        call move_alloc(medium, object)
-        status = hand_over(object, out, error)
+        call move_alloc(medium, solver)
+        status = hand_over_solver(solver, out, error)
     end function mdr_medium_table
 
     function mdr_medium_callback(modulus, context, smallest_radius, largest_radius, out) result(status) &
@@ -46,14 +47,14 @@ contains
         integer(c_int) :: status
         type(c_function_t) :: f
         type(tabulated_medium_t), allocatable :: medium
-        class(*), allocatable :: object
+        class(solver_t), allocatable :: solver
         type(error_t), allocatable :: error
 
         allocate (medium)
         call new_c_function(f, "modulus", modulus, context, error)
         if (.not. allocated(error)) call new_medium_from_function(medium, f, smallest_radius, largest_radius, error)
-        call move_alloc(medium, object)
-        status = hand_over(object, out, error)
+        call move_alloc(medium, solver)
+        status = hand_over_solver(solver, out, error)
     end function mdr_medium_callback
 
 end module mdrcontact_api_medium_data

@@ -4,7 +4,7 @@ module mdrcontact_api_structure
     use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, &
                                            c_associated, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, make_room
-    use mdrcontact_api_handles, only: deliver, hand_over, open_handle
+    use mdrcontact_api_handles, only: deliver, hand_over, hand_over_solver, open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_error, only: check_count_from, check_memory, count_text, error_callback, error_invalid, error_t, raise
@@ -17,6 +17,7 @@ module mdrcontact_api_structure
     use mdrcontact_lateral_values, only: structure_values
     use mdrcontact_lateral_voxels, only: new_voxels, voxels_t
     use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_tabulated, only: tabulated_medium_t
     implicit none (type, external)
     private
@@ -207,7 +208,7 @@ contains
         integer(c_int) :: status
         class(structure_t), pointer :: structure
         type(tabulated_medium_t), allocatable :: medium
-        class(*), allocatable :: object
+        class(solver_t), allocatable :: solver
         type(error_t), allocatable :: error
 
         allocate (medium)
@@ -215,8 +216,8 @@ contains
         if (.not. allocated(error)) then
             call new_lateral_medium(medium, structure, x, y, smallest_radius, largest_radius, error, int(points))
         end if
-        call move_alloc(medium, object)
-        status = hand_over(object, out, error)
+        call move_alloc(medium, solver)
+        status = hand_over_solver(solver, out, error)
     end function mdr_structure_medium
 
     !> What the caller gave, with the defaults of the rest.

@@ -12,7 +12,7 @@ module mdrcontact_contact_curve
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_numerics_chebyshev, only: half, node, nodes => terms, series_of_slopes, series_of_values
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_roots, only: find_root
@@ -537,7 +537,7 @@ contains
     subroutine shear(self, tangential, error)
         class(curve_t), intent(inout) :: self
         !> its modulus is G_t(a)
-        class(medium_t), intent(in) :: tangential
+        class(solver_t), intent(in) :: tangential
         type(error_t), allocatable, intent(out) :: error
         type(curve_point_t) :: point
         real(wp) :: z, v(rows), dv(rows), modulus(1), k(nodes), shifts(0:nodes), gained(0:nodes + 1), places(0:nodes + 1)

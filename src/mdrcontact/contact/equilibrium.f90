@@ -9,7 +9,7 @@ module mdrcontact_contact_equilibrium
     use mdrcontact_contact_scaled_profile, only: new_scaled_profile, scaled_profile_t
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium, only: medium_t, reason_length
+    use mdrcontact_medium_solver, only: solver_t, reason_length
     use mdrcontact_numerics_radius_law, only: interpolation_roughness, radius_law_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -36,7 +36,7 @@ module mdrcontact_contact_equilibrium
     type :: equilibrium_t
         !> with zeta g for g where a zeta is given
         class(profile_t), allocatable :: profile
-        class(medium_t), allocatable :: medium
+        class(solver_t), allocatable :: medium
         !> gamma >= 0 [modulus length]
         real(wp) :: work_of_adhesion = 0.0_wp
         !> one of adhesion_...
@@ -67,7 +67,7 @@ contains
         !> copied
         class(profile_t), intent(in) :: profile
         !> copied
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         type(error_t), allocatable, intent(out) :: error
         !> zeta(a) of (9); without it, or not allocated: 1
         type(radius_law_t), allocatable, intent(in), optional :: zeta
@@ -124,7 +124,7 @@ contains
 
     subroutine check_zeta(profile, medium, zeta, error)
         class(profile_t), intent(in) :: profile
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         type(radius_law_t), intent(in) :: zeta
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: radii(:)
@@ -242,7 +242,7 @@ contains
     !> tangent that media with a unit of length of their own must not reach by rounding; far below the end of the number range.
     pure function largest_contact_radius(profile, medium) result(radius)
         class(profile_t), intent(in) :: profile
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         real(wp) :: radius
 
         radius = profile%largest_radius

@@ -5,7 +5,7 @@ module mdrcontact_contact_exact_zeta
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_exact, only: layered_exact_t, new_exact_pair, new_layered_exact
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_table, radius_law_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -25,7 +25,7 @@ contains
     subroutine exact_zeta(profile, medium, zeta, error)
         class(profile_t), intent(in) :: profile
         !> made of one body, or two, by an approximate model
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         type(radius_law_t), allocatable, intent(out) :: zeta
         type(error_t), allocatable, intent(out) :: error
         type(layered_exact_t) :: exact
@@ -49,7 +49,7 @@ contains
 
     !> The exact medium of the same body, or of the same two bodies.
     subroutine solve_exactly(medium, exact, thickness, error)
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         type(layered_exact_t), intent(out) :: exact
         !> depth below which the bodies are homogeneous [length]
         real(wp), intent(out) :: thickness

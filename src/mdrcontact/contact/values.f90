@@ -7,7 +7,7 @@ module mdrcontact_contact_values
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_choice, check_count_within, check_same_size, error_t, raise_at
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium, only: lower_body, upper_body
+    use mdrcontact_medium_solver, only: lower_body, upper_body
     implicit none (type, external)
     private
     public :: contact_states, given_depth, given_force, given_radius

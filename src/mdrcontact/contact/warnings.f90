@@ -6,7 +6,7 @@ module mdrcontact_contact_warnings
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium, only: lower_body, upper_body
+    use mdrcontact_medium_solver, only: lower_body, upper_body
     implicit none (type, external)
     private
     public :: contact_warning_t, find_warnings

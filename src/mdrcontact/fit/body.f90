@@ -8,8 +8,7 @@ module mdrcontact_fit_body
     use mdrcontact_fit_medium_of, only: make_medium, medium_choice_t, medium_count, medium_none
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
-    use mdrcontact_medium, only: medium_t
-    use mdrcontact_medium_pair, only: new_pair
+    use mdrcontact_medium, only: medium_t, new_pair
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_area_function, only: new_area_function_profile
     use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
@@ -74,18 +73,21 @@ contains
         !> what exact media have in common from one trial to the next
         type(layered_shared_t), intent(inout) :: shared
         class(profile_t), allocatable, intent(out) :: profile
-        class(medium_t), allocatable, intent(out) :: medium
+        type(medium_t), intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
-        class(medium_t), allocatable :: lower, upper
+        type(medium_t) :: lower, upper
         integer :: first, last
 
         first = indenter_count(self) + 1
         last = indenter_count(self) + medium_count(self%medium)
         call make_profile(self, values(:first - 1), profile, error)
-        if (.not. allocated(error)) call make_medium(self%medium, values(first:last), shared, medium, error)
-        if (allocated(error) .or. self%counterbody%kind == medium_none) return
-        call move_alloc(medium, lower)
-        call make_medium(self%counterbody, values(last + 1:), shared, upper, error)
+        if (allocated(error)) return
+        if (self%counterbody%kind == medium_none) then
+            call make_medium(self%medium, values(first:last), shared, medium, error)
+            return
+        end if
+        call make_medium(self%medium, values(first:last), shared, lower, error)
+        if (.not. allocated(error)) call make_medium(self%counterbody, values(last + 1:), shared, upper, error)
         if (.not. allocated(error)) call new_pair(medium, lower, upper, error)
     end subroutine make_body
 

@@ -7,7 +7,7 @@ module mdrcontact_fit_contact_radius
                                       at_force_offset, at_frame_compliance, fit_data_t
     use mdrcontact_fit_sink_in, only: new_sink_in, sink_in_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t
     use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_roots, only: find_root, solve_increasing
@@ -50,7 +50,7 @@ contains
     !> `modulus` is not allocated.
     subroutine contact_radii(profile, medium, instrument, is_elastic, data, a, modulus, error)
         class(profile_t), intent(in), target :: profile
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         real(wp), intent(in) :: instrument(:)
         !> whether the indenter itself lies in the indent, and not the one that epsilon stands for
         logical, intent(in) :: is_elastic
@@ -144,7 +144,7 @@ contains
     !> The radii at which depth, tip and sink-in of the body agree; the range of radii is widened until it holds all of them.
     subroutine balanced_radii(profile, medium, readings, instrument, is_elastic, data, a, modulus, error)
         class(profile_t), intent(in), target :: profile
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         type(readings_t), intent(in) :: readings
         real(wp), intent(in) :: instrument(:)
         logical, intent(in) :: is_elastic
@@ -257,7 +257,7 @@ contains
     !> Why a point has no contact radius.
     subroutine refuse_radius(balance, medium, depth, side, error)
         type(balance_t), intent(in) :: balance
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         !> as read [length]
         real(wp), intent(in) :: depth
         integer, intent(in) :: side

@@ -9,11 +9,11 @@ module mdrcontact_fit_medium_of
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_material_rheology, only: rheology_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium, only: medium_t, new_medium
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium, viscoelastic_t
-    use mdrcontact_model, only: model_options_t, models, new_medium, with_constant
+    use mdrcontact_model, only: model_options_t, models, with_constant
     implicit none (type, external)
     private
     public :: medium_choice_t, make_medium, medium_count
@@ -37,8 +37,10 @@ module mdrcontact_fit_medium_of
         integer :: layers = 0
         !> what the model leaves to choose; the constant of a stack's model is among the parameters instead
         type(model_options_t) :: options = model_options_t()
-        !> the finished medium for medium_given; for medium_viscoelastic the pattern of its materials, with model and options
-        class(medium_t), allocatable :: object
+        !> the finished medium for medium_given
+        type(medium_t), allocatable :: object
+        !> for medium_viscoelastic: what its materials are like, with model and options
+        type(viscoelastic_t), allocatable :: pattern
     end type medium_choice_t
 
 contains
@@ -65,7 +67,7 @@ contains
         real(wp), intent(in) :: values(:)
         !> what exact media have in common from one trial to the next
         type(layered_shared_t), intent(inout) :: shared
-        class(medium_t), allocatable, intent(out) :: medium
+        type(medium_t), intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
         type(material_t) :: material
         type(homogeneous_t) :: homogeneous
@@ -83,7 +85,7 @@ contains
             call new_material(material, values(1), values(2), error, "material")
             if (allocated(error)) return
             call new_homogeneous(homogeneous, material)
-            allocate (medium, source=homogeneous)
+            allocate (medium%solver, source=homogeneous)
         case (medium_stack)
             call make_stack(choice, values, shared, medium, error)
         case (medium_graded)
@@ -91,7 +93,7 @@ contains
             if (.not. allocated(error)) call new_medium(medium, graded, choice%model, error, choice%options, shared)
         case (medium_power_graded)
             call new_power_graded(power_graded, values(1), values(2), values(3), values(4), error)
-            allocate (medium, source=power_graded)
+            allocate (medium%solver, source=power_graded)
         case (medium_viscoelastic)
             call make_viscoelastic(choice, values, shared, medium, error)
         case default
@@ -107,11 +109,10 @@ contains
         integer :: i
 
         count = -1
-        if (.not. allocated(choice%object)) return
-        select type (pattern => choice%object)
-        type is (viscoelastic_t)
+        if (.not. allocated(choice%pattern)) return
+        associate (pattern => choice%pattern)
             count = size(pattern%thickness) + sum([(rheology_count(pattern%materials(i)), i=1, size(pattern%materials))])
-        end select
+        end associate
     end function viscoelastic_count
 
     !> The one parameter to which all forces are proportional: the modulus of a power law that stands alone or on a rigid base; 0:
@@ -121,27 +122,24 @@ contains
         integer :: position
 
         position = 0
-        if (choice%kind /= medium_viscoelastic .or. .not. allocated(choice%object)) return
-        select type (pattern => choice%object)
-        type is (viscoelastic_t)
-            if (size(pattern%materials) > 1) return
-            if (pattern%materials(1)%is_power_law()) position = 1
-        end select
+        if (choice%kind /= medium_viscoelastic .or. .not. allocated(choice%pattern)) return
+        associate (materials => choice%pattern%materials)
+            if (size(materials) > 1) return
+            if (materials(1)%is_power_law()) position = 1
+        end associate
     end function modulus_parameter
 
     subroutine make_viscoelastic(choice, values, shared, medium, error)
         type(medium_choice_t), intent(in) :: choice
         real(wp), intent(in) :: values(:)
         type(layered_shared_t), intent(inout) :: shared
-        class(medium_t), allocatable, intent(out) :: medium
+        type(medium_t), intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
-        type(viscoelastic_t), allocatable :: body
         type(rheology_t), allocatable :: materials(:)
         real(wp), allocatable :: thickness(:)
         integer :: i, first, count
 
-        select type (pattern => choice%object)
-        type is (viscoelastic_t)
+        associate (pattern => choice%pattern)
             allocate (materials(size(pattern%materials)), thickness(size(pattern%thickness)))
             first = 0
             do i = 1, size(materials)
@@ -153,18 +151,17 @@ contains
                 first = first + 1
                 thickness(i) = values(first)
             end do
-            allocate (body)
-            call new_viscoelastic_medium(body, materials, thickness, pattern%rigid_base, pattern%model, pattern%options, error, &
-                                         shared)
-            if (.not. allocated(error)) call move_alloc(body, medium)
-        end select
+            allocate (medium%relaxing)
+            call new_viscoelastic_medium(medium%relaxing, materials, thickness, pattern%rigid_base, pattern%model, &
+                                         pattern%options, error, shared)
+        end associate
     end subroutine make_viscoelastic
 
     subroutine make_stack(choice, values, shared, medium, error)
         type(medium_choice_t), intent(in) :: choice
         real(wp), intent(in) :: values(:)
         type(layered_shared_t), intent(inout) :: shared
-        class(medium_t), allocatable, intent(out) :: medium
+        type(medium_t), intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
         type(material_t) :: layers(max(choice%layers, 1)), substrate
         type(stack_t) :: body

@@ -16,7 +16,8 @@ module mdrcontact_fit_predict
     use mdrcontact_fit_predict_time, only: predict_time
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
-    use mdrcontact_medium, only: medium_t, modulus_of_radius_t
+    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t, modulus_of_radius_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_profile, only: profile_t
@@ -76,8 +77,8 @@ contains
         !> null if it is not given: gfortran 12 computes with the bounds of an absent array
         integer, pointer, intent(in) :: order(:)
         class(profile_t), allocatable :: profile
-        class(medium_t), allocatable :: pressed
-        class(medium_t), allocatable, target :: medium
+        type(medium_t) :: pressed
+        class(solver_t), allocatable, target :: medium
         real(wp), allocatable :: modulus(:)
         integer :: n
 
@@ -114,19 +115,21 @@ contains
 
     !> The medium under a homogeneous indenter.
     subroutine press(pressed, indenter_modulus, medium, error)
-        class(medium_t), allocatable, intent(inout) :: pressed
+        type(medium_t), intent(inout) :: pressed
         !> E* of the indenter; infinite if it is rigid
         real(wp), intent(in) :: indenter_modulus
-        class(medium_t), allocatable, intent(out) :: medium
+        class(solver_t), allocatable, intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
         type(homogeneous_t) :: indenter
 
+        call pressed%check_elastic(error)
+        if (allocated(error)) return
         if (indenter_modulus > huge(1.0_wp)) then
-            call move_alloc(pressed, medium)
+            call move_alloc(pressed%solver, medium)
             return
         end if
         call new_homogeneous_from_modulus(indenter, indenter_modulus, error)
-        if (.not. allocated(error)) call new_pair(medium, pressed, indenter, error)
+        if (.not. allocated(error)) call new_pair(medium, pressed%solver, indenter, error)
     end subroutine press
 
     pure subroutine check_instrument(instrument, error)
@@ -152,7 +155,7 @@ contains
         type(fit_problem_t), intent(in) :: problem
         real(wp), intent(in) :: instrument(:)
         class(profile_t), intent(in) :: profile
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         type(fit_data_t), intent(in) :: data
         real(wp), intent(out) :: y(:)
         real(wp), allocatable, intent(out) :: a(:)
@@ -212,7 +215,7 @@ contains
         type(fit_problem_t), intent(in) :: problem
         real(wp), intent(in) :: instrument(:)
         class(profile_t), intent(in) :: profile
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         type(equilibrium_t), intent(out) :: equilibrium
         type(error_t), allocatable, intent(out) :: error
 
@@ -223,7 +226,7 @@ contains
 
     !> E_eff(a) of medium and indenter.
     subroutine sampled_moduli(medium, a, modulus, error)
-        class(medium_t), intent(in), target :: medium
+        class(solver_t), intent(in), target :: medium
         real(wp), intent(in) :: a(:)
         real(wp), allocatable, intent(out) :: modulus(:)
         type(error_t), allocatable, intent(out) :: error

@@ -1,7 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What an instrument reads of a viscoelastic body: forces or depths in time, and dynamic stiffnesses.
 module mdrcontact_fit_predict_time
-    use mdrcontact_contact, only: contact_t, new_contact
     use mdrcontact_contact_values, only: given_depth, given_force
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_fit_problem, only: at_area_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
@@ -9,6 +8,7 @@ module mdrcontact_fit_predict_time
                                       data_dynamic_stiffness, data_force_time, fit_data_t, part_loss
     use mdrcontact_history_relaxation, only: contact_history
     use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness
+    use mdrcontact_history_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
@@ -27,13 +27,13 @@ contains
         integer, intent(in) :: data_kind
         real(wp), intent(in) :: instrument(:)
         class(profile_t), intent(in) :: profile
-        class(medium_t), intent(in) :: medium
+        type(medium_t), intent(in) :: medium
         type(fit_data_t), intent(in) :: data
         !> same size as data%x
         real(wp), intent(out) :: y(:)
         real(wp), allocatable, intent(out) :: a(:)
         type(error_t), allocatable, intent(out) :: error
-        type(contact_t) :: contact
+        type(relaxing_contact_t) :: contact
         real(wp), allocatable :: depth(:), force(:)
         integer :: stat
 
@@ -46,10 +46,12 @@ contains
             call raise(error, error_invalid, "work_of_adhesion is not allowed: the body is viscoelastic")
         else if (instrument(at_indenter_modulus) <= huge(1.0_wp)) then
             call raise(error, error_invalid, "indenter_modulus is not allowed: against a viscoelastic body the indenter is rigid")
+        else if (.not. allocated(medium%relaxing)) then
+            call raise(error, error_invalid, "the body is elastic: its states do not depend on time")
         else if (instrument(at_frame_compliance) /= 0.0_wp .and. data_kind /= data_dynamic_stiffness) then
             call raise(error, error_invalid, "frame_compliance is not allowed: take the give of the frame off the depths")
         end if
-        if (.not. allocated(error)) call new_contact(contact, profile, medium, error)
+        if (.not. allocated(error)) call new_relaxing_contact(contact, profile, medium%relaxing, error)
         if (allocated(error)) return
         if (data_kind == data_dynamic_stiffness) then
             call predict_oscillation(contact, instrument, data, y, a, error)
@@ -67,7 +69,7 @@ contains
 
     !> k' and k'' of contact and frame in series.
     subroutine predict_oscillation(contact, instrument, data, y, a, error)
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         real(wp), intent(in) :: instrument(:)
         type(fit_data_t), intent(in) :: data
         real(wp), intent(inout) :: y(:), a(:)

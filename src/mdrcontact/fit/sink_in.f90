@@ -11,7 +11,7 @@ module mdrcontact_fit_sink_in
     use mdrcontact_contact_range, only: coordinates_between
     use mdrcontact_error, only: error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_power_law, only: new_power_law, power_law_t
     implicit none (type, external)
@@ -45,7 +45,7 @@ contains
     !> The sink-in of an indenter, or of the one that epsilon stands for.
     subroutine new_sink_in(self, medium, smallest, largest, error, epsilon_factor, indenter)
         type(sink_in_t), intent(out) :: self
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         !> contact radii, 0 < smallest < largest; cut where medium and indenter end [length]
         real(wp), intent(in) :: smallest, largest
         type(error_t), allocatable, intent(out) :: error

@@ -14,7 +14,6 @@ module mdrcontact_fit_variables
                                       data_stiffness_depth, fit_data_t, fit_parameter_t, &
                                       fit_problem_t, instrument_numbers
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     implicit none (type, external)
     private
     public :: variables_t, new_variables
@@ -149,9 +148,8 @@ contains
         integer, intent(inout) :: kinds(:)
         integer :: i, first, last
 
-        if (.not. allocated(choice%object)) return
-        select type (pattern => choice%object)
-        type is (viscoelastic_t)
+        if (.not. allocated(choice%pattern)) return
+        associate (pattern => choice%pattern)
             last = 0
             do i = 1, size(pattern%materials)
                 associate (material => pattern%materials(i))
@@ -168,7 +166,7 @@ contains
                     last = last + 1
                 end associate
             end do
-        end select
+        end associate
     end subroutine mark_materials
 
     !> Scale and bounds of a coefficient of an area function. The last term is the area next to the apex, which is not negative.

@@ -12,7 +12,7 @@ module mdrcontact_history_friction
     use mdrcontact_contact_fields, only: check_positions
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_numerics_roots, only: solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -47,7 +47,7 @@ module mdrcontact_history_friction
         !> of friction, > 0 [1]
         real(wp) :: coefficient = 0.0_wp
         !> what answers to a shift as the contact's medium does to a depth: its modulus is G_t(a) = k_t(a)/(2 a)
-        class(medium_t), allocatable :: tangential
+        class(solver_t), allocatable :: tangential
     contains
         procedure :: first_shear
         procedure :: check_state

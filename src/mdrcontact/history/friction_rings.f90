@@ -12,7 +12,7 @@ module mdrcontact_history_friction_rings
     use mdrcontact_error, only: check_memory, error_domain, error_t, raise, to_text
     use mdrcontact_history_friction_box, only: minimise_in_box
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
@@ -66,7 +66,7 @@ contains
     !> Rings up to a state of the largest depth.
     subroutine new_ring_grid(self, tangential, state, count, error)
         type(ring_grid_t), intent(out) :: self
-        class(medium_t), intent(in) :: tangential
+        class(solver_t), intent(in) :: tangential
         type(contact_state_t), intent(in) :: state
         integer, intent(in) :: count
         type(error_t), allocatable, intent(out) :: error
@@ -91,7 +91,7 @@ contains
         class(rings_t), intent(inout) :: self
         type(ring_grid_t), intent(in) :: grid
         type(contact_t), intent(in) :: contact
-        class(medium_t), intent(in) :: tangential
+        class(solver_t), intent(in) :: tangential
         real(wp), intent(in) :: coefficient
         type(contact_state_t), intent(in) :: state
         real(wp), intent(in) :: shift
@@ -177,7 +177,7 @@ contains
         type(rings_t), intent(inout) :: self
         type(ring_grid_t), intent(in) :: grid
         type(contact_t), intent(in) :: contact
-        class(medium_t), intent(in) :: tangential
+        class(solver_t), intent(in) :: tangential
         real(wp), intent(in) :: coefficient
         type(contact_state_t), intent(in) :: state
         !> of the contact [length]
@@ -367,7 +367,7 @@ contains
     !> Mean displacements of rings by forces on rings.
     subroutine ring_compliance(rings, tangential, edges, areas, compliance, error)
         type(ring_grid_t), intent(in) :: rings
-        class(medium_t), intent(in) :: tangential
+        class(solver_t), intent(in) :: tangential
         real(wp), intent(in) :: edges(:), areas(:)
         real(wp), intent(out) :: compliance(:, :)
         type(error_t), allocatable, intent(inout) :: error

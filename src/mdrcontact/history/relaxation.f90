@@ -8,6 +8,7 @@ module mdrcontact_history_relaxation
                                 to_text
     use mdrcontact_history_relaxation_follow, only: follow_depth, follow_force
     use mdrcontact_history_relaxation_steps, only: march_through
+    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material_prony, only: prony_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
@@ -24,8 +25,7 @@ contains
     !> Depth, radius and force at each time, of which one is prescribed. Before the first time the bodies are apart and at rest;
     !> what is prescribed then is reached in a jump. In between it is linear in time.
     subroutine contact_history(contact, given, time, values, depth, radius, force, error, tolerance)
-        !> with a viscoelastic body
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         !> given_depth, given_force or given_radius
         integer, intent(in) :: given
         !> strictly ascending [time]
@@ -57,8 +57,7 @@ contains
             end do
         end if
         if (allocated(error)) return
-        select type (medium => contact%equilibrium%medium)
-        type is (viscoelastic_t)
+        associate (medium => contact%medium)
             if (given /= given_force .and. values(1) > 0.0_wp .and. .not. medium%materials(1)%has_glassy()) then
                 call raise(error, error_invalid, " = "//to_text(values(1))//" is not allowed: a surface of a power law or with "// &
                            "a dashpot in parallel bears any jump; begin with 0", trim(word(given)), 1)
@@ -69,9 +68,7 @@ contains
                                                covered, error)
             if (allocated(error) .or. covered) return
             call march_through(contact, medium, given, time, values, accuracy, depth, radius, force, error)
-        class default
-            call raise(error, error_invalid, "the body is elastic: its states do not depend on time")
-        end select
+        end associate
     end subroutine contact_history
 
     pure function word(given) result(name)
@@ -85,7 +82,7 @@ contains
 
     !> A body whose materials relax in proportion, as far as its history follows from the elastic curve.
     subroutine of_proportional(contact, medium, given, time, values, tolerance, depth, radius, force, covered, error)
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
         integer, intent(in) :: given
         real(wp), intent(in) :: time(:), values(:), tolerance

@@ -9,11 +9,12 @@ module mdrcontact_history_relaxation_steps
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_history_relaxation_march, only: march_t, mark_kink, start_march, step_march
     use mdrcontact_history_relaxation_memory, only: memory_t, new_memory
+    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
-    use mdrcontact_model, only: model_options_t, models, new_medium
+    use mdrcontact_model, only: model_options_t, models, new_solver
     implicit none (type, external)
     private
     public :: march_through
@@ -40,7 +41,7 @@ contains
 
     !> Depth, radius and force at samples of a prescribed depth or force.
     subroutine march_through(contact, medium, given, time, values, tolerance, depth, radius, force, error)
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
         !> given_depth, given_force or given_radius
         integer, intent(in) :: given
@@ -98,7 +99,7 @@ contains
 
     !> The state after a jump onto a body in which power laws and dashpots are rigid at first.
     subroutine at_once(contact, medium, given, value, state, error)
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
         integer, intent(in) :: given
         real(wp), intent(in) :: value
@@ -120,7 +121,7 @@ contains
 
     !> The state of an elastic body.
     subroutine find_resting(contact, layers, thickness, base, is_rigid, options, given, value, state, error)
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         type(material_t), intent(in) :: layers(:), base
         real(wp), intent(in) :: thickness(:), value
         logical, intent(in) :: is_rigid
@@ -129,12 +130,12 @@ contains
         type(contact_state_t), intent(inout) :: state
         type(error_t), allocatable, intent(inout) :: error
         type(stack_t) :: body
-        class(medium_t), allocatable :: elastic
+        class(solver_t), allocatable :: elastic
         type(contact_t) :: resting
         type(contact_state_t) :: states(1)
 
         call new_stack(body, layers, thickness, base, error, is_rigid)
-        if (.not. allocated(error)) call new_medium(elastic, body, models%exact, error, options)
+        if (.not. allocated(error)) call new_solver(elastic, body, models%exact, error, options)
         if (.not. allocated(error)) call new_contact(resting, contact%equilibrium%profile, elastic, error)
         if (.not. allocated(error)) call contact_states(resting, given, [value], states, error)
         if (.not. allocated(error)) state = states(1)
@@ -142,7 +143,7 @@ contains
 
     !> Halves the steps until nothing changes any more.
     subroutine refine(contact, solid, limit, shortest_interval, span, given, time, values, tolerance, depth, radius, force, error)
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: solid
         !> largest radius, shortest time of interest and duration
         real(wp), intent(in) :: limit, shortest_interval, span
@@ -214,7 +215,7 @@ contains
 
     !> A radius that the contact hardly exceeds: more than that of the body at once and after a long time.
     subroutine widest(contact, medium, solid, span, given, largest, radius, error)
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
         !> the same with a glassy and a relaxed modulus of each material between the requested times
         type(viscoelastic_t), intent(in) :: solid
@@ -255,7 +256,7 @@ contains
 
     !> The whole history with each step cut into 2^level.
     subroutine march_once(contact, memory, limit, shortest, given, time, values, level, states, gap, error)
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         type(memory_t), intent(in) :: memory
         real(wp), intent(in) :: limit
         !> length of the first step after a kink, before it is cut [time]

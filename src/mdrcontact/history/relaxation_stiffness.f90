@@ -4,9 +4,9 @@
 module mdrcontact_history_relaxation_stiffness
     use mdrcontact_body_chain, only: chain_t, new_chain
     use mdrcontact_body_compliance, only: normal_load
-    use mdrcontact_contact, only: contact_t
     use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
                                 raise_at, to_text
+    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_part, only: new_part, part_memory_t, part_t
@@ -44,8 +44,8 @@ contains
 
     !> k*(a, omega) = k' + i k'', exact for small oscillations of a contact of radius a.
     subroutine dynamic_stiffness(contact, omega, radius, values, error)
-        !> with a viscoelastic body; the indenter does not matter beyond how large contacts can be
-        type(contact_t), intent(in) :: contact
+        !> the indenter does not matter beyond how large contacts can be
+        type(relaxing_contact_t), intent(in) :: contact
         !> angular frequencies > 0 [1/time], and as many contact radii > 0 [length]
         real(wp), intent(in) :: omega(:), radius(:)
         !> same size as omega [modulus length]
@@ -60,23 +60,18 @@ contains
             call check_radius(contact, radius(i), i, error)
             if (allocated(error)) return
         end do
-        select type (medium => contact%equilibrium%medium)
-        type is (viscoelastic_t)
-            do i = 1, size(omega)
-                call stiffness_at(medium, at, cmplx(0.0_wp, omega(i), wp), radius(i), values(i), error)
-                if (.not. allocated(error)) cycle
-                call raise_at(error, i)
-                return
-            end do
-        class default
-            call refuse_elastic(error)
-        end select
+        do i = 1, size(omega)
+            call stiffness_at(contact%medium, at, cmplx(0.0_wp, omega(i), wp), radius(i), values(i), error)
+            if (.not. allocated(error)) cycle
+            call raise_at(error, i)
+            return
+        end do
     end subroutine dynamic_stiffness
 
     !> Force per depth [modulus length] at times after a step of the depth at constant contact radius, or depth per force after a
     !> step of the force: a flat punch.
     subroutine step_response(contact, step, time, radius, values, error)
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         !> step_relaxation or step_creep
         integer, intent(in) :: step
         !> > 0 [time], and one contact radius > 0 [length]
@@ -97,40 +92,29 @@ contains
         end do
         call check_radius(contact, radius, 0, error)
         if (allocated(error)) return
-        select type (medium => contact%equilibrium%medium)
-        type is (viscoelastic_t)
-            do i = 1, size(time)
-                before = 0.0_wp
-                do j = 0, nodes - 1
-                    theta = (real(j, wp) + 0.5_wp)*width
-                    z = opening*cmplx(1.0_wp, theta, wp)**2
-                    weight = exp(z)/z*(0.0_wp, 2.0_wp)*opening*cmplx(1.0_wp, theta, wp)*(width/pi)
-                    call stiffness_at(medium, at, z/time(i), radius, k, error)
-                    if (allocated(error)) then
-                        ! the stiffness hardly changes from node to node
-                        if (error%code /= error_no_convergence) return
-                        if (.not. abs(weight*before) < dispensable*abs(values(i))) return
-                        deallocate (error)
-                        exit
-                    end if
-                    if (step == step_creep) k = 1.0_wp/k
-                    values(i) = values(i) + aimag(weight*k)
-                    before = k
-                end do
+        do i = 1, size(time)
+            before = 0.0_wp
+            do j = 0, nodes - 1
+                theta = (real(j, wp) + 0.5_wp)*width
+                z = opening*cmplx(1.0_wp, theta, wp)**2
+                weight = exp(z)/z*(0.0_wp, 2.0_wp)*opening*cmplx(1.0_wp, theta, wp)*(width/pi)
+                call stiffness_at(contact%medium, at, z/time(i), radius, k, error)
+                if (allocated(error)) then
+                    ! the stiffness hardly changes from node to node
+                    if (error%code /= error_no_convergence) return
+                    if (.not. abs(weight*before) < dispensable*abs(values(i))) return
+                    deallocate (error)
+                    exit
+                end if
+                if (step == step_creep) k = 1.0_wp/k
+                values(i) = values(i) + aimag(weight*k)
+                before = k
             end do
-        class default
-            call refuse_elastic(error)
-        end select
+        end do
     end subroutine step_response
 
-    subroutine refuse_elastic(error)
-        type(error_t), allocatable, intent(inout) :: error
-
-        call raise(error, error_invalid, "the body is elastic: its stiffness does not depend on time")
-    end subroutine refuse_elastic
-
     pure subroutine check_radius(contact, radius, entry, error)
-        type(contact_t), intent(in) :: contact
+        type(relaxing_contact_t), intent(in) :: contact
         real(wp), intent(in) :: radius
         integer, intent(in) :: entry
         type(error_t), allocatable, intent(inout) :: error

@@ -14,7 +14,7 @@ module mdrcontact_law_from_contact
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
     use mdrcontact_law_segments, only: compile_segments, fold_margin
     use mdrcontact_law_verify, only: largest_error
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile_power_law, only: power_law_t
     implicit none (type, external)
     private
@@ -61,7 +61,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(law_options_t), intent(in), optional :: options
         !> without adhesion: its modulus is G_t(a) = k_t/(2 a)
-        class(medium_t), intent(in), optional :: tangential
+        class(solver_t), intent(in), optional :: tangential
         type(law_options_t) :: chosen
         real(wp) :: end_radius, smallest, largest
         real(wp), allocatable :: breaks(:)
@@ -106,7 +106,7 @@ contains
         type(contact_t), intent(in) :: contact
         real(wp), intent(in) :: largest_depth, smallest_depth
         type(error_t), allocatable, intent(out) :: error
-        class(medium_t), intent(in), optional :: tangential
+        class(solver_t), intent(in), optional :: tangential
         type(contact_state_t) :: state, pull_off
         real(wp) :: low, modulus(1), stiffness, share
 
@@ -134,7 +134,7 @@ contains
         type(contact_t), intent(in) :: contact
         real(wp), intent(in) :: end_radius, smallest, largest_depth, smallest_depth
         type(error_t), allocatable, intent(out) :: error
-        class(medium_t), intent(in), optional :: tangential
+        class(solver_t), intent(in), optional :: tangential
         type(curve_t) :: curve
         type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
         real(wp), allocatable :: coordinates(:)

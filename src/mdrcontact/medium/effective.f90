@@ -9,7 +9,7 @@ module mdrcontact_medium_effective
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_superposed_slip, only: new_superposed_slip, superposed_slip_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: graded_rule, merge_breaks, smallest_panel_ratio
@@ -18,7 +18,7 @@ module mdrcontact_medium_effective
     public :: effective_medium_t
 
     !> A medium with an effective contact modulus. Extensions provide E_eff(a) and its slope as elemental functions.
-    type, abstract, extends(medium_t) :: effective_medium_t
+    type, abstract, extends(solver_t) :: effective_medium_t
     contains
         !> E_eff(a) [modulus], a > 0
         procedure(modulus_function), deferred :: effective_modulus
@@ -94,7 +94,7 @@ contains
 
     recursive subroutine copy_to(self, copy, error)
         class(effective_medium_t), intent(in) :: self
-        class(medium_t), allocatable, intent(out) :: copy
+        class(solver_t), allocatable, intent(out) :: copy
         type(error_t), allocatable, intent(inout) :: error
         class(effective_medium_t), allocatable :: own
 
@@ -376,7 +376,7 @@ contains
 
     subroutine new_slip(self, tangential, profile, a, excess, slip, error)
         class(effective_medium_t), intent(in) :: self
-        class(medium_t), intent(in) :: tangential
+        class(solver_t), intent(in) :: tangential
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a, excess
         class(slip_t), allocatable, intent(out) :: slip

@@ -22,7 +22,7 @@ module mdrcontact_medium_exact
     use mdrcontact_layered_solve, only: solution_t, solve
     use mdrcontact_layered_stiffness, only: relative_stiffness
     use mdrcontact_material, only: in_series, material_t
-    use mdrcontact_medium, only: lower_body, medium_t, upper_body
+    use mdrcontact_medium_solver, only: lower_body, solver_t, upper_body
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_numerics_pick, only: pick
     use mdrcontact_profile, only: profile_t
@@ -46,7 +46,7 @@ module mdrcontact_medium_exact
     end type part_t
 
     !> A layered or graded half-space, or two bodies pressed together, solved exactly.
-    type, extends(medium_t) :: layered_exact_t
+    type, extends(solver_t) :: layered_exact_t
         private
         type(kernel_t) :: kernel
         !> of two deformable bodies: the lower and the upper one
@@ -190,7 +190,7 @@ contains
 
     recursive subroutine copy_to(self, copy, error)
         class(layered_exact_t), intent(in) :: self
-        class(medium_t), allocatable, intent(out) :: copy
+        class(solver_t), allocatable, intent(out) :: copy
         type(error_t), allocatable, intent(inout) :: error
         type(layered_exact_t), allocatable :: own
 
@@ -461,7 +461,7 @@ contains
     !> The same body under shear; of two, their compliances add.
     subroutine new_tangential(self, tangential, error)
         class(layered_exact_t), intent(in) :: self
-        class(medium_t), allocatable, intent(out) :: tangential
+        class(solver_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
         type(layered_exact_t), allocatable :: own
 
@@ -528,7 +528,7 @@ contains
 
     subroutine new_slip(self, tangential, profile, a, excess, slip, error)
         class(layered_exact_t), intent(in) :: self
-        class(medium_t), intent(in) :: tangential
+        class(solver_t), intent(in) :: tangential
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a, excess
         class(slip_t), allocatable, intent(out) :: slip

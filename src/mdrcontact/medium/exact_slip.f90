@@ -9,7 +9,7 @@ module mdrcontact_medium_exact_slip
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_slip_profile, only: slip_profile_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_superposed_slip, only: traction_between
     use mdrcontact_numerics_quadrature, only: graded_edges, graded_rule, mark_breaks, smallest_panel_ratio
     use mdrcontact_numerics_pick, only: pick
@@ -26,7 +26,7 @@ module mdrcontact_medium_exact_slip
     !> One normal state, the medium that answers to shear, and the profile above.
     type, extends(slip_t) :: layered_slip_t
         private
-        class(medium_t), allocatable :: normal, tangential
+        class(solver_t), allocatable :: normal, tangential
         type(slip_profile_t) :: profile
         !> q_n/E0*, and E0* [modulus]
         type(line_load_t) :: springs
@@ -52,7 +52,7 @@ contains
                                 error)
         type(layered_slip_t), intent(out) :: self
         !> the medium under normal load and under shear
-        class(medium_t), intent(in) :: normal, tangential
+        class(solver_t), intent(in) :: normal, tangential
         !> of the interaction under shear, and the relative tolerance of its solutions
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: tolerance

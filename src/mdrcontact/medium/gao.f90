@@ -6,7 +6,7 @@ module mdrcontact_medium_gao
     use mdrcontact_error, only: check_memory, check_poisson, check_positive, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
@@ -134,7 +134,7 @@ contains
     !> the contrast.
     subroutine new_tangential(self, tangential, error)
         class(gao_t), intent(in) :: self
-        class(medium_t), allocatable, intent(out) :: tangential
+        class(solver_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
         type(gao_t), allocatable :: own
 

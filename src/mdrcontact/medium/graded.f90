@@ -10,7 +10,7 @@ module mdrcontact_medium_graded
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_options_t, i0_poisson_choice
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
@@ -126,7 +126,7 @@ contains
     !> The same body under shear.
     subroutine new_tangential(self, tangential, error)
         class(graded_t), intent(in) :: self
-        class(medium_t), allocatable, intent(out) :: tangential
+        class(solver_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
         type(graded_t), allocatable :: own
 

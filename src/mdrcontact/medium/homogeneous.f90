@@ -8,7 +8,7 @@ module mdrcontact_medium_homogeneous
     use mdrcontact_gsl, only: gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: in_series, material_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_shear_moduli, only: moduli_under_shear
     use mdrcontact_profile, only: profile_t
@@ -142,7 +142,7 @@ contains
     !> The half-space of modulus G*; of two, 1/G* = 1/G1* + 1/G2*.
     subroutine new_tangential(self, tangential, error)
         class(homogeneous_t), intent(in) :: self
-        class(medium_t), allocatable, intent(out) :: tangential
+        class(solver_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
         type(homogeneous_t) :: own
         real(wp) :: moduli(2)

@@ -8,7 +8,7 @@ module mdrcontact_medium_pair
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_exact, only: layered_exact_t, new_exact_pair, new_layered_exact
     use mdrcontact_medium_sampled_exact, only: new_sampled_exact
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus, new_homogeneous_pair
     use mdrcontact_medium_power_graded, only: new_power_graded_pair, power_graded_t
@@ -18,14 +18,18 @@ module mdrcontact_medium_pair
     private
     public :: new_pair
 
+    interface new_pair
+        module procedure new_pair_of_solvers
+    end interface new_pair
+
 contains
 
     !> The medium of two bodies. The profile of a contact with it is the gap before contact, the sum of both shapes; its depth is
     !> the approach of distant points.
-    subroutine new_pair(medium, lower, upper, error)
-        class(medium_t), allocatable, intent(out) :: medium
+    subroutine new_pair_of_solvers(medium, lower, upper, error)
+        class(solver_t), allocatable, intent(out) :: medium
         !> media of one body each; one of them may be rigid. Copied
-        class(medium_t), intent(in) :: lower, upper
+        class(solver_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
         type(homogeneous_t) :: homogeneous
         type(power_graded_t) :: power_graded
@@ -38,11 +42,6 @@ contains
         if (allocated(error)) return
         if (upper%is_rigid) then
             call lower%copy_to(medium, error)
-            return
-        end if
-        if (lower%relaxes .or. upper%relaxes) then
-            call raise(error, error_invalid, " is not allowed: one of the bodies is viscoelastic; press it with a rigid one", &
-                       "upper")
             return
         end if
         select type (lower)
@@ -66,11 +65,11 @@ contains
         else
             call add_in_series(medium, lower, upper, error)
         end if
-    end subroutine new_pair
+    end subroutine new_pair_of_solvers
 
     !> Whether its exact solution is known: then the compliances add.
     pure function is_solved(medium) result(answer)
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         logical :: answer
 
         answer = .false.
@@ -83,9 +82,9 @@ contains
     end function is_solved
 
     subroutine add_exactly(medium, lower, upper, error)
-        class(medium_t), allocatable, intent(out) :: medium
+        class(solver_t), allocatable, intent(out) :: medium
         !> solved
-        class(medium_t), intent(in), target :: lower, upper
+        class(solver_t), intent(in), target :: lower, upper
         type(error_t), allocatable, intent(out) :: error
         type(layered_exact_t), target :: bare(2)
         class(layered_exact_t), pointer :: first, second
@@ -100,7 +99,7 @@ contains
 
     !> The medium itself, or a half-space in the same form.
     subroutine as_exact(medium, bare, exact)
-        class(medium_t), intent(in), target :: medium
+        class(solver_t), intent(in), target :: medium
         type(layered_exact_t), intent(inout), target :: bare
         class(layered_exact_t), pointer, intent(out) :: exact
 
@@ -114,8 +113,8 @@ contains
     end subroutine as_exact
 
     subroutine add_in_series(medium, lower, upper, error)
-        class(medium_t), allocatable, intent(out) :: medium
-        class(medium_t), intent(in) :: lower, upper
+        class(solver_t), allocatable, intent(out) :: medium
+        class(solver_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
         class(effective_medium_t), allocatable :: first, second
         type(series_t), allocatable :: series
@@ -130,7 +129,7 @@ contains
 
     !> A body by its effective modulus.
     subroutine as_effective(medium, effective, error)
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         class(effective_medium_t), allocatable, intent(out) :: effective
         type(error_t), allocatable, intent(out) :: error
         type(tabulated_medium_t), allocatable :: sampled

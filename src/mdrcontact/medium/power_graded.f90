@@ -9,7 +9,7 @@ module mdrcontact_medium_power_graded
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_material, only: in_series
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: gauss_jacobi, gauss_legendre, graded_rule, smallest_panel_ratio
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
@@ -22,7 +22,7 @@ module mdrcontact_medium_power_graded
     integer, parameter :: panel_nodes = 20
 
     !> E(z) = E0 (z/z0)^m by its springs.
-    type, extends(medium_t) :: power_graded_t
+    type, extends(solver_t) :: power_graded_t
         private
         !> m
         real(wp) :: exponent = 0.0_wp

@@ -4,7 +4,7 @@ module mdrcontact_medium_sampled_exact
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_exact, only: layered_exact_t
-    use mdrcontact_medium, only: modulus_of_radius_t
+    use mdrcontact_medium_solver, only: modulus_of_radius_t
     use mdrcontact_medium_tabulated, only: new_medium_from_function, tabulated_medium_t
     implicit none (type, external)
     private

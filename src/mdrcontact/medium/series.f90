@@ -8,7 +8,7 @@ module mdrcontact_medium_series
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_material, only: in_series
-    use mdrcontact_medium, only: lower_body, medium_t
+    use mdrcontact_medium_solver, only: lower_body, solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
@@ -168,9 +168,9 @@ contains
     !> Both bodies under shear.
     subroutine new_tangential(self, tangential, error)
         class(series_t), intent(in) :: self
-        class(medium_t), allocatable, intent(out) :: tangential
+        class(solver_t), allocatable, intent(out) :: tangential
         type(error_t), allocatable, intent(out) :: error
-        class(medium_t), allocatable :: lower, upper
+        class(solver_t), allocatable :: lower, upper
         type(series_t), allocatable :: own
 
         call self%lower%new_tangential(lower, error)

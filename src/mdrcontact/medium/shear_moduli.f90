@@ -5,7 +5,7 @@ module mdrcontact_medium_shear_moduli
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: in_series, material_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     implicit none (type, external)
     private
     public :: moduli_under_shear
@@ -15,7 +15,7 @@ contains
     !> G and G*; of two bodies in series, 1/G = 1/G1 + 1/G2.
     pure subroutine moduli_under_shear(medium, moduli, error)
         !> of homogeneous bodies
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         !> G and G* [modulus]
         real(wp), intent(out) :: moduli(2)
         type(error_t), allocatable, intent(out) :: error

@@ -9,7 +9,7 @@ module mdrcontact_medium_superposed_slip
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_medium_slip, only: beside, slip_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_numerics_pick, only: pick
     use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
@@ -23,7 +23,7 @@ module mdrcontact_medium_superposed_slip
     !> One normal state and the media that answer to its parts.
     type, extends(slip_t) :: superposed_slip_t
         private
-        class(medium_t), allocatable :: normal, tangential
+        class(solver_t), allocatable :: normal, tangential
         class(profile_t), allocatable :: profile
         real(wp), allocatable :: breaks(:)
         !> depth beyond the non-adhesive one [length]
@@ -42,7 +42,7 @@ contains
     subroutine new_superposed_slip(self, normal, tangential, profile, a, excess, error)
         type(superposed_slip_t), intent(out) :: self
         !> with effective moduli E_eff and G_t, whose depth is that of the profile
-        class(medium_t), intent(in) :: normal, tangential
+        class(solver_t), intent(in) :: normal, tangential
         class(profile_t), intent(in) :: profile
         !> [length]
         real(wp), intent(in) :: a, excess
@@ -149,7 +149,7 @@ contains
     !> p of a contact of radius a less p of one of radius c without adhesion, at positions up to a.
     subroutine traction_between(whole, profile, a, excess, stick, of_stick, c, r, values, error)
         !> the media of both and the profiles on them
-        class(medium_t), intent(in) :: whole, stick
+        class(solver_t), intent(in) :: whole, stick
         class(profile_t), intent(in) :: profile, of_stick
         !> contact radius, depth beyond the non-adhesive one, and stick radius [length]
         real(wp), intent(in) :: a, excess, c

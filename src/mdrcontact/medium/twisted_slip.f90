@@ -15,7 +15,7 @@ module mdrcontact_medium_twisted_slip
     use mdrcontact_medium_slip, only: slip_t, thin
     use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_medium, only: medium_t, not_known
+    use mdrcontact_medium_solver, only: solver_t, not_known
     use mdrcontact_medium_shear_moduli, only: moduli_under_shear
     use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_rule, mark_breaks, merge_breaks
     use mdrcontact_profile, only: profile_t
@@ -39,7 +39,7 @@ module mdrcontact_medium_twisted_slip
     !> One normal state.
     type, extends(slip_t) :: twisted_slip_t
         private
-        class(medium_t), allocatable :: normal
+        class(solver_t), allocatable :: normal
         class(profile_t), allocatable :: profile
         real(wp), allocatable :: breaks(:)
         !> E* and G [modulus], q_n(a) [modulus length], depth beyond the non-adhesive one [length]
@@ -58,7 +58,7 @@ contains
     subroutine new_twisted_slip(self, normal, profile, a, excess, error)
         type(twisted_slip_t), intent(out) :: self
         !> of homogeneous bodies
-        class(medium_t), intent(in) :: normal
+        class(solver_t), intent(in) :: normal
         class(profile_t), intent(in) :: profile
         !> [length]
         real(wp), intent(in) :: a, excess
@@ -68,7 +68,7 @@ contains
         real(wp) :: shear(2)
 
         if (.not. normal%has_free_springs) then
-            call not_known(normal, "torsion with friction is", "a homogeneous one with E and nu, or a pair of them", error)
+            call not_known("torsion with friction is", "a homogeneous one with E and nu, or a pair of them", error)
             return
         end if
         call moduli_under_shear(normal, shear, error)

@@ -4,13 +4,13 @@ module mdrcontact_medium_values
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     implicit none (type, external)
     private
     public :: modulus_values
 
     type, extends(batch_t) :: modulus_batch_t
-        class(medium_t), pointer :: medium => null()
+        class(solver_t), pointer :: medium => null()
         real(wp), pointer, contiguous :: a(:) => null(), values(:) => null()
     contains
         procedure :: work
@@ -24,7 +24,7 @@ contains
 
     !> E_eff(a) [modulus].
     subroutine modulus_values(medium, a, values, threads, error)
-        class(medium_t), intent(in), target :: medium
+        class(solver_t), intent(in), target :: medium
         !> a > 0 where the medium is defined, not checked [length]
         real(wp), intent(in), target, contiguous :: a(:)
         !> same size as a

@@ -1,30 +1,23 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A viscoelastic half-space, homogeneous or layered. It has no elastic states: a request for one is refused. Histories
-!> (mdrcontact_history) and oscillations (mdrcontact_history_oscillation) of a contact start from the materials that it keeps.
+!> A viscoelastic half-space, homogeneous or layered. It has no elastic states, and so no solver: histories
+!> (mdrcontact_history_relaxation) and oscillations (mdrcontact_history_relaxation_stiffness) start from its materials.
 module mdrcontact_medium_viscoelastic
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t, moduli_t, new_material
     use mdrcontact_material_prony, only: prony_t
     use mdrcontact_material_rheology, only: rheology_t, same_shape
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
-    use mdrcontact_model, only: model_options_t, models, new_medium
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_model, only: model_options_t, models, new_solver
     implicit none (type, external)
     private
     public :: viscoelastic_t, new_viscoelastic_medium
 
-    !> What an elastic question is answered with.
-    character(len=*), parameter :: takes_time = &
-                                   "this body is viscoelastic, and the quantity belongs to an elastic one: ask for its "// &
-                                   "history (a path in time) or its dynamic stiffness (an oscillation), or take the glassy "// &
-                                   "or the relaxed material"
-
     !> Materials from the surface down, the substrate last, unless the base is rigid.
-    type, extends(medium_t) :: viscoelastic_t
+    type :: viscoelastic_t
         !> from the surface down
         type(rheology_t), allocatable :: materials(:)
         !> of the layers [length]
@@ -39,16 +32,8 @@ module mdrcontact_medium_viscoelastic
         logical :: is_proportional = .false.
         !> the elastic body whose contact modulus is multiplied by `relaxation_shape`, where they do: the glassy one without
         !> dashpots, with power laws at their unit of time
-        class(medium_t), allocatable :: reference
+        class(solver_t), allocatable :: reference
     contains
-        procedure :: modulus => no_radius_function
-        procedure :: modulus_slope => no_radius_function
-        procedure :: depth_and_force => no_state
-        procedure :: line_load => no_field
-        procedure :: pressure => no_field
-        procedure :: displacement_outside => no_field
-        procedure :: check_profile
-        procedure :: add_breaks
         procedure :: relaxation_shape
         procedure :: moduli_at
     end type viscoelastic_t
@@ -98,13 +83,8 @@ contains
             allocate (self%reference, source=homogeneous)
         else
             call new_stack(body, elastic(:size(thickness)), thickness, elastic(size(thickness) + 1), error, rigid_base)
-            if (.not. allocated(error)) call new_medium(self%reference, body, model, error, options, shared)
+            if (.not. allocated(error)) call new_solver(self%reference, body, model, error, options, shared)
         end if
-        if (allocated(error)) return
-        self%relaxes = .true.
-        self%is_exact = self%reference%is_exact
-        self%is_modulus_formula = .false.
-        self%largest_radius = self%reference%largest_radius
     end subroutine new_viscoelastic_medium
 
     !> The elastic material that stands for a relaxing one; of a power law its modulus at the time for which that of the first
@@ -156,61 +136,5 @@ contains
         moduli(size(moduli)) = moduli_t((1.0_wp, 0.0_wp), (2.0_wp, 0.0_wp), (0.0_wp, 0.0_wp))
         moduli(:size(self%materials)) = self%materials%moduli_at(s)
     end function moduli_at
-
-    subroutine no_radius_function(self, a, values, error)
-        class(viscoelastic_t), intent(in) :: self
-        real(wp), intent(in) :: a(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => a)
-        end associate
-        values = 0.0_wp
-        call raise(error, error_invalid, takes_time)
-    end subroutine no_radius_function
-
-    subroutine no_state(self, profile, a, depth, force, error)
-        class(viscoelastic_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => profile, unused_too => a)
-        end associate
-        depth = 0.0_wp
-        force = 0.0_wp
-        call raise(error, error_invalid, takes_time)
-    end subroutine no_state
-
-    subroutine no_field(self, profile, a, excess, r, values, error)
-        class(viscoelastic_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => profile, unused_too => a, and_this => excess, this_too => r)
-        end associate
-        values = 0.0_wp
-        call raise(error, error_invalid, takes_time)
-    end subroutine no_field
-
-    pure subroutine check_profile(self, profile, error)
-        class(viscoelastic_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        type(error_t), allocatable, intent(inout) :: error
-
-        call self%reference%check_profile(profile, error)
-    end subroutine check_profile
-
-    pure subroutine add_breaks(self, radii, error)
-        class(viscoelastic_t), intent(in) :: self
-        real(wp), allocatable, intent(inout) :: radii(:)
-        type(error_t), allocatable, intent(inout) :: error
-
-        call self%reference%add_breaks(radii, error)
-    end subroutine add_breaks
 
 end module mdrcontact_medium_viscoelastic

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A medium that counts how often it is solved.
 module counting_medium
-    use mdrcontact, only: error_t, medium_t, profile_t
+    use mdrcontact, only: error_t, solver_t, profile_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -11,8 +11,8 @@ module counting_medium
         integer :: solutions = 0
     end type counter_t
 
-    type, extends(medium_t) :: counting_medium_t
-        class(medium_t), allocatable :: inside
+    type, extends(solver_t) :: counting_medium_t
+        class(solver_t), allocatable :: inside
         type(counter_t), pointer :: counter => null()
     contains
         procedure :: modulus

@@ -2,7 +2,7 @@
 !> Contacts that several tests look at.
 module example_contacts
     use mdrcontact, only: contact_options_t, contact_t, error_t, flat_cone_t, flat_punch_t, gao_t, homogeneous_t, layered_exact_t, &
-                          material_t, medium_t, new_cone, new_contact, new_flat_cone, new_flat_punch, new_gao, &
+                          material_t, solver_t, new_cone, new_contact, new_flat_cone, new_flat_punch, new_gao, &
                           new_homogeneous_from_modulus, new_layered_exact, new_paraboloid, power_law_t, profile_t, wp
     implicit none (type, external)
     private
@@ -78,7 +78,7 @@ contains
 
     subroutine press(profile, medium, work_of_adhesion, contact)
         type(power_law_t), intent(in) :: profile
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         real(wp), intent(in) :: work_of_adhesion
         type(contact_t), intent(out) :: contact
         type(contact_options_t) :: options

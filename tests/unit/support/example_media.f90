@@ -2,7 +2,7 @@
 !> One coated medium of every effective-modulus model, for tests that must hold for all of them.
 module example_media
     use mdrcontact, only: bec_t, doerner_nix_t, error_t, gao_nu_effective, gao_nu_given, gao_nu_substrate, gao_options_t, gao_t, &
-                          hay_crawford_t, material_t, medium_t, mencik_t, new_bec, new_doerner_nix, new_gao, new_hay_crawford, &
+                          hay_crawford_t, material_t, solver_t, mencik_t, new_bec, new_doerner_nix, new_gao, new_hay_crawford, &
                           new_material, new_mencik, new_perriot_barthel, new_wave, perriot_barthel_t, wave_t, wp
     implicit none (type, external)
     private
@@ -12,7 +12,7 @@ module example_media
 
     type :: example_medium_t
         character(len=32) :: name = ""
-        class(medium_t), allocatable :: medium
+        class(solver_t), allocatable :: medium
     end type example_medium_t
 
 contains
@@ -94,7 +94,7 @@ contains
     subroutine put(example, name, medium, error)
         type(example_medium_t), intent(inout) :: example
         character(len=*), intent(in) :: name
-        class(medium_t), intent(in) :: medium
+        class(solver_t), intent(in) :: medium
         type(error_t), allocatable, intent(in) :: error
 
         call require_success(error)

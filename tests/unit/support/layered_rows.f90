@@ -4,7 +4,7 @@
 module layered_rows
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
     use reference_tables, only: line_length, new_table_medium, new_table_profile, numbers_of, read_table, split
     implicit none (type, external)
@@ -61,7 +61,7 @@ contains
     subroutine new_row_bodies(row, profile, medium)
         type(layered_row_t), intent(in) :: row
         class(profile_t), allocatable, intent(out) :: profile
-        class(medium_t), allocatable, intent(out) :: medium
+        class(solver_t), allocatable, intent(out) :: medium
         integer :: i
 
         call new_table_profile(profile, trim(row%profile))

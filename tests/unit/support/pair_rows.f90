@@ -3,7 +3,7 @@
 module pair_rows
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_rigid
     use reference_tables, only: layers_of, line_length, new_table_medium, numbers_of, read_table, split
     implicit none (type, external)
@@ -43,7 +43,7 @@ contains
     !> "h:E:nu; ...; E:nu", "...; rigid base" or "rigid".
     subroutine new_row_body(text, medium)
         character(len=*), intent(in) :: text
-        class(medium_t), allocatable, intent(out) :: medium
+        class(solver_t), allocatable, intent(out) :: medium
         type(material_t) :: substrate
         type(homogeneous_t) :: rigid
         real(wp), allocatable :: h(:), E(:), nu(:)

@@ -6,7 +6,7 @@ module reference_tables
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
@@ -91,7 +91,7 @@ contains
 
     !> Layers from the surface down, if there are any, on a half-space or a rigid base, solved exactly.
     subroutine new_table_medium(medium, layers, thickness, substrate, rigid_base)
-        class(medium_t), allocatable, intent(out) :: medium
+        class(solver_t), allocatable, intent(out) :: medium
         type(material_t), intent(in) :: layers(:), substrate
         real(wp), intent(in) :: thickness(:)
         logical, intent(in) :: rigid_base

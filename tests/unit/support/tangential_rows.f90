@@ -5,7 +5,7 @@ module tangential_rows
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
     use reference_tables, only: layers_of, line_length, new_table_medium, new_table_profile, read_table, split
     implicit none (type, external)
@@ -49,7 +49,7 @@ contains
     subroutine new_row_contact(row, contact)
         type(tangential_row_t), intent(in) :: row
         type(contact_t), intent(out) :: contact
-        class(medium_t), allocatable :: medium
+        class(solver_t), allocatable :: medium
         class(profile_t), allocatable :: profile
         type(error_t), allocatable :: error
         real(wp), allocatable :: h(:), G(:), nu(:)
