@@ -4,15 +4,14 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 
 import numpy as np
 
 from .. import medium as media
 from .. import profile as profiles
 from ..errors import MDRError
-from ..material import Elastic
 from ..problem.units import LENGTH, MODULUS, shown
+from .contradictions import contradictions
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from .misfit import SMALL, percent
 from .result import FitResult
@@ -27,8 +26,6 @@ _STRAYS, _STRAY_SHARE = 3, 0.01
 """Readings about a jump that noise may put on the wrong side of it."""
 _PLASTIC = 0.7
 """Part of the depth that stays, from which on surfaces may pile up."""
-_SOFTER = 1.5
-"""A film this much softer than its base contradicts one that was taken as stiffer."""
 _SMALL_CONTACT, _LARGE_CONTACT = 0.1, 3.0
 
 
@@ -228,27 +225,6 @@ def _softer_than_base(result: FitResult) -> list[str]:
         "softer base"
         for name in names
     ]
-
-
-def contradictions(result: FitResult) -> list[str]:
-    """Free film moduli that began above the modulus below them and ended below it."""
-    medium, problem = result.medium, result.problem
-    if isinstance(medium, media.Coated):
-        stack = [("coating.E", medium.coating), ("", medium.substrate)]
-    elif isinstance(medium, media.Layered):
-        stack = [(f"layers[{i}].E", material) for i, (material, _) in enumerate(medium.layers)] + [("", medium.substrate)]
-    else:
-        return []
-    names = []
-    for (name, material), (_, below) in pairwise(stack):
-        if name not in result.names or problem.free[name].prior is not None:
-            continue
-        if not (isinstance(material, Elastic) and isinstance(below, Elastic)):
-            continue
-        began = float(problem.table[0, problem.names.index(name)])
-        if began > below.E > _SOFTER * material.E and result.interval(name).upper < below.E:
-            names.append(name)
-    return names
 
 
 def _pile_up(result: FitResult) -> list[str]:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import MDRError
-from .advice import contradictions
+from .contradictions import contradictions
 from .misfit import LARGE, percent
 from .result import FitResult
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from .. import _native
 from ..problem.units import shown
-from .quantities import digits, dimension_of, measured, unit_of, words_of
+from .quantities import dimension_of, measured, unit_of, words_of
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #1a1a1a; max-width: 62em; margin: 2em auto; padding: 0 1em; }
@@ -102,7 +102,7 @@ def _estimates(result: Any, level: float) -> list[list[str]]:
     for name in result.names:
         value, error = result.estimates[name], result.standard_errors[name]
         unit = unit_of(name, max(abs(value), error))
-        ends = " to ".join(digits(end / unit.factor, error / unit.factor) for end in result.interval(name, level))
+        ends = result.interval_as_text(name, level)
         prior = result.problem.free[name].prior
         known = "in a joint prior" if _in_joint_prior(result, name) else measured(name, *prior) if prior else ""
         doubts = "; ".join(result.doubts(name))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import math
 import os
@@ -19,8 +20,9 @@ from .._files import replace
 from .._interrupt import workers
 from ..errors import InvalidArgumentError, MDRError
 from ..problem.units import practical
+from .contradictions import contradictions
 from .data import StiffnessDepth
-from .misfit import LARGE, measure_misfit, percent
+from .misfit import LARGE, Misfit, measure_misfit, percent
 from .picture import draw
 from .problem import Problem
 from .quantities import digits, dimension_of, dimension_of_data, measured, unit_of, words_of
@@ -97,8 +99,12 @@ class FitResult:
         self.residuals: Array = np.asarray(residuals)
         self.warnings: list[str] = []
         self._values = np.asarray(values)
+
+    @functools.cached_property
+    def misfit(self) -> Misfit:
+        """How far the model departs from the data."""
         offset = {"force": "force_offset", "depth": "depth_offset"}.get(self.data.y_name, "")
-        self.misfit = measure_misfit(self.data, self.fitted, self.values.get(offset, 0.0))
+        return measure_misfit(self.data, self.fitted, self.values.get(offset, 0.0))
 
     @property
     def noise_is_known(self) -> bool:
@@ -209,10 +215,7 @@ class FitResult:
         problem are taken as SI."""
         rows = [["", "estimate", f"{100.0 * level:g} % interval", ""]]
         for name in self.names:
-            lower, upper = self.interval(name, level)
-            error = self.standard_errors[name]
-            unit = unit_of(name, max(abs(self.estimates[name]), error))
-            ends = " to ".join(digits(end / unit.factor, error / unit.factor) for end in (lower, upper))
+            ends = self.interval_as_text(name, level)
             rows.append([f"{words_of(name)} ({name})", self.as_text(name), ends, "; ".join(self.doubts(name))])
         widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
         lines = [f"Fit of {len(self.data)} points: " + ("converged" if self.converged else "NOT CONVERGED, best point found")]
@@ -267,6 +270,8 @@ class FitResult:
     def as_text(self, name: str) -> str:
         """An estimate with its standard error and unit, or what else there is to say of it."""
         value, error = self.estimates[name], self.standard_errors[name]
+        if name in contradictions(self):
+            return "refused"
         if self.at_bound[name]:
             unit = unit_of(name, value)
             return f"{value / unit.factor:.4g} {unit.symbol}".rstrip() + ", no standard error"
@@ -277,9 +282,18 @@ class FitResult:
             return "not determined"
         return measured(name, value, error)
 
+    def interval_as_text(self, name: str, level: float = 0.95) -> str:
+        """The interval in the unit of the estimate; "-" where the estimate is refused."""
+        if name in contradictions(self):
+            return "-"
+        error = self.standard_errors[name]
+        unit = unit_of(name, max(abs(self.estimates[name]), error))
+        return " to ".join(digits(end / unit.factor, error / unit.factor) for end in self.interval(name, level))
+
     def doubts(self, name: str) -> list[str]:
         """What speaks against an estimate, in a few words for each."""
-        words = []
+        words = [f"it would be {measured(name, self.estimates[name], self.standard_errors[name])}, softer than its base"]
+        words = words if name in contradictions(self) else []
         if not self.converged:
             words.append("not converged")
         if self.at_bound[name]:
