@@ -8,6 +8,7 @@ import random
 import zipfile
 
 import instruments
+import numpy as np
 import pytest
 
 from mdrcontact.cli import main
@@ -64,6 +65,21 @@ def test_other_kinds_are_known_by_their_columns(tmp_path, capsys):
     path.write_text("a [nm],E_eff [GPa]\n" + "".join(f"{10 * i},{70 + i}\n" for i in range(1, 20)))
     assert main(["inspect", str(path)]) == 0
     assert 'kind = "modulus-radius"' in capsys.readouterr().out
+
+
+def test_settings_of_the_cantilever_that_the_file_lacks_are_marked(tmp_path, capsys):
+    """Heights and voltages of NT-MDT: what is missing was named, and no problem file came of it."""
+    pytest.importorskip("afmformats")
+    path, start = tmp_path / "Curve_DFL_Height_1.txt", tmp_path / "start.toml"
+    height = np.linspace(-2000.0, 2000.0, 400)
+    volts = 1e-3 * np.maximum(-height, 0.0) ** 1.5 / 50.0 + 1e-4 * np.random.default_rng(0).standard_normal(400)
+    path.write_text("".join(f"{z:.4f}\t{u:.4f}\t{u:.4f}\r\n" for z, u in zip(height, volts, strict=True)).replace(".", ","))
+    assert main(["inspect", str(path), "--problem", str(start)]) == 0
+    out = capsys.readouterr().out
+    assert "not in the file: spring constant, taken as 0.2 N/m" in out
+    assert "guessed in the problem file: radius, spring_constant, deflection_sensitivity" in out
+    assert 'deflection_sensitivity = "50 nm/V"  # not in the file' in start.read_text()
+    assert main(["fit", str(path), "--problem", str(start)]) == 0
 
 
 def test_results_are_not_replaced_unasked(tmp_path, capsys):

@@ -9,6 +9,7 @@ from collections import Counter
 from pathlib import Path
 
 from ..errors import MDRError
+from ..fitting.causes import by_cause
 from ..problem.fit_file import load_fit_file
 from ..problem.inspection import Array, Inspection, Test, inspect_file
 from ..problem.units import FORCE, LENGTH, Dimension, shown
@@ -84,15 +85,17 @@ def _would_be_fitted(path: Path, found: Inspection) -> str:
         start = Path(folder) / "start.toml"
         start.write_text(found.problem, encoding="utf-8")
         problem = load_fit_file(start)
+    warned: list[tuple[str, str]] = []
     for one in problem.curves(path)[:_MOST]:
         try:
             data, notes = one.read()
         except MDRError as refusal:
             lines.append(f"  {one.name}: not: {refusal}")
             continue
-        used = [note for note in notes if " used" in note or "are fitted" in note or "in contact" in note]
+        used = [note for note in notes if note.endswith((" used", "are fitted", "in contact")) or "not used" in note]
         lines.append(f"  {one.name}: {len(data)} points" + (f"; {'; '.join(used)}" if used else ""))
-        lines += [f"    warning: {words}" for words in data.warnings]
+        warned += [(one.name, words) for words in data.warnings]
+    lines += [f"warning: {words}" for words in by_cause(warned)]
     missing = [line.split("=")[0].strip() for line in found.problem.splitlines() if _MARKED in line]
     lines.append(f"not in the file, guessed in the problem file: {', '.join([*missing, 'the body'])}")
     return "\n".join(lines)

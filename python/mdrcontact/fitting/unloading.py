@@ -17,6 +17,7 @@ from ..measurement.segments import Segment, curve, find_segments
 from ..medium import Homogeneous
 from ..problem.units import LENGTH, shown
 from ..profile import PowerLaw
+from .causes import by_cause
 from .data import REVERSIBLE, ForceDepth, StiffnessDepth, UnloadingPoint
 from .parameters import Free
 from .solve import fit
@@ -113,8 +114,13 @@ def _power_law(h: Array, p: Array, largest: float) -> _Law:
     best = np.array([found.estimates[name] for name in found.names])
     steps = 1e-3 * np.sqrt(np.diag(found.covariance))
     pairs = zip(np.diag(steps), steps, strict=True)
-    gradient = np.array([(top(best + step)[1] - top(best - step)[1]) / (2.0 * size) if size > 0.0 else 0.0 for step, size in pairs])
-    error = math.sqrt(max(float(gradient @ found.covariance @ gradient), 0.0))
+    try:
+        gradient = [(top(best + step)[1] - top(best - step)[1]) / (2.0 * size) if size > 0.0 else 0.0 for step, size in pairs]
+    except MDRError:
+        raise InvalidArgumentError(
+            f"its {len(h)} readings do not determine a stiffness: the unloading is too short, or too noisy"
+        ) from None
+    error = math.sqrt(max(float(np.array(gradient) @ found.covariance @ np.array(gradient)), 0.0))
     depth, stiffness = top(best)
     unit = largest / scale
     lowest = float(h.min())
@@ -247,7 +253,8 @@ class Unloading(StiffnessDepth):
         self.seems_elastic = _gives_back(h, p, parts)
         self.unloadings = tuple(points)
         self.record = h, p
-        self.warnings += [*_doubts_of_record(h, p, parts[0]), *(words for q in points for words in q.warnings)]
+        several = [(f"unloading {i}", words) for i, q in enumerate(points, start=1) for words in q.warnings]
+        self.warnings += [*_doubts_of_record(h, p, parts[0]), *(by_cause(several) if len(points) > 1 else points[0].warnings)]
 
     def found_and_used(self) -> list[str]:
         """How many unloading curves there are and how many are used, with the reasons."""

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 from ..errors import MDRError
 from ..fitting.unloading import unloading_parts
 from ..measurement import Segment
-from ..measurement.afm import SUFFIXES
+from ..measurement.afm import SUFFIXES, MissingSettings
 from . import data as measured
 from .columns import MeasuredTable, TableOptions, read_tables
 from .curves import Curve, curves, fits
@@ -22,17 +23,20 @@ from .formats import Fact
 from .record import Cantilever, Record
 from .section import ProblemError, Section
 from .start_file import start_file
+from .units import SENSITIVITY, STIFFNESS, parse
 
 Array = NDArray[np.float64]
 
+_CANTILEVER = {"spring_constant": "0.2 N/m", "deflection_sensitivity": "50 nm/V"}
+"""Usual ones, to begin with where a file does not say its own."""
+_DIMENSIONS = {"spring_constant": STIFFNESS, "deflection_sensitivity": SENSITIVITY}
 _FEWEST = 5
 """Stiffnesses that make a record a dynamic one."""
 _WIDEST = 9
 """Columns of a table without titles."""
 
 
-@dataclass(frozen=True)
-class Test:
+class Test(NamedTuple):
     """One test of a file."""
 
     name: str
@@ -61,15 +65,35 @@ class Inspection:
 def inspect_file(path: Path) -> Inspection:
     """Reads a file without a problem file; what it cannot be is a `ProblemError` that names its columns."""
     try:
-        found = curves(_section({"kind": "force-depth"}), Cantilever(), path)
+        found, guessed = _curves(path)
         records = [_record(one) for one in found]
     except ProblemError as problem:
         return _of_columns(path, problem)
     tests = [_test(one, record) for one, record in zip(found, records, strict=True)]
     options = _options(path, found[0], records[0], tests[0])
-    notes = records[0].notes
+    if records[0].depth is None and not found[0].facts and not guessed:
+        guessed = {"spring_constant": _CANTILEVER["spring_constant"]}
+    facts = [fact for fact in found[0].facts if fact.name not in guessed]
+    tests = [test._replace(facts=facts) for test in tests] if guessed else tests
+    notes = [*records[0].notes, *(f"not in the file: {name.replace('_', ' ')}, taken as {v}" for name, v in guessed.items())]
     deepest = max(float(np.ptp(test.along)) for test in tests)
-    return Inspection(notes, tests, str(options["kind"]), start_file(path.name, options, found[0].facts, deepest))
+    return Inspection(notes, tests, str(options["kind"]), start_file(path.name, options, facts, deepest, guessed))
+
+
+def _curves(path: Path) -> tuple[list[Curve], Mapping[str, str]]:
+    """The curves of a file, and what is taken for settings of the cantilever that it does not say."""
+    section = _section({"kind": "force-depth"})
+    with suppress(MissingSettings):
+        return curves(section, Cantilever(), path), {}
+    # what a file says itself is not to be guessed
+    with suppress(MDRError):
+        return _guessing(section, path, "spring_constant")
+    return _guessing(section, path, *_CANTILEVER)
+
+
+def _guessing(section: Section, path: Path, *names: str) -> tuple[list[Curve], Mapping[str, str]]:
+    numbers = {name: parse(_CANTILEVER[name], _DIMENSIONS[name]) for name in names}
+    return curves(section, Cantilever(**numbers), path), {name: _CANTILEVER[name] for name in names}
 
 
 def _section(table: Mapping[str, object]) -> Section:
@@ -99,7 +123,7 @@ def _options(path: Path, one: Curve, record: Record, test: Test) -> dict[str, ob
     if path.suffix.lower() in SUFFIXES:
         return {"kind": "depth-time" if "creep" in in_time else "force-time" if in_time else "force-depth"}
     unloads = unloading_parts(test.segments, test.force, 0.4)
-    if _has_stiffness(path):
+    if not is_raw and _has_stiffness(path):
         return {"kind": "stiffness-depth", "branch": "loading"} if len(test.segments) > 1 else {"kind": "stiffness-depth"}
     is_ball = is_raw or any(fact.name == "indenter.radius" for fact in one.facts)
     if not is_ball and unloads:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from .formats import Fact
 from .units import LENGTH, shown
@@ -50,8 +51,11 @@ _FREE = {
 }
 
 
-def start_file(name: str, data: Mapping[str, object], facts: Sequence[Fact], deepest: float) -> str:
-    """The text of a problem file. data : [data]; deepest : range of the depths [m]"""
+def start_file(
+    name: str, data: Mapping[str, object], facts: Sequence[Fact], deepest: float, guessed: Mapping[str, str] = MappingProxyType({})
+) -> str:
+    """The text of a problem file. data : [data]; deepest : range of the depths [m]; guessed : [instrument] of a file that does not
+    say it"""
     kind = str(data["kind"])
     said = {fact.name: fact.value for fact in facts}
     radius = said.get("indenter.radius")
@@ -63,6 +67,8 @@ def start_file(name: str, data: Mapping[str, object], facts: Sequence[Fact], dee
     )
     lines = [f"# mdrcontact fit {name} --problem THIS.toml", f'title = "{_plain(name)}"', "", text]
     lines += [f"# the file says: {fact}" for fact in facts]
+    if guessed:
+        lines += ["[instrument]", *(f'{key} = "{value}"{_GUESS}' for key, value in guessed.items()), ""]
     lines += ["[data]", *(f'{key} = "{value}"' for key, value in data.items()), ""]
     lines += ["[fit]", f"free = {json.dumps(_FREE.get(kind, ['E']))}", ""]
     return "\n".join(lines)
