@@ -12,18 +12,16 @@ foreach(kind IN ITEMS static shared)
     RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   install(EXPORT mdrcontact_${kind} NAMESPACE mdrcontact:: DESTINATION "${package_dir}")
 endforeach()
-install(FILES "${PROJECT_SOURCE_DIR}/include/mdrcontact.h" "${PROJECT_SOURCE_DIR}/include/mdrcontact_law.h"
-  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(FILES ${mdrcontact_headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-# Module files belong to one compiler. gfortran's holds all that it re-exports; others read the modules behind it too, of which
+# gfortran's module file holds all that it re-exports; others read the modules behind it too, of which
 # those of the C layer are internal.
 if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
   set(pattern PATTERN "mdrcontact.mod")
 else()
   set(pattern PATTERN "*.mod" PATTERN "mdrcontact_api_*" EXCLUDE)
 endif()
-install(DIRECTORY "${CMAKE_BINARY_DIR}/modules/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/mdrcontact/modules" FILES_MATCHING
-    ${pattern})
+install(DIRECTORY "${CMAKE_BINARY_DIR}/modules/" DESTINATION "${mdrcontact_module_dir}" FILES_MATCHING ${pattern})
 
 if(CMAKE_BUILD_TYPE)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" mdrcontact_config)
@@ -51,7 +49,7 @@ set(package_libs "-L\${libdir} -lmdrcontact")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/mdrcontact.pc.in" "${PROJECT_BINARY_DIR}/mdrcontact.pc" @ONLY)
 set(package_name mdrcontact-static)
 set(package_words " (static, with the Fortran modules)")
-set(package_cflags " -I\${includedir}/mdrcontact/modules")
+set(package_cflags " -I\${prefix}/${mdrcontact_module_dir}")
 set(package_libs "\${libdir}/${CMAKE_STATIC_LIBRARY_PREFIX}mdrcontact${CMAKE_STATIC_LIBRARY_SUFFIX}${private_libraries}")
 set(private_libraries "")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/mdrcontact.pc.in" "${PROJECT_BINARY_DIR}/mdrcontact-static.pc" @ONLY)

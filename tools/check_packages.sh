@@ -55,7 +55,20 @@ note "the wheel in an empty environment"
 "$python" -m venv "$place/clean"
 pip_install "$place/clean" packages-install.log --only-binary :all: "$wheel"
 mkdir "$place/work"
-cp tests/packages/smoke.py "$place/"
+cp tests/packages/smoke.py examples/clients/law_ctypes.py "$place/"
+
+note "C programs with the library of the wheel, by CMake and by pkg-config"
+place_of() { (cd "$place/work" && "$place/clean/bin/python" -I -c "import mdrcontact; print(mdrcontact.get_$1())"); }
+with_progress "$log_dir/packages-cmake.log" cmake -S tests/export/project/c_only -B "$place/c" -Dlanguage=C -Dkind=shared \
+    "-Dmdrcontact_DIR=$(place_of cmake_dir)" || give_up "CMake does not find the library of the wheel."
+with_progress "$log_dir/packages-c.log" cmake --build "$place/c" || give_up "No C program with the library of the wheel."
+"$place/c/program"
+if command -v pkg-config > /dev/null; then
+    # shellcheck disable=SC2046
+    cc tests/export/project/main.c $(PKG_CONFIG_PATH=$(place_of pkgconfig_dir) pkg-config --cflags --libs mdrcontact) -lm \
+        -o "$place/by_pkg_config"
+    "$place/by_pkg_config"
+fi
 smoke=("$place/clean/bin/python" -I "$place/smoke.py" "$place/work")
 unset LD_LIBRARY_PATH
 cd "$place/work"

@@ -16,6 +16,7 @@ compare and pickle by their constructor arguments, and may be shared between thr
 """
 
 from . import (
+    _c_library,
     accuracy,
     adhesion,
     closed_forms,
@@ -35,6 +36,7 @@ from . import (
     torsion,
     weights,
 )
+from ._c_library import *  # noqa: F403
 from ._native import version as _version
 from .accuracy import *  # noqa: F403
 from .adhesion import *  # noqa: F403
@@ -56,6 +58,7 @@ from .torsion import *  # noqa: F403
 from .weights import *  # noqa: F403
 
 __all__ = [
+    *_c_library.__all__,
     *accuracy.__all__,
     *adhesion.__all__,
     *closed_forms.__all__,

@@ -62,14 +62,26 @@ foreach(language IN ITEMS C CXX)
   endforeach()
 endforeach()
 
+# What is no component is named.
+file(WRITE "${work_dir}/unknown/CMakeLists.txt" "cmake_minimum_required(VERSION 3.22)
+project(unknown LANGUAGES NONE)
+find_package(mdrcontact REQUIRED COMPONENTS shared statik)
+")
+execute_process(COMMAND ${CMAKE_COMMAND} -S "${work_dir}/unknown" -B "${work_dir}/unknown/build" "-DCMAKE_PREFIX_PATH=${prefix}"
+  RESULT_VARIABLE result ERROR_VARIABLE output OUTPUT_QUIET)
+string(REGEX REPLACE "[ \n]+" " " output "${output}")
+if(result EQUAL 0 OR NOT output MATCHES "mdrcontact has no component statik, but shared and static")
+  message(FATAL_ERROR "an unknown component gives: ${output}")
+endif()
+
 # What is there, and nothing of the inside.
 foreach(file IN ITEMS include/mdrcontact.h include/mdrcontact_law.h ${doc_dir}/LICENSE)
   if(NOT EXISTS "${prefix}/${file}")
     message(FATAL_ERROR "${file} is not installed")
   endif()
 endforeach()
-file(GLOB modules RELATIVE "${prefix}/include/mdrcontact/modules" "${prefix}/include/mdrcontact/modules/*")
-if(fortran_id STREQUAL "GNU" AND NOT modules STREQUAL "mdrcontact.mod")
+file(GLOB_RECURSE modules RELATIVE "${prefix}/include/mdrcontact/modules" "${prefix}/include/mdrcontact/modules/*")
+if(fortran_id STREQUAL "GNU" AND NOT modules MATCHES "^GNU-[0-9]+/mdrcontact.mod$")
   message(FATAL_ERROR "installed modules: ${modules}")
 endif()
 

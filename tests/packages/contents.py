@@ -73,6 +73,8 @@ def check_wheel(root, wheel):
         names = set(archive.namelist())
     wanted = {f"mdrcontact/{name}" for name in under(root / "python" / "mdrcontact", "**/*.py", "**/*.pyi", "py.typed")}
     wanted |= {f"mdrcontact/{name}" for name in under(root / "examples", "problems/*.toml")}
+    wanted |= {f"mdrcontact/{name}" for name in under(root, "include/*.h", "include/*.hpp")}
+    wanted |= {f"mdrcontact/{name}" for name in ("cmake/mdrcontact-config.cmake", "pkgconfig/mdrcontact.pc")}
     complain(wheel, "missing", wanted - names)
     complain(wheel, "not meant to be there", {name for name in names if JUNK.search(name)})
     tops = {name.split("/")[0] for name in names}
@@ -86,6 +88,8 @@ def check_wheel(root, wheel):
         sys.exit(f"{wheel.name}: {len(libraries)} libraries inside, with the licences of {sorted(licences)}")
     if sum(name.startswith("mdrcontact/_native.") and name.endswith(".so") for name in names) != 1:
         sys.exit(f"{wheel.name}: one extension module mdrcontact/_native is meant")
+    if sum(name.startswith("mdrcontact/lib/libmdrcontact.so") for name in names) != 1:
+        sys.exit(f"{wheel.name}: one shared library for C is meant")
     if "manylinux" not in wheel.name:
         sys.exit(f"{wheel.name}: its libraries were not put inside")
     print(f"   {wheel.name}: {len(names)} files, {wheel.stat().st_size / 1e6:.1f} MB")

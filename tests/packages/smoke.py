@@ -9,6 +9,7 @@ import math
 import os
 import platform
 import re
+import runpy
 import subprocess
 import sys
 from importlib import metadata
@@ -99,6 +100,13 @@ def loaded_libraries():
     print(f"   brought along: {', '.join(sorted(ours))}")
 
 
+def c_library():
+    """The C library of the package by ctypes: examples/clients/law_ctypes.py, or its copy beside this file."""
+    here = Path(__file__).resolve()
+    copy, original = here.with_name("law_ctypes.py"), here.parents[2] / "examples" / "clients" / "law_ctypes.py"
+    runpy.run_path(str(copy if copy.exists() else original), run_name="__main__")
+
+
 def main(folder):
     """All of it."""
     homogeneous()
@@ -107,6 +115,7 @@ def main(folder):
     fitted()
     on_threads()
     command_line(folder)
+    c_library()
     if platform.system() == "Linux":
         loaded_libraries()
     print("smoke test passed")

@@ -54,6 +54,16 @@ def test_clients(script, host, tmp_path):
     assert "largest" in run([sys.executable, "-W", "error", ROOT / "examples" / "clients" / f"{script}.py"], tmp_path)
 
 
+def test_ctypes(tmp_path):
+    """The C library of the package without a compiler."""
+    try:
+        mdr.get_library()
+    except mdr.FileError as problem:
+        pytest.skip(str(problem))
+    script = ROOT / "examples" / "clients" / "law_ctypes.py"
+    assert "largest relative error" in run([sys.executable, "-W", "error", script], tmp_path)
+
+
 def test_readme_says_what_its_examples_print():
     assert f"F = {FORCE} mN and a = {RADIUS} nm" in README
 
