@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native, adhesion
 from ._boundary import FloatOrArray, address, call, evaluate, evaluate_all, number, whole
+from ._law_arrays import LawArrays, law_arrays
 from ._law_file import law_options
 from ._law_steps import LawSteps
 from ._warn import warn
@@ -18,7 +19,7 @@ from .contact import Contact
 from .errors import ArgumentTypeError, BeyondRangeWarning
 from .friction import Friction
 
-__all__ = ["ContactLaw", "LawState"]
+__all__ = ["ContactLaw", "LawArrays", "LawState"]
 
 _UNLOADING = BRANCHES["unloading"]
 _state: Any = tuple.__new__
@@ -161,6 +162,11 @@ class ContactLaw(LawSteps):
         numbers = np.empty(int(self._facts["buffer_size"]))
         call(_native.law_buffer, self._address, numbers.size, address(numbers))
         return numbers
+
+    def arrays(self) -> LawArrays:
+        """The same numbers by parts: NumPy views of segments, intervals, and of the polynomials of each panel. What they mean is
+        said in `mdrcontact.h`; `mdrcontact.interop` makes functions of numba, JAX and PyTorch of them."""
+        return law_arrays(self.buffer())
 
     def with_radius(self, radius: float) -> ContactLaw:
         """The law of the same bodies for a paraboloid of another radius R > 0 [length], from this one for R0.

@@ -47,7 +47,9 @@ def test_problems(tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("script", "host"), [("plate_fem", "skfem"), ("ball_mujoco", "mujoco")])
+@pytest.mark.parametrize(
+    ("script", "host"), [("plate_fem", "skfem"), ("ball_mujoco", "mujoco"), ("chain_numba", "numba"), ("column_jax", "jax")]
+)
 def test_clients(script, host, tmp_path):
     """They check their results themselves. Where the host is missing: examples/clients/install_hosts.sh."""
     pytest.importorskip(host)

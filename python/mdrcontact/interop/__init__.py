@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compiled laws as functions of numba, JAX and PyTorch: F(d) and U(d) inside their kernels, without a call of the library.
+
+Each function below imports its package when it is called; docs/interop.md.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..law import ContactLaw
+
+__all__ = ["jax_function", "numba_function", "torch_function"]
+
+
+def numba_function(law: ContactLaw, branch: str = "unloading") -> Any:
+    """A function of numba that takes one depth d [length] and returns F [modulus length^2] and dF/dd [modulus length], to be called
+    from compiled functions; both are NaN where the law refuses. Its bits are those of the law.
+
+    branch : "loading" or "unloading", as in `ContactLaw.force`
+    """
+    from ._numba import function
+
+    return function(law, branch)
+
+
+def jax_function(law: ContactLaw, quantity: str = "force", branch: str = "unloading") -> Any:
+    """A function of JAX that takes depths of any shape and returns F [modulus length^2], or U [modulus length^3], to the last
+    digits of the law's; NaN where the law refuses. It has derivatives of any order and passes through jit, vmap, grad and hessian.
+
+    quantity : "force" or "energy", whose gradient is F to the tolerance of the law
+    branch : as in `numba_function`
+
+    InvalidArgumentError unless JAX computes in double precision, `jax.config.update("jax_enable_x64", True)`.
+    """
+    from ._jax import function
+
+    return function(law, quantity, branch)
+
+
+def torch_function(law: ContactLaw, quantity: str = "force", branch: str = "unloading") -> Any:
+    """The same of PyTorch: takes tensors of torch.float64 of any shape, on any device, and has derivatives of any order."""
+    from ._torch import function
+
+    return function(law, quantity, branch)
