@@ -604,6 +604,28 @@ int mdr_medium_tangential_modulus(const mdr_medium *m, int n, const double a[], 
  *  @return also MDR_EINVALID for other media, MDR_EDOMAIN where the medium is not defined, MDR_ENOCONVERGENCE */
 int mdr_medium_torsional_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
 
+/** Loads of a surface. */
+enum mdr_load {
+    MDR_LOAD_NORMAL = 1, /**< A pressure. */
+    MDR_LOAD_SHEAR = 2,  /**< A traction of one direction along the surface: the mean over the directions of the wave. */
+    MDR_LOAD_TWIST = 3   /**< A traction along the surface across the wave, which one around an axis consists of. */
+};
+
+/** C(k), what the surface answers to a wave of load: displacement over traction at wavenumber k, of a pair the sum over both bodies.
+ *  2/(E* k), (2 - nu)/(2 G k) and 1/(G k) of a homogeneous body. Under a traction along the wave it is twice that of MDR_LOAD_SHEAR
+ *  less that of MDR_LOAD_TWIST. It makes codes that solve contacts by Fourier transforms layered. The model by which the medium
+ *  solves its contacts does not matter.
+ *  @param m          medium of known layers: not one given by its modulus alone, of a power of the depth, or rigid
+ *  @param load       one of enum mdr_load
+ *  @param omega      angular frequency at which a viscoelastic medium is taken, 0 for its relaxed one; else it does not matter
+ *                    [1/time]
+ *  @param n          number of wavenumbers
+ *  @param k          [n] > 0 [1/length]
+ *  @param out        [n] real parts [length/modulus]
+ *  @param imaginary  [n] or NULL: imaginary parts, <= 0; 0 of elastic media
+ *  @return also MDR_EINVALID for other media, MDR_EDOMAIN where C is infinite, as that of a fluid at omega = 0 */
+int mdr_medium_compliance(const mdr_medium *m, int load, double omega, int n, const double k[], double out[], double imaginary[]);
+
 /** Frees a medium and sets *m to NULL. m = NULL and *m = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *m is not a medium */
 int mdr_medium_free(mdr_medium **m);

@@ -177,9 +177,45 @@ static void rim_of_a_sphere(void)
     CHECK_SUCCESS(mdr_medium_free(&m));
 }
 
+/* What a surface answers to waves: short ones see the film, long ones the substrate; refusals write nothing. */
+static void compliances(void)
+{
+    const double k[2] = {1e-9, 1e9}, bad[2] = {1.0, 0.0};
+    double C[2], imaginary[2];
+    mdr_medium *m = NULL, *modulus = NULL, *rigid = NULL;
+
+    CHECK_SUCCESS(mdr_medium_coated(2.6, 0.3, 0.1, 26.0, 0.3, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &modulus));
+    CHECK_SUCCESS(mdr_medium_rigid(&rigid));
+    for (int load = MDR_LOAD_NORMAL; load <= MDR_LOAD_TWIST; load++) {
+        const double factor = load == MDR_LOAD_NORMAL ? 0.7 : load == MDR_LOAD_SHEAR ? 0.85 : 1.0;
+
+        CHECK_SUCCESS(mdr_medium_compliance(m, load, 0.0, 2, k, C, imaginary));
+        CHECK_CLOSE(C[0], 0.1 * factor / k[0], 1e-6);
+        CHECK_CLOSE(C[1], factor / k[1], 1e-15);
+        CHECK_TRUE(imaginary[0] == 0.0 && imaginary[1] == 0.0);
+    }
+    fill_untouched(2, C);
+    CHECK_STATUS(mdr_medium_compliance(NULL, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_ENULL, "m is NULL");
+    CHECK_STATUS(mdr_medium_compliance(m, 4, 0.0, 2, k, C, NULL), MDR_EINVALID, "load = 4");
+    CHECK_STATUS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, NAN, 2, k, C, NULL), MDR_EINVALID, "omega");
+    CHECK_STATUS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, -1, k, C, NULL), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, 2, bad, C, NULL), MDR_EINVALID, "entry 2 of k");
+    CHECK_STATUS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, 2, NULL, C, NULL), MDR_ENULL, "k is NULL");
+    CHECK_STATUS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, 2, k, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_compliance(modulus, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "modulus alone");
+    CHECK_STATUS(mdr_medium_compliance(rigid, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "rigid");
+    CHECK_UNTOUCHED(2, C);
+    CHECK_SUCCESS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, 0, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_medium_free(&rigid));
+    CHECK_SUCCESS(mdr_medium_free(&modulus));
+    CHECK_SUCCESS(mdr_medium_free(&m));
+}
+
 int main(void)
 {
     refusals();
+    compliances();
     rim_of_a_sphere();
     graded_bodies();
     one_material();

@@ -8,9 +8,14 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from .. import _native
-from .._boundary import FloatOrArray, Handle, evaluate, numbers
+from .. import _layout, _native
+from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, evaluate, number, numbers
+from .._choices import nearest
 from .._value import Value
+from ..errors import InvalidArgumentError
+from .viscoelastic import is_viscoelastic
+
+_LOADS = {"normal": _layout.LOAD_NORMAL, "shear": _layout.LOAD_SHEAR, "twist": _layout.LOAD_TWIST}
 
 
 @dataclass(frozen=True)
@@ -45,6 +50,25 @@ class Medium(Value):
         body is tabulated in each call: ask for all radii at once.
         """
         return evaluate("a", a, lambda radii: _native.medium_tangential_modulus(self._handle.address, radii))
+
+    def compliance(self, k: ArrayLike, load: str = "normal", omega: float = 0.0) -> FloatOrArray | ComplexOrArray:
+        """C(k) [length/modulus], what the surface answers to a wave of load: displacement over traction at wavenumbers k > 0
+        [1/length], any shape; of a pair the sum over both bodies. It makes codes that solve contacts by Fourier transforms layered.
+
+        load : "normal": a pressure, 2/(E* k) of a homogeneous body; "shear": a traction of one direction along the surface, mean
+            over the directions of the wave, (2 - nu)/(2 G k); "twist": a traction across the wave, 1/(G k). Under a traction along
+            the wave it is twice that of "shear" less that of "twist"
+        omega : angular frequency at which a viscoelastic medium is taken, 0 for its relaxed one [1/time]; its C is complex
+
+        The model by which the medium solves its contacts does not matter. Refused for media given by their modulus alone, of a
+        power of the depth, and rigid ones.
+        """
+        if load not in _LOADS:
+            raise InvalidArgumentError(f"load = {load!r} is not allowed: {nearest(str(load), _LOADS)}")
+        both = complex_values(
+            "k", k, lambda q: _native.medium_compliance(self._handle.address, _LOADS[load], number("omega", omega), q)
+        )
+        return both if is_viscoelastic(self) else both.real
 
     def torsional_stiffness(self, a: ArrayLike) -> FloatOrArray:
         """M/phi [modulus length^3] at contact radii a > 0 [length], any shape, of a contact that sticks all over and is twisted

@@ -462,6 +462,18 @@ int mdr_medium_torsional_stiffness(const mdr_medium *m, int n, const double a[],
     return status;
 }
 
+int mdrcontact_entry_medium_compliance(const mdr_medium *m, int load, double omega, int n, const double k[], double out[],
+        double imaginary[]);
+int mdr_medium_compliance(const mdr_medium *m, int load, double omega, int n, const double k[], double out[], double imaginary[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_compliance(m, load, omega, n, k, out, imaginary);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_compliance(m, load, omega, n, k, out, imaginary);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_weight_phi(int n, const double xi[], double nu, double out[]);
 int mdr_weight_phi(int n, const double xi[], double nu, double out[])
 {

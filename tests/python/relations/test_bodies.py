@@ -206,7 +206,7 @@ def test_a_grading_is_the_limit_of_layers(E, nu, a):
 
     first, second, third = (stack(n * (len(E) - 1)).modulus(a) for n in (16, 32, 64))
     before, found = (4.0 * second - first) / 3.0, (4.0 * third - second) / 3.0
-    # two extrapolations may agree by chance, and their order is not 2 where E is steep: the last difference of the stacks bounds them, too
+    # extrapolations may agree by chance, and their order is not 2 where E is steep: the last difference bounds them, too
     near(mdr.Graded(z, E, nu).modulus(a), found, max(abs(found - before), abs(third - second)) / found + 1e-7)
 
 

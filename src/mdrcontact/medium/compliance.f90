@@ -1,0 +1,104 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What the surfaces of a contact answer to a wave of load: C(k) = displacement over traction, the sum over both bodies.
+module mdrcontact_medium_compliance
+    use mdrcontact_base_nonfinite, only: is_finite
+    use mdrcontact_body, only: body_t
+    use mdrcontact_body_chain, only: chain_t, new_chain
+    use mdrcontact_body_compliance, only: compliance_t, twist_load
+    use mdrcontact_error, only: error_domain, error_invalid, error_t, raise
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_viscoelastic, only: viscoelastic_t
+    implicit none (type, external)
+    private
+    public :: surface_compliance
+
+    interface surface_compliance
+        module procedure of_elastic, of_relaxing
+    end interface surface_compliance
+
+contains
+
+    !> C(k) of the body, or the sum of both, whatever model its contacts are solved by (theory 6): 2/(E* k) of a half-space under a
+    !> pressure, (2 - nu)/(2 G k) under a load of one direction averaged over the directions of the wave, 1/(G k) under one across
+    !> the wave, which a twist consists of. Under a load along the wave it is twice the second less the third.
+    subroutine of_elastic(solver, load, k, values, error)
+        class(solver_t), intent(in) :: solver
+        !> normal_load, shear_load or twist_load
+        integer, intent(in) :: load
+        !> wavenumbers > 0 [1/length]
+        real(wp), intent(in) :: k(:)
+        !> same size as k [length/modulus]
+        complex(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        values = 0.0_wp
+        if (solver%is_rigid) then
+            call raise(error, error_invalid, " is not allowed: a rigid body has no compliance", "m")
+        else if (.not. allocated(solver%pressed)) then
+            call raise(error, error_invalid, " is not allowed: this medium is known by its modulus alone; give E and nu of its "// &
+                       "layers", "m")
+        else
+            call add_body(solver%pressed, load, k, values, error)
+            if (allocated(solver%counterbody)) call add_body(solver%counterbody, load, k, values, error)
+        end if
+        call check_values(error, values)
+    end subroutine of_elastic
+
+    !> The same of a body that relaxes, at an angular frequency.
+    subroutine of_relaxing(body, load, omega, k, values, error)
+        type(viscoelastic_t), intent(in) :: body
+        !> as above
+        integer, intent(in) :: load
+        !> >= 0; 0: when it has relaxed [1/time]
+        real(wp), intent(in) :: omega
+        !> wavenumbers > 0 [1/length]
+        real(wp), intent(in) :: k(:)
+        !> same size as k [length/modulus]
+        complex(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(chain_t) :: chain
+
+        values = 0.0_wp
+        call new_chain(chain, load, body%thickness, body%moduli_at(cmplx(0.0_wp, omega, wp)), body%rigid_base, error)
+        if (.not. allocated(error)) call add(chain, load, k, values)
+        call check_values(error, values)
+    end subroutine of_relaxing
+
+    pure subroutine check_values(error, values)
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp), intent(in) :: values(:)
+
+        if (allocated(error) .or. all(is_finite(abs(values)))) return
+        call raise(error, error_domain, " is not allowed: there the body flows, or its compliance is beyond the range of numbers", &
+                   "omega or k")
+    end subroutine check_values
+
+    subroutine add_body(body, load, k, values, error)
+        class(body_t), intent(in) :: body
+        integer, intent(in) :: load
+        real(wp), intent(in) :: k(:)
+        complex(wp), intent(inout) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        class(compliance_t), allocatable :: compliance
+
+        if (.not. allocated(error)) call body%compliance(load, compliance, error)
+        if (.not. allocated(error)) call add(compliance, load, k, values)
+    end subroutine add_body
+
+    !> The scale of a twist is 4 G0, so that M/phi of a punch is to it as dF/dd is to E*; a wave has half of it.
+    subroutine add(compliance, load, k, values)
+        class(compliance_t), intent(in) :: compliance
+        integer, intent(in) :: load
+        real(wp), intent(in) :: k(:)
+        complex(wp), intent(inout) :: values(:)
+        complex(wp) :: sigma(1), chi(1)
+        integer :: i
+
+        do i = 1, size(k)
+            call compliance%chi([cmplx(k(i), kind=wp)], sigma, chi)
+            values(i) = values(i) + merge(4.0_wp, 2.0_wp, load == twist_load)*sigma(1)/(compliance%scale*k(i))
+        end do
+    end subroutine add
+
+end module mdrcontact_medium_compliance
