@@ -59,6 +59,7 @@ module mdrcontact_contact
         procedure :: warnings
     end type contact_t
 
+    !> A contact of a profile with a medium or its solver.
     interface new_contact
         module procedure new_contact_with_medium, new_contact_with_solver
     end interface new_contact
@@ -119,6 +120,7 @@ contains
         call new_branch(self%branch, self%equilibrium, error)
     end subroutine set_adhesion
 
+    !> Raises unless the work of adhesion is >= 0 and the rule is automatic, the paper's or energy.
     pure subroutine check_adhesion(work_of_adhesion, rule, error)
         real(wp), intent(in) :: work_of_adhesion
         integer, intent(in) :: rule

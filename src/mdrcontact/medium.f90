@@ -14,7 +14,9 @@ module mdrcontact_medium
 
     !> Either a solver or a body that relaxes; both are to be read only.
     type :: medium_t
+        !> of an elastic body, or of two
         class(solver_t), allocatable :: solver
+        !> the materials of a body that relaxes
         type(viscoelastic_t), allocatable :: relaxing
     contains
         !> raises unless it has a solver
@@ -23,6 +25,7 @@ module mdrcontact_medium
         procedure :: copy_to
     end type medium_t
 
+    !> The medium of two bodies.
     interface new_pair
         module procedure new_pair_of_media
     end interface new_pair

@@ -13,6 +13,7 @@ module mdrcontact_history_relaxing_contact
 
     !> An indenter on a body that relaxes. It holds copies of both and never changes.
     type :: relaxing_contact_t
+        !> the body
         type(viscoelastic_t), allocatable :: medium
         !> of the indenter with the body's elastic reference: how large contacts can be
         type(equilibrium_t) :: equilibrium

@@ -13,6 +13,7 @@ module mdrcontact_medium_compliance
     private
     public :: surface_compliance
 
+    !> C(k) of one or two elastic bodies, or of one that relaxes.
     interface surface_compliance
         module procedure of_elastic, of_relaxing
     end interface surface_compliance

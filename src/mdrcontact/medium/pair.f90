@@ -18,6 +18,7 @@ module mdrcontact_medium_pair
     private
     public :: new_pair
 
+    !> The solver of two bodies.
     interface new_pair
         module procedure new_pair_of_solvers
     end interface new_pair
