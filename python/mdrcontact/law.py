@@ -13,6 +13,7 @@ from ._boundary import FloatOrArray, address, call, evaluate, evaluate_all, numb
 from ._law_arrays import LawArrays, law_arrays
 from ._law_file import law_options
 from ._law_steps import LawSteps
+from ._law_table import table_text
 from ._warn import warn
 from .adhesion import BRANCHES
 from .contact import Contact
@@ -167,6 +168,29 @@ class ContactLaw(LawSteps):
         """The same numbers by parts: NumPy views of segments, intervals, and of the polynomials of each panel. What they mean is
         said in `mdrcontact.h`; `mdrcontact.interop` makes functions of numba, JAX and PyTorch of them."""
         return law_arrays(self.buffer())
+
+    def table(
+        self,
+        form: str = "csv",
+        *,
+        error: float = 1e-3,
+        branch: str = "unloading",
+        length: float = 1.0,
+        touch: float | None = None,
+        area: float | None = None,
+    ) -> str:
+        """The law as the text of a table that another program reads and interpolates linearly, from first touch (with adhesion from
+        the beginning of the branch) to the largest depth, with as few rows as the error allows.
+
+        form : "csv" with F, dF/dd, a, k and U; "lammps", a section MDRCONTACT for `pair_style table` and `bond_style table`;
+            "spring", a nonlinear spring of Abaqus and CalculiX (SPRINGA); "overclosure", pressure-overclosure of both
+        error : of F by linear interpolation, relative to the largest |F|; 1e-7 to 0.1. The text states what was found
+        branch : of csv, as in `force`; the other forms take laws without adhesion
+        length : the unit of length of the table in that of the law: 1e-3 for mm, where the law is in m. Forces stay
+        touch : of "lammps": the distance at first touch, to which forces reach [table's length]
+        area : of "overclosure": the area of the surface that one contact stands for [table's length^2]
+        """
+        return table_text(self, form, error, branch, length, touch, area)
 
     def with_radius(self, radius: float) -> ContactLaw:
         """The law of the same bodies for a paraboloid of another radius R > 0 [length], from this one for R0.

@@ -6,10 +6,11 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from .._law_table import FORMATS
 from ..friction import Friction
 from ..law import ContactLaw
 from ..problem import ProblemError, load
-from ..problem.units import FORCE, LENGTH, UnitError, parse, shown
+from ..problem.units import AREA, FORCE, LENGTH, Dimension, UnitError, parse, shown
 from . import files
 
 HELP = "compile the contact into a file that other codes read"
@@ -20,6 +21,10 @@ Fortran or Python reads by its name. The code needs to know nothing else of the 
     mdrcontact example tin_on_steel > problem.toml
     mdrcontact law problem.toml film.law
     mdrcontact law problem.toml film.law --largest-depth "200 nm" --continue-beyond
+    mdrcontact law problem.toml film.inp --table spring --millimetres
+
+With --table it writes a table for a program that interpolates linearly: csv, lammps (pair_style table), spring (a nonlinear spring
+of Abaqus and CalculiX) or overclosure (their pressure-overclosure), without adhesion but for csv, and states its error.
 
 With [friction] the law has tangential forces, too, and the code leads each contact along its path.
 Numbers in the file are in SI units: depths in m, forces in N. Without --largest-depth the law goes to the last depth, force or
@@ -38,6 +43,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--sliders", type=int, default=8, help="with [friction]: for the springs of a contact, 4 to 64; %(default)s"
     )
+    parser.add_argument("--table", choices=tuple(FORMATS), metavar="FORM", help="write a table in place of the law: %(choices)s")
+    parser.add_argument("--table-error", type=float, default=1e-3, help="of F by linear interpolation; %(default)s of the largest")
+    parser.add_argument("--millimetres", action="store_true", help="the table in mm and N; without it in m and N")
+    parser.add_argument("--touch", metavar="DISTANCE", help='of "lammps": the distance at first touch, as in "10 mm"')
+    parser.add_argument(
+        "--area", metavar="AREA", help='of "overclosure": of the surface that one contact stands for, as in "1 mm^2"'
+    )
     parser.add_argument("--overwrite", action="store_true", help="replace a file that exists")
 
 
@@ -49,8 +61,9 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.largest_depth is None:
         largest = float(problem.control.states(contact, slice(-1, None)).one(0).depth)
     else:
-        largest = _depth("--largest-depth", arguments.largest_depth)
-    smallest = None if arguments.smallest_depth is None else _depth("--smallest-depth", arguments.smallest_depth)
+        largest = _number("--largest-depth", arguments.largest_depth, LENGTH)
+    given = arguments.smallest_depth
+    smallest = None if given is None else _number("--smallest-depth", given, LENGTH)
     friction = Friction(contact, problem.friction.coefficient) if problem.friction else None
     law = ContactLaw(
         contact,
@@ -69,11 +82,22 @@ def run(arguments: argparse.Namespace) -> None:
     if law.sliders:
         off = f"T off by {law.first_shear_error:.1%} of mu F in first shear"
         print(f"{'sliders':<16}{law.sliders}, {law.memory_size} numbers a contact; {off}")
-    files.write({arguments.law: law.to_bytes()}, arguments.overwrite)
+    content = law.to_bytes() if arguments.table is None else _table(law, arguments)
+    files.write({arguments.law: content}, arguments.overwrite)
 
 
-def _depth(option: str, text: str) -> float:
+def _table(law: ContactLaw, arguments: argparse.Namespace) -> bytes:
+    """The table in place of the law."""
+    length = 1e-3 if arguments.millimetres else 1.0
+    touch = None if arguments.touch is None else _number("--touch", arguments.touch, LENGTH) / length
+    area = None if arguments.area is None else _number("--area", arguments.area, AREA) / length**2
+    text = law.table(arguments.table, error=arguments.table_error, length=length, touch=touch, area=area)
+    print(f"{'table':<16}{text.splitlines()[0].strip('#* ')}")
+    return text.encode()
+
+
+def _number(option: str, text: str, dimension: Dimension) -> float:
     try:
-        return parse(text, LENGTH)
+        return parse(text, dimension)
     except UnitError as problem:
         raise ProblemError(f"{option}: {problem}") from problem
