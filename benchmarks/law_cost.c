@@ -13,7 +13,7 @@
 #include "measure.h"
 
 enum { POINTS = 4096, ROUNDS = 20, REPEATS = 200, LAWS = 1000, MANY = 1000000, BIG = 400000, TRIES = 300, DIRECT = 1000 };
-enum { MEMORY = 11 + 3 * 8 };
+enum { MEMORY = 11 + 4 * 8 };
 
 static double seconds(void)
 {

@@ -288,7 +288,7 @@ static void friction_laws(numbers *out)
     mdr_friction *f = NULL;
     mdr_law *law = NULL;
     mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
-    double memory[35] = {0.0}, T[3];
+    double memory[43] = {0.0}, T[3];
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
     mdr_law_options options = MDR_SIZED(mdr_law_options);
     options.friction = f;

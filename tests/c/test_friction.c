@@ -255,7 +255,7 @@ static void histories(void)
     CHECK_SUCCESS(mdr_contact_free(&c));
 }
 
-enum { MEMORY = 11 + 3 * 8 };
+enum { MEMORY = 11 + 4 * 8 };
 
 /* The bits of two records. */
 static int same(const double *one, const double *other)

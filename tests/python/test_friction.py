@@ -255,7 +255,7 @@ def test_law():
                 found.append(abs(T - pair.at_shift(shift, place).tangential_force) / (MU * place.force))
         assert max(found) < 1.1 * coarse.first_shear_error
     assert 1e-3 < law.path_error < 0.01
-    assert (law.sliders, law.memory_size) == (16, 11 + 3 * 16)
+    assert (law.sliders, law.memory_size) == (16, 11 + 4 * 16)
     assert pickle.loads(pickle.dumps(law)) == law
     state = pair.contact.at_depth(0.05)
     sliding = pair.sliding_shift(state)

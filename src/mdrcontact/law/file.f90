@@ -18,7 +18,7 @@ module mdrcontact_law_file
     public :: save_law, load_law, law_to_text, law_from_text
 
     character(len=*), parameter :: new_line_character = achar(10)
-    character(len=*), parameter :: title = "mdrcontact compiled contact law, format ", version = "3"
+    character(len=*), parameter :: title = "mdrcontact compiled contact law, format ", version = "4"
     !> How files of versions of the library began in which laws with friction were apart.
     character(len=*), parameter :: former_title = "mdrcontact compiled friction law, format "
     !> Numbers of a law beside its two tables and its friction, and those of its friction beside tables and shares.
@@ -103,7 +103,7 @@ contains
         if (.not. allocated(friction%levels%share)) return
         associate (share => friction%levels%share)
             words(next) = size(share, kind=int64)
-            words(next + 1:next + size(share)) = transfer(transpose(share), [0_int64])
+            words(next + 1:next + size(share)) = transfer(share, [0_int64])
         end associate
     end subroutine put_friction
 
@@ -181,11 +181,11 @@ contains
 
         call find_direct(friction%by_shift)
         call find_direct(friction%by_force)
-        call find_levels(friction)
+        call find_levels(friction, size(shares) > 0)
         if (size(shares) == 0) return
         associate (count => share_index(friction%levels%count, friction%levels%count))
             if (size(shares) == share_nodes*count) then
-                friction%levels%share = reshape(shares, [count, share_nodes], order=[2, 1])
+                friction%levels%share = reshape(shares, [share_nodes, count])
             else
                 call raise_unsound(error)
             end if

@@ -1,10 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction of compiled laws: the tangential force of many contacts step by step, along any path of the shift in the plane and of F.
 !>
-!> The springs of a contact are divided among a few vector sliders, mdrcontact_law_sliders_motion. That is stick, partial slip, sliding and
-!> what earlier slip left behind, with an error of some 1.5 % (8 sliders) or 0.5 % (16) of mu F against as many springs as one
-!> likes; T is continuous in F and in the shift, no cycle yields energy, and a step has a derivative. Springs for themselves are
-!> exact for homogeneous bodies along a line; in the plane they are a model (docs/laws.md).
+!> The springs of a contact are divided among a few vector sliders, mdrcontact_law_sliders_motion. That is stick, partial slip,
+!> sliding and what earlier slip left behind, with an error of some 1.5 % (8 sliders) or 0.5 % (16) of mu F against as many springs
+!> as one likes; T is continuous in F and in the shift, no cycle yields energy, and a step has a derivative. Springs for themselves
+!> are exact for homogeneous bodies along a line; in the plane they are a model (docs/laws.md).
+!>
+!> Springs slip by Coulomb's law, or where their traction reaches a constant shear strength. The latter does not depend on F: a step
+!> is then one of the contact radius, which any contact has, one with adhesion too.
 module mdrcontact_law_friction
     use, intrinsic :: iso_fortran_env, only: int32
     use mdrcontact_batch, only: batch_t, run_batch
@@ -13,13 +16,14 @@ module mdrcontact_law_friction
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_crc32, only: crc32_text
     use mdrcontact_law_evaluate, only: point_at, run_points, wanted_t
-    use mdrcontact_law_interval, only: interval_place, place_t, polynomial_with_slope
-    use mdrcontact_law_levels, only: fewest_sliders, levels_t, most_sliders, new_levels
+    use mdrcontact_law_interval, only: interval_place, panel_place_t => place_t, polynomial_with_slope
+    use mdrcontact_law_levels, only: fewest_sliders, levels_t, most_sliders, new_levels, new_radius_levels
     use mdrcontact_law_sliders_frame, only: turn_record
     use mdrcontact_law_sliders_keep, only: keep
     use mdrcontact_law_sliders_motion, only: motion_t, move
     use mdrcontact_law_sliders_record, only: at_lost, at_shift, is_record, part, record_size, stored_energy
     use mdrcontact_law_sliders_tangent, only: tangent_of
+    use mdrcontact_law_strengths, only: new_place, place_t
     use mdrcontact_law_table, only: law_table_t, scale_table
     implicit none (type, external)
     private
@@ -31,10 +35,14 @@ module mdrcontact_law_friction
     !> The law of a contact with friction. It never changes. What a contact remembers is a record of the caller's, an array of
     !> memory_size() numbers, all 0 before the first step.
     type :: friction_law_t
-        !> F and k_t over S = int dF/k_t, which stands in the place of the depth, and S over F
+        !> Coulomb's law: F and k_t over S = int dF/k_t, which stands in the place of the depth, and S over F
         type(law_table_t) :: by_shift, by_force
-        !> mu [1]
+        !> mu [1]; 0 where the shear strength is constant
         real(wp) :: coefficient = 0.0_wp
+        !> where it is constant, else 0: the shear strength and k_t/(2 a) [modulus], and the range of contact radii [length]
+        real(wp) :: shear_strength = 0.0_wp, modulus = 0.0_wp, radii(2) = 0.0_wp
+        !> whether a radius may be larger
+        logical :: continued = .false.
         !> how many sliders stand for the springs
         integer :: sliders = default_sliders
         !> largest error of T found, relative to mu F: in first shear; along cycles of depth and shift against the exact history,
@@ -42,8 +50,6 @@ module mdrcontact_law_friction
         real(wp) :: first_shear_error = 0.0_wp, path_error = -1.0_wp
         !> strengths and stiffnesses of the sliders over S
         type(levels_t) :: levels
-        !> what tells its records from those of another law, >= 1
-        real(wp) :: mark = 0.0_wp
     contains
         procedure :: memory_size
         procedure :: advance
@@ -56,7 +62,8 @@ module mdrcontact_law_friction
 
     !> One step of each of many contacts.
     type :: contact_steps_t
-        !> F at the end of the step, >= 0; 0 parts the bodies [modulus length^2] (n)
+        !> F at the end of the step, >= 0 [modulus length^2], or the contact radius where the shear strength is constant [length]; 0
+        !> parts the bodies (n)
         real(wp), pointer, contiguous :: force(:) => null()
         !> by how much the indenter moves along the surface in this step [length] (3, n)
         real(wp), pointer, contiguous :: shift(:, :) => null()
@@ -98,33 +105,41 @@ contains
         count = record_size(self%sliders)
     end function memory_size
 
-    !> Levels and mark of a law that is otherwise complete; the shares of springs that interact are left to the caller.
-    subroutine find_levels(self)
+    !> Levels and mark of a law that is otherwise complete; shares of springs that interact are left to the caller.
+    subroutine find_levels(self, shared)
         type(friction_law_t), intent(inout) :: self
+        !> whether there will be shares
+        logical, intent(in) :: shared
         integer(int32) :: digits
         character(len=8) :: text
 
-        call new_levels(self%levels, self%by_shift, self%by_force, self%sliders)
+        if (self%shear_strength > 0.0_wp) then
+            call new_radius_levels(self%levels, self%radii(1), self%radii(2), self%modulus, self%sliders)
+        else
+            call new_levels(self%levels, self%by_shift, self%by_force, self%sliders, shared)
+        end if
+        self%levels%strength = max(self%coefficient, self%shear_strength)
         ! of all that a record depends on
-        associate (numbers => [self%coefficient, real(self%sliders, wp), self%levels%force, self%levels%shift])
+        associate (numbers => [self%levels%strength, real(self%sliders, wp), self%levels%force, self%levels%shift])
             text = crc32_text(transfer(numbers, repeat(" ", size(numbers)*storage_size(numbers)/storage_size(" "))))
         end associate
         read (text, "(z8)") digits
-        self%mark = 2.0_wp**33 + digits
+        self%levels%mark = 2.0_wp**33 + digits
     end subroutine find_levels
 
     !> The sliders of the same bodies where F and S at each contact radius are a factor times what they were, and k_t is as it was:
-    !> shares of springs that interact are those of contact radii.
+    !> shares of springs that interact are those of contact radii, and so is what a constant shear strength bears.
     subroutine scale(self, factor)
         class(friction_law_t), intent(inout) :: self
         !> > 0
         real(wp), intent(in) :: factor
         real(wp), allocatable :: share(:, :)
 
+        if (self%shear_strength > 0.0_wp) return
         call scale_table(self%by_shift, factor)
         call scale_table(self%by_force, factor)
         call move_alloc(self%levels%share, share)
-        call find_levels(self)
+        call find_levels(self, allocated(share))
         call move_alloc(share, self%levels%share)
     end subroutine scale
 
@@ -142,7 +157,8 @@ contains
     !> One step of a contact, straight in S and the shift. After an error the record is as before.
     pure subroutine advance(self, force, shift, memory, traction, error, tangent)
         class(friction_law_t), intent(in) :: self
-        !> F at the end of the step, >= 0; 0 parts the bodies [modulus length^2]
+        !> F at the end of the step, >= 0 [modulus length^2], or the contact radius where the shear strength is constant [length]; 0
+        !> parts the bodies
         real(wp), intent(in) :: force
         !> by how much the indenter moves along the surface in this step [length]
         real(wp), intent(in) :: shift(3)
@@ -159,7 +175,7 @@ contains
         if (present(tangent)) tangent = 0.0_wp
         call check_step(self, force, shift, memory, error)
         if (allocated(error)) return
-        call level_at(self%by_force, force, level, compliance)
+        call level_at(self, force, level, compliance)
         call step(self, force, shift, level, compliance, .false., memory, traction, tangent)
     end subroutine advance
 
@@ -215,12 +231,12 @@ contains
 
         n = last - first + 1
         associate (s => self%steps, law => self%law)
-            if (n >= few) then
+            if (n >= few .and. .not. law%levels%is_constant) then
                 call run_points(law%by_force, on_unloading, s%force(first:last), .false., 1, &
                                 wanted_t(level(:n), compliance(:n)))
             else
                 do i = 1, n
-                    call level_at(law%by_force, s%force(first + i - 1), level(i), compliance(i))
+                    call level_at(law, s%force(first + i - 1), level(i), compliance(i))
                 end do
             end if
             do i = first, last
@@ -247,37 +263,49 @@ contains
         real(wp), intent(out) :: traction(3)
         real(wp), intent(out), optional :: tangent(4, 3)
         type(motion_t) :: motion
+        type(place_t) :: place
 
-        if (.not. force > nothing*self%by_force%highest) then
+        if (.not. force > nothing*largest_given(self)) then
             traction = 0.0_wp
             if (present(tangent)) tangent = 0.0_wp
-            if (.not. is_trial) call part(self%levels, self%sliders, self%mark, memory)
+            if (.not. is_trial) call part(self%levels, memory)
             return
         end if
-        call move(self%levels, self%coefficient, self%sliders, force, level, compliance, shift, memory, motion)
+        place = new_place(self%levels, force, level, compliance)
+        call move(self%levels, place, shift, memory, motion)
         traction = motion%total
-        if (present(tangent)) then
-            call tangent_of(self%levels, self%coefficient, force, level, compliance, memory(at_shift), motion, tangent)
-        end if
-        if (is_trial) return
-        call keep(self%levels, self%coefficient, self%sliders, force, level, compliance, motion, self%mark, memory)
+        if (present(tangent)) call tangent_of(self%levels, place, memory(at_shift), motion, tangent)
+        if (.not. is_trial) call keep(self%levels, place, motion, memory)
     end subroutine step
 
-    !> S and dS/dF at F.
-    pure subroutine level_at(table, force, level, compliance)
-        type(law_table_t), intent(in) :: table
+    !> The largest F of the law, or contact radius.
+    pure function largest_given(self) result(largest)
+        type(friction_law_t), intent(in) :: self
+        real(wp) :: largest
+
+        largest = merge(self%radii(2), self%by_force%highest, self%levels%is_constant)
+    end function largest_given
+
+    !> S and dS/dF at F; S = a where that is given.
+    pure subroutine level_at(self, force, level, compliance)
+        type(friction_law_t), intent(in) :: self
         real(wp), intent(in) :: force
         real(wp), intent(out) :: level, compliance
-        type(place_t) :: place
+        type(panel_place_t) :: place
         real(wp) :: radius, stiffness
 
-        if (force >= table%direct%lowest .and. force <= table%direct%highest) then
-            place = interval_place(table%direct, force)
-            call polynomial_with_slope(table%other(place%panel)%c, place%t, level, compliance)
-            compliance = table%direct%scale*compliance
-        else
-            call point_at(table, on_unloading, force, level, compliance, radius, stiffness)
-        end if
+        associate (table => self%by_force)
+            if (self%levels%is_constant) then
+                level = force
+                compliance = 1.0_wp
+            else if (force >= table%direct%lowest .and. force <= table%direct%highest) then
+                place = interval_place(table%direct, force)
+                call polynomial_with_slope(table%other(place%panel)%c, place%t, level, compliance)
+                compliance = table%direct%scale*compliance
+            else
+                call point_at(table, on_unloading, force, level, compliance, radius, stiffness)
+            end if
+        end associate
     end subroutine level_at
 
     !> Energy stored in the springs, and dissipated since the first step [modulus length^3].
@@ -295,7 +323,7 @@ contains
         dissipated = 0.0_wp
         call check_memory(self, memory, error)
         if (allocated(error)) return
-        stored = stored_energy(self%levels, self%sliders, memory)
+        stored = stored_energy(self%levels, memory)
         dissipated = memory(at_lost)
     end subroutine energies
 
@@ -317,7 +345,7 @@ contains
         end if
         if (.not. abs(spin) <= largest) call raise(error, error_invalid, must_be_moderate, "spin")
         call check_memory(self, memory, error)
-        if (.not. allocated(error)) call turn_record(self%sliders, normal/norm2(normal), spin, self%mark, memory)
+        if (.not. allocated(error)) call turn_record(self%levels, normal/norm2(normal), spin, memory)
     end subroutine turn
 
     !> Whether a step is possible.
@@ -341,7 +369,13 @@ contains
             call raise(error, error_invalid, must_be_moderate//", and so must its product with the stiffness", "shift")
         end if
         if (.not. allocated(error)) call check_memory(self, memory, error)
-        if (force > self%by_force%highest .and. .not. self%by_force%continued) then
+        if (self%levels%is_constant) then
+            if (force > self%radii(2) .and. .not. self%continued) then
+                call raise(error, error_domain, " = "//to_text(force)//" is beyond the law's largest contact radius, "// &
+                           to_text(self%radii(2))//" (its force is the contact radius): give it a larger largest_depth, or let "// &
+                           "it continue beyond", "force")
+            end if
+        else if (force > self%by_force%highest .and. .not. self%by_force%continued) then
             call raise(error, error_domain, " = "//to_text(force)//" is beyond the law's largest force, "// &
                        to_text(self%by_force%highest)//": give it a larger largest_depth, or let it continue beyond", "force")
         end if
@@ -352,22 +386,28 @@ contains
         class(friction_law_t), intent(in) :: self
         real(wp), intent(in), contiguous :: memory(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: total
-        integer :: i
         logical :: sound
 
-        ! a loop that is vectorized; of a NaN and of infinity too
-        total = 0.0_wp
-        !$omp simd simdlen(2) reduction(+:total)
-        do i = 1, size(memory)
-            total = total + abs(memory(i))
-        end do
-        sound = total <= largest*size(memory)
-        if (sound) sound = size(memory) == self%memory_size()
-        if (sound) sound = is_record(self%levels, self%sliders, self%mark, memory)
+        sound = size(memory) == self%memory_size()
+        if (sound) sound = total_size(size(memory), memory) <= largest*size(memory)
+        if (sound) sound = is_record(self%levels, memory)
         if (sound) return
         call raise(error, error_invalid, " is not allowed: it must be all 0 before the first step, and then as this law left it", &
                    "memory")
     end subroutine check_memory
+
+    !> The sum of absolute values, vectorized; of a NaN and of infinity too.
+    pure function total_size(count, numbers) result(total)
+        integer, intent(in) :: count
+        real(wp), intent(in) :: numbers(count)
+        real(wp) :: total
+        integer :: i
+
+        total = 0.0_wp
+        !$omp simd simdlen(2) reduction(+:total)
+        do i = 1, count
+            total = total + abs(numbers(i))
+        end do
+    end function total_size
 
 end module mdrcontact_law_friction

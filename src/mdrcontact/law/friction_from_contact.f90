@@ -14,7 +14,8 @@ module mdrcontact_law_friction_from_contact
     use mdrcontact_law_evaluate, only: point_at
     use mdrcontact_law_friction, only: check_sliders, friction_law_t, find_levels
     use mdrcontact_law_from_contact, only: law_options_t, new_law_of_contact => new_contact_law
-    use mdrcontact_law_levels, only: levels_t, load_beyond, share_index, share_nodes
+    use mdrcontact_law_levels, only: levels_t, share_index, share_nodes
+    use mdrcontact_law_strengths, only: growth_beyond, place_t
     implicit none (type, external)
     private
     public :: new_contact_law, new_friction_law
@@ -101,8 +102,8 @@ contains
         self%by_shift = law%by_depth
         self%by_force = law%by_force
         self%coefficient = friction%coefficient
-        call find_levels(self)
         associate (medium => friction%contact%equilibrium%medium)
+            call find_levels(self, .not. medium%has_free_springs)
             if (.not. medium%has_free_springs) call find_shares(self, friction, error)
             if (.not. allocated(error)) call verify_first_shear(self, friction, largest_depth, error)
             if (allocated(error)) return
@@ -119,7 +120,7 @@ contains
         integer :: m, stat
 
         associate (levels => self%levels)
-            allocate (levels%share(share_index(levels%count, levels%count), share_nodes), stat=stat)
+            allocate (levels%share(share_nodes, share_index(levels%count, levels%count)), stat=stat)
             call check_memory(error, stat)
             if (.not. allocated(error)) call find_radii(levels, friction, radii, error)
             at_level = 1.0_wp
@@ -130,17 +131,17 @@ contains
                 ! nothing slips at the edge: what is beyond the level itself is known from above alone
                 at_level(m) = 2.0_wp*half_way(m) - at_next(m)
                 associate (first => share_index(1, m), last => share_index(m, m))
-                    levels%share(first:last, 1) = at_level(:m)
-                    levels%share(first:last, 2) = 4.0_wp*half_way(:m) - 3.0_wp*at_level(:m) - at_next(:m)
-                    levels%share(first:last, 3) = 2.0_wp*(at_level(:m) + at_next(:m)) - 4.0_wp*half_way(:m)
+                    levels%share(1, first:last) = at_level(:m)
+                    levels%share(2, first:last) = 4.0_wp*half_way(:m) - 3.0_wp*at_level(:m) - at_next(:m)
+                    levels%share(3, first:last) = 2.0_wp*(at_level(:m) + at_next(:m)) - 4.0_wp*half_way(:m)
                 end associate
                 at_level = at_next
             end do
             at_level(levels%count) = 1.0_wp
-            levels%share(share_index(1, levels%count):, :) = 0.0_wp
-            levels%share(share_index(1, levels%count):, 1) = at_level
-            if (superposed(levels)) deallocate (levels%share)
+            levels%share(:, share_index(1, levels%count):) = 0.0_wp
+            levels%share(1, share_index(1, levels%count):) = at_level
         end associate
+        if (superposed(self%levels)) call find_levels(self, .false.)
     end subroutine find_shares
 
     !> Whether all shares are 1 but for what no slider notices.
@@ -149,7 +150,7 @@ contains
         logical :: within
         real(wp), parameter :: unnoticed = 1.0e-3_wp
 
-        within = all(abs(levels%share(:, 1) - 1.0_wp) < unnoticed) .and. all(abs(levels%share(:, 2:)) < unnoticed)
+        within = all(abs(levels%share(1, :) - 1.0_wp) < unnoticed) .and. all(abs(levels%share(2:, :)) < unnoticed)
     end function superposed
 
     !> Contact radii at the levels.
@@ -180,6 +181,7 @@ contains
         real(wp), intent(in), optional :: part
         type(contact_state_t) :: state
         type(first_shear_t) :: shear
+        type(place_t) :: place
         real(wp) :: shift, force, load, superposed_load, radius, stiffness, unused
         integer :: l
 
@@ -195,8 +197,9 @@ contains
             if (.not. allocated(error)) call friction%contact%at_force(force, state, error)
             if (.not. allocated(error)) call friction%first_shear(state, shear, error)
             if (allocated(error)) return
+            place = place_t(force, shift, 1.0_wp, 1.0_wp, force)
             do l = 1, level
-                call load_beyond(levels, l, force, shift, 0.0_wp, superposed_load, unused)
+                call growth_beyond(levels, [levels%shift(l), levels%force(l), levels%stiffness(l)], place, superposed_load, unused)
                 if (.not. superposed_load > 0.0_wp) cycle
                 call shear%load_beyond(radii(l), load, error)
                 if (allocated(error)) return

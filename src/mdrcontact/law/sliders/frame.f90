@@ -2,6 +2,7 @@
 !> Sliders in a tangent plane that turns.
 module mdrcontact_law_sliders_frame
     use mdrcontact_kinds, only: wp
+    use mdrcontact_law_levels, only: levels_t
     use mdrcontact_law_sliders_record, only: at_law, at_normal, head
     implicit none (type, external)
     private
@@ -11,13 +12,12 @@ contains
 
     !> All t turned with the tangent plane: by the least rotation from its old normal to the new one, and about that by an angle.
     !> Where no old normal is known, each is laid into the plane with the length it has.
-    pure subroutine turn_record(sliders, normal, angle, mark, record)
-        integer, intent(in) :: sliders
+    pure subroutine turn_record(levels, normal, angle, record)
+        type(levels_t), intent(in) :: levels
         !> of length 1
         real(wp), intent(in) :: normal(3)
         !> [1]
         real(wp), intent(in) :: angle
-        real(wp), intent(in) :: mark
         real(wp), intent(inout), contiguous :: record(:)
         real(wp) :: t(3), axis(3), cosine
         integer :: i
@@ -28,8 +28,8 @@ contains
             axis = cross(old, normal)
             cosine = dot_product(old, normal)
         end associate
-        do i = head + 1, head + sliders
-            t = [record(i), record(i + sliders), record(i + 2*sliders)]
+        do i = head + 1 + levels%sliders, head + 2*levels%sliders
+            t = record(i:i + 2*levels%sliders:levels%sliders)
             if (.not. any(abs(t) > 0.0_wp)) cycle
             if (.not. known) then
                 call lay(t, normal)
@@ -37,11 +37,9 @@ contains
                 t = cosine*t + cross(axis, t) + dot_product(axis, t)/(1.0_wp + cosine)*axis
             end if
             t = cos(angle)*t + sin(angle)*cross(normal, t)
-            record(i) = t(1)
-            record(i + sliders) = t(2)
-            record(i + 2*sliders) = t(3)
+            record(i:i + 2*levels%sliders:levels%sliders) = t
         end do
-        record(at_law) = mark
+        record(at_law) = levels%mark
         record(at_normal:at_normal + 2) = normal
     end subroutine turn_record
 

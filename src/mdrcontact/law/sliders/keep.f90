@@ -1,11 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What sliders are after a step: which of them become one, and what is lost.
+!> What a contact remembers after a step, and what slip has taken in it.
 module mdrcontact_law_sliders_keep
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_levels, only: levels_t
+    use mdrcontact_law_sliders_join, only: join_sliders
     use mdrcontact_law_sliders_motion, only: motion_t
-    use mdrcontact_law_sliders_record, only: at_base, at_law, at_lost, at_shift, at_top, at_used, head, stiffness_of
+    use mdrcontact_law_sliders_record, only: at_law, at_lost, at_next, at_shift, at_top, at_used, head
     use mdrcontact_law_sliders_shrink, only: shrink
+    use mdrcontact_law_strengths, only: place_t
     implicit none (type, external)
     private
     public :: keep
@@ -16,54 +18,65 @@ module mdrcontact_law_sliders_keep
 contains
 
     !> The record after the step.
-    pure subroutine keep(levels, mu, sliders, force, shift, compliance, motion, mark, record)
+    pure subroutine keep(levels, place, motion, record)
         type(levels_t), intent(in) :: levels
-        real(wp), intent(in) :: mu
-        integer, intent(in) :: sliders
-        real(wp), intent(in) :: force, shift, compliance
-        !> K becomes that after the step
+        type(place_t), intent(in) :: place
+        !> becomes that after the step
         type(motion_t), intent(inout) :: motion
-        real(wp), intent(in) :: mark
         real(wp), intent(inout), contiguous :: record(:)
-        real(wp) :: top
-        integer :: i, merged
 
-        merged = max(motion%used - sliders, 0)
-        top = motion%top(3)
-        if (shift > motion%top(1)) top = max(1.0_wp/compliance, top)
-        do i = motion%first_newborn, motion%used - 1
-            motion%stiffness(i) = stiffness_of(levels, motion%base, i, top)
-        end do
-        call count_slip(motion, record(at_lost))
-        if (merged > 0) call count_merger(merged, motion, record(at_lost))
-        call keep_loads(sliders, merged, motion, record(head + 1:))
-        record(at_law) = mark
-        record(at_base) = motion%base + merged
-        record(at_used) = motion%used - merged
-        record(at_shift) = shift
-        if (shift > motion%top(1)) then
-            record(at_top:at_top + 2) = [shift, force, top]
+        if (place%shift > motion%top(1)) then
+            motion%top = [place%shift, place%force, max(place%stiffness, motion%top(3))]
+            call stiffen(levels, motion)
+            call count_slip(motion, record(at_lost))
+            if (motion%used > levels%sliders) call join_sliders(levels, motion, record(at_lost))
         else
-            call shrink(levels, mu, sliders, force, shift, compliance, motion%cell, record)
+            call count_slip(motion, record(at_lost))
+            call shrink(levels, place, motion)
         end if
+        record(at_law) = levels%mark
+        record(at_next) = motion%level(motion%used)
+        record(at_used) = motion%used
+        record(at_shift) = place%shift
+        record(at_top:at_top + 2) = motion%top
+        call keep_sliders(levels%sliders, motion, record(head + 1:))
     end subroutine keep
 
-    !> t after the step, those of the sliders that the core takes in added to its own.
-    pure subroutine keep_loads(sliders, merged, motion, t)
-        integer, intent(in) :: sliders, merged
-        type(motion_t), intent(in) :: motion
-        real(wp), intent(inout) :: t(sliders, 3)
+    !> K of the sliders in which springs touched.
+    pure subroutine stiffen(levels, motion)
+        type(levels_t), intent(in) :: levels
+        type(motion_t), intent(inout) :: motion
+        real(wp) :: above, below
         integer :: i
 
-        do i = merged, motion%used - 1
-            t(i + 1 - merged, 1) = motion%borne(i, 1)
-            t(i + 1 - merged, 2) = motion%borne(i, 2)
-            t(i + 1 - merged, 3) = motion%borne(i, 3)
+        above = motion%top(3)
+        do i = motion%used - 1, motion%first_newborn, -1
+            below = 0.0_wp
+            if (i > 0) below = min(levels%stiffness(motion%level(i)), above)
+            motion%stiffness(i) = above - below
+            above = below
         end do
-        do i = merged - 1, 0, -1
-            t(1, :) = t(1, :) + motion%borne(i, :)
+    end subroutine stiffen
+
+    !> Levels and t after the step.
+    pure subroutine keep_sliders(sliders, motion, numbers)
+        integer, intent(in) :: sliders
+        type(motion_t), intent(in) :: motion
+        real(wp), intent(inout) :: numbers(0:sliders - 1, 0:3)
+        integer :: i
+
+        do i = 1, motion%used - 1
+            numbers(i, 0) = motion%level(i)
         end do
-    end subroutine keep_loads
+        do i = 0, motion%used - 1
+            numbers(i, 1) = motion%borne(i, 1)
+            numbers(i, 2) = motion%borne(i, 2)
+            numbers(i, 3) = motion%borne(i, 3)
+        end do
+        do i = motion%used, motion%before - 1
+            numbers(i, 1:) = 0.0_wp
+        end do
+    end subroutine keep_sliders
 
     !> What slip takes in a step: t.(y - t)/K of each slider, and what its load was above its limit before it moved. Along a line
     !> under constant F that is exact, however long the step.
@@ -76,7 +89,7 @@ contains
 
         associate (k => motion%stiffness, strength => motion%strength)
             !$omp simd simdlen(2) reduction(+:lost)
-            do i = 0, motion%used - 1
+            do i = motion%first_slipping, motion%used - 1
                 lost = lost + min(motion%slipped(i), most_lost*k(i))/max(k(i), tiny(1.0_wp))
             end do
             if (.not. motion%is_weaker) return
@@ -85,27 +98,5 @@ contains
             end do
         end associate
     end subroutine count_slip
-
-    !> What is lost as the core takes in its neighbours, whose displacements are not its own.
-    pure subroutine count_merger(merged, motion, lost)
-        integer, intent(in) :: merged
-        !> with K after the step
-        type(motion_t), intent(in) :: motion
-        real(wp), intent(inout) :: lost
-        real(wp) :: core(3), slider(3), stiffness, own
-        integer :: i
-
-        core = motion%borne(0, :)
-        stiffness = motion%stiffness(0)
-        do i = 1, merged
-            slider = motion%borne(i, :)
-            own = motion%stiffness(i)
-            if (own > 0.0_wp .and. stiffness > 0.0_wp) then
-                lost = lost + sum((own*core - stiffness*slider)**2)/(2.0_wp*own*stiffness*(own + stiffness))
-            end if
-            core = core + slider
-            stiffness = stiffness + own
-        end do
-    end subroutine count_merger
 
 end module mdrcontact_law_sliders_keep

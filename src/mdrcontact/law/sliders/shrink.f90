@@ -1,91 +1,116 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Sliders of a contact that shrinks: those that it leaves, and the core, which is divided again.
+!> Sliders of a contact that shrinks: those that it leaves are forgotten, and others are divided while there is room.
+!>
+!> A slider is divided with equal displacements, if each part is within its strength: T and the stored energy stay. One place is
+!> left free, for the level that is passed next if F only swings.
 module mdrcontact_law_sliders_shrink
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_levels, only: levels_t, load_beyond, share_of
-    use mdrcontact_law_sliders_record, only: at_base, at_top, at_used, head
+    use mdrcontact_law_levels, only: levels_t
+    use mdrcontact_law_sliders_motion, only: motion_t
+    use mdrcontact_law_strengths, only: load_beyond, place_t
     implicit none (type, external)
     private
     public :: shrink
 
+    !> A slider that lacks more than this times what those of the best places do is divided before the core is.
+    real(wp), parameter :: enough = 1.6_wp
+
 contains
 
-    !> Sliders that the contact has left are forgotten, and the core is divided while there is room.
-    pure subroutine shrink(levels, mu, sliders, force, shift, compliance, cell, record)
+    !> The sliders after a step in which the contact has not grown beyond the last of them.
+    pure subroutine shrink(levels, place, motion)
         type(levels_t), intent(in) :: levels
-        real(wp), intent(in) :: mu
-        integer, intent(in) :: sliders
-        real(wp), intent(in) :: force, shift, compliance
-        integer, intent(in) :: cell
-        real(wp), intent(inout), contiguous :: record(:)
-        integer :: base, used, last
+        type(place_t), intent(in) :: place
+        type(motion_t), intent(inout) :: motion
+        integer :: i, level
         logical :: divided
 
-        do
-            base = int(record(at_base))
-            used = int(record(at_used))
-            do while (used > 1)
-                last = base + used - 2
-                if (shift > levels%shift(last)) exit
-                used = used - 1
-                record([head + 1 + used, head + 1 + used + sliders, head + 1 + used + 2*sliders]) = 0.0_wp
-                record(at_top:at_top + 2) = [levels%shift(last), levels%force(last), levels%stiffness(last)]
-            end do
-            record(at_used) = used
-            if (used == sliders .or. base == 1) exit
-            call divide(levels, mu, sliders, force, shift, compliance, cell, record, divided)
+        do while (motion%used > 1)
+            associate (l => motion%level(motion%used - 1))
+                if (place%shift > levels%shift(l)) exit
+                motion%top = [levels%shift(l), levels%force(l), levels%stiffness(l)]
+            end associate
+            motion%used = motion%used - 1
+        end do
+        do while (motion%used < levels%sliders - 1)
+            call choose(levels, motion, i, level)
+            if (i < 0) exit
+            call divide(levels, place, i, level, motion, divided)
             if (.not. divided) exit
         end do
     end subroutine shrink
 
-    !> The core in two at the next level below, with equal displacements, if each part is within its strength: T and the stored
-    !> energy stay.
-    pure subroutine divide(levels, mu, sliders, force, shift, compliance, cell, record, divided)
+    !> The slider to be divided, -1 if there is none, and at which level: among those that stick the one that lacks most, which is
+    !> proportional to the square of its width over how far its end is from the edge; else the core.
+    pure subroutine choose(levels, motion, place, level)
         type(levels_t), intent(in) :: levels
-        real(wp), intent(in) :: mu
-        integer, intent(in) :: sliders
-        real(wp), intent(in) :: force, shift, compliance
-        integer, intent(in) :: cell
-        real(wp), intent(inout), contiguous :: record(:)
-        logical, intent(out) :: divided
-        real(wp) :: share, length, beyond, above, slope
-        integer :: base, used, axis, place
+        type(motion_t), intent(in) :: motion
+        integer, intent(out) :: place, level
+        real(wp) :: lacking, worst, typical
+        integer :: i, width
 
-        base = int(record(at_base))
-        used = int(record(at_used))
-        share = 1.0_wp - levels%stiffness(base - 1)/min(levels%stiffness(base), record(at_top + 2))
-        length = norm2(record([head + 1, head + 1 + sliders, head + 1 + 2*sliders]))
-        call strength_beyond(levels, base - 1, cell, force, shift, compliance, beyond, slope)
-        above = 0.0_wp
-        if (used > 1) call strength_beyond(levels, base, cell, force, shift, compliance, above, slope)
-        divided = share*length <= mu*(beyond - above) .and. (1.0_wp - share)*length <= mu*(force - beyond)
+        typical = 4.0_wp*levels%places(levels%sliders - 1)/real(levels%sliders - 1, wp)**2
+        worst = enough*typical
+        place = -1
+        associate (l => motion%level, last => motion%used)
+            do i = 1, last - 1
+                width = l(i + 1) - l(i)
+                lacking = real(width, wp)**2/max(l(last) - l(i) - 1, 1)
+                if (width < 2 .or. .not. lacking > worst .or. motion%factor(i) < 1.0_wp) cycle
+                worst = lacking
+                place = i
+                level = l(i) + (width + 1)/2
+            end do
+            if (place > 0) return
+            level = l(1) - max(1, nint(sqrt(typical*(l(last) - l(1)))))
+            if (level > 0 .and. motion%factor(0) >= 1.0_wp) place = 0
+        end associate
+    end subroutine choose
+
+    !> Slider i in two at a level.
+    pure subroutine divide(levels, place, i, level, motion, divided)
+        type(levels_t), intent(in) :: levels
+        type(place_t), intent(in) :: place
+        integer, intent(in) :: i, level
+        type(motion_t), intent(inout) :: motion
+        logical, intent(out) :: divided
+        real(wp) :: upper, load, strengths(2), parts(2)
+        integer :: j
+
+        divided = .false.
+        if (.not. motion%stiffness(i) > 0.0_wp) return
+        upper = motion%top(3)
+        if (i < motion%used - 1) upper = min(levels%stiffness(motion%level(i + 1)), upper)
+        parts(2) = min(max((upper - levels%stiffness(level))/motion%stiffness(i), 0.0_wp), 1.0_wp)
+        parts(1) = 1.0_wp - parts(2)
+        load = load_beyond(levels, level, motion%cell, place)
+        strengths = levels%strength*[motion%beyond(i) - load, load - motion%beyond(i + 1)]
+        divided = all(parts*norm2(motion%borne(i, :)) <= strengths) .and. all(parts > 0.0_wp)
         if (.not. divided) return
-        do axis = 1, 3
-            place = head + 1 + (axis - 1)*sliders
-            record(place + 1:place + used) = record(place:place + used - 1)
-            record(place + 1) = share*record(place)
-            record(place) = record(place) - record(place + 1)
+        do j = motion%used, i + 1, -1
+            call copy(motion, j, j + 1)
         end do
-        record(at_base) = base - 1
-        record(at_used) = used + 1
+        motion%used = motion%used + 1
+        call copy(motion, i, i + 1)
+        motion%level(i + 1) = level
+        motion%beyond(i + 1) = load
+        motion%strength(i:i + 1) = strengths
+        motion%stiffness(i + 1) = parts(2)*motion%stiffness(i)
+        motion%borne(i + 1, :) = parts(2)*motion%borne(i, :)
+        motion%stiffness(i) = motion%stiffness(i) - motion%stiffness(i + 1)
+        motion%borne(i, :) = motion%borne(i, :) - motion%borne(i + 1, :)
     end subroutine divide
 
-    !> P_l and its derivative with respect to F.
-    pure subroutine strength_beyond(levels, l, cell, force, shift, compliance, load, slope)
-        type(levels_t), intent(in) :: levels
-        integer, intent(in) :: l, cell
-        real(wp), intent(in) :: force, shift, compliance
-        real(wp), intent(out) :: load, slope
-        real(wp) :: share, share_slope
+    pure subroutine copy(motion, from, to)
+        type(motion_t), intent(inout) :: motion
+        integer, intent(in) :: from, to
 
-        call load_beyond(levels, l, force, shift, compliance, load, slope)
-        if (.not. allocated(levels%share) .or. cell < l) return
-        call share_of(levels, l, cell, shift, share, share_slope)
-        slope = share*slope + share_slope*compliance*load
-        load = share*load
-        if (load <= force) return
-        load = force
-        slope = 1.0_wp
-    end subroutine strength_beyond
+        motion%level(to) = motion%level(from)
+        motion%beyond(to) = motion%beyond(from)
+        motion%strength(to) = motion%strength(from)
+        motion%stiffness(to) = motion%stiffness(from)
+        motion%borne(to, :) = motion%borne(from, :)
+        motion%factor(to) = motion%factor(from)
+    end subroutine copy
 
 end module mdrcontact_law_sliders_shrink
