@@ -1414,6 +1414,10 @@ typedef struct mdr_law_options {
                                        mdr_law_advance(). Default NULL: none. */
     int sliders;             /**< With friction: vector sliders for the springs of a contact, 4 to 64; errors fall about as
                                   sliders^-1.6, time and records grow in proportion. 16 for finite elements. Default 0: 8. */
+    double shear_strength;   /**< > 0, in place of friction: the contact slips where its shear traction reaches this constant, as
+                                  smooth dry contacts with adhesion do; on homogeneous bodies, with or without adhesion. What
+                                  mdr_law_advance() takes is then the contact radius in place of the normal force. Default 0: none
+                                  [modulus]. */
 } mdr_law_options;
 
 /** A state of a law. */
@@ -1532,7 +1536,7 @@ typedef struct mdr_law_facts {
     int description_length; /**< Of the description, without its closing zero. */
     int continue_beyond;    /**< 1 if it answers beyond its range too, else 0. */
     int sliders;            /**< How many vector sliders stand for the springs of a contact; 0 in a law without friction. */
-    int memory_size;        /**< How many numbers the record of a contact has; 0 in a law without friction. */
+    int memory_size;        /**< How many numbers the record of a contact has, 11 + 4 sliders; 0 in a law without friction. */
     double coefficient;     /**< Of friction; 0 in a law without it [1]. */
     double highest_sliding_shift; /**< The shift of first shear at which the contact slides under the highest force [length]. */
     double first_shear_error; /**< The largest error of T found in first shear at constant F, relative to coefficient F: near 2 %
@@ -1540,6 +1544,9 @@ typedef struct mdr_law_facts {
     double path_error;      /**< The largest error of T found along cycles of depth and shift against the exact history, relative to
                                  the largest coefficient F; -1 on bodies other than homogeneous ones. */
     int buffer_size;        /**< How many numbers mdr_law_buffer() writes. */
+    double shear_strength;  /**< Where that is constant: coefficient and path_error are then 0 and -1, first_shear_error is relative
+                                 to T in sliding, and highest_sliding_shift is that of the largest contact radius; else 0
+                                 [modulus]. */
 } mdr_law_facts;
 
 /** What a law is.
@@ -1662,10 +1669,11 @@ int mdr_law_free(mdr_law **law);
  *  records. A failed call advances none of the contacts.
  *  @param law      law with friction
  *  @param n        number of contacts
- *  @param force    [n] normal forces F at the end of the step, >= 0; 0 parts the bodies [modulus length^2]
+ *  @param force    [n] normal forces F at the end of the step, >= 0 [modulus length^2]; where the shear strength is constant the
+ *                  contact radii a in their place [length]. 0 parts the bodies
  *  @param shift    [3 n] x, y, z of the shift of each contact in this step, in its tangent plane [length]
  *  @param tangent  receives [12 n]: of each contact, for each component i of T, dT_i/dx, dT_i/dy, dT_i/dz by the shift of the step
- *                  [modulus length] and dT_i/dF [1]; or NULL
+ *                  [modulus length] and dT_i/dF [1], or dT_i/da [modulus length]; or NULL
  *  @param memory   [memory_size n] the records
  *  @param T        receives [3 n] the tangential forces on the medium [modulus length^2]
  *  @return also MDR_EDOMAIN beyond the largest force, unless the law continues beyond it */

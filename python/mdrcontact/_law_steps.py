@@ -24,7 +24,12 @@ class LawSteps(LawFile):
     @property
     def coefficient(self) -> float | None:
         """Of friction [1]; None in a law without it."""
-        return float(self._facts["coefficient"]) if self.sliders else None
+        return float(self._facts["coefficient"]) or None
+
+    @property
+    def shear_strength(self) -> float | None:
+        """Where it is constant [modulus]; None in other laws."""
+        return float(self._facts["shear_strength"]) or None
 
     @property
     def sliders(self) -> int:
@@ -38,12 +43,14 @@ class LawSteps(LawFile):
 
     @property
     def largest_sliding_shift(self) -> float:
-        """The shift of first shear at which the contact slides under the largest normal force [length]; 0 without friction."""
+        """The shift of first shear at which the contact slides under the largest normal force, or with the largest contact radius
+        [length]; 0 without friction."""
         return float(self._facts["highest_sliding_shift"])
 
     @property
     def first_shear_error(self) -> float:
-        """The largest error of T found in first shear at constant normal force F, relative to coefficient F; 0 without friction."""
+        """The largest error of T found in first shear at constant normal force F or contact radius, relative to T in sliding; 0
+        without friction."""
         return float(self._facts["first_shear_error"])
 
     @property
@@ -57,7 +64,7 @@ class LawSteps(LawFile):
         """The memory of `count` contacts that have not been loaded: an array of shape (count, `memory_size`) of zeros. To be stored
         and read as numbers; setting a row to 0 forgets that contact, its dissipated energy too."""
         if not self.sliders:
-            raise InvalidArgumentError("the law has no friction: it is to be made with friction=Friction(...)")
+            raise InvalidArgumentError("the law has no friction: it is to be made with friction=Friction(...) or shear_strength")
         return np.zeros((whole("count", count, 0), self.memory_size))
 
     @overload
@@ -72,7 +79,8 @@ class LawSteps(LawFile):
         """One step of all contacts, straight in shift and S = int dF/k_t; changes `memory`.
 
         memory : as `contacts` makes it
-        force : (n) normal forces F >= 0 at the end of the step; 0 parts the bodies [modulus length^2]
+        force : (n) normal forces F >= 0 at the end of the step [modulus length^2]; in a law with a shear strength contact radii
+            in their place [length]. 0 parts the bodies
         shift : (n, 2) or (n, 3) by how much the indenter moves in this step, in the tangent plane [length]
         tangent : whether the derivatives are wanted
 

@@ -124,6 +124,7 @@ law_options = np.dtype(
         ("continue_beyond", np.intc),
         ("friction", np.uintp),
         ("sliders", np.intc),
+        ("shear_strength", np.float64),
     ],
     align=True,
 )
@@ -160,6 +161,7 @@ law_facts = np.dtype(
         ("first_shear_error", np.float64),
         ("path_error", np.float64),
         ("buffer_size", np.intc),
+        ("shear_strength", np.float64),
     ],
     align=True,
 )

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native, adhesion
-from ._boundary import FloatOrArray, address, call, evaluate, evaluate_all, number, whole
+from ._boundary import FloatOrArray, address, call, evaluate, evaluate_all, not_zero, number, whole
 from ._law_arrays import LawArrays, law_arrays
 from ._law_file import law_options
 from ._law_steps import LawSteps
@@ -49,8 +49,11 @@ class ContactLaw(LawSteps):
     contact : the Contact to compile, with or without adhesion
     largest_depth : > 0 [length]
     friction : the `Friction` of this contact, for tangential forces; None: the law has none
-    sliders : with friction, 4 to 64 vector sliders for the springs of a contact; errors fall about as sliders^-1.6, time and memory
-        grow in proportion. 16 for finite elements
+    sliders : with friction or a shear strength, 4 to 64 vector sliders for the springs of a contact; errors fall about as
+        sliders^-1.6, time and memory grow in proportion. 16 for finite elements
+    shear_strength : > 0, in place of friction: the contact slips where its shear traction reaches this constant [modulus], as
+        smooth dry contacts with adhesion do; on homogeneous bodies, with or without adhesion. `advance` then takes contact radii
+        in place of normal forces; None: none
     smallest_depth : without adhesion, where the tolerance begins to hold [length]; None: 1e-4 of the largest. Nearer to first
         touch the law follows a power of d. With adhesion the law begins at pull-off
     tolerance : relative, of F, a and k; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|
@@ -62,8 +65,8 @@ class ContactLaw(LawSteps):
 
     With friction: `contacts` makes the memory of as many contacts as there are, `advance` takes a step of each along any path of
     the shift in the plane and of the normal force and gives the tangential forces: stick, partial slip, sliding, and what earlier
-    slip left behind. No path yields energy, T is continuous in F and in the shift, and each step has a derivative. T is off by 1 to
-    2 % of mu F with 8 sliders, 0.5 % with 16, against the springs of the body, and springs in the plane are a model: docs/laws.md,
+    slip left behind. No path yields energy, T is continuous in F and in the shift, and each step has a derivative. T is off by 1
+    % of mu F with 8 sliders, 0.5 % with 16, against the springs of the body, and springs in the plane are a model: docs/laws.md,
     `first_shear_error` and `path_error`. Slip of small amplitude, below the strength of the slider at the edge, is elastic: for
     fretting take `Friction`.
     """
@@ -80,6 +83,7 @@ class ContactLaw(LawSteps):
         *,
         friction: Friction | None = None,
         sliders: int = 8,
+        shear_strength: float | None = None,
         smallest_depth: float | None = None,
         tolerance: float = 1e-9,
         description: str | None = None,
@@ -93,6 +97,8 @@ class ContactLaw(LawSteps):
         options["sliders"] = whole("sliders", sliders, 1)
         if friction is not None:
             options["friction"] = friction._handle.address
+        if shear_strength is not None:
+            options["shear_strength"] = not_zero("shear_strength", shear_strength)
         self._own(_native.law_new(contact._handle.address, number("largest_depth", largest_depth), address(options)))
         del text  # the options point to it
         contact._warn_at(self._highest)

@@ -295,7 +295,7 @@ static void friction_laws(numbers *out)
     CHECK_SUCCESS(mdr_law_new(c, 0.2, &options, &law));
     CHECK_SUCCESS(mdr_law_info(law, &facts));
     *more(out, 1) = facts.highest_sliding_shift;
-    CHECK_INT(facts.memory_size, 35);
+    CHECK_INT(facts.memory_size, 43);
     CHECK_SUCCESS(mdr_law_advance(law, 1, (const double[1]){0.1}, (const double[3]){0.002, 0.001, 0.0}, NULL, memory, T));
     for (int i = 0; i < 3; i++) *more(out, 1) = T[i];
     mdr_law_free(&law);

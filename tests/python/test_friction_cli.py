@@ -211,7 +211,7 @@ def test_law_with_friction(tmp_path, capsys):
     problem, path = tmp_path / "problem.toml", tmp_path / "ball.law"
     problem.write_text(PROBLEM + "coefficient = 0.2\n")
     assert main(["law", str(problem), str(path), "--sliders", "12", "--tolerance", "1e-6"]) == 0
-    assert "12, 47 numbers a contact" in capsys.readouterr().out
+    assert "12, 59 numbers a contact" in capsys.readouterr().out
     law = mdr.ContactLaw.load(path)
     assert (law.coefficient, law.sliders) == (0.2, 12)
     film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))

@@ -10,7 +10,7 @@ from .._law_table import FORMATS
 from ..friction import Friction
 from ..law import ContactLaw
 from ..problem import ProblemError, load
-from ..problem.units import AREA, FORCE, LENGTH, Dimension, UnitError, parse, shown
+from ..problem.units import AREA, FORCE, LENGTH, MODULUS, Dimension, UnitError, parse, shown
 from . import files
 
 HELP = "compile the contact into a file that other codes read"
@@ -50,6 +50,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--area", metavar="AREA", help='of "overclosure": of the surface that one contact stands for, as in "1 mm^2"'
     )
+    parser.add_argument(
+        "--shear-strength", metavar="STRESS", help='of the contact, constant, in place of [friction], as in "20 MPa"; homogeneous'
+    )
     parser.add_argument("--overwrite", action="store_true", help="replace a file that exists")
 
 
@@ -64,12 +67,15 @@ def run(arguments: argparse.Namespace) -> None:
         largest = _number("--largest-depth", arguments.largest_depth, LENGTH)
     given = arguments.smallest_depth
     smallest = None if given is None else _number("--smallest-depth", given, LENGTH)
+    given = arguments.shear_strength
+    strength = None if given is None else _number("--shear-strength", given, MODULUS)
     friction = Friction(contact, problem.friction.coefficient) if problem.friction else None
     law = ContactLaw(
         contact,
         largest,
         friction=friction,
         sliders=arguments.sliders,
+        shear_strength=strength,
         smallest_depth=smallest,
         tolerance=arguments.tolerance,
         description=f"{problem.title}; {friction or contact!r}; SI units",
@@ -80,7 +86,7 @@ def run(arguments: argparse.Namespace) -> None:
         print(f"{name:<16}{shown(ends[0], dimension)} to {shown(ends[1], dimension)}")
     print(f"{'error':<16}{law.error:.0e} relative, tolerance {law.tolerance:.0e}; {law.solutions} contact states")
     if law.sliders:
-        off = f"T off by {law.first_shear_error:.1%} of mu F in first shear"
+        off = f"T off by {law.first_shear_error:.1%} of sliding in first shear"
         print(f"{'sliders':<16}{law.sliders}, {law.memory_size} numbers a contact; {off}")
     content = law.to_bytes() if arguments.table is None else _table(law, arguments)
     files.write({arguments.law: content}, arguments.overwrite)

@@ -29,6 +29,7 @@ module mdrcontact_api_law
         integer(c_int) :: continue_beyond = 0_c_int
         type(c_ptr) :: friction = c_null_ptr
         integer(c_int) :: sliders = 0_c_int
+        real(c_double) :: shear_strength = 0.0_c_double
     end type c_law_options_t
 
     !> struct mdr_law_facts
@@ -46,6 +47,7 @@ module mdrcontact_api_law
         real(c_double) :: coefficient = 0.0_c_double, highest_sliding_shift = 0.0_c_double
         real(c_double) :: first_shear_error = 0.0_c_double, path_error = 0.0_c_double
         integer(c_int) :: buffer_size = 0_c_int
+        real(c_double) :: shear_strength = 0.0_c_double
     end type c_law_facts_t
 
     interface
@@ -72,16 +74,21 @@ contains
         type(law_options_t) :: chosen
         type(friction_t), pointer :: friction
         type(error_t), allocatable :: error
+        integer :: sliders
 
         allocate (law)
         call open_handle(contact, "contact", inside, error)
         call read_law_options(options, given, chosen, error)
+        sliders = merge(default_sliders, int(given%sliders), given%sliders == 0_c_int)
         if (c_associated(given%friction)) then
             call open_handle(given%friction, "options.friction", friction, error)
-            if (.not. allocated(error)) then
-                call new_contact_law(law, inside, friction, largest_depth, error, chosen, &
-                                     merge(default_sliders, int(given%sliders), given%sliders == 0_c_int))
+            if (given%shear_strength /= 0.0_c_double) then
+                call raise(error, error_invalid, " is not allowed with options.friction: slip has one law", &
+                           "options.shear_strength")
             end if
+            if (.not. allocated(error)) call new_contact_law(law, inside, friction, largest_depth, error, chosen, sliders)
+        else if (given%shear_strength /= 0.0_c_double .and. .not. allocated(error)) then
+            call new_contact_law(law, inside, largest_depth, given%shear_strength, error, chosen, sliders)
         else if (.not. allocated(error)) then
             call new_contact_law(law, inside, largest_depth, error, chosen)
         end if
@@ -269,7 +276,8 @@ contains
         facts%sliders = int(friction%sliders, c_int)
         facts%memory_size = int(friction%memory_size(), c_int)
         facts%coefficient = friction%coefficient
-        facts%highest_sliding_shift = friction%coefficient*friction%by_shift%highest
+        facts%shear_strength = friction%shear_strength
+        facts%highest_sliding_shift = friction%sliding_shift()
         facts%first_shear_error = friction%first_shear_error
         facts%path_error = friction%path_error
     end subroutine add_friction

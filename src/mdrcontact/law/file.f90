@@ -21,8 +21,9 @@ module mdrcontact_law_file
     character(len=*), parameter :: title = "mdrcontact compiled contact law, format ", version = "4"
     !> How files of versions of the library began in which laws with friction were apart.
     character(len=*), parameter :: former_title = "mdrcontact compiled friction law, format "
-    !> Numbers of a law beside its two tables and its friction, and those of its friction beside tables and shares.
-    integer, parameter :: own_numbers = 5, friction_numbers = 4
+    !> Numbers of a law beside its two tables and its friction; those of its friction beside tables and shares, and those in their
+    !> place where the shear strength is constant.
+    integer, parameter :: own_numbers = 5, friction_numbers = 4, radius_numbers = 3
     !> A coefficient of a share that is larger is none.
     real(wp), parameter :: largest_share = 1.0e3_wp
     character(len=*), parameter :: of_description = " characters of description, then ", of_numbers = " numbers"
@@ -84,7 +85,9 @@ contains
         type(friction_law_t), intent(in) :: friction
         integer :: count
 
-        count = friction_numbers + word_count(friction%by_shift) + word_count(friction%by_force)
+        count = friction_numbers + radius_numbers
+        if (friction%shear_strength > 0.0_wp) return
+        count = friction_numbers + 1 + word_count(friction%by_shift) + word_count(friction%by_force)
         if (allocated(friction%levels%share)) count = count + size(friction%levels%share)
     end function friction_count
 
@@ -95,8 +98,13 @@ contains
         integer :: next
 
         words(first) = int(friction%sliders, int64)
-        words(first + 1:first + 3) = transfer([friction%coefficient, friction%first_shear_error, friction%path_error], [0_int64])
-        next = first + 4
+        words(first + 1:first + 4) = transfer([friction%coefficient, friction%shear_strength, friction%first_shear_error, &
+                                               friction%path_error], [0_int64])
+        next = first + 1 + friction_numbers
+        if (friction%shear_strength > 0.0_wp) then
+            words(next:next + radius_numbers - 1) = transfer([friction%modulus, friction%radii], [0_int64])
+            return
+        end if
         call put_table(friction%by_shift, words, next)
         call put_table(friction%by_force, words, next)
         words(next) = 0_int64
@@ -137,7 +145,9 @@ contains
         call add_energies(law%by_depth)
         call find_direct(law%by_depth)
         call find_direct(law%by_force)
-        if (allocated(law%friction)) call close_friction(law%friction, shares, error)
+        if (.not. allocated(law%friction)) return
+        law%friction%continued = law%by_depth%continued
+        call close_friction(law%friction, shares, error)
     end subroutine law_from_text
 
     !> The friction of a law, not allocated if it has none, but for its levels; and the shares of springs that interact, none of
@@ -158,8 +168,15 @@ contains
         reader%sound = sliders >= fewest_sliders
         friction%sliders = sliders
         friction%coefficient = reader%number()
+        friction%shear_strength = reader%number()
         friction%first_shear_error = reader%number()
         friction%path_error = reader%number()
+        if (friction%shear_strength > 0.0_wp) then
+            friction%modulus = reader%number()
+            friction%radii(1) = reader%number()
+            friction%radii(2) = reader%number()
+            return
+        end if
         if (reader%sound) call read_table(reader, friction%by_shift, error)
         if (reader%sound .and. .not. allocated(error)) call read_table(reader, friction%by_force, error)
         if (allocated(error)) return
@@ -179,8 +196,10 @@ contains
         real(wp), intent(in) :: shares(:)
         type(error_t), allocatable, intent(inout) :: error
 
-        call find_direct(friction%by_shift)
-        call find_direct(friction%by_force)
+        if (friction%coefficient > 0.0_wp) then
+            call find_direct(friction%by_shift)
+            call find_direct(friction%by_force)
+        end if
         call find_levels(friction, size(shares) > 0)
         if (size(shares) == 0) return
         associate (count => share_index(friction%levels%count, friction%levels%count))

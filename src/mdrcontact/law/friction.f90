@@ -52,6 +52,7 @@ module mdrcontact_law_friction
         type(levels_t) :: levels
     contains
         procedure :: memory_size
+        procedure :: sliding_shift
         procedure :: advance
         procedure :: attempt
         procedure :: steps
@@ -104,6 +105,18 @@ contains
 
         count = record_size(self%sliders)
     end function memory_size
+
+    !> The shift of first shear at which a contact slides under the largest F, or with the largest contact radius [length].
+    pure function sliding_shift(self) result(shift)
+        class(friction_law_t), intent(in) :: self
+        real(wp) :: shift
+
+        if (self%levels%is_constant) then
+            shift = 2.0_wp*self%shear_strength*self%radii(2)/self%modulus
+        else
+            shift = self%coefficient*self%by_shift%highest
+        end if
+    end function sliding_shift
 
     !> Levels and mark of a law that is otherwise complete; shares of springs that interact are left to the caller.
     subroutine find_levels(self, shared)

@@ -15,14 +15,15 @@ module mdrcontact_law_friction_from_contact
     use mdrcontact_law_friction, only: check_sliders, friction_law_t, find_levels
     use mdrcontact_law_from_contact, only: law_options_t, new_law_of_contact => new_contact_law
     use mdrcontact_law_levels, only: levels_t, share_index, share_nodes
+    use mdrcontact_law_shear_strength, only: new_law_with_shear_strength
     use mdrcontact_law_strengths, only: growth_beyond, place_t
     implicit none (type, external)
     private
     public :: new_contact_law, new_friction_law
 
-    !> The law of a contact, or of a contact and its friction.
+    !> The law of a contact, of a contact and its friction, or of a contact of constant shear strength.
     interface new_contact_law
-        procedure new_law_of_contact, new_law_with_friction
+        procedure new_law_of_contact, new_law_with_friction, new_law_with_shear_strength
     end interface new_contact_law
 
     !> Parts of the largest depth and of the shift of sliding; and cycles: steps, shifts in units of the largest mu S,

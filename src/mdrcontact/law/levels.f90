@@ -17,13 +17,13 @@ module mdrcontact_law_levels
     public :: fewest_sliders, most_sliders, most_levels, share_nodes
 
     !> Sliders of a law, and levels whatever its range.
-    integer, parameter :: fewest_sliders = 4, most_sliders = 64, most_levels = 448
+    integer, parameter :: fewest_sliders = 4, most_sliders = 64, most_levels = 320
     !> Coefficients of a share between two levels: of powers of (S - S_m)/(S_m+1 - S_m).
     integer, parameter :: share_nodes = 3
-    !> S_l+1/S_l is 1 + spread/sliders + least, of springs that interact and of those that do not.
-    real(wp), parameter :: spread_of_shares = 3.0_wp, least_of_shares = 1.0_wp/32.0_wp, spread = 6.0_wp, least = 0.02_wp
+    !> S_l+1/S_l is 1 + spread/sliders + least of springs that interact, and 1 + spread/sliders^2 + least of those that do not.
+    real(wp), parameter :: spread_of_shares = 2.0_wp, least_of_shares = 0.02_wp, spread = 6.0_wp, least = 0.02_wp
     !> The same where the shear strength is constant: the load of its springs bends most slowly at the edge.
-    real(wp), parameter :: spread_of_radii = 0.1_wp, least_of_radii = 0.015_wp
+    real(wp), parameter :: spread_of_radii = 0.1_wp, least_of_radii = 0.008_wp
 
     !> Levels 0, at first touch, to `count`; one more, never reached.
     type :: levels_t

@@ -32,6 +32,14 @@ contains
         type(friction_law_t), intent(in) :: friction
         logical :: sound
 
+        if (friction%shear_strength > 0.0_wp) then
+            associate (radii => friction%radii)
+                sound = friction%coefficient == 0.0_wp .and. friction%modulus > 0.0_wp .and. friction%modulus < huge(1.0_wp) .and. &
+                        friction%shear_strength < huge(1.0_wp) .and. radii(1) > 0.0_wp .and. radii(2) > radii(1) .and. &
+                        radii(2) < huge(1.0_wp)
+            end associate
+            return
+        end if
         sound = friction%coefficient > 0.0_wp .and. friction%by_shift%by_depth .and. .not. friction%by_force%by_depth .and. &
                 .not. friction%by_shift%adhesive .and. .not. friction%by_force%adhesive
         if (sound) sound = is_sound_table(friction%by_shift)

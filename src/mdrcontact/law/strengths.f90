@@ -46,12 +46,9 @@ contains
         type(place_t), intent(in) :: place
         real(wp), intent(out) :: loads(count)
         real(wp) :: width, x
-        integer :: i
 
         if (levels%is_constant) then
-            do i = 1, count
-                loads(i) = constant_load(levels%shift(level(i)), place%shift)
-            end do
+            call constant_loads(levels, count, level, place, loads)
             return
         end if
         call superposed_loads(levels, count, level, place, loads)
@@ -91,14 +88,68 @@ contains
         end do
     end subroutine superposed_loads
 
-    !> P at constant shear strength 1 and contact radius a, of springs beyond c.
-    pure elemental function constant_load(c, a) result(load)
-        real(wp), intent(in) :: c, a
-        real(wp) :: load
+    !> P at constant shear strength of some levels, and its derivatives by the contact radius.
+    pure subroutine constant_loads(levels, count, level, place, loads, slopes)
+        type(levels_t), intent(in) :: levels
+        integer, intent(in) :: count, level(count)
+        type(place_t), intent(in) :: place
+        real(wp), intent(out) :: loads(count)
+        real(wp), intent(out), optional :: slopes(count)
+        integer :: i
 
-        load = 0.0_wp
-        if (c < a) load = max(2.0_wp*(a**2*acos(c/a) - c*sqrt((a - c)*(a + c))), 0.0_wp)
-    end function constant_load
+        associate (a => place%shift)
+            do i = 1, count
+                associate (c => min(levels%shift(level(i)), a))
+                    loads(i) = max(2.0_wp*(a**2*acos(c/a) - c*sqrt((a - c)*(a + c))), 0.0_wp)
+                    if (present(slopes)) slopes(i) = 4.0_wp*a*acos(c/a)
+                end associate
+            end do
+        end associate
+        call halve_lack(levels, count, level, place, loads, slopes)
+    end subroutine constant_loads
+
+    !> Sliders follow tangents of first shear, which they do not fall short of anywhere: P of each level less an eighth of what a
+    !> chord over it is above it halves the error; less than an eighth where its neighbours are not as far, so that P goes on to
+    !> fall from level to level. Above the last level chords end at the edge, where P is 0.
+    pure subroutine halve_lack(levels, count, level, place, loads, slopes)
+        type(levels_t), intent(in) :: levels
+        integer, intent(in) :: count, level(count)
+        type(place_t), intent(in) :: place
+        real(wp), intent(inout) :: loads(count)
+        real(wp), intent(inout), optional :: slopes(count)
+        !> of the level below, the level itself, and the one above or the edge: k, P and its derivative
+        real(wp) :: k(3), p(3), s(3), part
+        integer :: i
+
+        k(2) = 0.0_wp
+        p(2) = place%load
+        s(2) = 2.0_wp*pi*place%shift
+        do i = 1, count
+            if (.not. loads(i) > 0.0_wp) exit
+            k(1) = k(2)
+            p(1) = p(2)
+            s(1) = s(2)
+            k(2) = levels%stiffness(level(i))
+            p(2) = loads(i)
+            k(3) = place%stiffness
+            p(3) = 0.0_wp
+            if (i < count) then
+                k(3) = min(levels%stiffness(level(i + 1)), place%stiffness)
+                p(3) = loads(i + 1)
+            end if
+            part = (k(2) - k(1))/(k(3) - k(1))
+            loads(i) = p(2) - 0.5_wp*part*(1.0_wp - part)*(p(1) + part*(p(3) - p(1)) - p(2))
+            if (.not. present(slopes)) cycle
+            s(2) = slopes(i)
+            s(3) = 0.0_wp
+            if (i < count) s(3) = slopes(i + 1)
+            slopes(i) = s(2) - 0.5_wp*part*(1.0_wp - part)*(s(1) + part*(s(3) - s(1)) - s(2))
+            ! the edge moves
+            if (k(3) < place%stiffness) cycle
+            slopes(i) = slopes(i) + 0.5_wp*part/(k(3) - k(1))*place%stiffness/place%shift* &
+                        ((1.0_wp - 2.0_wp*part)*(p(1) + part*(p(3) - p(1)) - p(2)) + part*(1.0_wp - part)*(p(3) - p(1)))
+        end do
+    end subroutine halve_lack
 
     !> P of one level.
     pure function load_beyond(levels, l, m, place) result(load)
@@ -123,9 +174,7 @@ contains
         integer :: i, first
 
         if (levels%is_constant) then
-            do i = 1, count
-                slopes(i) = 4.0_wp*place%shift*acos(min(levels%shift(level(i))/place%shift, 1.0_wp))
-            end do
+            call constant_loads(levels, count, level, place, loads, slopes)
             return
         end if
         call superposed_loads(levels, count, level, place, loads)

@@ -28,7 +28,7 @@ static void moduli(world *w)
 }
 
 /* Sliders of a law, and numbers of a record, at most. */
-enum { MOST_SLIDERS = 16, MOST_MEMORY = 11 + 3 * MOST_SLIDERS };
+enum { MOST_SLIDERS = 16, MOST_MEMORY = 11 + 4 * MOST_SLIDERS };
 
 /* What it is; and what was written is read again. */
 static void write_and_read(const mdr_law *law)

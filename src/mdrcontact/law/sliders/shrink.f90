@@ -40,32 +40,48 @@ contains
         end do
     end subroutine shrink
 
-    !> The slider to be divided, -1 if there is none, and at which level: among those that stick the one that lacks most, which is
-    !> proportional to the square of its width over how far its end is from the edge; else the core.
+    !> The slider to be divided, -1 if there is none, and at which level: among those that stick the one that lacks most; else the
+    !> core.
     pure subroutine choose(levels, motion, place, level)
         type(levels_t), intent(in) :: levels
         type(motion_t), intent(in) :: motion
         integer, intent(out) :: place, level
-        real(wp) :: lacking, worst, typical
+        real(wp) :: typical, worst, found
         integer :: i, width
 
-        typical = 4.0_wp*levels%places(levels%sliders - 1)/real(levels%sliders - 1, wp)**2
+        associate (p => levels%places, n => levels%sliders - 1)
+            if (levels%is_constant) then
+                typical = lack(levels, p(n/2 + 1) - p(n/2), p(n/2 + 1))
+            else
+                typical = 4.0_wp*p(n)/real(n, wp)**2
+            end if
+        end associate
         worst = enough*typical
         place = -1
         associate (l => motion%level, last => motion%used)
             do i = 1, last - 1
                 width = l(i + 1) - l(i)
-                lacking = real(width, wp)**2/max(l(last) - l(i) - 1, 1)
-                if (width < 2 .or. .not. lacking > worst .or. motion%factor(i) < 1.0_wp) cycle
-                worst = lacking
+                found = lack(levels, width, max(l(last) - l(i) - 1, 1))
+                if (width < 2 .or. .not. found > worst .or. motion%factor(i) < 1.0_wp) cycle
+                worst = found
                 place = i
                 level = l(i) + (width + 1)/2
             end do
             if (place > 0) return
-            level = l(1) - max(1, nint(sqrt(typical*(l(last) - l(1)))))
+            level = l(1) - max(1, nint(sqrt(typical/lack(levels, 1, max(l(last) - l(1), 1)))))
             if (level > 0 .and. motion%factor(0) >= 1.0_wp) place = 0
         end associate
     end subroutine choose
+
+    !> What a slider of a width lacks that begins at a distance from the edge, both in levels: of first shear that of the square of
+    !> its width times the second derivative of T, and relative to its shift under Coulomb's law.
+    pure function lack(levels, width, distance) result(lacking)
+        type(levels_t), intent(in) :: levels
+        integer, intent(in) :: width, distance
+        real(wp) :: lacking
+
+        lacking = real(width, wp)**2/merge(sqrt(real(distance, wp)), real(distance, wp), levels%is_constant)
+    end function lack
 
     !> Slider i in two at a level.
     pure subroutine divide(levels, place, i, level, motion, divided)
