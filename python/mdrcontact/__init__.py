@@ -31,6 +31,7 @@ from . import (
     law,
     material,
     medium,
+    poroelastic,
     profile,
     threads,
     torsion,
@@ -52,6 +53,7 @@ from .interior import *  # noqa: F403
 from .law import *  # noqa: F403
 from .material import *  # noqa: F403
 from .medium import *  # noqa: F403
+from .poroelastic import *  # noqa: F403
 from .profile import *  # noqa: F403
 from .threads import *  # noqa: F403
 from .torsion import *  # noqa: F403
@@ -73,6 +75,7 @@ __all__ = [
     *law.__all__,
     *material.__all__,
     *medium.__all__,
+    *poroelastic.__all__,
     *profile.__all__,
     *threads.__all__,
     *torsion.__all__,

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native, adhesion, critical, failure, history, interior
+from . import _layout, _native, adhesion, critical, failure, history, interior, poroelastic
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record, row
 from ._value import Value
 from ._warn import warn
@@ -116,8 +116,13 @@ class Contact(Value):
         options = record(_layout.contact_options, work_of_adhesion=gamma, adhesion_rule=rule,
                          zeta_count=len(columns[0]), zeta_radius=address(columns[0]), zeta=address(columns[1]),
                          zeta_is_exact=int(is_exact))  # fmt: skip
-        created = _native.contact_new(indenter._handle.address, medium._handle.address, address(options))
-        self._set(_handle=Handle(created, _native.contact_free), indenter=indenter, medium=medium)
+        handle: Any = poroelastic.NoHandle()
+        if not poroelastic.is_poroelastic(medium):
+            created = _native.contact_new(indenter._handle.address, medium._handle.address, address(options))
+            handle = Handle(created, _native.contact_free)
+        elif gamma != 0.0 or given is not None:
+            raise InvalidArgumentError("work_of_adhesion and zeta are not allowed on a gel: they belong to elastic contacts")
+        self._set(_handle=handle, indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given)
         may_open = gamma == 0.0 and getattr(medium, "model", None) == "exact" and not isinstance(indenter, Paraboloid)
         self._set(_looked_at=set() if may_open else None, _warned=[-math.inf], _compared={})
@@ -153,8 +158,9 @@ class Contact(Value):
         radius: ArrayLike | None = None,
         tolerance: float = 1e-5,
         progress: bool = False,
+        drainage: str | None = None,
     ) -> History:
-        """The path of a contact with a viscoelastic body in time, of which one of depth, force and radius is prescribed.
+        """The path of a contact with a viscoelastic or poroelastic body in time: one of depth, force and radius is prescribed.
 
         time : strictly ascending, one dimension [time]; before the first the bodies are apart and at rest
         depth, force, radius : one of them, as many values; linear in time in between, the first value is reached in a jump.
@@ -167,7 +173,14 @@ class Contact(Value):
         ones follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest
         depth. Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all
         layers, under the model "exact" and unless a dashpot is in parallel at the surface.
+
+        drainage : of a gel, and only of one, see `relaxation`. A flat punch may follow any path of depth or force, exactly; tension
+            is taken as it comes. A paraboloid is pressed in at once and held at one contact radius, `radius` a constant. Its true
+            contact grows by up to 9 % and comes back: at "indenter" its force then differs by up to 0.05 of the part that relaxes
         """
+        if poroelastic.is_poroelastic(self.medium):
+            return History(*poroelastic.history(self, time, depth, force, radius, drainage))
+        history.refuse_drainage(drainage)
         return history.history(self._handle.address, time, depth, force, radius, tolerance, progress)
 
     def dynamic_stiffness(
@@ -177,6 +190,7 @@ class Contact(Value):
         radius: ArrayLike | None = None,
         depth: ArrayLike | None = None,
         force: ArrayLike | None = None,
+        drainage: str | None = None,
     ) -> ComplexOrArray:
         """The dynamic stiffness k* = k' + i k'' [modulus length] of a viscoelastic body at angular frequencies omega [1/time]:
         k' stores, k'' loses energy, pi k'' times the amplitude squared in each cycle, and k''/k' is tan delta.
@@ -187,16 +201,47 @@ class Contact(Value):
         Exact for any materials, power laws included, under the model "exact"; under other models for materials that relax in
         proportion. Each new frequency of a layered body costs two kernels, further radii at the same one little.
         """
+        if poroelastic.is_poroelastic(self.medium):
+            if depth is not None or force is not None:
+                raise ArgumentTypeError("depth and force are not allowed on a gel: give the contact radius, radius=")
+            return poroelastic.dynamic_stiffness(self, omega, radius, drainage)  # type: ignore[arg-type]
+        history.refuse_drainage(drainage)
         return history.dynamic_stiffness(self, omega, radius, depth, force)
 
-    def relaxation(self, time: ArrayLike, radius: float | None = None) -> FloatOrArray:
+    def relaxation(self, time: ArrayLike, radius: float | None = None, drainage: str | None = None) -> FloatOrArray:
         """Force per depth [modulus length] at times > 0 after a step of the depth, the contact radius being held: a flat punch,
-        whose radius need not be given."""
-        return history.step(self, _layout.STEP_RELAXATION, time, radius)
+        whose radius need not be given.
 
-    def creep(self, time: ArrayLike, radius: float | None = None) -> FloatOrArray:
+        drainage : of a gel, which takes time 0 too, and only of one: "surface", the whole surface drains, under the indenter too,
+            which is porous; "sealed", no flux anywhere; "indenter", no flux under the indenter, drained beside it, on a half-space
+            only. There is no default: it matters more than anything else
+        """
+        return history.step(self, _layout.STEP_RELAXATION, time, radius, drainage)
+
+    def creep(self, time: ArrayLike, radius: float | None = None, drainage: str | None = None) -> FloatOrArray:
         """Depth per force [1/(modulus length)] at times > 0 after a step of the force. Arguments as of `relaxation`."""
-        return history.step(self, _layout.STEP_CREEP, time, radius)
+        return history.step(self, _layout.STEP_CREEP, time, radius, drainage)
+
+    def pressure_in_time(
+        self,
+        kind: str,
+        r: ArrayLike,
+        time: float,
+        *,
+        depth: float | None = None,
+        radius: float | None = None,
+        drainage: str | None = None,
+    ) -> FloatOrArray:
+        """Pressure [modulus] at 0 <= r < a, any shape, under an indenter that was pressed into a gel at once, a time before, its
+        contact radius being held.
+
+        kind : "total", what the indenter bears, or "pore", that of the fluid at the surface, on a half-space only
+        time : since the step, D t/a^2 >= 1e-5 [time]
+        depth : that of a flat punch's step [length]
+        radius : the held contact radius of a Paraboloid, whose depth it determines [length]
+        drainage : as of `relaxation`
+        """
+        return poroelastic.pressure(self, kind, r, time, depth, radius, drainage)
 
     def pull_off(self, control: str = "force") -> PullOff:
         """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "depth".

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
+from . import _layout, _native, poroelastic
 from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, numbers, together
 from ._progress import marching
 from .errors import ArgumentTypeError, InvalidArgumentError
@@ -90,10 +90,19 @@ def dynamic_stiffness(
     return values.reshape(w.shape) if w.ndim else complex(values[0])
 
 
-def step(contact: Any, kind: int, time: ArrayLike, radius: float | None) -> FloatOrArray:
+def step(contact: Any, kind: int, time: ArrayLike, radius: float | None, drainage: str | None) -> FloatOrArray:
     """See `Contact.relaxation` and `Contact.creep`."""
+    if poroelastic.is_poroelastic(contact.medium):
+        return poroelastic.step(contact, kind, time, radius, drainage)
+    refuse_drainage(drainage)
     a = number("radius", _radius(contact, {}) if radius is None else radius)
     return evaluate("time", time, lambda t: _native.contact_step_response(contact._handle.address, kind, a, t))
+
+
+def refuse_drainage(drainage: str | None) -> None:
+    """Of a body that does not drain."""
+    if drainage is not None:
+        raise ArgumentTypeError(f"drainage = {drainage!r} is not allowed: the body is not poroelastic")
 
 
 def _radius(contact: Any, given: dict[str, ArrayLike]) -> Any:

@@ -16,7 +16,8 @@ module mdrcontact_gsl
     public :: gsl_root_fsolver_brent, gsl_root_fsolver_alloc, gsl_root_fsolver_free, gsl_root_fsolver_set, &
               gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, &
               gsl_root_test_interval
-    public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1, gsl_sf_bessel_il_scaled_array, gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp, &
+    public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1, gsl_sf_bessel_il_scaled_array, gsl_sf_bessel_jl_steed_array, &
+              gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp, &
               gsl_sf_ellint_rd, gsl_sf_ellint_rf
     public :: gsl_interp_bsearch, gsl_sort, gsl_sort_index
     public :: gsl_interp_steffen, gsl_spline_alloc, gsl_spline_init, gsl_spline_free, gsl_spline_eval_deriv
@@ -199,6 +200,15 @@ module mdrcontact_gsl
             real(c_double), intent(inout) :: values(*)
             integer(c_int) :: status
         end function gsl_sf_bessel_il_scaled_array
+
+        !> j_l(x), l = 0 ... lmax, spherical Bessel functions, x >= 0.
+        function gsl_sf_bessel_jl_steed_array(lmax, x, values) result(status) bind(C)
+            import :: c_double, c_int
+            integer(c_int), value :: lmax
+            real(c_double), value :: x
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int) :: status
+        end function gsl_sf_bessel_jl_steed_array
 
         !> Complete elliptic integral E of modulus k; mode = 0: double precision.
         pure function gsl_sf_ellint_ecomp(k, mode) result(y) bind(C, name="gsl_sf_ellint_Ecomp")

@@ -12,7 +12,7 @@ ORDER = [
     {"profile"},
     {"material"},
     {"body"},
-    {"line", "layered"},
+    {"line", "layered", "poroelastic"},
     {"medium", "model", "weights"},
     {"contact"},
     {"inside", "field"},

@@ -131,7 +131,8 @@ def results():
 
 def bodies():
     gel = mdr.Viscoelastic(500.0, [(300.0, 0.05)], bulk_modulus=5e3)
-    return [OXIDE, gel, mdr.PowerLawRheology(400.0, 1.0, 0.18, 0.5), mdr.RIGID, *every_profile(), *every_medium()]
+    fluid = mdr.Poroelastic(2e3, 0.2, 1e-9)
+    return [OXIDE, gel, fluid, mdr.PowerLawRheology(400.0, 1.0, 0.18, 0.5), mdr.RIGID, *every_profile(), *every_medium()]
 
 
 def structures():

@@ -9,8 +9,9 @@ from typing import Any
 
 from .. import _native
 from .._boundary import number
-from ..errors import ArgumentTypeError
+from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Material, _Rigid, material
+from ..poroelastic import NoHandle, Poroelastic, check_body
 from .models import MODELS, UnderModel, settings
 from .viscoelastic import is_elastic, viscoelastic
 
@@ -34,7 +35,7 @@ def base(substrate: Any) -> tuple[float, float]:
 class Coated(UnderModel):
     """A half-space with one bonded coating.
 
-    coating : Elastic(E, nu), Viscoelastic(...) or PowerLawRheology(...)
+    coating : Elastic(E, nu), Viscoelastic(...) or PowerLawRheology(...); or Poroelastic(...) on a RIGID base, model "exact"
     thickness : h > 0 [length]
     substrate : likewise; RIGID for the models "exact", "dimitriadis", "garcia"
     model : how E_eff(a) is found; the default is the exact solution
@@ -53,16 +54,27 @@ class Coated(UnderModel):
     The indenter is rigid; for a deformable one see `Pair`.
     """
 
-    coating: Material
+    coating: Material | Poroelastic
     thickness: float
     substrate: Material | _Rigid
     model: str
     options: tuple[tuple[str, float | str], ...]
 
     def __init__(
-        self, coating: Material, thickness: float, substrate: Material | _Rigid, model: str = "exact", **options: float | str
+        self,
+        coating: Material | Poroelastic,
+        thickness: float,
+        substrate: Material | _Rigid,
+        model: str = "exact",
+        **options: float | str,
     ) -> None:
-        film, thickness, chosen = material("coating", coating), number("thickness", thickness), settings(model, options)
+        thickness, chosen = number("thickness", thickness), settings(model, options)
+        if check_body(coating, substrate, model, options, RIGID):
+            if not 0.0 < thickness < math.inf:
+                raise InvalidArgumentError(f"thickness = {thickness!r} is not allowed: it must be finite and greater than 0")
+            self._set(_handle=NoHandle(), coating=coating, thickness=thickness, substrate=substrate, model=model, options=())
+            return
+        film = material("coating", coating)
         below = substrate_material(substrate)
         if is_elastic(film, below):
             created = _native.medium_coated(film.E, film.nu, thickness, *base(below), *chosen.native)

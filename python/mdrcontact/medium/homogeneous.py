@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from .. import _native
 from ..errors import ArgumentTypeError
 from ..material import Elastic, Material, material
+from ..poroelastic import NoHandle, Poroelastic
 from .base import Medium
 from .viscoelastic import is_elastic, viscoelastic
 
@@ -21,12 +22,15 @@ def elastic(name: str, value: object) -> Elastic:
 
 @dataclass(frozen=True)
 class Homogeneous(Medium):
-    """A homogeneous half-space of one material: Elastic(E, nu), Viscoelastic(...) or PowerLawRheology(...). The indenter is rigid;
-    for a deformable one see `Pair`. A contact with a viscoelastic body answers `history` only.
+    """A homogeneous half-space of one material: Elastic(E, nu), Viscoelastic(...) or PowerLawRheology(...) or Poroelastic(...). The
+    indenter is rigid; for a deformable one see `Pair`. A contact with a viscoelastic or poroelastic body answers in time only.
     """
 
-    material: Material
+    material: Material | Poroelastic
 
     def __post_init__(self) -> None:
+        if isinstance(self.material, Poroelastic):
+            self._set(_handle=NoHandle())
+            return
         body = material("material", self.material)
         self._own(_native.medium_homogeneous(body.E, body.nu) if is_elastic(body) else viscoelastic([], [], body))

@@ -647,6 +647,71 @@ int mdr_contact_step_response(const mdr_contact *c, int step, double radius, int
     return status;
 }
 
+int mdrcontact_entry_poroelastic_new(double nu, int drainage, double ratio, mdr_poroelastic **out);
+int mdr_poroelastic_new(double nu, int drainage, double ratio, mdr_poroelastic **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_new(nu, drainage, ratio, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_poroelastic_new(nu, drainage, ratio, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_poroelastic_error(const mdr_poroelastic *p, double *out);
+int mdr_poroelastic_error(const mdr_poroelastic *p, double *out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_error(p, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_poroelastic_error(p, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity,
+        double radius, int n, const double time[], double out[]);
+int mdr_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity, double radius, int n,
+        const double time[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_response(p, answer, shear_modulus, diffusivity, radius, n, time,
+        out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_poroelastic_response(p, answer, shear_modulus, diffusivity, radius, n, time, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity,
+        double radius, int n, const double omega[], double storage[], double loss[]);
+int mdr_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity, double radius, int n,
+        const double omega[], double storage[], double loss[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_dynamic_stiffness(p, shear_modulus, diffusivity, radius, n, omega,
+        storage, loss);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_poroelastic_dynamic_stiffness(p, shear_modulus, diffusivity, radius, n, omega, storage,
+        loss);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, double shear_modulus, double diffusivity,
+        double radius, double time, int n, const double r[], double out[]);
+int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, double shear_modulus, double diffusivity,
+        double radius, double time, int n, const double r[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_pressure(p, kind, is_flat, shear_modulus, diffusivity, radius,
+        time, n, r, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_poroelastic_pressure(p, kind, is_flat, shear_modulus, diffusivity, radius, time, n, r, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper);
 int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper)
 {

@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Poroelastic gels (docs/gels.md): the material, and what a contact with it answers in time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _layout, _native
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, number, numbers
+from ._value import Value
+from .errors import ArgumentTypeError, InvalidArgumentError
+from .profile import FlatPunch, Paraboloid, Profile
+
+__all__ = ["Poroelastic"]
+
+DRAINAGES: Mapping[str, int] = {
+    "surface": _layout.DRAINAGE_SURFACE,
+    "sealed": _layout.DRAINAGE_SEALED,
+    "indenter": _layout.DRAINAGE_INDENTER,
+}
+"""What the fluid may do at the surface."""
+
+_NO_STATES = (
+    "this body is poroelastic, and its states depend on time: take relaxation, creep, history, dynamic_stiffness or "
+    "pressure_in_time, or the undrained or the drained material"
+)
+
+
+class NoHandle:
+    """In place of a handle: bodies that have no elastic states, and contacts with them."""
+
+    @property
+    def address(self) -> int:
+        """Refuses."""
+        raise InvalidArgumentError(_NO_STATES)
+
+
+@dataclass(frozen=True)
+class Poroelastic(Value):
+    """A poroelastic gel: an elastic skeleton full of a fluid that flows through it (Biot), both incompressible themselves.
+
+    shear_modulus : G > 0, of a sudden and of a lasting load alike [modulus]
+    nu : drained Poisson's ratio, -1 < nu < 0.5, at which nothing would drain
+    diffusivity : D > 0 [length^2/time]: 2 G (1 - nu)/(1 - 2 nu) times hydraulic permeability over viscosity, `from_permeability`
+
+    A sudden load finds an incompressible body, `undrained`, one that has lasted `drained`.
+    """
+
+    shear_modulus: float
+    nu: float
+    diffusivity: float
+    _handle: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._numbers()
+        self._set(_handle=NoHandle())
+        for name in ("shear_modulus", "diffusivity"):
+            value = getattr(self, name)
+            if not 0.0 < value < math.inf:
+                raise InvalidArgumentError(f"{name} = {value!r} is not allowed: it must be finite and greater than 0")
+        if not -1.0 < self.nu < 0.5:
+            raise InvalidArgumentError(
+                f"nu = {self.nu!r} is not allowed: the drained Poisson's ratio of a gel must be greater than -1 and less than 0.5, "
+                "at which nothing drains"
+            )
+
+    @classmethod
+    def from_permeability(cls, shear_modulus: float, nu: float, permeability: float, viscosity: float) -> Poroelastic:
+        """The gel of a hydraulic permeability > 0 [length^2] and a fluid's viscosity > 0 [modulus time]."""
+        flow, thickness = number("permeability", permeability), number("viscosity", viscosity)
+        for name, value in (("permeability", flow), ("viscosity", thickness)):
+            if not 0.0 < value < math.inf:
+                raise InvalidArgumentError(f"{name} = {value!r} is not allowed: it must be finite and greater than 0")
+        probe = cls(shear_modulus, nu, 1.0)
+        return cls(shear_modulus, nu, probe.longitudinal_modulus * flow / thickness)
+
+    @property
+    def longitudinal_modulus(self) -> float:
+        """M = 2 G (1 - nu)/(1 - 2 nu) [modulus], of the drained skeleton that is compressed along one axis."""
+        return 2.0 * self.shear_modulus * (1.0 - self.nu) / (1.0 - 2.0 * self.nu)
+
+    @property
+    def undrained(self) -> Any:
+        """The elastic material of a sudden load."""
+        return self._elastic(0.5)
+
+    @property
+    def drained(self) -> Any:
+        """The elastic material of a load that has lasted."""
+        return self._elastic(self.nu)
+
+    def _elastic(self, nu: float) -> Any:
+        from .material import Elastic
+
+        return Elastic(2.0 * self.shear_modulus * (1.0 + nu), nu)
+
+
+def is_poroelastic(medium: object) -> bool:
+    """Whether a medium is a gel."""
+    return isinstance(getattr(medium, "material", getattr(medium, "coating", None)), Poroelastic)
+
+
+def check_body(coating: object, substrate: object, model: str, options: object, rigid: object) -> bool:
+    """Whether one of the materials of a coated body is a gel; refuses what is not offered."""
+    if not isinstance(coating, Poroelastic) and not isinstance(substrate, Poroelastic):
+        return False
+    if not isinstance(coating, Poroelastic) or substrate is not rigid:
+        raise InvalidArgumentError(
+            "a gel beside another deformable material is not offered: a gel is a half-space, or a film on a RIGID base that lets "
+            "no fluid through"
+        )
+    if model != "exact" or options:
+        raise InvalidArgumentError("a film of a gel is solved exactly: it has no other model and no options")
+    return True
+
+
+@lru_cache(maxsize=64)
+def table(nu: float, drainage: int, ratio: float) -> Handle:
+    """The answers of a gel; those of a half-space, ratio = 0, serve all radii, times and diffusivities."""
+    return Handle(_native.poroelastic_new(nu, drainage, ratio), _native.poroelastic_free)
+
+
+def drainage_code(drainage: str | None) -> int:
+    """The number of a drainage, which has no default."""
+    if drainage is None or drainage not in DRAINAGES:
+        given = "drainage is missing" if drainage is None else f"drainage = {drainage!r} is not allowed"
+        raise InvalidArgumentError(
+            f'{given}: it matters more than anything else and must be "surface" (the whole surface drains, under the indenter '
+            'too), "sealed" (no flux anywhere) or "indenter" (no flux under the indenter, drained beside it)'
+        )
+    return DRAINAGES[drainage]
+
+
+def _material(medium: Any) -> Poroelastic:
+    gel: Poroelastic = getattr(medium, "material", None) or medium.coating
+    return gel
+
+
+def contact_radius(indenter: Profile, radius: float | None) -> float:
+    """That of a flat punch, or the one given."""
+    if radius is not None:
+        return number("radius", radius)
+    if isinstance(indenter, FlatPunch):
+        return float(indenter.radius)
+    raise ArgumentTypeError("radius is missing: only a flat punch has one of its own; for other indenters give the contact radius")
+
+
+def _answers(medium: Any, radius: float, drainage: str | None) -> tuple[int, float, float, float]:
+    """What the library's functions begin with: the table, G, D and a."""
+    gel, code = _material(medium), drainage_code(drainage)
+    thickness = getattr(medium, "thickness", None)
+    if not 0.0 < radius < math.inf:
+        raise InvalidArgumentError(f"radius = {radius!r} is not allowed: it must be finite and greater than 0")
+    handle = table(gel.nu, code, radius / thickness if thickness else 0.0)
+    return handle.address, gel.shear_modulus, gel.diffusivity, radius
+
+
+def step(contact: Any, kind: int, time: ArrayLike, radius: float | None, drainage: str | None) -> FloatOrArray:
+    """See `Contact.relaxation` and `Contact.creep`."""
+    handle, modulus, diffusivity, a = _answers(contact.medium, contact_radius(contact.indenter, radius), drainage)
+    answer = _layout.POROELASTIC_RELAXATION if kind == _layout.STEP_RELAXATION else _layout.POROELASTIC_CREEP
+    return evaluate("time", time, lambda t: _native.poroelastic_response(handle, answer, modulus, diffusivity, a, t))
+
+
+def dynamic_stiffness(contact: Any, omega: ArrayLike, radius: float | None, drainage: str | None) -> ComplexOrArray:
+    """See `Contact.dynamic_stiffness`."""
+    handle, modulus, diffusivity, a = _answers(contact.medium, contact_radius(contact.indenter, radius), drainage)
+    return complex_values("omega", omega, lambda w: _native.poroelastic_dynamic_stiffness(handle, modulus, diffusivity, a, w))
+
+
+def pressure(
+    contact: Any, kind: str, r: ArrayLike, time: float, depth: float | None, radius: float | None, drainage: str | None
+) -> FloatOrArray:
+    """See `Contact.pressure_in_time`."""
+    kinds = {"total": _layout.POROELASTIC_TOTAL, "pore": _layout.POROELASTIC_PORE}
+    if kind not in kinds:
+        raise InvalidArgumentError(f'kind = {kind!r} is not allowed: it must be "total" or "pore"')
+    is_flat = isinstance(contact.indenter, FlatPunch)
+    _check_held(contact.indenter)
+    held = contact_radius(contact.indenter, radius)
+    if is_flat and depth is None:
+        raise ArgumentTypeError("depth is missing: that of the step")
+    if not is_flat and depth is not None:
+        raise ArgumentTypeError("depth is not allowed with a paraboloid: it follows from the radius that is held")
+    d = number("depth", depth) if depth is not None else held**2 / contact.indenter.radius
+    handle, modulus, diffusivity, a = _answers(contact.medium, held, drainage)
+    at = number("time", time)
+    return d * evaluate(
+        "r", r, lambda points: _native.poroelastic_pressure(handle, kinds[kind], int(is_flat), modulus, diffusivity, a, at, points)
+    )
+
+
+def _check_held(indenter: Profile) -> None:
+    """Refuses an indenter for which a held radius is not solved."""
+    if not isinstance(indenter, (FlatPunch, Paraboloid)):
+        raise InvalidArgumentError(
+            f"indenter = {indenter!r} is not allowed here: contacts with gels are solved for FlatPunch(...), and for "
+            "Paraboloid(...) at a held contact radius, which a sphere is while its contact is small"
+        )
+
+
+def history(
+    contact: Any,
+    time: ArrayLike,
+    depth: ArrayLike | None,
+    force: ArrayLike | None,
+    radius: ArrayLike | None,
+    drainage: str | None,
+) -> tuple[NDArray[np.float64], ...]:
+    """Time, depth, radius and force; see `Contact.history`."""
+    prescribed = {"depth": depth, "force": force, "radius": radius}
+    given = [name for name, values in prescribed.items() if values is not None]
+    if len(given) != 1:
+        raise ArgumentTypeError(f"a history needs one of depth, force and radius, not {' and '.join(given) or 'none'}")
+    t, values = numbers("time", time), numbers(given[0], prescribed[given[0]])  # type: ignore[arg-type]
+    if t.ndim != 1 or t.shape != values.shape:
+        raise InvalidArgumentError(
+            f"time and {given[0]} must have one dimension and the same length, not {t.shape} and {values.shape}"
+        )
+    if not (np.isfinite(t).all() and np.isfinite(values).all() and (np.diff(t) > 0.0).all()):
+        raise InvalidArgumentError(f"time must be strictly ascending, and time and {given[0]} finite")
+    _check_held(contact.indenter)
+    if isinstance(contact.indenter, FlatPunch):
+        if given[0] == "radius":
+            raise InvalidArgumentError("radius is not allowed here: that of a flat punch is its own; give depth or force")
+        return _punch_history(contact, t, given[0], values, drainage)
+    if given[0] != "radius" or not (values == values[:1]).all():
+        raise InvalidArgumentError(
+            "this path is not offered: under a paraboloid on a gel the contact radius changes with the fluid's pressure, and the "
+            "surface that drains with it, which is not solved; give radius=, one constant, the radius that is held from the step on"
+        )
+    if not t.size:
+        return t, t.copy(), t.copy(), t.copy()
+    handle, modulus, diffusivity, a = _answers(contact.medium, float(values[0]), drainage)
+    d = a**2 / contact.indenter.radius
+    status, answer = _native.poroelastic_response(handle, _layout.POROELASTIC_PARABOLOID, modulus, diffusivity, a, t - t[0])
+    check(status)
+    return t, np.full(t.shape, d), values.copy(), d * answer
+
+
+def _punch_history(
+    contact: Any, t: NDArray[np.float64], name: str, values: NDArray[np.float64], drainage: str | None
+) -> tuple[NDArray[np.float64], ...]:
+    """By superposition: a jump at the first time, and a ramp from each kink of the path on."""
+    handle, modulus, diffusivity, a = _answers(contact.medium, float(contact.indenter.radius), drainage)
+    one, mean = (
+        (_layout.POROELASTIC_RELAXATION, _layout.POROELASTIC_MEAN_RELAXATION)
+        if name == "depth"
+        else (_layout.POROELASTIC_CREEP, _layout.POROELASTIC_MEAN_CREEP)
+    )
+
+    def answer(kind: int, since: NDArray[np.float64]) -> NDArray[np.float64]:
+        status, out = _native.poroelastic_response(handle, kind, modulus, diffusivity, a, np.ascontiguousarray(since))
+        check(status)
+        found: NDArray[np.float64] = out
+        return found
+
+    other = np.zeros_like(t)
+    if t.size:
+        other = values[0] * answer(one, t - t[0])
+        start, bend = _kinks(t, values)
+        for first, change in zip(start, bend, strict=True):
+            since = t[first + 1 :] - t[first]
+            if since.size:
+                other[first + 1 :] += change * since * answer(mean, since)
+    radius = np.full(t.shape, float(contact.indenter.radius))
+    return (t, values.copy(), radius, other) if name == "depth" else (t, other, radius, values.copy())
+
+
+def _kinks(t: NDArray[np.float64], values: NDArray[np.float64]) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+    """Where the slope of a path changes by more than rounding, and by how much."""
+    slope = np.diff(values) / np.diff(t)
+    change = np.diff(slope, prepend=0.0)
+    size = np.maximum(np.abs(slope), np.abs(np.concatenate([[0.0], slope[:-1]])))
+    places = np.flatnonzero(np.abs(change) > 1e-12 * size)
+    total = np.cumsum(change)[places] if places.size else np.zeros(0)
+    # what smaller changes add up to is taken along at the next kink
+    return places, np.diff(total, prepend=0.0)

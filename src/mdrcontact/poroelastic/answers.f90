@@ -1,0 +1,132 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What a gel answers at one time or frequency, solved there: relaxation, creep and oscillation.
+!>
+!> The inverse Laplace transform takes nodes on a parabola: Weideman, Trefethen, Math. Comp. 76 (2007) 1341. The singularities of a
+!> gel lie on the negative axis, 12 nodes give 2e-11 at any time.
+module mdrcontact_poroelastic_answers
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_poroelastic_basis, only: basis_t, new_basis
+    use mdrcontact_poroelastic_contact, only: flat, solve_contact, solve_elastic
+    use mdrcontact_poroelastic_gel, only: gel_t
+    implicit none (type, external)
+    private
+    public :: first_time, basis_for, in_time, at_frequency, at_end, laplace_nodes, nodes
+    public :: columns, relaxation, creep, paraboloid, mean_relaxation, mean_creep, storage, loss
+
+    !> What is tabulated. In time tau, per its value on an incompressible half-space: the force after a step of a flat punch's
+    !> depth, the depth after a step of its force, the force of a paraboloid pressed in at once whose contact radius is held, the
+    !> means of the first two since the step, which answer ramps; of the frequency omega a^2/D: the two parts of a flat punch's
+    !> dynamic stiffness.
+    integer, parameter :: columns = 7, relaxation = 1, creep = 2, paraboloid = 3, mean_relaxation = 4, mean_creep = 5, &
+                          storage = 6, loss = 7
+    !> of the inverse Laplace transform
+    integer, parameter :: nodes = 12
+
+contains
+
+    !> From this tau on answers are solved. Before it, what drains is a layer at the surface so thin that few polynomials do not
+    !> follow it at the edge, and that a film's base does not matter.
+    elemental function first_time(gel) result(tau)
+        type(gel_t), intent(in) :: gel
+        real(wp) :: tau
+
+        tau = merge(1.0e-5_wp, 1.0e-4_wp, gel%ratio > 1.0_wp)
+    end function first_time
+
+    !> The basis for tau, or 1/(omega a^2/D), between two values; `finer` adds to it.
+    subroutine basis_for(gel, shortest, longest, basis, error, finer)
+        type(gel_t), intent(in) :: gel
+        real(wp), intent(in) :: shortest, longest
+        type(basis_t), intent(out) :: basis
+        type(error_t), allocatable, intent(inout) :: error
+        logical, intent(in), optional :: finer
+        real(wp) :: last, first
+        integer :: order
+
+        order = 16 + ceiling(1.5_wp*gel%ratio)
+        if (shortest < 0.9e-2_wp) order = order + 4
+        if (shortest < 0.9e-3_wp) order = order + 8
+        if (shortest < 0.9e-4_wp) order = order + 6
+        last = max(200.0_wp, 2.0_wp*sqrt(12.0_wp/shortest), 20.0_wp*gel%ratio)
+        first = 1.0e-3_wp*min(1.0_wp, sqrt(1.0_wp/longest))
+        if (gel%ratio > 0.0_wp) first = min(first, 1.0e-2_wp*gel%ratio)
+        if (present(finer)) then
+            order = order + 6
+            last = 1.5_wp*last
+        end if
+        call new_basis(basis, order, first, last, error)
+    end subroutine basis_for
+
+    !> Nodes z = s t of the inverse transform of F(s)/s and their weights: f(t) = Im sum w F(z/t).
+    pure subroutine laplace_nodes(z, weight)
+        complex(wp), intent(out) :: z(nodes), weight(nodes)
+        real(wp), parameter :: width = 3.0_wp/real(nodes, wp), opening = pi*real(nodes, wp)/12.0_wp
+        complex(wp) :: turn
+        integer :: j
+
+        do j = 1, nodes
+            turn = cmplx(1.0_wp, (real(j, wp) - 0.5_wp)*width, wp)
+            z(j) = opening*turn**2
+            weight(j) = exp(z(j))/z(j)*(0.0_wp, 2.0_wp)*opening*turn*(width/pi)
+        end do
+    end subroutine laplace_nodes
+
+    !> The columns before `storage` at tau.
+    subroutine in_time(gel, basis, tau, values, error)
+        type(gel_t), intent(in) :: gel
+        type(basis_t), intent(in) :: basis
+        real(wp), intent(in) :: tau
+        real(wp), intent(out) :: values(mean_creep)
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: z(nodes), weight(nodes), q(basis%order), w(basis%order)
+        integer :: j
+
+        values = 0.0_wp
+        call laplace_nodes(z, weight)
+        do j = 1, nodes
+            call solve_contact(gel, basis, flat, z(j)/tau, q, w, error)
+            if (allocated(error)) return
+            values = values + aimag(weight(j)*[q(1), 1.0_wp/q(1), of_paraboloid(q), q(1)/z(j), 1.0_wp/(q(1)*z(j))])
+        end do
+    end subroutine in_time
+
+    !> The last two at a frequency.
+    subroutine at_frequency(gel, basis, omega, values, error)
+        type(gel_t), intent(in) :: gel
+        type(basis_t), intent(in) :: basis
+        real(wp), intent(in) :: omega
+        real(wp), intent(out) :: values(2)
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: q(basis%order), w(basis%order)
+
+        call solve_contact(gel, basis, flat, cmplx(0.0_wp, omega, wp), q, w, error)
+        values = [real(q(1), wp), aimag(q(1))]
+    end subroutine at_frequency
+
+    !> All columns of the elastic body that a gel is at once, or at last.
+    subroutine at_end(gel, basis, is_drained, values, error)
+        type(gel_t), intent(in) :: gel
+        type(basis_t), intent(in) :: basis
+        logical, intent(in) :: is_drained
+        real(wp), intent(out) :: values(columns)
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: q(basis%order)
+
+        values = 0.0_wp
+        call solve_elastic(gel, basis, is_drained, q, error)
+        if (allocated(error)) return
+        associate (force => real(q(1), wp))
+            values = [force, 1.0_wp/force, real(of_paraboloid(q), wp), force, 1.0_wp/force, force, 0.0_wp]
+        end associate
+    end subroutine at_end
+
+    !> The force under 1 - x^2, by the reciprocity of the two loads: (3/2) int q (1 - x^2) dx, q being that of a punch.
+    pure function of_paraboloid(q) result(force)
+        complex(wp), intent(in) :: q(:)
+        complex(wp) :: force
+
+        force = q(1) - q(2)/sqrt(5.0_wp)
+    end function of_paraboloid
+
+end module mdrcontact_poroelastic_answers

@@ -1,0 +1,124 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> One contact of a gel at one Laplace variable s: the line load of a flat punch or a paraboloid at depth 1, in units of
+!> 4 G. Below, 1 stands for the shape.
+!>
+!> With q the line load of the total pressure, m that of the pore pressure where the indenter seals, w = q - m, R and P the cosine
+!> integrals with r and Phi/k:  q + R w = 1,  m = P w - (P w)(1). A surface that drains, or is sealed, everywhere has no m in the
+!> first and no second. Hence w + R w + P w - (P w)(1) = 1 and q = 1 - R w.
+module mdrcontact_poroelastic_contact
+    use mdrcontact_body_film, only: film_t, new_film
+    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_lapack, only: zgesv
+    use mdrcontact_poroelastic_basis, only: basis_t
+    use mdrcontact_poroelastic_gel, only: gel_t, sealed_by_indenter
+    use mdrcontact_poroelastic_kernel, only: exchange, yield
+    implicit none (type, external)
+    private
+    public :: solve_contact, solve_elastic, flat, parabolic
+
+    !> Coefficients of 1, a flat punch at depth 1, and of 1 - x^2, a paraboloid.
+    real(wp), parameter :: flat(2) = [1.0_wp, 0.0_wp], parabolic(2) = [2.0_wp/3.0_wp, -2.0_wp/(3.0_wp*sqrt(5.0_wp))]
+
+contains
+
+    !> Coefficients of q and of w in the basis's polynomials.
+    subroutine solve_contact(gel, basis, shape, s, q, w, error)
+        type(gel_t), intent(in) :: gel
+        type(basis_t), intent(in) :: basis
+        !> the first two coefficients of what is prescribed on the line: flat or parabolic
+        real(wp), intent(in) :: shape(2)
+        complex(wp), intent(in) :: s
+        !> (order)
+        complex(wp), intent(out) :: q(:), w(:)
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp), allocatable :: r(:, :), p(:, :)
+
+        q = 0.0_wp
+        w = 0.0_wp
+        call make_room(basis, r, p, error)
+        if (allocated(error)) return
+        call basis%project(yield(gel, basis%k, s) - gel%local(), yield(gel, basis%far, s) - gel%local(), .false., r, error)
+        call add_to_diagonal(r, gel%local())
+        if (gel%drainage == sealed_by_indenter) then
+            call basis%project(exchange(gel, basis%k, s), exchange(gel, basis%far, s), .true., p, error)
+        end if
+        call solve_shape(r + p, shape, w, error)
+        q = w
+        if (gel%drainage == sealed_by_indenter) then
+            q = -matmul(r, w)
+            q(:2) = q(:2) + shape
+        end if
+    end subroutine solve_contact
+
+    !> The same of an elastic body, the gel at once (nu = 1/2) or at last.
+    subroutine solve_elastic(gel, basis, is_drained, q, error)
+        type(gel_t), intent(in) :: gel
+        type(basis_t), intent(in) :: basis
+        logical, intent(in) :: is_drained
+        complex(wp), intent(out) :: q(:)
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp), allocatable :: r(:, :), p(:, :)
+        complex(wp) :: sigma, chi(basis%count), none(size(basis%far))
+        type(film_t) :: film
+        real(wp) :: poisson
+        integer :: i
+
+        q = 0.0_wp
+        call make_room(basis, r, p, error)
+        if (allocated(error)) return
+        poisson = merge(gel%poisson, 0.5_wp, is_drained)
+        film = new_film(cmplx(poisson, 0.0_wp, wp), cmplx(poisson, 0.0_wp, wp), (0.0_wp, 0.0_wp))
+        chi = 0.0_wp
+        none = 0.0_wp
+        if (gel%ratio > 0.0_wp) then
+            do i = 1, basis%count
+                call film%response(cmplx(basis%k(i)/gel%ratio, 0.0_wp, wp), sigma, chi(i))
+            end do
+        end if
+        call basis%project(2.0_wp*(1.0_wp - poisson)*chi, none, .false., r, error)
+        call add_to_diagonal(r, 1.0_wp - 2.0_wp*poisson)
+        call solve_shape(r, flat, q, error)
+    end subroutine solve_elastic
+
+    subroutine make_room(basis, r, p, error)
+        type(basis_t), intent(in) :: basis
+        complex(wp), allocatable, intent(out) :: r(:, :), p(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
+
+        if (allocated(error)) return
+        allocate (r(basis%order, basis%order), p(basis%order, basis%order), stat=stat)
+        call check_memory(error, stat)
+        if (stat == 0) p = 0.0_wp
+    end subroutine make_room
+
+    !> (1 + matrix) w = shape.
+    subroutine solve_shape(matrix, shape, w, error)
+        complex(wp), intent(in) :: matrix(:, :)
+        real(wp), intent(in) :: shape(2)
+        complex(wp), intent(out) :: w(:)
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: system(size(w), size(w))
+        integer :: pivots(size(w)), info
+
+        w = 0.0_wp
+        if (allocated(error)) return
+        system = matrix
+        call add_to_diagonal(system, 1.0_wp)
+        w(:2) = shape
+        call zgesv(size(w), 1, system, size(w), pivots, w, size(w), info)
+        if (info /= 0) call raise(error, error_no_convergence, "the contact of a gel could not be solved")
+    end subroutine solve_shape
+
+    pure subroutine add_to_diagonal(matrix, value)
+        complex(wp), intent(inout) :: matrix(:, :)
+        real(wp), intent(in) :: value
+        integer :: i
+
+        do i = 1, size(matrix, 1)
+            matrix(i, i) = matrix(i, i) + value
+        end do
+    end subroutine add_to_diagonal
+
+end module mdrcontact_poroelastic_contact

@@ -1,0 +1,67 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What the surface of a gel answers to waves of pressure, at the Laplace variable s: 2 G k C(k; s) = 1 + r.
+!>
+!> Agbezuge, Deresiewicz, Israel J. Technol. 12 (1974) 322; McNamee, Gibson, Q. J. Mech. Appl. Math. 13 (1960) 98.
+module mdrcontact_poroelastic_kernel
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_poroelastic_film, only: film_yield
+    use mdrcontact_poroelastic_gel, only: gel_t, sealed
+    implicit none (type, external)
+    private
+    public :: yield, exchange, pore_part
+
+contains
+
+    !> r(k; s): 0 of an incompressible half-space, 1 - 2 nu of a drained one. Of the drainage sealed_by_indenter it is that of a
+    !> surface which drains everywhere.
+    elemental function yield(gel, k, s) result(r)
+        type(gel_t), intent(in) :: gel
+        !> > 0 [1/a]
+        real(wp), intent(in) :: k
+        !> not on the negative axis [D/a^2]
+        complex(wp), intent(in) :: s
+        complex(wp) :: r
+
+        ! beyond, the base changes it by less than rounding
+        if (gel%ratio > 0.0_wp .and. k < 20.0_wp*gel%ratio) then
+            r = film_yield(gel%poisson, gel%drainage == sealed, k/gel%ratio, s/gel%ratio**2)
+        else
+            r = half_space_yield(gel, k, s)
+        end if
+    end function yield
+
+    elemental function half_space_yield(gel, k, s) result(r)
+        type(gel_t), intent(in) :: gel
+        real(wp), intent(in) :: k
+        complex(wp), intent(in) :: s
+        complex(wp) :: r
+        complex(wp) :: q, y
+
+        q = sqrt(k*k + s)
+        y = gel%local()/(1.0_wp - gel%poisson)*k/(q + k)
+        if (gel%drainage == sealed) y = y*k/q
+        r = y/(1.0_wp - y)
+    end function half_space_yield
+
+    !> Phi/k: the flux through the surface of a half-space per k and total less pore pressure.
+    elemental function exchange(gel, k, s) result(ratio)
+        type(gel_t), intent(in) :: gel
+        real(wp), intent(in) :: k
+        complex(wp), intent(in) :: s
+        complex(wp) :: ratio
+
+        ratio = (1.0_wp + half_space_yield(gel_t(gel%poisson), k, s))*s/(k*(sqrt(k*k + s) + k))
+    end function exchange
+
+    !> Pore pressure per total pressure at the surface of a half-space that is sealed everywhere.
+    elemental function pore_part(gel, k, s) result(part)
+        type(gel_t), intent(in) :: gel
+        real(wp), intent(in) :: k
+        complex(wp), intent(in) :: s
+        complex(wp) :: part
+
+        part = exchange(gel, k, s)
+        part = part/(1.0_wp + part)
+    end function pore_part
+
+end module mdrcontact_poroelastic_kernel

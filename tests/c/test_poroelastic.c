@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Poroelastic gels: elastic limits, units, refusals. */
+#include "check.h"
+
+enum { N = 5 };
+
+static void test_limits(const mdr_poroelastic *gel, double nu)
+{
+    const double time[N] = {0.0, 1e-3, 0.1, 10.0, 1e30}, omega[2] = {1e24, 1e-24};
+    const double G = 3.0, D = 2.0, a = 0.5, at_once = 8.0 * G * a, at_last = 4.0 * G * a / (1.0 - nu);
+    double force[N], again[N], depth[N], storage[2], loss[2], error = 1.0;
+
+    CHECK_SUCCESS(mdr_poroelastic_error(gel, &error));
+    CHECK_TRUE(error > 0.0 && error < 1e-6);
+    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_POROELASTIC_RELAXATION, G, D, a, N, time, force));
+    CHECK_CLOSE(force[0], at_once, 1e-12);
+    CHECK_CLOSE(force[N - 1], at_last, 1e-12);
+    for (int i = 1; i < N; i++) CHECK_TRUE(force[i] < force[i - 1]);
+    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_POROELASTIC_CREEP, G, D, a, N, time, depth));
+    CHECK_CLOSE(depth[0], 1.0 / at_once, 1e-12);
+    CHECK_CLOSE(depth[N - 1], 1.0 / at_last, 1e-12);
+    for (int i = 1; i < N; i++) CHECK_TRUE(depth[i] * force[i] < 1.0 + 1e-12);
+    CHECK_SUCCESS(mdr_poroelastic_dynamic_stiffness(gel, G, D, a, 2, omega, storage, loss));
+    CHECK_CLOSE(storage[0], at_once, 1e-9);
+    CHECK_CLOSE(storage[1], at_last, 1e-9);
+    CHECK_TRUE(loss[0] >= 0.0 && loss[1] >= 0.0 && loss[0] < 1e-9 && loss[1] < 1e-9);
+    /* lengths doubled, time in quarters: the same in place */
+    memcpy(again, time, sizeof again);
+    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_POROELASTIC_RELAXATION, G, 4.0 * D, 2.0 * a, N, again, again));
+    for (int i = 0; i < N; i++) CHECK_CLOSE(again[i], 2.0 * force[i], 1e-14);
+}
+
+static void test_pressure(const mdr_poroelastic *gel)
+{
+    const double r[3] = {0.0, 0.3, 0.6}, edge[1] = {1.0};
+    double early[3], pore[3], out = 7.0;
+
+    /* at first that of an incompressible body, 2 G/((1 - nu) pi a) / sqrt(1 - r^2/a^2), and the fluid bears it */
+    CHECK_SUCCESS(mdr_poroelastic_pressure(gel, MDR_POROELASTIC_TOTAL, 1, 1.0, 1.0, 1.0, 1e-5, 3, r, early));
+    CHECK_SUCCESS(mdr_poroelastic_pressure(gel, MDR_POROELASTIC_PORE, 1, 1.0, 1.0, 1.0, 1e-5, 3, r, pore));
+    for (int i = 0; i < 3; i++) {
+        CHECK_CLOSE(early[i], 4.0 / (acos(-1.0) * sqrt(1.0 - r[i] * r[i])), 1e-2);
+        CHECK_CLOSE(pore[i], early[i], 2e-2);
+    }
+    CHECK_STATUS(mdr_poroelastic_pressure(gel, MDR_POROELASTIC_TOTAL, 1, 1.0, 1.0, 1.0, 1.0, 1, edge, &out), MDR_EDOMAIN, "r = 1");
+    CHECK_STATUS(mdr_poroelastic_pressure(gel, 3, 1, 1.0, 1.0, 1.0, 1.0, 1, r, &out), MDR_EINVALID, "kind = 3");
+    CHECK_STATUS(mdr_poroelastic_pressure(gel, MDR_POROELASTIC_PORE, 2, 1.0, 1.0, 1.0, 1.0, 1, r, &out), MDR_EINVALID, "is_flat");
+    CHECK_STATUS(mdr_poroelastic_pressure(gel, MDR_POROELASTIC_PORE, 1, 1.0, 1.0, 1.0, 1e-9, 1, r, &out), MDR_EDOMAIN, "time");
+    CHECK_TRUE(out == 7.0);
+}
+
+static void test_refusals(mdr_poroelastic *gel)
+{
+    const double time[2] = {1.0, -1.0};
+    double out[2] = {7.0, 7.0}, loss[2] = {7.0, 7.0};
+    mdr_poroelastic *none = NULL;
+    mdr_material *other = NULL;
+
+    CHECK_STATUS(mdr_poroelastic_new(0.5, MDR_DRAINAGE_SURFACE, 0.0, &none), MDR_EINVALID, "nu = 0.5");
+    CHECK_STATUS(mdr_poroelastic_new(NAN, MDR_DRAINAGE_SURFACE, 0.0, &none), MDR_EINVALID, "nu");
+    CHECK_STATUS(mdr_poroelastic_new(0.2, 0, 0.0, &none), MDR_EINVALID, "drainage = 0");
+    CHECK_STATUS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_INDENTER, 1.0, &none), MDR_EINVALID, "film");
+    CHECK_STATUS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_SURFACE, 1e3, &none), MDR_EINVALID, "ratio = 1000");
+    CHECK_STATUS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_SURFACE, 0.0, NULL), MDR_ENULL, "out");
+    CHECK_STATUS(mdr_poroelastic_response(gel, 9, 1.0, 1.0, 1.0, 1, time, out), MDR_EINVALID, "answer = 9");
+    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 0.0, 1.0, 1.0, 1, time, out), MDR_EINVALID, "shear_modulus = 0");
+    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, -1.0, 1.0, 1, time, out), MDR_EINVALID, "diffusivity = -1");
+    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, 1.0, NAN, 1, time, out), MDR_EINVALID, "radius");
+    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, 1.0, 1.0, 2, time, out), MDR_EINVALID, "entry 2 of time");
+    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, 1e300, 1e-300, 1, time, out), MDR_ENOCONVERGENCE, "range");
+    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, 1.0, 1.0, 1, NULL, out), MDR_ENULL, "time");
+    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, 1.0, 1.0, -1, time, out), MDR_EINVALID, "n = -1");
+    CHECK_SUCCESS(mdr_poroelastic_response(gel, 1, 1.0, 1.0, 1.0, 0, NULL, NULL));
+    CHECK_STATUS(mdr_poroelastic_dynamic_stiffness(gel, 1.0, 1.0, 1.0, 2, time, out, loss), MDR_EINVALID, "entry 2 of omega");
+    CHECK_STATUS(mdr_poroelastic_dynamic_stiffness(gel, 1.0, 1.0, 1.0, 1, time, NULL, loss), MDR_ENULL, "storage");
+    CHECK_STATUS(mdr_poroelastic_error(NULL, out), MDR_ENULL, "p");
+    CHECK_STATUS(mdr_poroelastic_error(gel, NULL), MDR_ENULL, "out");
+    CHECK_SUCCESS(mdr_material_elastic(1.0, 0.3, &other));
+    CHECK_STATUS(mdr_poroelastic_error((mdr_poroelastic *)other, out), MDR_EINVALID, "mdr_poroelastic");
+    CHECK_SUCCESS(mdr_material_free(&other));
+    CHECK_TRUE(none == NULL && out[0] == 7.0 && out[1] == 7.0 && loss[0] == 7.0);
+}
+
+int main(void)
+{
+    for (int drainage = MDR_DRAINAGE_SURFACE; drainage <= MDR_DRAINAGE_INDENTER; drainage++) {
+        mdr_poroelastic *gel = NULL;
+
+        CHECK_SUCCESS(mdr_poroelastic_new(0.2, drainage, 0.0, &gel));
+        test_limits(gel, 0.2);
+        if (drainage == MDR_DRAINAGE_INDENTER) test_pressure(gel);
+        if (drainage == MDR_DRAINAGE_INDENTER) test_refusals(gel);
+        CHECK_SUCCESS(mdr_poroelastic_free(&gel));
+        CHECK_TRUE(gel == NULL);
+        CHECK_SUCCESS(mdr_poroelastic_free(&gel));
+    }
+    CHECK_SUCCESS(mdr_poroelastic_free(NULL));
+    return check_report("poroelastic");
+}
