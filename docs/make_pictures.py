@@ -183,11 +183,35 @@ def stress(quick: bool) -> Any:
     return figure
 
 
+def gels(quick: bool) -> Any:
+    """Relaxation of a flat punch on a gel under the three drainages, with the undrained and the drained limit, and its tails."""
+    tau = np.geomspace(1e-4, 1e3, 60 if quick else 300)
+    nu = 0.2
+    contact = mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(mdr.Poroelastic(1.0, nu, 1.0)))
+    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
+    for drainage, colour in zip(("surface", "indenter", "sealed"), (BLUE, RED, GREEN), strict=True):
+        force = np.asarray(contact.relaxation(tau, drainage=drainage)) / 8.0
+        axes[0].semilogx(tau, force, color=colour, label=f'"{drainage}"')
+        axes[1].loglog(tau, (force - 0.5 / (1.0 - nu)) / (1.0 - 0.5 / (1.0 - nu)), color=colour)
+    axes[0].axhline(1.0, color=GREY, linestyle="--", linewidth=1.0)
+    axes[0].axhline(0.5 / (1.0 - nu), color=GREY, linestyle="--", linewidth=1.0)
+    axes[0].text(9e2, 0.99, "undrained, 8 G a d", color=GREY, va="top", ha="right", fontsize=8)
+    axes[0].text(1.5e-4, 0.63, "drained, 4 G a d/(1 - nu)", color=GREY, va="bottom", fontsize=8)
+    axes[0].set(xlabel="D t/a^2", ylabel="F/(8 G a d)", title="flat punch, step of the depth, nu = 0.2")
+    axes[0].legend(frameon=False)
+    axes[1].loglog(tau[tau > 3.0], 0.3 * tau[tau > 3.0] ** -0.5, color=GREY, linestyle=":", label="slope -1/2")
+    axes[1].set(xlabel="D t/a^2", ylabel="part still to relax", title="the tails are algebraic", ylim=(2e-3, 1.3))
+    axes[1].legend(frameon=False)
+    for axis in axes:
+        axis.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
 def _elastic_models() -> tuple[str, ...]:
     return mdr.accuracy_map([2.0], [1.0]).models
 
 
-PICTURES = (springs, indenters, media, accuracy, adhesion, stress)
+PICTURES = (springs, indenters, media, accuracy, adhesion, stress, gels)
 
 
 def save(figure: Any, file: Path) -> None:

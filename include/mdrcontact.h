@@ -860,7 +860,7 @@ int mdr_poroelastic_error(const mdr_poroelastic *p, double *out);
  *  @param diffusivity    D > 0: 2 G (1 - nu)/(1 - 2 nu) times permeability over viscosity [length^2/time]
  *  @param radius         contact radius a > 0, on a film `ratio` thicknesses [length]
  *  @param n              number of times
- *  @param time           [n] >= 0; from the table up to D t/a^2 = 1e4, solved one by one beyond [time]
+ *  @param time           [n] >= 0; from the table up to D t/a^2 = 1e8, solved one by one beyond [time]
  *  @param out            [n] see enum mdr_poroelastic_answer
  *  @return also MDR_EINVALID */
 int mdr_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity, double radius, int n,

@@ -81,6 +81,13 @@ module mdrcontact
     use mdrcontact_medium_wave, only: new_wave, wave_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
     use mdrcontact_model, only: find_model, model_options_t, models, new_solver
+    use mdrcontact_poroelastic_answers, only: gel_creep => creep, gel_mean_creep => mean_creep, &
+                                              gel_mean_relaxation => mean_relaxation, gel_paraboloid => paraboloid, &
+                                              gel_relaxation => relaxation
+    use mdrcontact_poroelastic_gel, only: drains_by_surface, sealed, sealed_by_indenter
+    use mdrcontact_poroelastic_response, only: poroelastic_dynamic_stiffness, poroelastic_pressure, poroelastic_response, &
+                                               pore_pressure, total_pressure
+    use mdrcontact_poroelastic_table, only: new_poroelastic, poroelastic_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
     use mdrcontact_profile_area_function, only: new_area_function_profile

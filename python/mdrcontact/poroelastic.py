@@ -138,9 +138,15 @@ def drainage_code(drainage: str | None) -> int:
     return DRAINAGES[drainage]
 
 
-def _material(medium: Any) -> Poroelastic:
+def gel_of(medium: Any) -> Poroelastic:
+    """What a half-space or a film is made of."""
     gel: Poroelastic = getattr(medium, "material", None) or medium.coating
     return gel
+
+
+def body_of(medium: Any, gel: Poroelastic) -> Any:
+    """The same body of another gel."""
+    return medium.replace(material=gel) if hasattr(medium, "material") else medium.replace(coating=gel)
 
 
 def contact_radius(indenter: Profile, radius: float | None) -> float:
@@ -154,7 +160,7 @@ def contact_radius(indenter: Profile, radius: float | None) -> float:
 
 def _answers(medium: Any, radius: float, drainage: str | None) -> tuple[int, float, float, float]:
     """What the library's functions begin with: the table, G, D and a."""
-    gel, code = _material(medium), drainage_code(drainage)
+    gel, code = gel_of(medium), drainage_code(drainage)
     thickness = getattr(medium, "thickness", None)
     if not 0.0 < radius < math.inf:
         raise InvalidArgumentError(f"radius = {radius!r} is not allowed: it must be finite and greater than 0")

@@ -39,7 +39,8 @@ def test_examples_run_and_draw(path, tmp_path, capsys):
         head, *rows = csv.reader(file)
     assert [title.split()[0] for title in head] == ["time", "depth", "radius", "force"]
     wanted = load(path)
-    found = wanted.contact(in_time=True).history(wanted.history.time, **{wanted.history.name: wanted.history.values})
+    path = wanted.history
+    found = wanted.contact(in_time=True).history(path.time, **{path.name: path.values}, drainage=path.drainage)
     assert float(rows[-1][0]) == pytest.approx(found.time[-1], rel=1e-12) and len(rows) == len(found.time)
 
 

@@ -53,7 +53,10 @@ def fits():
     time = np.linspace(0.0, 1.0, 9)
     omega = np.geomspace(1.0, 10.0, 5)
     end = mdr.Move("up to depth 5 nm", 5e-9, 7e10, 1e9)
+    gel = mdr.Homogeneous(mdr.Poroelastic(2e3, 0.2, 1e-9))
+    held = mdr.ForceTime(time, np.full(time.shape, 1e-6), 1e-9 / (1.0 + time), sd=1e-11)
     return [
+        mdr.fit_gel(held, mdr.FlatPunch(1e-6), gel, drainage="surface"),
         mdr.Moves(result, "coating.E", (end,), (), ()),
         end,
         result.misfit,

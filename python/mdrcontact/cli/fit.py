@@ -6,12 +6,25 @@ from __future__ import annotations
 import argparse
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from .. import _progress
-from ..fitting import FitResult, OliverPharr, StiffnessDepth, compare_models, find_moves, fit, oliver_pharr, report
+from ..fitting import (
+    FitResult,
+    OliverPharr,
+    StiffnessDepth,
+    compare_drainages,
+    compare_models,
+    find_moves,
+    fit,
+    fit_gel,
+    oliver_pharr,
+    report,
+)
 from ..fitting.quantities import digits, dimension_of_data
+from ..problem import ProblemError
 from ..problem.curves import Curve
 from ..problem.fit_file import FitFile, load_fit_file
 from ..problem.units import AREA, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, practical
@@ -50,6 +63,9 @@ The problem file is that of `mdrcontact curve` with two more tables in place of 
     "coating.E" = { lower = "1 GPa" }
     thickness = { prior = "500 nm", prior_sd = "10 nm" }
     depth_offset = {}
+
+A poroelastic gel has [fit] free = ["shear_modulus", "nu", "diffusivity"], or some of them, and drainage = "indenter", "surface" or
+"sealed"; --compare shows all three.
 
 Binary files of AFMs go in as they are (pip install "mdrcontact[afm]"): .jpk-force, .jpk-force-map, .h5, .ibw, ...
 
@@ -97,6 +113,9 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
     data, notes = curve.read()
     print("\n".join([str(arguments.data), *(f"  {note}" for note in notes)]))
     print(f"  indenter: {problem.indenter!r}\n  medium: {problem.medium!r}\n")
+    if problem.drainage is not None:
+        _run_gel(arguments, problem, data)
+        return
     result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
     analysis: list[list[str]] = []
     if isinstance(data, StiffnessDepth) and data.unloadings:
@@ -142,6 +161,32 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
         if ranking is not None:
             blocks += [report.heading("Models"), report.preformatted(ranking.summary())]
         results[arguments.report] = report.page(problem.title, blocks).encode()
+    files.write(results, arguments.overwrite)
+
+
+def _run_gel(arguments: argparse.Namespace, problem: FitFile, data: Any) -> None:
+    """A gel, under the drainage of the file; --compare shows all three."""
+    for name in ("plot", "report", "ranges"):
+        if getattr(arguments, name):
+            raise ProblemError(f"--{name} is not offered for gels: --csv has the points, --json the numbers")
+    found = fit_gel(data, problem.indenter, problem.medium, list(problem.free), drainage=str(problem.drainage))
+    print(found.summary())
+    if arguments.compare:
+        for other in compare_drainages(data, problem.indenter, problem.medium, list(problem.free)):
+            print(f"\n{other.summary()}")
+    results: dict[Path, bytes] = {}
+    if arguments.csv:
+        x, y = dimension_of_data(data.x_name), dimension_of_data(data.y_name)
+        unit = practical(y, data.y)
+        points = [column(data.x_name, data.x, x), Column(data.y_name, data.y, unit), Column("fit", found.fitted, unit)]
+        results[arguments.csv] = as_csv(points)
+    if arguments.json:
+        numbers: dict[str, Any] = {"drainage": found.drainage, "sum_of_squares": found.chi_square, "notes": list(found.notes)}
+        numbers["parameters"] = {
+            name: {"value": value, "standard_error": found.errors[name], "interval": list(found.intervals[name])}
+            for name, value in found.values.items()
+        }
+        results[arguments.json] = (json.dumps(numbers, indent=2, allow_nan=False) + "\n").encode()
     files.write(results, arguments.overwrite)
 
 

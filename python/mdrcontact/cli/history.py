@@ -19,9 +19,9 @@ from .table import Column, as_csv, as_text, column
 _FEWEST = 60
 """Steps that a path is cut into at least."""
 
-HELP = "a viscoelastic body along a path in time"
+HELP = "a viscoelastic or poroelastic body along a path in time"
 DESCRIPTION = """\
-Computes a contact with a viscoelastic body along a path in time: depth, contact radius and force.
+Computes a contact with a viscoelastic or poroelastic body along a path in time: depth, contact radius and force.
 
     mdrcontact example afm_on_gel > problem.toml
     mdrcontact history problem.toml
@@ -39,6 +39,10 @@ A material of the problem file relaxes if it has, in place of E and nu,
     exponent = 0.2
     nu = 0.5
 
+    shear_modulus = "10 kPa"                    # or a poroelastic gel, a half-space or a film with substrate = "rigid"
+    nu = 0.2                                    # drained
+    diffusivity = "1000 um^2/s"                 # or permeability = "100 nm^2" and viscosity = "1 mPa*s"
+
 and one table takes the place of [compute]:
 
     [history]
@@ -48,6 +52,9 @@ and one table takes the place of [compute]:
     hold_time = "5 s"
     fall_time = "1 s"
     points = 200
+
+    drainage = "indenter"       # of a gel, without a default: surface (drained everywhere), sealed (nowhere) or indenter (sealed by
+                                # it, drained beside it); a flat punch takes any path, a paraboloid a step of the radius
 
 or a path from a table with columns such as "time [s]" and "depth [nm]":
 
@@ -88,13 +95,13 @@ def follow(contact: Contact, path: HistoryPath) -> tuple[History, int]:
     """The history, and how many of its steps are one of the path's: between few samples the force bends, and its work would be
     wrong."""
     cuts = max(1, -(-_FEWEST // max(1, len(path.time) - 1)))
-    if np.any(np.diff(path.time) <= 0.0) or (path.name != "depth" and np.any(path.values < 0.0)):
+    if path.drainage is not None or np.any(np.diff(path.time) <= 0.0) or (path.name != "depth" and np.any(path.values < 0.0)):
         cuts = 1  # refused, by the entry that the user knows
     samples = np.arange(len(path.time))
     places = np.arange((len(path.time) - 1) * cuts + 1) / cuts
     time, values = (np.interp(places, samples, column) for column in (path.time, path.values))
     prescribed: dict[str, Any] = {path.name: values}
-    return contact.history(time, **prescribed, progress=True), cuts
+    return contact.history(time, **prescribed, progress=True, drainage=path.drainage), cuts
 
 
 def columns(history: History) -> list[Column]:

@@ -6,6 +6,7 @@ from .calibration import as_prior
 from .compare import ModelRanking, RankedModel, compare_models
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, UnloadingPoint
 from .depth_profile import DepthProfile, modulus_at_depths
+from .gel import GelFit, compare_drainages, fit_gel
 from .many import FailedFit, fit_many
 from .misfit import Misfit
 from .moves import Move, Moves, find_moves
@@ -20,6 +21,9 @@ from .unloading import Unloading
 __all__ = [
     "fit",
     "fit_many",
+    "fit_gel",
+    "compare_drainages",
+    "GelFit",
     "compare_models",
     "FitResult",
     "FailedFit",

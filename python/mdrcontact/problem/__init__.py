@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from ..contact import Contact
 from ..medium import Medium
 from ..medium.viscoelastic import is_viscoelastic
+from ..poroelastic import is_poroelastic
 from ..profile import Profile
 from . import adhesion, compute, friction, history, indenter, medium, strength
 from .adhesion import Adhesion
@@ -39,6 +40,8 @@ class Problem(NamedTuple):
 
     def check_elastic(self) -> None:
         """Refuses a medium whose states depend on time, for a command that knows no time."""
+        if is_poroelastic(self.medium):
+            raise ProblemError("[medium] is a poroelastic gel, and this command takes elastic bodies: use mdrcontact history")
         if is_viscoelastic(self.medium):
             raise ProblemError("[medium] is viscoelastic, and this command takes elastic bodies: use mdrcontact history")
 

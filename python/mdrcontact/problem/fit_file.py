@@ -12,8 +12,10 @@ from typing import Any, NamedTuple
 from .._choices import nearest
 from ..fitting import Free, Instrument, JointPrior
 from ..fitting.data import Data
+from ..fitting.gel import NAMES as GEL_NAMES
 from ..fitting.parameters import of_indenter, of_instrument, of_medium
 from ..fitting.quantities import dimension_of
+from ..poroelastic import DRAINAGES, is_poroelastic
 from . import curves as files
 from . import data as measured
 from . import indenter as indenters
@@ -47,6 +49,7 @@ _FIT: Mapping[str, Dimension | None] = {
     "sd_is_absolute": None,
     "contact_weight": LENGTH,
     "joint_prior": None,
+    "drainage": None,
 }
 
 _APART = 0.01
@@ -65,6 +68,8 @@ class FitFile(NamedTuple):
     free: dict[str, Free]
     options: dict[str, Any]
     data: Section
+    drainage: str | None = None
+    """of a gel"""
 
     def curves(self, path: Path) -> list[files.Curve]:
         """The curves of one file, with a warning where it says another instrument than the problem."""
@@ -116,6 +121,8 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
     instrument, cantilever = _read_instrument(of_instrument_), _read_cantilever(of_instrument_)
     tip = indenters.read_indenter(shape)
     fit = Section(table["fit"], "fit", _FIT)
+    if is_poroelastic(body):
+        return _read_gel(whole, title, tip, body, instrument, cantilever, fit, Section(table["data"], "data", measured.KNOWN))
     names = [*of_indenter(tip).names, *of_medium(body).numbers.names, *of_instrument(instrument).names]
     options: dict[str, Any] = {}
     for key, known in (("loss", ("linear", "huber", "cauchy")), ("adhesion_rule", ("automatic", "paper", "energy"))):
@@ -136,6 +143,30 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
     if "title" in whole:
         title = str(whole.plain("title"))
     return FitFile(title, tip, body, instrument, cantilever, _read_free(fit, names), options, data)
+
+
+def _read_gel(
+    whole: Section,
+    title: str,
+    tip: Any,
+    body: Any,
+    instrument: Instrument,
+    cantilever: Cantilever,
+    fit: Section,
+    data: Section,
+) -> FitFile:
+    """Of a gel: names of its numbers, and the drainage."""
+    fit.only(("free", "drainage"), "a poroelastic gel")
+    if instrument != Instrument():
+        raise ProblemError("[instrument]: fits of gels take data without offsets and compliances: leave the table out")
+    free = fit.plain("free") if "free" in fit else None
+    if not isinstance(free, list) or not free or any(name not in GEL_NAMES for name in free):
+        raise ProblemError(f'[fit]: free must name numbers of the gel, of {", ".join(GEL_NAMES)}, as in free = ["diffusivity"]')
+    drainage = fit.choice("drainage", DRAINAGES)
+    measured.check(data)
+    if "title" in whole:
+        title = str(whole.plain("title"))
+    return FitFile(title, tip, body, instrument, cantilever, {name: Free() for name in free}, {}, data, drainage)
 
 
 def _read_instrument(section: Section) -> Instrument:

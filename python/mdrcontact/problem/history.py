@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..poroelastic import DRAINAGES
 from .columns import read_table
 from .compute import DIMENSIONS, MOST_POINTS
 from .roles import ROLES
@@ -34,6 +35,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     "file": None,
     "time": None,
     "control": None,
+    "drainage": None,
 }
 
 
@@ -43,19 +45,26 @@ class HistoryPath(NamedTuple):
     name: str
     time: NDArray[np.float64]
     values: NDArray[np.float64]
+    drainage: str | None = None
+    """of a gel"""
 
 
 def read_history(section: Section, folder: Path) -> HistoryPath:
     """The path that [history] describes; a file lies in `folder`."""
+    drainage = section.choice("drainage", DRAINAGES) if "drainage" in section else None
+    return _read_path(section, folder)._replace(drainage=drainage)
+
+
+def _read_path(section: Section, folder: Path) -> HistoryPath:
     kind = section.choice("path", _PATHS)
     if kind == "file":
-        section.only(("path", *_PATHS[kind]), 'path = "file"')
+        section.only(("path", "drainage", *_PATHS[kind]), 'path = "file"')
         return _from_file(section, folder)
     given = [name for name in DIMENSIONS if name in section]
     if len(given) != 1:
         raise ProblemError(f'[{section.path}]: give one of depth, force and radius, the largest value, as in depth = "200 nm"')
     name = given[0]
-    section.only(("path", name, "points", *_PATHS[kind]), f"path = {kind!r}")
+    section.only(("path", name, "points", "drainage", *_PATHS[kind]), f"path = {kind!r}")
     largest, points = section.positive(name), section.count("points", default=200, largest=MOST_POINTS)
     if kind == "step":
         return HistoryPath(name, *_pieces([0.0, section.positive("hold_time")], [largest, largest], points))

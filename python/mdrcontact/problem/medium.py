@@ -7,10 +7,11 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from .. import medium
-from ..material import RIGID, Elastic, Material, PowerLawRheology, Viscoelastic, _Rigid
+from ..material import RIGID, Elastic, PowerLawRheology, Viscoelastic
 from ..medium.models import MODELS, OPTIONS
+from ..poroelastic import Poroelastic
 from .section import ProblemError, Section
-from .units import LENGTH, MODULUS, TIME, VISCOSITY, Dimension
+from .units import AREA, DIFFUSIVITY, LENGTH, MODULUS, TIME, VISCOSITY, Dimension
 
 MATERIAL: Mapping[str, Dimension | None] = {
     "E": MODULUS,
@@ -23,9 +24,14 @@ MATERIAL: Mapping[str, Dimension | None] = {
     "modulus": MODULUS,
     "time": TIME,
     "exponent": None,
+    "shear_modulus": MODULUS,
+    "diffusivity": DIFFUSIVITY,
+    "permeability": AREA,
 }
 _ELASTIC = ("E", "nu")
 _PRONY = ("relaxed_shear_modulus", "moduli", "times", "nu", "bulk_modulus", "viscosity")
+_GEL = ("shear_modulus", "nu", "diffusivity")
+_GEL_BY_FLOW = ("shear_modulus", "nu", "permeability", "viscosity")
 _POWER_LAW = ("modulus", "time", "exponent", "nu")
 _FILM: Mapping[str, Dimension | None] = {**MATERIAL, "thickness": LENGTH}
 _MATERIALS = ("material", "coating", "layer", "substrate")
@@ -43,10 +49,12 @@ KNOWN: Mapping[str, Dimension | None] = {
 }
 
 
-def read_material(section: Section) -> Elastic | Viscoelastic | PowerLawRheology:
-    """The material of a table: E and nu of an elastic one, a Prony series with relaxed_shear_modulus, moduli and times, or a power
-    law with modulus, time and exponent."""
+def read_material(section: Section) -> Elastic | Viscoelastic | PowerLawRheology | Poroelastic:
+    """The material of a table: E and nu of an elastic one, a Prony series with relaxed_shear_modulus, moduli and times, a power law
+    with modulus, time and exponent, or a gel with shear_modulus, nu and diffusivity."""
     with section.words():
+        if "diffusivity" in section or "permeability" in section:
+            return _gel(section)
         if "exponent" in section:
             section.only((*_POWER_LAW, "thickness"), "a power law, which has an exponent")
             modulus, time = section.quantity("modulus"), section.quantity("time")
@@ -56,6 +64,15 @@ def read_material(section: Section) -> Elastic | Viscoelastic | PowerLawRheology
             return _prony(section)
         section.only((*_ELASTIC, "thickness"), "an elastic material")
         return Elastic(section.quantity("E"), section.number("nu"))
+
+
+def _gel(section: Section) -> Poroelastic:
+    keys = _GEL if "diffusivity" in section else _GEL_BY_FLOW
+    section.only((*keys, "thickness"), f"a gel, which has {', '.join(keys)}")
+    modulus, nu = section.quantity("shear_modulus"), section.number("nu")
+    if "diffusivity" in section:
+        return Poroelastic(modulus, nu, section.quantity("diffusivity"))
+    return Poroelastic.from_permeability(modulus, nu, section.quantity("permeability"), section.quantity("viscosity"))
 
 
 def _prony(section: Section) -> Viscoelastic:
@@ -76,14 +93,14 @@ def _model(section: Section) -> tuple[str, dict[str, Any]]:
     return section.choice("model", MODELS, default="exact"), options
 
 
-def _substrate(section: Section) -> Material | _Rigid:
+def _substrate(section: Section) -> Any:
     if "substrate" in section and isinstance(section.plain("substrate"), str):
         section.choice("substrate", ["rigid"])
         return RIGID
     return read_material(section.child("substrate", MATERIAL))
 
 
-def _film(section: Section) -> tuple[Material, float]:
+def _film(section: Section) -> tuple[Any, float]:
     return read_material(section), section.quantity("thickness")
 
 

@@ -52,6 +52,7 @@ SPEED = Dimension("a speed", "m/s", "0.05 nm/s", (("pm/s", 1e-12), ("nm/s", 1e-9
 VOLTAGE = Dimension("a voltage", "V", "1 V", (("mV", 1e-3), ("V", 1.0)))
 SENSITIVITY = Dimension("a deflection sensitivity", "m/V", "50 nm/V", (("nm/V", 1e-9), ("um/V", 1e-6), ("m/V", 1.0)))
 VISCOSITY = Dimension("a viscosity", "Pa*s", "10 kPa*s", (("Pa*s", 1.0), ("kPa*s", 1e3), ("MPa*s", 1e6)))
+DIFFUSIVITY = Dimension("a diffusivity", "m^2/s", "1000 um^2/s", (("um^2/s", 1e-12), ("mm^2/s", 1e-6), ("m^2/s", 1.0)), ("cm^2/s",))
 ANGLE = Dimension("an angle", "rad", "20 deg", (("rad", 1.0),), ("deg",))
 RATIO = Dimension("a number", "", "1", (("", 1.0),))
 _USUAL = (LENGTH, FORCE, STIFFNESS, MODULUS, TIME, AREA, VOLTAGE)

@@ -18,7 +18,7 @@ module mdrcontact_poroelastic_table
     public :: poroelastic_t, new_poroelastic
 
     !> Up to where series go.
-    real(wp), parameter :: last_time = 1.0e4_wp
+    real(wp), parameter :: last_time = 1.0e8_wp
     !> A table that is off by more than this part of the force is none.
     real(wp), parameter :: allowed = 2.0e-5_wp
     !> Where the early answers are compared, in units of where the series begin.
