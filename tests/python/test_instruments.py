@@ -76,6 +76,20 @@ def test_one_sheet_of_several(tmp_path):
         curves(tmp_path, "series.xlsx", more='sheet = "Test 2"')
 
 
+def test_tests_that_are_none_are_left_out(tmp_path):
+    pytest.importorskip("openpyxl")
+    found = curves(tmp_path, "series.xlsx", more='leave_out = ["Test 002"]')
+    assert [one.name[-8:] for one in found] == ["Test 003", "Test 001"]
+    assert "1 of 3 tests are left out: Test 002" in found[0].read()[1]
+    for said, words in (
+        ('["Test 2"]', "no test 'Test 2'"),
+        ('"Test 2"', "must be a list"),
+        ('["Test 001", "Test 002", "Test 003"]', "no test"),
+    ):
+        with pytest.raises(ProblemError, match=words):
+            curves(tmp_path, "series.xlsx", more=f"leave_out = {said}")
+
+
 def test_an_old_spreadsheet(tmp_path):
     pytest.importorskip("xlrd")
     table = read_table(written(tmp_path, "old.xls"))

@@ -9,6 +9,7 @@ import numpy as np
 
 from .._warn import warn
 from ..errors import InvalidArgumentError
+from .causes import by_cause
 from .data import StiffnessDepth
 from .parameters import JointPrior
 from .result import FitResult
@@ -37,7 +38,7 @@ def together(curves: Sequence[StiffnessDepth]) -> StiffnessDepth:
     if len(said) > 1:
         raise InvalidArgumentError("elastic is not the same for all curves: take one kind")
     (data.elastic,) = said
-    data.warnings += [words for curve in curves for words in curve.warnings]
+    data.warnings += by_cause((f"test {i}", words) for i, curve in enumerate(curves, start=1) for words in curve.warnings)
     return data
 
 

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .._choices import nearest
 from ..errors import FileError, MDRError
 from ..fitting.data import Data
 from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
@@ -56,6 +57,7 @@ def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
             raise
         return known
     several = len(tables) > 1
+    tables = _without(section, path, tables)
     return [
         Curve(
             f"{path.name} {table.name}" if several else path.name,
@@ -77,6 +79,23 @@ def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[Mea
         others = ", ".join(repr(table.name) for table in tables if table.name not in used)
         found[0].notes.append(f"{len(tables)} tables, {len(found)} used; without the columns that are needed: {others}")
     return found or tables
+
+
+def _without(section: Section, path: Path, tables: list[MeasuredTable]) -> list[MeasuredTable]:
+    """The tests that [data] does not leave out."""
+    names = section.plain("leave_out") if "leave_out" in section else []
+    if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+        raise ProblemError('[data]: leave_out must be a list of tests, as in leave_out = ["Test 3"]')
+    known = [table.name for table in tables]
+    for name in names:
+        if name not in known:
+            raise ProblemError(f"{path}: [data] leave_out: there is no test {name!r}: {nearest(name, known)}")
+    kept = [table for table in tables if table.name not in names]
+    if not kept:
+        raise ProblemError(f"{path}: [data] leave_out leaves no test")
+    if names:
+        kept[0].notes.append(f"{len(tables) - len(kept)} of {len(tables)} tests are left out: {', '.join(names)}")
+    return kept
 
 
 def fits(section: Section, table: MeasuredTable, kind: str) -> bool:

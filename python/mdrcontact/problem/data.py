@@ -79,6 +79,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     "units": None,
     "skip": None,
     "sheet": None,
+    "leave_out": None,
     "decimal": None,
     "sd": None,
     "relative_sd": None,

@@ -96,7 +96,13 @@ contains
             compliance = 1.0_wp/data%y(i) - instrument(at_frame_compliance)
             readings%depth(i) = data%x(i) - instrument(at_depth_offset) - instrument(at_frame_compliance)*load
             readings%recovery(i) = load*compliance
-            if (compliance > 0.0_wp .and. readings%depth(i) > 0.0_wp) cycle
+            if (.not. compliance > 0.0_wp) then
+                call raise(error, error_domain, "the stiffness at depth "//to_text(data%x(i))//" is "//to_text(data%y(i))// &
+                           ": it must be less than that of the frame alone; check units and frame compliance, or leave out "// &
+                           "tests in which contact began at another depth")
+                return
+            end if
+            if (readings%depth(i) > 0.0_wp) cycle
             call refuse_depth(data%x(i), readings%depth(i), error)
             return
         end do
