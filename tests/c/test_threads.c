@@ -4,7 +4,7 @@
 
 #include <pthread.h>
 
-enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 15 * POINTS };
+enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 16 * POINTS };
 
 typedef struct task {
     const mdr_profile *profile;
@@ -13,6 +13,7 @@ typedef struct task {
     const mdr_material *material;
     const mdr_contact *relaxing;
     const mdr_friction *friction;
+    const mdr_poroelastic *pores;
     int number;
     int failed_calls;
     int wrong_texts;
@@ -64,6 +65,8 @@ static void evaluate(task *t)
     failed += mdr_contact_history(t->relaxing, MDR_GIVEN_DEPTH, 1e-5, POINTS, a, d, NULL, NULL, v + 9 * POINTS) != MDR_SUCCESS;
     failed += mdr_contact_dynamic_stiffness(t->relaxing, 1, a, a, v + 10 * POINTS, v + 10 * POINTS + 1) != MDR_SUCCESS;
     failed += lead(t->friction, v + 11 * POINTS);
+    failed += mdr_poroelastic_response(t->pores, MDR_POROELASTIC_RELAXATION, 1.0, 1.0, 1.0, POINTS, a, v + 15 * POINTS)
+              != MDR_SUCCESS;
     t->failed_calls += failed;
 }
 
@@ -99,6 +102,7 @@ int main(int argc, char **argv)
     mdr_friction *friction = NULL;
     mdr_material *material = NULL;
     mdr_medium *gel = NULL;
+    mdr_poroelastic *pores = NULL;
     const double modulus = 2.0, relaxation_time = 0.5, thickness = 0.5;
     task alone = {0}, tasks[THREADS] = {{0}};
     pthread_t threads[THREADS];
@@ -113,7 +117,9 @@ int main(int argc, char **argv)
     CHECK_SUCCESS(mdr_medium_coated(72.0, 0.17, 0.5, 165.0, 0.22, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(profile, film, NULL, &sheared));
     CHECK_SUCCESS(mdr_friction_new(sheared, 0.3, &friction));
+    CHECK_SUCCESS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_SURFACE, 0.0, &pores));
     alone.friction = friction;
+    alone.pores = pores;
     alone.material = material;
     alone.relaxing = relaxing;
     alone.profile = profile;
@@ -137,6 +143,7 @@ int main(int argc, char **argv)
     }
     CHECK_SUCCESS(mdr_contact_free(&contact));
     CHECK_SUCCESS(mdr_contact_free(&relaxing));
+    CHECK_SUCCESS(mdr_poroelastic_free(&pores));
     CHECK_SUCCESS(mdr_friction_free(&friction));
     CHECK_SUCCESS(mdr_contact_free(&sheared));
     CHECK_SUCCESS(mdr_medium_free(&film));

@@ -2,12 +2,16 @@
 """Poroelastic gels: reference values of tests/data, elastic limits, published curves, relations between the answers."""
 
 import csv
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import ROOT
+from scipy import special
 
 import mdrcontact as mdr
+from mdrcontact.cli import main
 
 TABLE = Path(__file__).parents[1] / "data" / "poroelastic.csv"
 DRAINAGES = {"drained": "surface", "impermeable": "sealed", "mixed": "indenter"}
@@ -127,6 +131,32 @@ def test_early_pressure_is_that_of_the_incompressible_body():
     )
 
 
+def test_pore_pressure_of_a_sealed_surface():
+    """By SciPy: a dense rule in k, waves summed up to k = 4000, another inverse transform (16 points)."""
+    nu, tau, r = 0.2, 0.1, np.array([0.0, 0.5, 0.9])
+    eta, order = (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)), np.arange(14)
+    edges = np.concatenate([[0.0], 2.0 ** np.arange(-10.0, 2.0), np.arange(8.0, 4000.0, 6.0)])
+    node, weight = np.polynomial.legendre.leggauss(14)
+    half = 0.5 * np.diff(edges)[:, None]
+    k, w = (edges[:-1, None] + half * (1.0 + node)).ravel(), (half * weight).ravel()
+    b = (np.sqrt(4.0 * order + 1.0) * (-1.0) ** order)[:, None] * special.spherical_jn(2 * order[:, None], k)
+    total = np.zeros(r.shape)
+    width, opening = 3.0 / 16, 16 * np.pi / 12.0
+    for j in range(16):
+        turn = 1.0 + 1j * (j + 0.5) * width
+        z = opening * turn**2
+        q = np.sqrt(k**2 + z / tau)
+        y = 2.0 * eta * k**2 / (q * (q + k))
+        matrix = (2.0 / np.pi) * (b * (w * (y / (1.0 - y) - 2.0 * eta / (2.0 - 2.0 * eta)))) @ b.T
+        load = np.linalg.solve(matrix + np.eye(14) / (1.0 - eta), np.eye(14)[0])
+        flux = z / tau / ((1.0 - 2.0 * eta * k / (q + k)) * k * (q + k))
+        wave = w * k * flux / (1.0 + flux) * (load @ b)
+        pore = np.array([np.sum(wave * special.j0(k * x)) for x in r])
+        total += (np.exp(z) / z * 2j * opening * turn * width / np.pi * pore).imag
+    found = punch().pressure_in_time("pore", r, tau, depth=1.0, drainage="sealed")
+    assert found == pytest.approx(4.0 / np.pi * total, rel=1e-6)
+
+
 def test_late_pressure_is_drained():
     r = np.array([0.0, 0.5, 0.9])
     for drainage in DRAINAGES.values():
@@ -163,6 +193,9 @@ def on_film(a, drainage):
         (lambda: mdr.Contact(mdr.FlatPunch(1.0), punch().medium, 1.0), "work_of_adhesion"),
         (lambda: ramp(mdr.Cone(0.1)), "Paraboloid"),
         (lambda: ramp(mdr.Paraboloid(1.0)), "not solved"),
+        (lambda: mdr.fit(mdr.ForceTime([0.0, 1.0], [1.0, 1.0], [2.0, 1.0]), mdr.FlatPunch(1.0), FILM, ["coating.nu"]), "fit_gel"),
+        (lambda: mdr.Pair(FILM, mdr.Homogeneous(mdr.Elastic(1.0, 0.2))), "poroelastic"),
+        (lambda: mdr.Friction(punch(), 0.1), "poroelastic"),
         (lambda: on_film(9.0, "surface"), "ratio = 9"),
         (lambda: on_film(1.0, "indenter"), "film"),
         (lambda: mdr.Contact(mdr.FlatPunch(1.0), FILM).pressure_in_time("pore", 0.0, 1.0, depth=1.0, drainage="sealed"), "film"),
@@ -231,3 +264,27 @@ def test_drainages_are_compared():
     # a gel that drains everywhere, taken for one that the indenter seals: D wrong by about 3
     wrong = next(fit for fit in fits if fit.drainage == "indenter")
     assert 2.0 < wrong.values["diffusivity"] / 3e-8 < 4.0
+
+
+def test_command_line(tmp_path, capsys):
+    folder, out, points = ROOT / "examples" / "fit", tmp_path / "fit.json", tmp_path / "points.csv"
+    problem = folder / "punch_on_hydrogel.toml"
+    wanted = [str(folder / "punch_on_hydrogel.csv"), "--problem", str(problem), "--json", str(out), "--csv", str(points)]
+    assert main(["fit", *wanted]) == 0
+    found = json.loads(out.read_text())
+    assert found["parameters"]["diffusivity"]["value"] == pytest.approx(3e-8, rel=0.03)
+    assert found["parameters"]["shear_modulus"]["value"] == pytest.approx(28e3, rel=0.01)
+    assert "drainage 'indenter'" in capsys.readouterr().out and len(points.read_text().splitlines()) == 201
+    text = problem.read_text()
+    for old, new, words in (
+        ('drainage = "indenter"', 'drainage = "wet"', "wet"),
+        ('"nu", ', '"E", ', "free must name"),
+        ('diffusivity = "1e-9 m^2/s"', 'diffusivity = "1e-9 m/s"', "a diffusivity"),
+        ('diffusivity = "1e-9 m^2/s"', 'permeability = "1 nm^2"', "viscosity"),
+    ):
+        wrong = tmp_path / "wrong.toml"
+        wrong.write_text(text.replace(old, new))
+        assert main(["fit", str(folder / "punch_on_hydrogel.csv"), "--problem", str(wrong)]) == 2
+        assert words in capsys.readouterr().err
+    assert main(["curve", str(ROOT / "examples" / "problems" / "relaxation_of_gel.toml")]) == 2
+    assert "use mdrcontact history" in capsys.readouterr().err

@@ -29,9 +29,9 @@ _LOWEST, _HIGHEST = 0.0, 0.499
 """Poisson's ratios between which one is sought."""
 _NODES = 9
 """Of them there are tables; the answers between are interpolated, to 1e-6."""
-_DECADES = np.linspace(-7.0, 5.0, 37)
+_DECADES = np.linspace(-7.0, 5.0, 25)
 """Starts of the diffusivity, in powers of 10 of the squared contact radius over the duration."""
-_MOST = 200
+_MOST = 100
 """Readings that a start is sought with."""
 _ROUNDS, _CHANGE = 200, 1e-6
 """Of the search, and the gain of a step, in mean squared residuals, that is none."""
@@ -222,7 +222,7 @@ class _Search:
 
     def start(self, scale: float) -> Array:
         """The best of a grid, with the shear modulus that fits it best."""
-        ratios = (0.1, 0.3, 0.45) if "nu" in self.names else (self.gel.nu,)
+        ratios = (0.15, 0.4) if "nu" in self.names else (self.gel.nu,)
         diffusivities = scale * 10.0**_DECADES if "diffusivity" in self.names else [self.gel.diffusivity]
         part = np.unique(np.linspace(0, len(self.y) - 1, min(_MOST, len(self.y))).astype(int))
         y, w = self.y[part] * self.weights[part], self.weights[part]

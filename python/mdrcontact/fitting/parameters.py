@@ -20,6 +20,7 @@ from ..material import RIGID, Elastic, PowerLawRheology, Viscoelastic
 from ..medium.coated import base
 from ..medium.models import MODELS, settings
 from ..medium.viscoelastic import is_viscoelastic
+from ..poroelastic import is_poroelastic
 
 
 @dataclass(frozen=True)
@@ -204,6 +205,8 @@ def of_medium(medium: Any) -> MediumNumbers:
     """A medium's parameters; tables and functions are fixed as they are."""
     if not isinstance(medium, media.Medium):
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
+    if is_poroelastic(medium):
+        raise InvalidArgumentError("a poroelastic gel is fitted by fit_gel(data, indenter, medium, free, drainage=...)")
     if is_viscoelastic(medium):
         return _viscoelastic(medium)
     if isinstance(medium, media.Pair) and has_homogeneous_indenter(medium):
