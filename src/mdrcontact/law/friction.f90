@@ -401,7 +401,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         logical :: sound
 
-        sound = size(memory) == self%memory_size()
+        sound = size(memory) == record_size(self%sliders)
         if (sound) sound = total_size(size(memory), memory) <= largest*size(memory)
         if (sound) sound = is_record(self%levels, memory)
         if (sound) return
@@ -417,7 +417,8 @@ contains
         integer :: i
 
         total = 0.0_wp
-        !$omp simd simdlen(2) reduction(+:total)
+        ! sums that do not wait for each other
+        !$omp simd simdlen(8) reduction(+:total)
         do i = 1, count
             total = total + abs(numbers(i))
         end do

@@ -51,7 +51,7 @@ contains
             call constant_loads(levels, count, level, place, loads)
             return
         end if
-        call superposed_loads(levels, count, level, place, loads)
+        call superposed_loads(count, level, place, levels%count, levels%shift, levels%force, levels%stiffness, loads)
         if (.not. allocated(levels%share)) return
         call place_between(levels, m, place%shift, x, width)
         call share_out(size(levels%share, 2), levels%share, count, level, m, x, place%load, loads)
@@ -73,18 +73,18 @@ contains
     end subroutine share_out
 
     !> F - F_l - k_l (S - S_l) of some levels; F <= F_l where S <= S_l.
-    pure subroutine superposed_loads(levels, count, level, place, loads)
-        type(levels_t), intent(in) :: levels
+    pure subroutine superposed_loads(count, level, place, last, shift, force, stiffness, loads)
         integer, intent(in) :: count, level(count)
         type(place_t), intent(in) :: place
+        !> of all levels
+        integer, intent(in) :: last
+        real(wp), intent(in), dimension(0:last + 1) :: shift, force, stiffness
         real(wp), intent(out) :: loads(count)
-        integer :: i
+        integer :: i, l
 
         do i = 1, count
-            associate (l => level(i))
-                loads(i) = max((place%force - levels%force(l)) - levels%stiffness(l)*max(place%shift - levels%shift(l), 0.0_wp), &
-                               0.0_wp)
-            end associate
+            l = level(i)
+            loads(i) = max((place%force - force(l)) - stiffness(l)*max(place%shift - shift(l), 0.0_wp), 0.0_wp)
         end do
     end subroutine superposed_loads
 
@@ -177,7 +177,7 @@ contains
             call constant_loads(levels, count, level, place, loads, slopes)
             return
         end if
-        call superposed_loads(levels, count, level, place, loads)
+        call superposed_loads(count, level, place, levels%count, levels%shift, levels%force, levels%stiffness, loads)
         do i = 1, count
             slopes(i) = merge(1.0_wp - min(levels%stiffness(level(i)), place%stiffness)*place%rate, 0.0_wp, loads(i) > 0.0_wp)
         end do

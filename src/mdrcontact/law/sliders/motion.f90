@@ -59,16 +59,18 @@ contains
         type(motion_t), intent(out) :: motion
 
         call begin(levels, place%shift, record, motion)
+        call find_stiffnesses(levels, motion)
         call loads_beyond(levels, motion%used - 1, motion%level(1:), motion%cell, place, motion%beyond(1:))
         motion%beyond(0) = place%load
         motion%beyond(motion%used) = 0.0_wp
-        call find_strengths(levels%strength, motion)
         motion%shift = way
         motion%first_newborn = motion%used
-        if (place%shift > motion%top(1)) call find_newborn(levels, place, record(at_shift), motion)
-        call find_stiffnesses(levels, motion)
         call load_sliders(levels%sliders, record(head + 1 + levels%sliders:), motion)
-        if (motion%first_newborn < motion%used) call load_newborn(motion)
+        if (place%shift > motion%top(1)) then
+            call find_newborn(levels, place, record(at_shift), motion)
+            call load_newborn(motion)
+        end if
+        call find_strengths(levels%strength, motion)
         call limit_sliders(motion)
     end subroutine move
 
@@ -175,11 +177,16 @@ contains
         z = 0.0_wp
         do first = 0, motion%used - 1
             if (motion%squared(first) > motion%strength(first)**2) exit
-            motion%factor(first) = 1.0_wp
-            motion%borne(first, :) = motion%load(first, :)
-            x = x + motion%load(first, 1)
-            y = y + motion%load(first, 2)
-            z = z + motion%load(first, 3)
+        end do
+        !$omp simd simdlen(2) reduction(+:x, y, z)
+        do i = 0, first - 1
+            motion%factor(i) = 1.0_wp
+            motion%borne(i, 1) = motion%load(i, 1)
+            motion%borne(i, 2) = motion%load(i, 2)
+            motion%borne(i, 3) = motion%load(i, 3)
+            x = x + motion%load(i, 1)
+            y = y + motion%load(i, 2)
+            z = z + motion%load(i, 3)
         end do
         motion%first_slipping = first
         !$omp simd simdlen(2) private(inverse, factor) reduction(+:x, y, z)
@@ -243,7 +250,7 @@ contains
         motion%newborn(motion%before - 1) = max(load - above, 0.0_wp)
     end subroutine find_newborn
 
-    !> mu B.
+    !> mu B. Later than P, which a processor reads across what it has just written only after a while.
     pure subroutine find_strengths(mu, motion)
         real(wp), intent(in) :: mu
         type(motion_t), intent(inout) :: motion
