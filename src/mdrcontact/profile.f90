@@ -25,6 +25,8 @@ module mdrcontact_profile
         real(wp) :: end_radius = 0.0_wp
         !> whether the profile rises vertically at largest_radius, so that the contact radius stays there (flat punch)
         logical :: has_wall = .false.
+        !> R of a paraboloid f(r) = r^2/(2R) [length]; 0 for any other shape
+        real(wp) :: paraboloid_radius = 0.0_wp
     contains
         !> f(r), the height of the surface above its lowest point [length]
         procedure(radial_function), deferred :: height

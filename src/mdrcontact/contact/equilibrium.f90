@@ -77,8 +77,11 @@ contains
             call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable body", "medium")
             return
         end if
-        call medium%check_profile(profile, error)
-        if (allocated(error)) return
+        if (medium%spherical_only .and. .not. profile%is_spherical()) then
+            call raise(error, error_invalid, "this indenter is not allowed: the models dimitriadis and garcia are series for a "// &
+                       "paraboloid or a sphere; take the model exact for any other")
+            return
+        end if
         if (profile%end_radius > medium%largest_radius) then
             call raise(error, error_domain, "the indenter's flat end, radius "//to_text(profile%end_radius)// &
                        ", is larger than the largest contact radius of the medium, "//to_text(medium%largest_radius))
@@ -189,7 +192,7 @@ contains
 
         state%radius = radius
         depth_slope = -1.0_wp
-        if (present(slopes)) depth_slope = self%medium%nonadhesive_slope(self%profile, radius)
+        if (present(slopes) .and. .not. self%medium%is_exact) depth_slope = self%profile%mdr_slope(radius)
         call self%medium%response(self%profile, radius, state%depth, state%force, modulus, stiffness_slope, error, &
                                   adhesive=self%work_of_adhesion > 0.0_wp, depth_slope=depth_slope)
         if (allocated(error)) return

@@ -68,7 +68,7 @@ contains
             call new_layered_exact(lower, medium%pressed, error)
             if (.not. allocated(error)) call new_layered_exact(upper, medium%counterbody, error)
             if (.not. allocated(error)) call new_exact_pair(exact, lower, upper, error)
-        else if (allocated(medium%counterbody) .and. medium%upper_share(thickness) >= 1.0_wp) then
+        else if (allocated(medium%counterbody) .and. medium%lower_is_rigid) then
             ! the lower body is rigid
             call new_layered_exact(exact, medium%counterbody, error)
         else

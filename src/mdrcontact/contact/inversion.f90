@@ -374,7 +374,8 @@ contains
 
         y = 0.0_wp
         radius = self%equilibrium%radius_of(x)
-        formula = self%equilibrium%medium%nonadhesive_slope(self%equilibrium%profile, radius)
+        formula = -1.0_wp
+        if (.not. self%equilibrium%medium%is_exact) formula = self%equilibrium%profile%mdr_slope(radius)
         depth_slope = formula
         modulus = 0.0_wp
         force = 0.0_wp
@@ -384,7 +385,7 @@ contains
             call self%equilibrium%medium%response(self%equilibrium%profile, radius, depth, force, modulus, stiffness_slope, &
                                                   self%error, depth_slope=depth_slope, accuracy=self%accuracy)
         else
-            call self%equilibrium%medium%nonadhesive_depth(self%equilibrium%profile, radius, depth, self%error)
+            depth = self%equilibrium%profile%mdr(radius)
         end if
         if (allocated(self%error)) return
         if (self%has_state) then

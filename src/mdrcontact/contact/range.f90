@@ -5,6 +5,7 @@ module mdrcontact_contact_range
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_medium_solver, only: depth_and_force
     use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_numerics_roots, only: guess_from_below, solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -164,14 +165,18 @@ contains
         real(wp), intent(out) :: x, found
         integer, intent(inout) :: solutions
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: mismatch, mismatch_before, x_before, slope, next
+        real(wp) :: mismatch, mismatch_before, x_before, slope, next, force
         integer :: step
 
         slope = 2.0_wp
         x = max(first, min(last, homogeneous_coordinate(equilibrium, sqrt(low*high))))
         do step = 1, most_steps
-            call equilibrium%medium%nonadhesive_depth(equilibrium%profile, equilibrium%radius_of(x), found, error)
-            if (allocated(error)) return
+            if (equilibrium%medium%is_exact) then
+                call depth_and_force(equilibrium%medium, equilibrium%profile, equilibrium%radius_of(x), found, force, error)
+                if (allocated(error)) return
+            else
+                found = equilibrium%profile%mdr(equilibrium%radius_of(x))
+            end if
             solutions = solutions + 1
             if (found >= low .and. found <= high) return
             mismatch = log(found/sqrt(low*high))

@@ -8,7 +8,6 @@ module mdrcontact_fit_contact_radius
     use mdrcontact_fit_sink_in, only: new_sink_in, sink_in_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_solver, only: solver_t
-    use mdrcontact_medium_homogeneous, only: homogeneous_t
     use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_roots, only: find_root, solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -64,11 +63,7 @@ contains
         if (allocated(error)) return
         associate (c => instrument(at_contact_depth_scale), eps => instrument(at_contact_depth_factor), &
                    widening => sqrt(instrument(at_area_factor)))
-            is_half_space = .false.
-            select type (medium)
-            type is (homogeneous_t)
-                is_half_space = .true.
-            end select
+            is_half_space = medium%has_free_springs
             ! the surface stays where it is, or goes as the tangent of the curve does, on every body
             if (.not. is_elastic .and. (is_half_space .or. .not. abs(eps*(1.0_wp - eps)) > 0.0_wp)) then
                 readings%depth(:) = c*(readings%depth - eps*readings%recovery)

@@ -15,7 +15,6 @@ module mdrcontact_law_from_contact
     use mdrcontact_law_segments, only: compile_segments, fold_margin
     use mdrcontact_law_verify, only: largest_error
     use mdrcontact_medium_solver, only: solver_t
-    use mdrcontact_profile_power_law, only: power_law_t
     implicit none (type, external)
     private
     public :: new_contact_law, law_options_t, default_law_tolerance
@@ -80,10 +79,7 @@ contains
         end if
         self%tolerance = chosen%tolerance
         self%description = chosen%description
-        select type (profile => contact%equilibrium%profile)
-        type is (power_law_t)
-            self%radius = profile%paraboloid_radius()
-        end select
+        self%radius = contact%equilibrium%profile%paraboloid_radius
         call contact%radius_range(end_radius, smallest, largest, breaks, error)
         if (allocated(error)) return
         call open_table(self%by_depth, .true., contact%is_adhesive(), end_radius)

@@ -11,7 +11,6 @@ module mdrcontact_medium_bottom_effect
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
     public :: bottom_effect_t, new_bottom_effect, dimitriadis_series, garcia_series, bottom_effect_ratio
@@ -34,7 +33,6 @@ module mdrcontact_medium_bottom_effect
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: check_profile
     end type bottom_effect_t
 
 contains
@@ -59,22 +57,11 @@ contains
         if (allocated(error)) return
         self%contact_modulus = layer%contact()
         self%thickness = thickness
+        self%spherical_only = .true.
         self%largest_radius = bottom_effect_ratio*thickness
         self%why_it_ends = "; the models dimitriadis and garcia hold for a < h: take the model exact for larger contacts"
         self%coefficients = series*[(1.0_wp + k/3.0_wp, k=0, 4)]
     end subroutine new_bottom_effect
-
-    pure subroutine check_profile(self, profile, error)
-        class(bottom_effect_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        type(error_t), allocatable, intent(inout) :: error
-
-        associate (unused => self)
-        end associate
-        if (profile%is_spherical()) return
-        call raise(error, error_invalid, "this indenter is not allowed: the models dimitriadis and garcia are series for a "// &
-                   "paraboloid or a sphere; take the model exact for any other")
-    end subroutine check_profile
 
     elemental function effective_modulus(self, a) result(value)
         class(bottom_effect_t), intent(in) :: self

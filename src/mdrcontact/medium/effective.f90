@@ -25,14 +25,15 @@ module mdrcontact_medium_effective
         !> dE_eff/da [modulus/length], a > 0
         procedure(modulus_function), deferred :: effective_modulus_slope
         procedure :: modulus
-        procedure :: modulus_slope
-        procedure :: nonadhesive_depth
-        procedure :: nonadhesive_slope
+        procedure :: response
+        !> d [length] and F [modulus length^2] of the non-adhesive contact
         procedure :: depth_and_force
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
         procedure :: energies
+        !> what the upper body takes of a small change of depth at radius a [1]
+        procedure :: upper_share
         !> what the upper body takes of the depth of the non-adhesive contact [length]
         procedure :: upper_depth
         procedure :: surface_load
@@ -67,30 +68,23 @@ module mdrcontact_medium_effective
 
 contains
 
-    subroutine modulus(self, a, values, error)
+    subroutine modulus(self, a, values, error, slopes)
         class(effective_medium_t), intent(in) :: self
         real(wp), intent(in) :: a(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        real(wp), intent(out), optional :: slopes(:)
         integer :: i
 
         ! in one statement gfortran would copy, for `values` might be `a`
         do i = 1, size(a)
             values(i) = self%effective_modulus(a(i))
         end do
-    end subroutine modulus
-
-    subroutine modulus_slope(self, a, values, error)
-        class(effective_medium_t), intent(in) :: self
-        real(wp), intent(in) :: a(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        integer :: i
-
+        if (.not. present(slopes)) return
         do i = 1, size(a)
-            values(i) = self%effective_modulus_slope(a(i))
+            slopes(i) = self%effective_modulus_slope(a(i))
         end do
-    end subroutine modulus_slope
+    end subroutine modulus
 
     recursive subroutine copy_to(self, copy, error)
         class(effective_medium_t), intent(in) :: self
@@ -124,28 +118,21 @@ contains
         call self%add_breaks(radii, error)
     end subroutine all_breaks
 
-    subroutine nonadhesive_depth(self, profile, a, value, error)
+    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: value
+        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
         type(error_t), allocatable, intent(out) :: error
+        logical, intent(in), optional :: adhesive
+        real(wp), intent(inout), optional :: depth_slope, accuracy
 
-        associate (unused => self)
-        end associate
-        value = profile%mdr(a)
-    end subroutine nonadhesive_depth
-
-    pure function nonadhesive_slope(self, profile, a) result(slope)
-        class(effective_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a
-        real(wp) :: slope
-
-        associate (unused => self)
-        end associate
-        slope = profile%mdr_slope(a)
-    end function nonadhesive_slope
+        if (present(adhesive) .or. present(depth_slope)) continue
+        if (present(accuracy)) accuracy = 0.0_wp
+        call self%depth_and_force(profile, a, depth, force, error)
+        modulus = self%effective_modulus(a)
+        stiffness_slope = 2.0_wp*(modulus + a*self%effective_modulus_slope(a))
+    end subroutine response
 
     !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to rounding.
     subroutine depth_and_force(self, profile, a, depth, force, error)
@@ -309,6 +296,16 @@ contains
         end if
         values = [total - upper, upper]
     end subroutine energies
+
+    elemental function upper_share(self, a) result(share)
+        class(effective_medium_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        real(wp) :: share
+
+        associate (unused => a)
+        end associate
+        share = self%share_of_upper
+    end function upper_share
 
     function upper_depth(self, profile, a, error) result(depth)
         class(effective_medium_t), intent(in) :: self

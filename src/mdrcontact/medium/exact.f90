@@ -22,7 +22,7 @@ module mdrcontact_medium_exact
     use mdrcontact_layered_solve, only: solution_t, solve
     use mdrcontact_layered_stiffness, only: relative_stiffness
     use mdrcontact_material, only: in_series, material_t
-    use mdrcontact_medium_solver, only: lower_body, solver_t, upper_body
+    use mdrcontact_medium_solver, only: depth_and_force, lower_body, set_pair, solver_t, take_common, upper_body
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_numerics_pick, only: pick
     use mdrcontact_profile, only: profile_t
@@ -58,8 +58,6 @@ module mdrcontact_medium_exact
         real(wp), public :: tolerance = default_tolerance
     contains
         procedure :: modulus
-        procedure :: modulus_slope
-        procedure :: depth_and_force
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
@@ -180,7 +178,7 @@ contains
         self%parts%share = self%surface_modulus/[lower%surface_modulus, upper%surface_modulus]
         self%largest_radius = min(lower%largest_radius, upper%largest_radius)
         self%tolerance = min(lower%tolerance, upper%tolerance)
-        call self%set_pair(lower, upper, error)
+        call set_pair(self, lower, upper, error)
         if (allocated(error)) return
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (.not. allocated(error)) call add_kernels(lower%kernel, upper%kernel, self%parts%share, self%kernel, error)
@@ -195,7 +193,7 @@ contains
         type(layered_exact_t), allocatable :: own
 
         allocate (own)
-        call own%take_common(self, error)
+        call take_common(own, self, error)
         own%kernel = self%kernel
         if (allocated(self%parts)) own%parts = self%parts
         own%surface = self%surface
@@ -213,49 +211,23 @@ contains
         if (.not. kernel%vanishes) ratio = max(kernel%sigma_zero, kernel%origin)
     end function contrast_of
 
-    !> E_eff(a), the stiffness of a flat punch over 2 a.
-    subroutine modulus(self, a, values, error)
+    !> E_eff(a), the stiffness of a flat punch over 2 a, and E_eff'(a) = (E0* q_1(a; a)^2 - E_eff(a))/a.
+    subroutine modulus(self, a, values, error, slopes)
         class(layered_exact_t), intent(in) :: self
         real(wp), intent(in) :: a(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        real(wp), intent(out), optional :: slopes(:)
         type(solution_t) :: solution
         integer :: i
 
         do i = 1, size(a)
-            call solve(self%kernel, self%tolerance, a(i), solution, error)
+            call solve(self%kernel, self%tolerance, a(i), solution, error, edge=present(slopes))
             if (allocated(error)) return
             values(i) = self%surface_modulus*solution%modulus
+            if (present(slopes)) slopes(i) = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a(i)
         end do
     end subroutine modulus
-
-    !> E_eff'(a) = (E0* q_1(a; a)^2 - E_eff(a))/a.
-    subroutine modulus_slope(self, a, values, error)
-        class(layered_exact_t), intent(in) :: self
-        real(wp), intent(in) :: a(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        type(solution_t) :: solution
-        integer :: i
-
-        do i = 1, size(a)
-            call solve(self%kernel, self%tolerance, a(i), solution, error, edge=.true.)
-            if (allocated(error)) return
-            values(i) = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a(i)
-        end do
-    end subroutine modulus_slope
-
-    !> The non-adhesive state: the depth at which the edge spring is just unloaded, and the springs' total force.
-    subroutine depth_and_force(self, profile, a, depth, force, error)
-        class(layered_exact_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force
-        type(error_t), allocatable, intent(out) :: error
-        real(wp) :: modulus, stiffness_slope
-
-        call self%response(profile, a, depth, force, modulus, stiffness_slope, error)
-    end subroutine depth_and_force
 
     !> All of them from one solution: k'(a) = 2 E0* q_1(a; a)^2, where E_eff + a E_eff' would cancel on a soft film.
     subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
@@ -302,7 +274,7 @@ contains
         integer :: i
 
         do i = 1, size(a)
-            call self%depth_and_force(profile, a(i), values(i), force, error)
+            call depth_and_force(self, profile, a(i), values(i), force, error)
             if (allocated(error)) return
             values(i) = values(i)/profile%mdr(a(i))
         end do

@@ -6,7 +6,7 @@ module mdrcontact_medium_gao
     use mdrcontact_error, only: check_memory, check_poisson, check_positive, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: solver_t, take_common
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
@@ -152,7 +152,7 @@ contains
         type(gao_t), allocatable :: own
 
         allocate (own)
-        call own%take_common(self, error)
+        call take_common(own, self, error)
         call copy_layers(self, own, error)
         own%under_shear = self%under_shear
         own%p = self%p

@@ -10,7 +10,7 @@ module mdrcontact_medium_graded
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: solver_t, take_common
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_options_t, i0_poisson_choice
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
@@ -146,7 +146,7 @@ contains
         type(graded_t), allocatable :: own
 
         allocate (own)
-        call own%take_common(self, error)
+        call take_common(own, self, error)
         if (.not. allocated(error)) call self%law%copy_to(own%law, error)
         own%options = self%options
         call move_alloc(own, copy)

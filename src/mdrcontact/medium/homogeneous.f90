@@ -8,7 +8,7 @@ module mdrcontact_medium_homogeneous
     use mdrcontact_gsl, only: gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: in_series, material_t
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: set_pair, solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_shear_moduli, only: moduli_under_shear
     use mdrcontact_profile, only: profile_t
@@ -61,7 +61,7 @@ contains
 
         call set_modulus(self, in_series(lower%contact_modulus, upper%contact_modulus))
         self%share_of_upper = self%contact_modulus/upper%contact_modulus
-        call self%set_pair(lower, upper, error)
+        call set_pair(self, lower, upper, error)
     end subroutine new_homogeneous_pair
 
     !> E* [modulus]; infinite for a rigid body.

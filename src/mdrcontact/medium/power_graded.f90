@@ -9,7 +9,7 @@ module mdrcontact_medium_power_graded
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_material, only: in_series
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: set_pair, solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: gauss_jacobi, gauss_legendre, graded_rule, smallest_panel_ratio
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
@@ -32,8 +32,7 @@ module mdrcontact_medium_power_graded
         real(wp), dimension(panel_nodes, 2) :: edge_rule = 0.0_wp, corner_rule = 0.0_wp
     contains
         procedure :: modulus
-        procedure :: modulus_slope
-        procedure :: depth_and_force
+        procedure :: response
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
@@ -113,7 +112,7 @@ contains
         self%corner_rule = lower%corner_rule
         self%spring = in_series(lower%spring, upper%spring)
         self%share_of_upper = self%spring/upper%spring
-        call self%set_pair(lower, upper, error)
+        call set_pair(self, lower, upper, error)
     end subroutine new_power_graded_pair
 
     !> H(m, nu), 1 for a homogeneous body.
@@ -128,37 +127,38 @@ contains
     end function spring_factor
 
     !> E_eff = c1 a^m/(1 + m), from k = 2 int_0^a c(x) dx.
-    subroutine modulus(self, a, values, error)
+    subroutine modulus(self, a, values, error, slopes)
         class(power_graded_t), intent(in) :: self
         real(wp), intent(in) :: a(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        real(wp), intent(out), optional :: slopes(:)
 
         values = self%spring*a**self%exponent/(1.0_wp + self%exponent)
+        if (present(slopes)) slopes = self%spring*self%exponent*a**(self%exponent - 1.0_wp)/(1.0_wp + self%exponent)
     end subroutine modulus
 
-    subroutine modulus_slope(self, a, values, error)
-        class(power_graded_t), intent(in) :: self
-        real(wp), intent(in) :: a(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-
-        values = self%spring*self%exponent*a**(self%exponent - 1.0_wp)/(1.0_wp + self%exponent)
-    end subroutine modulus_slope
-
     !> d = g(a); exchanging the order of integration, F = 2 c1/(1+m) int_0^a f'(r) r^2 (a^2 - r^2)^{(m-1)/2} dr.
-    subroutine depth_and_force(self, profile, a, depth, force, error)
+    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
         class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force
+        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: moments(2)
+        logical, intent(in), optional :: adhesive
+        real(wp), intent(inout), optional :: depth_slope, accuracy
+        real(wp) :: moments(2), value(1), slope(1)
+        type(error_t), allocatable :: never
 
+        if (present(adhesive) .or. present(depth_slope)) continue
+        if (present(accuracy)) accuracy = 0.0_wp
         moments = slope_moments(self, profile, a, error)
         depth = a**(1.0_wp - self%exponent)*moments(1)
         force = 2.0_wp*self%spring/(1.0_wp + self%exponent)*moments(2)
-    end subroutine depth_and_force
+        call self%modulus([a], value, never, slope)
+        modulus = value(1)
+        stiffness_slope = 2.0_wp*(modulus + a*slope(1))
+    end subroutine response
 
     !> q(x) = c(x) (d - g(x)).
     subroutine line_load(self, profile, a, excess, r, values, error)

@@ -8,7 +8,7 @@ module mdrcontact_medium_series
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_material, only: in_series
-    use mdrcontact_medium_solver, only: lower_body, solver_t
+    use mdrcontact_medium_solver, only: lower_body, set_pair, solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
@@ -25,7 +25,6 @@ module mdrcontact_medium_series
         procedure :: effective_modulus_slope
         procedure :: add_breaks
         procedure :: copy_effective
-        procedure :: check_profile
         procedure :: upper_share
         procedure :: upper_depth
         procedure :: take_share
@@ -48,7 +47,7 @@ contains
         if (lower%largest_radius <= upper%largest_radius) self%why_it_ends = lower%why_it_ends
         self%smallest_radius = max(lower%smallest_radius, upper%smallest_radius)
         self%roughness = max(lower%roughness, upper%roughness)
-        call self%set_pair(lower, upper, error)
+        call set_pair(self, lower, upper, error)
     end subroutine new_series
 
     recursive subroutine copy_effective(self, copy, error)
@@ -91,15 +90,6 @@ contains
         call self%lower%add_breaks(radii, error)
         call self%upper%add_breaks(radii, error)
     end subroutine add_breaks
-
-    pure subroutine check_profile(self, profile, error)
-        class(series_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        type(error_t), allocatable, intent(inout) :: error
-
-        call self%lower%check_profile(profile, error)
-        call self%upper%check_profile(profile, error)
-    end subroutine check_profile
 
     !> E_eff/E_eff,2.
     elemental function upper_share(self, a) result(share)

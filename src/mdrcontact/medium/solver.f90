@@ -16,7 +16,8 @@ module mdrcontact_medium_solver
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: solver_t, modulus_of_radius_t, not_known, reason_length, lower_body, upper_body
+    public :: solver_t, modulus_of_radius_t, depth_and_force, set_pair, take_common, not_known
+    public :: reason_length, lower_body, upper_body
 
     !> Which body of a contact, enum mdr_body of the C header.
     integer, parameter :: lower_body = 1, upper_body = 2
@@ -28,8 +29,8 @@ module mdrcontact_medium_solver
     type, abstract :: solver_t
         !> the body that is pressed and, of two deformable ones, the upper one, where they are known; not allocated else
         class(body_t), allocatable :: pressed, counterbody
-        !> whether it stands for two deformable bodies
-        logical :: is_pair = .false.
+        !> whether it stands for two deformable bodies, and whether it holds for paraboloids and spheres alone
+        logical :: is_pair = .false., spherical_only = .false.
         !> what the upper body takes of a change of depth, where that is the same at all radii: 0 if the indenter is rigid [1]
         real(wp) :: share_of_upper = 0.0_wp
         !> the smallest and the largest contact radius at which it is defined [length]; huge() where there is no end
@@ -41,7 +42,7 @@ module mdrcontact_medium_solver
         !> what follows a message that a contact would be larger: why, and what to do; blank where the end was given by the caller
         character(len=reason_length) :: why_it_ends = ""
         !> whether its states are the exact ones of a body: depths need no zeta (9), and an adhesive edge meets the energy balance.
-        !> Of a medium with an effective modulus both are choices (theory 4 and 5)
+        !> Of a medium with an effective modulus both are choices (theory 4 and 5), and the depth is g(a) of the profile
         logical :: is_exact = .false.
         !> whether a state is a formula, so that it costs less than to start a thread for it
         logical :: is_formula = .false.
@@ -49,37 +50,21 @@ module mdrcontact_medium_solver
         logical :: is_modulus_formula = .true.
         !> whether the load of a spring depends on its own displacement alone, by one factor for all of them
         logical :: has_free_springs = .false.
-        !> whether it does not deform: one body of a pair, no medium by itself
-        logical :: is_rigid = .false.
+        !> whether it does not deform: one body of a pair, no medium by itself; and whether the lower body of a pair does not
+        logical :: is_rigid = .false., lower_is_rigid = .false.
     contains
-        !> E_eff(a), equation (10) [modulus]
+        !> E_eff(a), equation (10) [modulus], and its slope
         procedure(radius_function), deferred :: modulus
-        !> dE_eff/da [modulus/length]
-        procedure(radius_function), deferred :: modulus_slope
-        !> depth [length] and force [modulus length^2] of the non-adhesive contact at radius a
-        procedure(nonadhesive_state), deferred :: depth_and_force
+        !> depth, force, modulus and the slope of the stiffness of the non-adhesive contact at radius a
+        procedure(response_at), deferred :: response
         !> q(x; a) [modulus length], 0 <= x <= a
         procedure(field), deferred :: line_load
         !> p(r) [modulus], 0 <= r <= a; infinite at r = a where excess is not 0
         procedure(field), deferred :: pressure
         !> displacement of the surface u(r) [length], r > a, positive into the medium
         procedure(field), deferred :: displacement_outside
-        !> depth alone [length]; a medium that finds it without the force overrides it
-        procedure :: nonadhesive_depth
-        !> d0'(a) [1] where the medium knows it without solving anything; negative if it does not
-        procedure :: nonadhesive_slope => unknown_slope
-        !> depth, force, modulus and the slope of the stiffness at one radius; a medium that finds them together overrides it
-        procedure :: response
-        !> raises where the medium does not hold under this indenter
-        procedure :: check_profile => any_profile
         !> radii where E_eff is not analytic, ascending [length]
         procedure :: add_breaks => no_breaks
-        !> what the upper body takes of a small change of depth at radius a [1]
-        procedure :: upper_share
-        !> makes it the medium of two bodies
-        procedure :: set_pair
-        !> makes what every medium has that of another one
-        procedure, non_overridable :: take_common
         !> displacement of one of the surfaces from that of both together
         procedure :: take_share
         !> elastic energy of the lower and of the upper body
@@ -106,7 +91,7 @@ module mdrcontact_medium_solver
     end type modulus_of_radius_t
 
     abstract interface
-        subroutine radius_function(self, a, values, error)
+        subroutine radius_function(self, a, values, error, slopes)
             import :: error_t, solver_t, wp
             class(solver_t), intent(in) :: self
             !> contact radii [length]
@@ -114,18 +99,26 @@ module mdrcontact_medium_solver
             !> same size as a
             real(wp), intent(out) :: values(:)
             type(error_t), allocatable, intent(out) :: error
+            !> dE_eff/da [modulus/length], same size
+            real(wp), intent(out), optional :: slopes(:)
         end subroutine radius_function
 
-        subroutine nonadhesive_state(self, profile, a, depth, force, error)
-            import :: error_t, solver_t, profile_t, wp
+        subroutine response_at(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
+            import :: error_t, profile_t, solver_t, wp
             class(solver_t), intent(in) :: self
             class(profile_t), intent(in) :: profile
             !> contact radius [length]
             real(wp), intent(in) :: a
-            !> d [length] and F [modulus length^2]
-            real(wp), intent(out) :: depth, force
+            !> without adhesion: d [length], F [modulus length^2], E_eff [modulus] and k'(a) = 2 (E_eff + a E_eff') [modulus]
+            real(wp), intent(out) :: depth, force, modulus, stiffness_slope
             type(error_t), allocatable, intent(out) :: error
-        end subroutine nonadhesive_state
+            !> stiffness_slope is as exact as the rest: an adhesive edge depends on it; default false
+            logical, intent(in), optional :: adhesive
+            !> d0'(a) [1]: replaced where the solution knows it
+            real(wp), intent(inout), optional :: depth_slope
+            !> relative accuracy that is enough, where less costs less; on return that of the numbers, 0 if it is the medium's own
+            real(wp), intent(inout), optional :: accuracy
+        end subroutine response_at
 
         subroutine field(self, profile, a, excess, r, values, error)
             import :: error_t, solver_t, profile_t, wp
@@ -167,12 +160,12 @@ contains
         real(wp), intent(inout) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => profile, also_unused => excess, unused_too => r)
+        associate (unused => profile, also_unused => a + excess, unused_too => r)
         end associate
         if (body == upper_body) then
-            values = self%upper_share(a)*values
+            values = self%share_of_upper*values
         else
-            values = (1.0_wp - self%upper_share(a))*values
+            values = (1.0_wp - self%share_of_upper)*values
         end if
     end subroutine take_share
 
@@ -192,17 +185,6 @@ contains
                        "modulus", error)
     end subroutine no_energies
 
-    elemental function upper_share(self, a) result(share)
-        class(solver_t), intent(in) :: self
-        !> contact radius [length]
-        real(wp), intent(in) :: a
-        real(wp) :: share
-
-        associate (unused => a)
-        end associate
-        share = self%share_of_upper
-    end function upper_share
-
     !> The bodies are those of two media.
     subroutine set_pair(self, lower, upper, error)
         class(solver_t), intent(inout) :: self
@@ -210,16 +192,20 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         self%is_pair = .true.
+        self%lower_is_rigid = lower%is_rigid
+        self%spherical_only = lower%spherical_only .or. upper%spherical_only
         if (allocated(lower%pressed)) call lower%pressed%copy_to(self%pressed, error)
         if (allocated(upper%pressed)) call upper%pressed%copy_to(self%counterbody, error)
     end subroutine set_pair
 
+    !> Makes what every solver has that of another one.
     subroutine take_common(self, other, error)
         class(solver_t), intent(inout) :: self
         class(solver_t), intent(in) :: other
         type(error_t), allocatable, intent(inout) :: error
 
         self%is_pair = other%is_pair
+        self%spherical_only = other%spherical_only
         self%share_of_upper = other%share_of_upper
         self%smallest_radius = other%smallest_radius
         self%largest_radius = other%largest_radius
@@ -231,71 +217,24 @@ contains
         self%is_modulus_formula = other%is_modulus_formula
         self%has_free_springs = other%has_free_springs
         self%is_rigid = other%is_rigid
+        self%lower_is_rigid = other%lower_is_rigid
         if (allocated(other%pressed)) call other%pressed%copy_to(self%pressed, error)
         if (allocated(other%counterbody)) call other%counterbody%copy_to(self%counterbody, error)
     end subroutine take_common
 
-    subroutine nonadhesive_depth(self, profile, a, value, error)
-        class(solver_t), intent(in) :: self
+    !> Depth and force alone.
+    subroutine depth_and_force(solver, profile, a, depth, force, error)
+        class(solver_t), intent(in) :: solver
         class(profile_t), intent(in) :: profile
         !> contact radius [length]
         real(wp), intent(in) :: a
-        !> depth of the contact without adhesion [length]
-        real(wp), intent(out) :: value
+        !> d [length] and F [modulus length^2] of the non-adhesive contact
+        real(wp), intent(out) :: depth, force
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: force
+        real(wp) :: modulus, stiffness_slope
 
-        call self%depth_and_force(profile, a, value, force, error)
-    end subroutine nonadhesive_depth
-
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
-        class(solver_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length]
-        real(wp), intent(in) :: a
-        !> without adhesion: d [length], F [modulus length^2], E_eff [modulus] and k'(a) = 2 (E_eff + a E_eff') [modulus]
-        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
-        type(error_t), allocatable, intent(out) :: error
-        !> stiffness_slope is as exact as the rest: an adhesive edge depends on it; default false
-        logical, intent(in), optional :: adhesive
-        !> d0'(a) [1]: replaced where nonadhesive_slope does not know it and the solution does
-        real(wp), intent(inout), optional :: depth_slope
-        !> relative accuracy that is enough, where less costs less; on return that of the numbers, 0 if it is the medium's own
-        real(wp), intent(inout), optional :: accuracy
-        real(wp) :: value(1), slope(1)
-
-        if (present(adhesive) .or. present(depth_slope)) continue
-        if (present(accuracy)) accuracy = 0.0_wp
-        modulus = 0.0_wp
-        stiffness_slope = 0.0_wp
-        call self%depth_and_force(profile, a, depth, force, error)
-        if (.not. allocated(error)) call self%modulus([a], value, error)
-        if (.not. allocated(error)) call self%modulus_slope([a], slope, error)
-        if (allocated(error)) return
-        modulus = value(1)
-        stiffness_slope = 2.0_wp*(modulus + a*slope(1))
-    end subroutine response
-
-    pure function unknown_slope(self, profile, a) result(slope)
-        class(solver_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length]
-        real(wp), intent(in) :: a
-        real(wp) :: slope
-
-        associate (unused => self, also_unused => profile, unused_too => a)
-        end associate
-        slope = -1.0_wp
-    end function unknown_slope
-
-    pure subroutine any_profile(self, profile, error)
-        class(solver_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        type(error_t), allocatable, intent(inout) :: error
-
-        associate (unused => self, also_unused => profile, unused_too => error)
-        end associate
-    end subroutine any_profile
+        call solver%response(profile, a, depth, force, modulus, stiffness_slope, error)
+    end subroutine depth_and_force
 
     pure subroutine no_breaks(self, radii, error)
         class(solver_t), intent(in) :: self

@@ -9,7 +9,7 @@ module mdrcontact_medium_superposed_slip
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_medium_slip, only: beside, slip_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: depth_and_force, solver_t
     use mdrcontact_numerics_pick, only: pick
     use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
@@ -59,7 +59,7 @@ contains
         self%excess = excess
         self%smallest_stick = profile%end_radius
         self%nodes = nodes
-        call normal%depth_and_force(profile, a, depth, self%force, error)
+        call depth_and_force(normal, profile, a, depth, self%force, error)
         if (.not. allocated(error)) call normal%modulus([a], modulus, error)
         if (.not. allocated(error)) call tangential%modulus([a], shear, error)
         if (allocated(error)) return
@@ -85,8 +85,7 @@ contains
         real(wp), dimension(size(c)) :: modulus, shear, slope
 
         call self%normal%modulus(c, modulus, error)
-        if (.not. allocated(error)) call self%tangential%modulus(c, shear, error)
-        if (.not. allocated(error)) call self%tangential%modulus_slope(c, slope, error)
+        if (.not. allocated(error)) call self%tangential%modulus(c, shear, error, slope)
         if (allocated(error)) return
         shift = 0.0_wp
         shift_rate = modulus/shear*self%profile%mdr_slope(c)

@@ -3,6 +3,7 @@
 module mdrcontact_medium_tabulated
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_medium_solver, only: take_common
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_radius_law, only: interpolation_roughness, new_radius_law_from_function, &
                                                 new_radius_law_from_table, radius_law_t
@@ -81,7 +82,7 @@ contains
         allocate (copy, mold=self, stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        call copy%take_common(self, error)
+        call take_common(copy, self, error)
         select type (copy)
         class is (tabulated_medium_t)
             call self%law%copy_to(copy%law, error)

@@ -25,7 +25,6 @@ module mdrcontact_profile_power_law
         procedure :: mdr_moment
         procedure :: radius_from_mdr
         procedure :: powers
-        procedure :: paraboloid_radius
     end type power_law_t
 
 contains
@@ -47,6 +46,7 @@ contains
 
         self%exponent = exponent
         self%coefficient = coefficient
+        if (exponent == 2.0_wp) self%paraboloid_radius = 0.5_wp/coefficient
         self%mdr_coefficient = coefficient*0.5_wp*sqrt(pi)*exponent &
                                *exp(log_gamma(0.5_wp*exponent) - log_gamma(0.5_wp*(exponent + 1.0_wp)))
     end subroutine new_power_law
@@ -62,17 +62,9 @@ contains
         if (allocated(error)) return
         self%exponent = 2.0_wp
         self%coefficient = 0.5_wp/radius
+        self%paraboloid_radius = 0.5_wp/self%coefficient
         self%mdr_coefficient = 1.0_wp/radius
     end subroutine new_paraboloid
-
-    !> R of a paraboloid f(r) = r^2/(2R) [length]; 0 for any other exponent.
-    pure function paraboloid_radius(self) result(radius)
-        class(power_law_t), intent(in) :: self
-        real(wp) :: radius
-
-        radius = 0.0_wp
-        if (self%exponent == 2.0_wp) radius = 0.5_wp/self%coefficient
-    end function paraboloid_radius
 
     !> A cone f(r) = r tan(phi).
     subroutine new_cone(self, inclination, error)

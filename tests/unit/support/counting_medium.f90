@@ -16,8 +16,6 @@ module counting_medium
         type(counter_t), pointer :: counter => null()
     contains
         procedure :: modulus
-        procedure :: modulus_slope
-        procedure :: depth_and_force
         procedure :: response
         procedure :: line_load
         procedure :: pressure => line_load
@@ -26,36 +24,16 @@ module counting_medium
 
 contains
 
-    subroutine modulus(self, a, values, error)
+    subroutine modulus(self, a, values, error, slopes)
         class(counting_medium_t), intent(in) :: self
         real(wp), intent(in) :: a(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        real(wp), intent(out), optional :: slopes(:)
 
         self%counter%solutions = self%counter%solutions + size(a)
-        call self%inside%modulus(a, values, error)
+        call self%inside%modulus(a, values, error, slopes)
     end subroutine modulus
-
-    subroutine modulus_slope(self, a, values, error)
-        class(counting_medium_t), intent(in) :: self
-        real(wp), intent(in) :: a(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-
-        self%counter%solutions = self%counter%solutions + size(a)
-        call self%inside%modulus_slope(a, values, error)
-    end subroutine modulus_slope
-
-    subroutine depth_and_force(self, profile, a, depth, force, error)
-        class(counting_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force
-        type(error_t), allocatable, intent(out) :: error
-
-        self%counter%solutions = self%counter%solutions + 1
-        call self%inside%depth_and_force(profile, a, depth, force, error)
-    end subroutine depth_and_force
 
     subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
         class(counting_medium_t), intent(in) :: self
