@@ -169,10 +169,8 @@ contains
         if (size(self%links) == 0) return
         if (size(self%links) > 1) then
             call carry(self, k, direction, sigma, chi)
-        else if (direction == along) then
-            call self%film%in_plane_response(k*self%last_depth, sigma, chi)
         else
-            call self%film%response(k*self%last_depth, sigma, chi)
+            call self%film%response(k*self%last_depth, direction, sigma, chi)
         end if
     end subroutine chi_in_plane
 

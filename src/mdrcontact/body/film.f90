@@ -5,6 +5,7 @@
 !> is a quotient of differences that cancel for long waves and high contrasts. Here each is a sum of terms that do not. Shear in the
 !> plane of the wave changes the sign of 4 b t alone.
 module mdrcontact_body_film
+    use mdrcontact_body_compliance, only: along
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -17,7 +18,6 @@ module mdrcontact_body_film
         complex(wp) :: b = 0.0_wp, c = 0.0_wp, b_rest = 1.0_wp, c_rest = 1.0_wp, one_plus_c = 1.0_wp, product_rest = 1.0_wp
     contains
         procedure :: response
-        procedure :: in_plane_response
     end type film_t
 
 contains
@@ -40,36 +40,21 @@ contains
         self%product_rest = contrast*(1.0_wp + film)*(1.0_wp + base)/((contrast + film)*(1.0_wp + contrast*base))
     end function new_film
 
-    !> sigma and chi = sigma - 1 at t = kh under normal load.
-    pure subroutine response(self, t, sigma, chi)
+    !> sigma and chi = sigma - 1 at t = kh under a load in the plane of the wave.
+    pure subroutine response(self, t, direction, sigma, chi)
         class(film_t), intent(in) :: self
         complex(wp), intent(in) :: t
+        !> along the surface or normal to it
+        integer, intent(in) :: direction
         complex(wp), intent(out) :: sigma, chi
-
-        call quotient(self, t, 1.0_wp, sigma, chi)
-    end subroutine response
-
-    !> The same under shear in the plane of the wave.
-    pure subroutine in_plane_response(self, t, sigma, chi)
-        class(film_t), intent(in) :: self
-        complex(wp), intent(in) :: t
-        complex(wp), intent(out) :: sigma, chi
-
-        call quotient(self, t, -1.0_wp, sigma, chi)
-    end subroutine in_plane_response
-
-    pure subroutine quotient(self, t, way, sigma, chi)
-        class(film_t), intent(in) :: self
-        complex(wp), intent(in) :: t
-        !> 1 for normal load, -1 for shear
-        real(wp), intent(in) :: way
-        complex(wp), intent(out) :: sigma, chi
+        real(wp) :: way
         complex(wp) :: e, o, under, x, sine, cosine, mixed, lowest
         integer :: j
         !> (sinh t - t)/t^3 and (cosh t - 1)/t^2 as series in t^2
         real(wp), parameter :: of_sine(0:*) = [(1.0_wp/gamma(real(2*j + 4, wp)), j=0, 8)], &
                                of_cosine(0:*) = [(1.0_wp/gamma(real(2*j + 3, wp)), j=0, 8)]
 
+        way = merge(-1.0_wp, 1.0_wp, direction == along)
         mixed = self%c*self%b_rest + self%b*self%c_rest
         x = t*t
         associate (b => self%b, c => self%c)
@@ -99,6 +84,6 @@ contains
             end if
             chi = e*(mixed + 2.0_wp*c*b*o + 4.0_wp*b*t*(way + t))/under
         end associate
-    end subroutine quotient
+    end subroutine response
 
 end module mdrcontact_body_film

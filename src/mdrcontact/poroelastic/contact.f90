@@ -6,6 +6,7 @@
 !> integrals with r and Phi/k:  q + R w = 1,  m = P w - (P w)(1). A surface that drains, or is sealed, everywhere has no m in the
 !> first and no second. Hence w + R w + P w - (P w)(1) = 1 and q = 1 - R w.
 module mdrcontact_poroelastic_contact
+    use mdrcontact_body_compliance, only: normal_to
     use mdrcontact_body_film, only: film_t, new_film
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: wp
@@ -73,7 +74,7 @@ contains
         none = 0.0_wp
         if (gel%ratio > 0.0_wp) then
             do i = 1, basis%count
-                call film%response(cmplx(basis%k(i)/gel%ratio, 0.0_wp, wp), sigma, chi(i))
+                call film%response(cmplx(basis%k(i)/gel%ratio, 0.0_wp, wp), normal_to, sigma, chi(i))
             end do
         end if
         call basis%project(2.0_wp*(1.0_wp - poisson)*chi, none, .false., r, error)
