@@ -3,6 +3,9 @@
 !>
 !> The indenter is displaced by the shift s along the surface. A disc of stick shrinks from the contact radius to 0, where sliding
 !> begins. Neglected are the displacement that varies as cos 2 phi around the axis and the effect of the shear on the pressure.
+!>
+!> Twisted about its axis by the angle phi, Lubkin's problem, the disc shrinks towards the axis, and the same two functions of its
+!> radius give all. Nothing is neglected then: torsion moves neither the pressure nor anything that varies around the axis.
 module mdrcontact_history_friction
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_contact, only: contact_t
@@ -13,18 +16,26 @@ module mdrcontact_history_friction
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_twisted_slip, only: new_twisted_slip, twisted_slip_t
     use mdrcontact_numerics_roots, only: solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: friction_t, new_friction, tangential_state_t, first_shear_t, new_first_shear
+    public :: friction_t, new_friction, tangential_state_t, first_shear_t
 
     !> A negative pressure of this part of the mean pressure is more than the solver's error.
     real(wp), parameter :: noticeable = 1.0e-4_wp
     !> ln(a^2/c^2 - 1) at least, below which no double changes, and at most: c = 1e-10 a.
     real(wp), parameter :: least = -700.0_wp, most = 46.0_wp
 
-    !> A state of partial slip, C's struct mdr_tangential_state.
+    !> What a contact is sheared by, and the words for it: a shift under a force, or a twist under a torque.
+    integer, parameter :: along_surface = 1, about_axis = 2
+    character(len=*), parameter :: ways(*) = [character(len=5) :: "shift", "twist"], &
+                                   loads(*) = [character(len=16) :: "tangential_force", "torque"], &
+                                   states(*) = [character(len=16) :: "tangential state", "torsional state"]
+
+    !> A state of partial slip, C's struct mdr_tangential_state; of a twist, C's struct mdr_torsional_state, with phi [radian] in
+    !> the place of s, M [modulus length^3] in that of T, and dM/dphi [modulus length^3] in that of dT/ds.
     type, bind(C) :: tangential_state_t
         !> s, of the indenter along the surface [length]
         real(c_double) :: shift = 0.0_c_double
@@ -50,15 +61,18 @@ module mdrcontact_history_friction
         class(solver_t), allocatable :: tangential
     contains
         procedure :: first_shear
+        procedure :: first_twist
         procedure :: check_state
     end type friction_t
 
-    !> One normal state of it, sheared for the first time.
+    !> One normal state of it, sheared or twisted for the first time.
     type :: first_shear_t
         private
         class(slip_t), allocatable :: slip
         real(wp) :: coefficient = 0.0_wp
-        !> contact radius a [length], mu F [modulus length^2] and the shift at which sliding begins [length]
+        integer :: way = along_surface
+        !> contact radius a [length], mu F [modulus length^2] and the shift at which sliding begins [length]; of a twist the torque
+        !> as the twist grows, mu int r p dA [modulus length^3], and the twist [radian]
         real(wp), public :: radius = 0.0_wp, sliding_force = 0.0_wp, sliding_shift = 0.0_wp
     contains
         procedure :: at_shift
@@ -117,6 +131,29 @@ contains
         if (.not. allocated(error)) call new_first_shear(shear, slip, self%coefficient)
     end subroutine first_shear
 
+    !> What happens to a normal state of a homogeneous medium as its indenter is twisted: twists and torques in the place of shifts
+    !> and forces.
+    subroutine first_twist(self, state, shear, error)
+        class(friction_t), intent(in) :: self
+        !> a state of the contact, a > 0
+        type(contact_state_t), intent(in) :: state
+        type(first_shear_t), intent(out) :: shear
+        type(error_t), allocatable, intent(out) :: error
+        type(twisted_slip_t), allocatable :: twisted
+        class(slip_t), allocatable :: slip
+
+        call self%check_state(state, error)
+        if (allocated(error)) return
+        allocate (twisted)
+        associate (equilibrium => self%contact%equilibrium)
+            call new_twisted_slip(twisted, equilibrium%medium, equilibrium%profile, state%radius, state%excess, error)
+        end associate
+        if (allocated(error)) return
+        call move_alloc(twisted, slip)
+        call new_first_shear(shear, slip, self%coefficient)
+        shear%way = about_axis
+    end subroutine first_twist
+
     !> Whether a normal state is one of this contact, with a pressure that is nowhere negative.
     subroutine check_state(self, state, error)
         class(friction_t), intent(in) :: self
@@ -167,7 +204,7 @@ contains
         type(tangential_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
 
-        call check_finite(error, "shift", shift)
+        call check_finite(error, ways(self%way), shift)
         if (allocated(error)) return
         if (abs(shift) >= self%sliding_shift) then
             call slide(self, state, error)
@@ -182,14 +219,18 @@ contains
     !> The state under a tangential force; at |T| = mu F that in which sliding begins.
     subroutine at_tangential_force(self, force, state, error)
         class(first_shear_t), intent(in), target :: self
-        !> T, |T| <= mu F [modulus length^2]
+        !> T, |T| <= mu F [modulus length^2]; M, |M| < sliding_force [modulus length^3]
         real(wp), intent(in) :: force
         type(tangential_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
 
-        call check_finite(error, "tangential_force", force)
+        call check_finite(error, trim(loads(self%way)), force)
         if (allocated(error)) return
-        if (abs(force) > self%sliding_force) then
+        if (self%way == about_axis .and. abs(force) >= self%sliding_force) then
+            call raise(error, error_unreachable, " = "//to_text(force)//" cannot be reached: a growing twist approaches that "// &
+                       "of sliding, "//to_text(self%sliding_force)//"; it must be below", "torque")
+            return
+        else if (abs(force) > self%sliding_force) then
             call raise(error, error_unreachable, " = "//to_text(force)//" cannot be reached: the contact slides at coefficient "// &
                        "times normal force, "//to_text(self%sliding_force), "tangential_force")
         else if (abs(force) >= self%sliding_force) then
@@ -386,7 +427,7 @@ contains
         if (.not. allocated(error)) values = load_factor(self, state)*values
     end subroutine line_load
 
-    !> tau(r), the shear traction on the surface, of one direction [modulus].
+    !> tau(r), the shear traction on the surface, of one direction or around the axis [modulus].
     subroutine traction(self, state, r, values, error)
         class(first_shear_t), intent(in) :: self
         type(tangential_state_t), intent(in) :: state
@@ -421,8 +462,8 @@ contains
         real(wp), intent(in) :: positions(:)
         type(error_t), allocatable, intent(inout) :: error
 
-        call check_finite(error, "shift of the tangential state", state%shift)
-        call check_not_negative(error, "stick_radius of the tangential state", state%stick_radius)
+        call check_finite(error, ways(self%way)//" of the "//trim(states(self%way)), state%shift)
+        call check_not_negative(error, "stick_radius of the "//trim(states(self%way)), state%stick_radius)
         call check_positions(error, name, positions, self%radius)
     end subroutine check_inside
 
