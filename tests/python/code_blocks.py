@@ -114,15 +114,16 @@ class Reader:
         stem = Path(block.file).stem if block.file else f"block_{block.line}"
         source, target = self.folder / (block.file or stem + suffix), self.folder / f"{stem}.o"
         source.write_text(block.text, encoding="utf-8")
-        package = "mdrcontact" if suffix == ".c" else "mdrcontact-static"
+        compiler = {".c": "gcc", ".cpp": "g++"}.get(suffix, "gfortran")
+        package = "mdrcontact-static" if compiler == "gfortran" else "mdrcontact"
         flags = self.command("pkg-config", "--cflags", "--libs", package).split()
-        compiler = "gcc" if suffix == ".c" else "gfortran"
         self.command(compiler, *options, *WARNINGS, "-c", source, "-o", target, *flags)
         if not re.search(main, block.text, flags=re.MULTILINE | re.IGNORECASE):
             self.objects.append(target)
             return ""
         program = self.folder / f"{stem}.out"
-        self.command("gfortran" if self.objects else compiler, target, *self.objects, "-o", program, *flags, "-lm",
+        others = [] if suffix == ".cpp" else self.objects
+        self.command("gfortran" if others else compiler, target, *others, "-o", program, *flags, "-lm",
                      f"-Wl,-rpath,{self.prefix / 'lib'}")  # fmt: skip
         return self.command(program)
 
@@ -153,6 +154,7 @@ RUN: dict[str, Callable[[Reader, Block], str]] = {
     "python": Reader.python,
     "sh": Reader.shell,
     "c": lambda reader, block: reader.compiled(block, ".c", ("-std=c11",), r"^int main\("),
+    "cpp": lambda reader, block: reader.compiled(block, ".cpp", ("-std=c++17",), r"^int main\("),
     "fortran": lambda reader, block: reader.compiled(block, ".f90", ("-std=f2018",), r"^\s*program "),
     "fortranfixed": lambda reader, block: reader.compiled(block, ".f", ("-std=legacy",), r"^\s*program "),
     "toml": Reader.toml,

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file mdrcontact.hpp
+ * The library in C++17: objects that free themselves, and failures as exceptions. Header only; what each function computes is said in
+ * mdrcontact.h.
+ *
+ *     auto ball = mdr::make<mdr::Profile>(mdr_profile_paraboloid, 1e-5);
+ *     auto body = mdr::make<mdr::Medium>(mdr_medium_homogeneous, 72e9, 0.17);
+ *     auto contact = mdr::make<mdr::Contact>(mdr_contact_new, ball, body, nullptr);
+ *     mdr::check(mdr_contact_from_depth(contact, n, d, nullptr, a, F, nullptr));
+ *     mdr::Law law(mdr::make<mdr::LawHandle>(mdr_law_new, contact, 2e-7, nullptr));
+ *     double F = law.force(1e-7);
+ */
+#ifndef MDRCONTACT_HPP
+#define MDRCONTACT_HPP
+
+#include "mdrcontact_law.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace mdr {
+
+/** A refusal, with the library's words. */
+class Error : public std::runtime_error {
+public:
+    /** @param status   one of enum mdr_status
+     *  @param words    what the library says
+     *  @param argument the argument that it names; empty: none
+     *  @param entry    of an array, from 1; 0: none */
+    Error(int status, const std::string &words, std::string argument = "", int entry = 0)
+        : std::runtime_error(words), status_(status), argument_(std::move(argument)), entry_(entry)
+    {
+    }
+    int status() const noexcept { return status_; }
+    const std::string &argument() const noexcept { return argument_; }
+    int entry() const noexcept { return entry_; }
+
+private:
+    int status_;
+    std::string argument_;
+    int entry_;
+};
+
+/** Throws unless a status is MDR_SUCCESS. On the thread of the call that gave it: the words belong to that thread. */
+inline void check(int status)
+{
+    if (status == MDR_SUCCESS) return;
+    mdr_failure failure = MDR_SIZED(mdr_failure);
+    mdr_last_failure(&failure);
+    char words[1200];
+    mdr_last_error(words, static_cast<int>(sizeof words));
+    throw Error(status, words, failure.argument, failure.entry);
+}
+
+/** An object of the library, freed with its owner; it moves and does not copy. As an argument it is what it holds. */
+template <class Object, int (*Free)(Object **)> class Handle {
+public:
+    Handle() = default;
+    explicit Handle(Object *object) noexcept : object_(object) {}
+    Handle(Handle &&other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+    Handle &operator=(Handle &&other) noexcept
+    {
+        std::swap(object_, other.object_);
+        return *this;
+    }
+    Handle(const Handle &) = delete;
+    Handle &operator=(const Handle &) = delete;
+    ~Handle() { Free(&object_); }
+    operator Object *() const noexcept { return object_; }
+    /** Where a function of the library puts the object. What was held before is freed. */
+    Object **receive()
+    {
+        check(Free(&object_));
+        return &object_;
+    }
+
+private:
+    Object *object_ = nullptr;
+};
+
+using Profile = Handle<mdr_profile, mdr_profile_free>;
+using Material = Handle<mdr_material, mdr_material_free>;
+using Medium = Handle<mdr_medium, mdr_medium_free>;
+using Contact = Handle<mdr_contact, mdr_contact_free>;
+using Loop = Handle<mdr_loop, mdr_loop_free>;
+using Friction = Handle<mdr_friction, mdr_friction_free>;
+using FrictionHistory = Handle<mdr_friction_history, mdr_friction_history_free>;
+using Structure = Handle<mdr_structure, mdr_structure_free>;
+using LawHandle = Handle<mdr_law, mdr_law_free>;
+
+/** The object that a function of the library makes into its last argument, from all others. Throws Error. */
+template <class Made, class Function, class... Arguments> Made make(Function function, Arguments &&...arguments)
+{
+    Made made;
+    check(function(std::forward<Arguments>(arguments)..., made.receive()));
+    return made;
+}
+
+/** A compiled law on one branch, with the inline functions of mdrcontact_law.h. Any number of threads may share it. */
+class Law {
+public:
+    /** @param law     the law, owned from now on
+     *  @param branch  one of enum mdr_branch */
+    explicit Law(LawHandle law, int branch = MDR_ON_UNLOADING) : law_(std::move(law))
+    {
+        check(mdr_law_view_of(law_, branch, &view_));
+    }
+    /** F at a depth. Throws Error where the law refuses it. */
+    double force(double d) const
+    {
+        double F;
+        if (mdr_law_view_force(&view_, d, &F) != MDR_SUCCESS) refuse(d);
+        return F;
+    }
+    /** All of the state at a depth. Throws Error where the law refuses it. */
+    mdr_law_point at_depth(double d) const
+    {
+        mdr_law_point point;
+        if (mdr_law_view_state(&view_, d, &point) != MDR_SUCCESS) refuse(d);
+        return point;
+    }
+    const mdr_law_view &view() const noexcept { return view_; }
+    operator const mdr_law *() const noexcept { return law_; }
+
+private:
+    [[noreturn]] void refuse(double d) const
+    {
+        mdr_law_point point;
+        check(mdr_law_at_depth(law_, view_.branch, d, &point));
+        throw Error(MDR_EINVALID, "the view does not belong to the law");
+    }
+    LawHandle law_;
+    mdr_law_view view_;
+};
+
+} // namespace mdr
+
+#endif
