@@ -12,6 +12,7 @@ from records import HARDNESS, REDUCED, indentation, sink_in
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
+from mdrcontact.measurement import Segment
 from mdrcontact.problem.fit_file import load_fit_file
 
 TIP = mdr.AreaFunction([24.5], max_height=1e-6)
@@ -176,6 +177,7 @@ def test_a_record_says_where_its_depths_begin_and_in_which_order_it_was_measured
     assert mdr.Unloading(h[top:], p[top:]).warnings[0].startswith("the record begins with unloading")
 
 
+PARTS = [Segment("loading", 0, 60), Segment("unloading", 60, 110)]
 CYCLES = """
 [indenter]
 shape = "area-function"
@@ -258,3 +260,17 @@ def test_an_unloading_that_says_nothing_is_counted_with_its_reason():
     data = mdr.Unloading(np.delete(h, second), np.delete(p, second))
     assert data.found_and_used()[0] == "3 unloadings, 2 used"
     assert "too few points" in data.found_and_used()[1]
+
+
+def test_an_unloading_that_determines_nothing_is_refused_as_such():
+    """Of a steep and noisy one the steps of its errors left the range of numbers, which ended the whole test."""
+    words = []
+    for seed in range(10):
+        random = np.random.default_rng(seed)
+        force = np.linspace(2.8e-3, 1.1e-3, 50)
+        depth = 200e-9 + 5e-9 * (force / 2.8e-3) ** (1.0 / 3.0) + 3e-9 * random.standard_normal(50)
+        try:
+            mdr.Unloading(np.r_[np.linspace(0.0, 205e-9, 60), depth], np.r_[np.linspace(0.0, 2.8e-3, 60), force], segments=PARTS)
+        except mdr.InvalidArgumentError as problem:
+            words.append(str(problem))
+    assert any("do not determine a stiffness" in refusal for refusal in words)

@@ -118,7 +118,7 @@ def _power_law(h: Array, p: Array, largest: float) -> _Law:
         gradient = [(top(best + step)[1] - top(best - step)[1]) / (2.0 * size) if size > 0.0 else 0.0 for step, size in pairs]
     except MDRError:
         raise InvalidArgumentError(
-            f"its {len(h)} readings do not determine a stiffness: the unloading is too short, or too noisy"
+            f"the {len(h)} readings of an unloading curve do not determine a stiffness: it is too short, or too noisy"
         ) from None
     error = math.sqrt(max(float(np.array(gradient) @ found.covariance @ np.array(gradient)), 0.0))
     depth, stiffness = top(best)
