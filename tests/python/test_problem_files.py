@@ -384,5 +384,6 @@ def test_example_problems_are_good(path):
     if problem.history is None:
         assert (problem.control.states(problem.contact()).force > 0).all()
     else:
-        history = problem.contact(in_time=True).history(problem.history.time, **{problem.history.name: problem.history.values})
+        path = problem.history
+        history = problem.contact(in_time=True).history(path.time, **{path.name: path.values}, drainage=path.drainage)
         assert (history.force >= 0).all() and history.force.max() > 0
