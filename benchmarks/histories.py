@@ -6,8 +6,8 @@ Budgets (exit status 1 if one is missed): 1000 samples up and down on a homogene
 of 200 samples, marched to 1e-4, 0.5 s; the dynamic stiffness at another radius 20 elastic exact states, at a new frequency two
 elastic media and 20 states; a fit of 2000 readings of approach and retraction with a power law on a rigid base 0.3 s, with the
 thickness too and a start 20 % off in all; of a gel 200 times of a relaxation 5 ms, a new table 2 s, a fit of 2000 readings 0.5 s.
-Beside it the same homogeneous history by SciPy's adaptive
-quadrature of Ting's integrals, the root t1 by bisection. Prints a section of docs/benchmarks.md.
+Beside it the same homogeneous history by SciPy's adaptive quadrature of Ting's integrals, the root t1 by bisection. Prints a
+section of docs/benchmarks.md.
 """
 
 import os
