@@ -3,6 +3,7 @@
 
 import math
 import pickle
+import warnings
 
 import numpy as np
 from hypothesis import assume
@@ -113,7 +114,11 @@ def test_loops_lose_their_area(tip, medium, mu, share, part):
     friction, state = pressed(tip, medium, share, mu)
     sliding = friction.sliding_shift(state)
     s = part * sliding
-    loop = friction.loop(s, state=state)
+    with warnings.catch_warnings(record=True) as words:
+        warnings.simplefilter("always")
+        loop = friction.loop(s, state=state)
+    # where slip would begin inside, the annulus may fold: its shift falls again before the contact slides
+    assume(not any(issubclass(word.category, mdr.SlipInsideWarning) for word in words))
     near(friction.cycle_energy(s, state=state), loop.dissipated_energy, 1e-10)
     near(loop.tangential_force[:101], -loop.tangential_force[100:], 1e-10, size=mu * state.force)
     ends = sorted({*(s * 2.0 ** np.arange(-8.0, 1.0)), *([sliding] if sliding < s else []), 0.0})
