@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native, adhesion, critical, failure, history, interior, poroelastic
+from . import _layout, _native, adhesion, critical, failure, history, interior, poroelastic, sensitivity
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record, row
 from ._value import Value
 from ._warn import warn
@@ -336,6 +336,17 @@ class Contact(Value):
         Below 0 the contact is not one disc and its pressure not that of the true contact (see `NotOneDiscWarning`)."""
         pressure, r = call(_native.contact_lowest_pressure, self._handle.address, self._one(state))
         return float(pressure), float(r)
+
+    def gradient(self, state: State) -> dict[str, float]:
+        """dF/dp at the depth of one state, for the constants p of the bodies and R of a paraboloid: by reciprocity, exact, without
+        solving a contact again; for fits, design and propagation of errors. At a given force the depth changes by -dF/dp/k.
+
+        The names are those of fits: "E", "nu" of a homogeneous body; "coating.E", "coating.nu", "thickness", "substrate.E",
+        "substrate.nu"; "layers[0].E", "layers[0].thickness" and so on; "radius". Of homogeneous, coated and layered elastic bodies
+        under the model "exact", without adhesion, up to contact radii of 100 thicknesses of the top layer; all else is refused
+        (InvalidArgumentError), and indenters whose line load has kinks (NoConvergenceError).
+        """
+        return sensitivity.gradient(self, state)
 
     def warnings(self, state: State) -> tuple[str, ...]:
         """What speaks against the numbers of one state: slopes and strains that are not small, moduli in two units; empty where

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Derivatives of a contact's force with respect to the constants of bodies and indenter.
+
+At a given depth the line load q minimizes the energy, so that a change of the body's compliance C(k) changes F by what the old q
+and the line load q1 of a flat punch of the same radius, of depth 1, say of it (reciprocity):
+
+    dF/dp = -1/(2 pi) int_0^inf P1(k) P(k) d(k C)/dp dk,   P(k) = 2 int_0^a q(x) cos(k x) dx
+
+P1 likewise. d(k C)/dp tends to that of the top layer, whose part is 2 pi int_0^a q1 q dx by Parseval's theorem; the rest falls as
+exp(-2 k h). No contact is solved again.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import InvalidArgumentError, NoConvergenceError
+from .material import RIGID, Elastic
+from .medium import Coated, Homogeneous, Layered
+from .profile import FlatPunch, Paraboloid
+
+__all__: list[str] = []
+
+Reals = NDArray[np.float64]
+SMALLEST_LAYER = 1e-2
+"""of the contact radius: thinner top layers take too many waves"""
+TOLERANCE = 1e-10
+_CENTRAL = ((1, 0.75), (-1, -0.75), (2, -0.15), (-2, 0.15), (3, 1 / 60), (-3, -1 / 60))
+# for Poisson's ratio, which may be 0.5
+_BACKWARD = ((0, 49 / 20), (-1, -6.0), (-2, 7.5), (-3, -20 / 3), (-4, 3.75), (-5, -1.2), (-6, 1 / 6))
+
+
+def gradient(contact: Any, state: Any) -> dict[str, float]:
+    """See `Contact.gradient`."""
+    stack, base, names = _parts(contact.medium)
+    if contact.work_of_adhesion:
+        raise InvalidArgumentError("work_of_adhesion is not allowed: derivatives are known of contacts without adhesion")
+    if not all(np.ndim(value) == 0 for value in state) or not state.radius > 0.0:
+        raise InvalidArgumentError("state is not allowed: it must be one state, of closed bodies")
+    thinnest = stack[0][1] if stack else math.inf
+    if thinnest < SMALLEST_LAYER * state.radius:
+        raise InvalidArgumentError(
+            f"state is not allowed: its radius {state.radius:g} is above {1 / SMALLEST_LAYER:g} thicknesses of the top layer"
+        )
+    top = 25.0 / thinnest
+    x, q, q1 = _line_loads(contact, state, top)
+    k, weights = _octaves(top, state.radius) if stack else (np.zeros(0), np.zeros(0))
+    waves = weights * _transform(x, q, k) * _transform(x, q1, k)
+    surface = 16.0 * top if stack else 1.0
+    all_k = np.append(k, surface)
+    local = 2.0 * math.pi * float((q * q1 / x[1]).sum())
+
+    def of(changed: Callable[[float], Any], value: float, steps: Any, step: float) -> float:
+        c = sum(weight * all_k * changed(value + i * step).compliance(all_k) for i, weight in steps) / step
+        return -(local * float(c[-1]) + float((waves * (c[:-1] - c[-1])).sum())) / (2.0 * math.pi)
+
+    found = {}
+    for name, change, value in _constants(stack, base, names):
+        steps: Any = _CENTRAL
+        step = 1e-2 * value
+        if name.endswith("nu"):
+            steps, step = (_CENTRAL, 3e-3) if value < 0.49 else (_BACKWARD, 2e-3)
+        found[name] = of(change, value, steps, step)
+    if isinstance(contact.indenter, Paraboloid):
+        # at a given radius depth and force are proportional to 1/R
+        found["radius"] = (state.depth * state.stiffness - state.force) / contact.indenter.radius
+    return found
+
+
+def _parts(medium: Any) -> tuple[list[tuple[Elastic, float]], Any, list[str]]:
+    """Layers from the surface down, what lies below, and the names of the layers."""
+    stack: list[tuple[Any, float]] = []
+    below: Any = RIGID
+    names: list[str] = []
+    if isinstance(medium, Homogeneous):
+        below = medium.material
+    elif isinstance(medium, Coated):
+        stack, below, names = [(medium.coating, medium.thickness)], medium.substrate, ["coating."]
+    elif isinstance(medium, Layered):
+        stack, below = list(medium.layers), medium.substrate
+        names = [f"layers[{i}]." for i in range(len(stack))]
+    else:
+        raise InvalidArgumentError(
+            f"{type(medium).__name__} is not allowed: derivatives are known of Homogeneous, Coated and Layered"
+        )
+    if getattr(medium, "model", "exact") != "exact":
+        raise InvalidArgumentError(f"model = {medium.model!r} is not allowed: derivatives are known of the model 'exact'")
+    if not all(isinstance(material, Elastic) for material, _ in stack) or not (below is RIGID or isinstance(below, Elastic)):
+        raise InvalidArgumentError("the materials must be Elastic(E, nu)")
+    return stack, below, names
+
+
+def _constants(
+    stack: list[tuple[Elastic, float]], base: Any, names: list[str]
+) -> Iterator[tuple[str, Callable[[float], Any], float]]:
+    """Name, body with another value, and value of each constant."""
+    for i, (name, (material, h)) in enumerate(zip(names, stack, strict=True)):
+        yield name + "E", partial(_with_layer, stack, base, i, "E"), material.E
+        yield name + "nu", partial(_with_layer, stack, base, i, "nu"), material.nu
+        yield "thickness" if name == "coating." else name + "thickness", partial(_with_layer, stack, base, i, "thickness"), h
+    if base is not RIGID:
+        below = "substrate." if stack else ""
+        yield below + "E", partial(_with_base, stack, base, "E"), base.E
+        yield below + "nu", partial(_with_base, stack, base, "nu"), base.nu
+
+
+def _with_layer(stack: list[tuple[Elastic, float]], base: Any, i: int, key: str, value: float) -> Any:
+    material, h = stack[i]
+    layer = (material, value) if key == "thickness" else (_with(material, key, value), h)
+    return Layered([*stack[:i], layer, *stack[i + 1 :]], base)
+
+
+def _with_base(stack: list[tuple[Elastic, float]], base: Elastic, key: str, value: float) -> Any:
+    below = _with(base, key, value)
+    return Layered(stack, below) if stack else Homogeneous(below)
+
+
+def _with(material: Elastic, key: str, value: float) -> Elastic:
+    return Elastic(value, material.nu) if key == "E" else Elastic(material.E, value)
+
+
+def _nodes(count: int, low: float, high: float) -> tuple[Reals, Reals]:
+    """Gauss and Legendre's."""
+    x, weights = np.polynomial.legendre.leggauss(count)
+    return 0.5 * (high - low) * x + 0.5 * (high + low), 0.5 * (high - low) * weights
+
+
+def _octaves(top: float, a: float) -> tuple[Reals, Reals]:
+    """Nodes of waves up to the shortest, octave by octave: stiff films bend in waves far longer than they are thick."""
+    ends = top * 0.5 ** np.arange(25)
+    parts = [_nodes(24 + math.ceil((end - low) * a), low, end) for end, low in zip(ends, [*ends[1:], 0.0], strict=True)]
+    return np.concatenate([part[0] for part in parts]), np.concatenate([part[1] for part in parts])
+
+
+def _line_loads(contact: Any, state: Any, top: float) -> tuple[tuple[Reals, Reals], Reals, Reals]:
+    """Nodes with one over their weights, q and q1 times weights; as many that F and k come out."""
+    a = state.radius
+    punch = type(contact)(FlatPunch(a), contact.medium)
+    small = punch.at_depth(1e-6 * a)
+    waves = top * a if math.isfinite(top) else 0.0
+    for count in (100, 200, 400, 800):
+        x, weights = _nodes(count + math.ceil(waves), 0.0, a * (1.0 - 1e-13))
+        q, q1 = weights * contact.line_load(x, state), weights * punch.line_load(x, small) / small.depth
+        errors = 2.0 * q.sum() / state.force - 1.0, 2.0 * q1.sum() / state.stiffness - 1.0
+        if max(map(abs, errors)) < TOLERANCE:
+            return (x, weights), q, q1
+    raise NoConvergenceError("the line load of this indenter is not smooth enough for derivatives of F")
+
+
+def _transform(x: tuple[Reals, Reals], load: Reals, k: Reals) -> Reals:
+    """2 int q cos(k x) dx at wavenumbers, some at a time."""
+    parts = [2.0 * np.cos(np.outer(some, x[0])) @ load for some in np.array_split(k, 1 + k.size * x[0].size // 2_000_000)]
+    return np.concatenate(parts)

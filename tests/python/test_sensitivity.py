@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Derivatives of F with respect to the constants of a contact: against differences, closed forms and what homogeneity says."""
+
+import math
+
+import numpy as np
+import pytest
+
+import mdrcontact as mdr
+
+pytestmark = [pytest.mark.filterwarnings(f"ignore::mdrcontact.{name}Warning") for name in ("LargeStrain", "NotOneDisc")]
+
+
+def differences(f, x, step):
+    """f'(x) to the sixth order."""
+    return sum(w * (f(x + i * step) - f(x - i * step)) for i, w in ((1, 0.75), (2, -0.15), (3, 1 / 60))) / step
+
+
+def coated(E0=3.0, nu0=0.3, h=0.5, E1=1.0, nu1=0.4):
+    return mdr.Coated(mdr.Elastic(E0, nu0), h, mdr.Elastic(E1, nu1))
+
+
+@pytest.mark.parametrize("indenter", [mdr.Paraboloid(1.0), mdr.Cone(0.3), mdr.FlatPunch(0.4), mdr.PowerLaw(1.0, 3.0)])
+@pytest.mark.parametrize("values", [{}, {"E0": 0.05}, {"E0": 80.0, "h": 0.1}, {"nu0": 0.1, "h": 2.0}])
+def test_coated_against_differences(indenter, values):
+    depth = 0.3
+    contact = mdr.Contact(indenter, coated(**values))
+    found = contact.gradient(contact.at_depth(depth))
+    at = {"E0": 3.0, "nu0": 0.3, "h": 0.5, "E1": 1.0, "nu1": 0.4} | values
+    names = {"E0": "coating.E", "nu0": "coating.nu", "h": "thickness", "E1": "substrate.E", "nu1": "substrate.nu"}
+    size = contact.at_depth(depth).force
+    for key, name in names.items():
+        step = 3e-3 if key.startswith("nu") else 1e-2 * at[key]
+        expected = differences(
+            lambda v, key=key: mdr.Contact(indenter, coated(**{**at, key: v})).at_depth(depth).force, at[key], step
+        )
+        scale = max(abs(expected), size / at[key] * 1e-2)
+        assert abs(found[name] - expected) < 1e-8 * scale, name
+
+
+def test_radius():
+    contact = mdr.Contact(mdr.Paraboloid(2.0), coated())
+    found = contact.gradient(contact.at_depth(0.1))["radius"]
+    assert found == pytest.approx(
+        differences(lambda R: mdr.Contact(mdr.Paraboloid(R), coated()).at_depth(0.1).force, 2.0, 2e-2), rel=1e-8)  # fmt: skip
+
+
+def test_hertz():
+    E, nu, R, d = 72e9, 0.17, 1e-5, 1e-7
+    contact = mdr.Contact(mdr.Paraboloid(R), mdr.Homogeneous(mdr.Elastic(E, nu)))
+    found = contact.gradient(contact.at_depth(d))
+    F = 4 / 3 * E / (1 - nu**2) * math.sqrt(R) * d**1.5
+    expected = {"E": F / E, "nu": 2 * nu / (1 - nu**2) * F, "radius": F / (2 * R)}
+    assert found == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("base", [mdr.Elastic(210e9, 0.3), mdr.RIGID])
+def test_homogeneity(base):
+    """F is of the first degree in all moduli, and of the second in all lengths."""
+    layers = [(mdr.Elastic(3e9, 0.4), 2e-6), (mdr.Elastic(70e9, 0.33), 1e-6), (mdr.Elastic(9e9, 0.5), 3e-6)]
+    contact = mdr.Contact(mdr.Paraboloid(5e-5), mdr.Layered(layers, base))
+    for depth in (1e-8, 3e-7, 1e-6):
+        state = contact.at_depth(depth)
+        found = contact.gradient(state)
+        moduli = {f"layers[{i}].E": layer.E for i, (layer, _) in enumerate(layers)} | (
+            {} if base is mdr.RIGID else {"substrate.E": base.E})  # fmt: skip
+        assert sum(found[name] * E for name, E in moduli.items()) == pytest.approx(state.force, rel=1e-8)
+        lengths = sum(found[f"layers[{i}].thickness"] * h for i, (_, h) in enumerate(layers)) + 5e-5 * found["radius"]
+        assert lengths + depth * state.stiffness == pytest.approx(2.0 * state.force, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("contact", "words"),
+    [
+        (lambda: mdr.Contact(mdr.Paraboloid(1.0), coated().with_model("gao")), "model = 'gao' is not allowed"),
+        (lambda: mdr.Contact(mdr.Paraboloid(1.0), coated(), work_of_adhesion=0.01), "work_of_adhesion is not allowed"),
+        (lambda: mdr.Contact(mdr.Paraboloid(1.0), mdr.PowerLawGraded(1.0, 1.0, 0.2, 0.3)), "PowerLawGraded is not allowed"),
+        (lambda: mdr.Contact(mdr.Paraboloid(1.0), coated(h=1e-3)), "100 thicknesses of the top layer"),
+    ],
+)
+def test_refusals(contact, words):
+    made = contact()
+    with pytest.raises(mdr.InvalidArgumentError, match=words):
+        made.gradient(made.at_depth(0.1))
+
+
+def test_one_state():
+    contact = mdr.Contact(mdr.Paraboloid(1.0), coated())
+    with pytest.raises(mdr.InvalidArgumentError, match="one state"):
+        contact.gradient(contact.at_depth(np.array([0.1, 0.2])))
+
+
+def test_kinks_of_the_line_load():
+    contact = mdr.Contact(mdr.RoundedCone(0.1, 0.3), coated())
+    with pytest.raises(mdr.NoConvergenceError, match="not smooth enough"):
+        contact.gradient(contact.at_depth(0.2))
