@@ -63,8 +63,9 @@ def read_afm(path: Path, spring_constant: float | None = None, deflection_sensit
         raise MDRError(f'{path}: files of this kind need afmformats: pip install "mdrcontact[afm]"') from problem
     if not path.is_file():
         raise FileError(f"{path}: it cannot be read: there is no such file")
-    # it logs what it raises
-    logging.getLogger("afmformats").setLevel(logging.CRITICAL + 1)
+    # they log what they raise, one of them with all of the file
+    for name in ("afmformats", "igor2"):
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
     given = {"spring constant": spring_constant, "sensitivity": deflection_sensitivity}
     chosen = {name: value for name, value in given.items() if value is not None}
     try:
