@@ -59,7 +59,8 @@ def test_partial_slip_is_a_difference_of_two_contacts(tip, material, mu, share, 
     contact = friction.contact
     smaller = contact.at_radius(inner * state.radius)
     found = friction.at_tangential_force(mu * (state.force - smaller.force), state)
-    near(found.stick_radius, smaller.radius, 1e-8)
+    # the smaller the disc of stick, the less of T it makes
+    near(found.stick_radius, smaller.radius, 1e-8 + 1e-11 * state.force / smaller.force)
     ratio = reduced(material) / (4.0 * shear(material) / (2.0 - material.nu))
     near(found.shift, mu * ratio * (state.depth - smaller.depth), 1e-9, size=mu * ratio * state.depth)
     r = state.radius * np.array([0.02, 0.5 * inner, 0.5 + 0.5 * inner])
