@@ -153,6 +153,20 @@ def test_history_of_an_oblique_impact():
     assert once.tangential_force == pytest.approx(found.tangential_force[29], rel=1e-12)
 
 
+@pytest.mark.parametrize("ulps", [1, 2, 5, 1000])
+@pytest.mark.parametrize("shift", [1.0, -1.0])
+def test_a_depth_that_rises_by_rounding(ulps, shift):
+    """Sliding while the depth rises by a few last digits: T = mu F, and what follows is as after sliding at that depth."""
+    friction = mdr.Friction(mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))), 0.4)
+    depth = 0.3 * (1.0 + ulps * np.finfo(float).eps)
+    for first in (0.0, 0.02):
+        history, held = friction.history(), friction.history()
+        found = history.advance(depth=[0.3, depth, 0.4], shift=[first, shift, 0.5 * shift])
+        expected = held.advance(depth=[0.3, 0.3, 0.4], shift=[first, shift, 0.5 * shift])
+        np.testing.assert_allclose(found.tangential_force, expected.tangential_force, 0.0, 1e-12)
+        np.testing.assert_allclose(found.dissipated_energy, expected.dissipated_energy, 1e-12)
+
+
 def test_history_copies_and_refusals():
     pair = friction(mdr.Homogeneous(STEEL))
     history = pair.history()

@@ -66,11 +66,11 @@ contains
         trial = pack(trial, trial%from < depth)
         trial%to = min(trial%to, depth)
         trial%constant = trial%constant + way
-        if (rise > 0.0_wp) trial = [trial, piece_t(self%depth, depth, way/rise*depth, -way/rise, 0)]
         allocate (done(0))
         do i = 1, size(trial)
             call clip(self, trial(i), depth, way, rise, done)
         end do
+        if (rise > 0.0_wp) call touch(self, depth, way, rise, done)
         call join(done)
         call move_alloc(done, self%pieces)
         self%depth = depth
@@ -116,14 +116,9 @@ contains
             next%slip = 0
             if (abs(load) > bound) then
                 sense = merge(1, -1, load > 0.0_wp)
-                if (piece%from < self%depth) then
-                    next = piece
-                    next%constant = piece%constant - way
-                    call record(self, next, cut(i), cut(i + 1), sense, way, rise, [1.0_wp, 0.0_wp])
-                else
-                    call record(self, piece, cut(i), cut(i + 1), sense, way, rise, [1.0_wp, 0.0_wp], &
-                                [-self%depth/rise, 1.0_wp/rise])
-                end if
+                next = piece
+                next%constant = piece%constant - way
+                call record(self, next, cut(i), cut(i + 1), sense, way, rise, [1.0_wp, 0.0_wp])
                 next = piece_t(cut(i), cut(i + 1), sense*self%limit*depth, -sense*self%limit, sense)
             end if
             done = [done, next]
@@ -144,6 +139,24 @@ contains
         end function crossing
 
     end subroutine clip
+
+    !> Springs that come into contact: all of them stick, or slip where the shift outruns the depth. Their loads are not compared
+    !> with their limits one by one: where the depth rises by little they have no digits.
+    pure subroutine touch(self, depth, way, rise, done)
+        class(springs_t), intent(inout) :: self
+        real(wp), intent(in) :: depth, way, rise
+        type(piece_t), allocatable, intent(inout) :: done(:)
+        type(piece_t) :: born
+        integer :: sense
+
+        born = piece_t(self%depth, depth, way/rise*depth, -way/rise, 0)
+        if (abs(way) > self%limit*rise) then
+            sense = merge(1, -1, way > 0.0_wp)
+            born = piece_t(self%depth, depth, sense*self%limit*depth, -sense*self%limit, sense)
+            call record(self, born, self%depth, depth, sense, way, rise, [1.0_wp, 0.0_wp], [-self%depth/rise, 1.0_wp/rise])
+        end if
+        done = [done, born]
+    end subroutine touch
 
     !> Keeps what the slip of some springs dissipates: from the time at which they meet their limit, or touch, to the last one.
     pure subroutine record(self, before, from, to, sense, way, rise, last, first)
