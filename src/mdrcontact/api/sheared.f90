@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What contacts with friction answer to a shift and to a twist, for C: states, fields and loops of both.
 module mdrcontact_api_sheared
-    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_in_out, check_results, check_results_or_infinity, make_room
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_status, only: check_given, status_of
@@ -66,14 +66,16 @@ contains
         type(contact_state_t), intent(in), optional :: state
         integer(c_int), intent(in) :: given, n
         real(c_double), intent(in), optional :: in(*)
-        type(tangential_state_t), intent(inout), optional :: out(*)
+        !> [n] tangential_state_t, or null: gfortran takes the address of an absent array of structures that is passed on
+        type(c_ptr), intent(in) :: out
         integer(c_int) :: status
         type(first_shear_t) :: shear
         type(tangential_state_t), allocatable :: states(:)
+        type(tangential_state_t), pointer :: results(:)
         type(error_t), allocatable :: error
         integer :: i, stat
 
-        call check_in_out(error, n, "in", present(in), present(out))
+        call check_in_out(error, n, "in", present(in), c_associated(out))
         if (.not. allocated(error)) call shear_of(f, by, state, shear, error)
         if (.not. allocated(error)) then
             allocate (states(n), stat=stat)
@@ -91,9 +93,8 @@ contains
         end if
         status = status_of(error)
         if (allocated(error) .or. n == 0) return
-        do i = 1, n
-            out(i) = states(i)
-        end do
+        call c_f_pointer(out, results, [n])
+        results = states
     end function write_states
 
     !> Tractions or line load of a state at n positions.

@@ -19,7 +19,7 @@ contains
         type(contact_state_t), intent(in), optional :: state
         integer(c_int), value :: given, n
         real(c_double), intent(in), optional :: in(*)
-        type(tangential_state_t), intent(inout), optional :: out(*)
+        type(c_ptr), value :: out
         integer(c_int) :: status
 
         status = write_states(f, by_twist, state, given, n, in, out)
