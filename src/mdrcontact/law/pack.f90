@@ -12,8 +12,8 @@ module mdrcontact_law_pack
 
     !> MDR_LAW_FORMAT of include/mdrcontact.h
     real(c_double), parameter :: format = 1296843313.0_c_double
-    !> Numbers of struct mdr_law_head, mdr_law_segment, mdr_law_interval, and of a panel: of F, of a and k, of the energy. F begins at
-    !> a multiple of the first.
+    !> Numbers of struct mdr_law_head, mdr_law_segment, mdr_law_interval, and of a panel: of F, of a and k, of the energy. F begins
+    !> at a multiple of the first.
     integer, parameter :: row = coefficient_count, head_size = 22, segment_size = 4, interval_size = 11
 
 contains

@@ -58,9 +58,11 @@ contains
     !> k' + i k'' of a flat punch, or of small oscillations of a contact of this radius [modulus length].
     subroutine poroelastic_dynamic_stiffness(table, shear_modulus, diffusivity, radius, omega, values, error)
         type(poroelastic_t), intent(in) :: table
+        !> > 0 [modulus], [length^2/time], [length]
         real(wp), intent(in) :: shear_modulus, diffusivity, radius
         !> > 0 [1/time]
         real(wp), intent(in) :: omega(:)
+        !> same size as omega
         complex(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: parts(2), tau
@@ -90,6 +92,7 @@ contains
         real(wp), intent(in) :: shear_modulus, diffusivity, radius, time
         !> 0 <= r < radius [length]
         real(wp), intent(in) :: r(:)
+        !> same size as r
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: tau

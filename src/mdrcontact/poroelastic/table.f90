@@ -28,11 +28,13 @@ module mdrcontact_poroelastic_table
 
     !> A gel's answers, in units of those of an incompressible half-space.
     type :: poroelastic_t
+        !> nu, drainage and the film's thickness
         type(gel_t) :: gel
         !> of the incompressible and of the drained body
         real(wp) :: undrained(columns) = 0.0_wp, drained(columns) = 0.0_wp
-        !> where the series begin; (terms, columns, decades)
+        !> where the series begin
         real(wp) :: first = 0.0_wp
+        !> of Chebyshev polynomials of log10 tau in each decade (terms, columns, decades)
         real(wp), allocatable :: series(:, :, :)
         !> what follows below the first decade
         real(wp) :: early(early_terms, columns) = 0.0_wp
@@ -149,8 +151,11 @@ contains
     !> One column at tau, or at the frequency 1/tau, >= 0; at the ends those of the elastic bodies.
     subroutine value(self, column, tau, y, error)
         class(poroelastic_t), intent(in) :: self
+        !> relaxation, creep, ..., storage or loss (mdrcontact_poroelastic_answers)
         integer, intent(in) :: column
+        !> D t/a^2, or D/(omega a^2) [1]
         real(wp), intent(in) :: tau
+        !> in units of that of an incompressible half-space
         real(wp), intent(out) :: y
         type(error_t), allocatable, intent(inout) :: error
         type(basis_t) :: basis
