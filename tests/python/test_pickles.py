@@ -128,6 +128,7 @@ def results():
         history_in_time(),
         law,
         law.at_depth(5e-8),
+        law.arrays(),
         mdr.accuracy_map([0.5, 2.0], [0.3, 1.0], ["gao"]),
     ]
 
