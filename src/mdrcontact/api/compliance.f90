@@ -26,6 +26,7 @@ contains
         integer(c_int) :: status
         type(medium_t), pointer :: medium
         complex(wp), allocatable :: values(:)
+        real(c_double), allocatable :: wavenumbers(:)
         type(error_t), allocatable :: error
         integer :: stat
 
@@ -39,14 +40,16 @@ contains
         call check_array(error, "out", n, present(out))
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
         if (.not. allocated(error)) then
-            allocate (values(n), stat=stat)
+            allocate (values(n), wavenumbers(n), stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error)) then
+            ! without points k may be NULL
+            if (n > 0) wavenumbers(:) = k(:n)
             if (allocated(medium%relaxing)) then
-                call surface_compliance(medium%relaxing, load, omega, k(:n), values, error)
+                call surface_compliance(medium%relaxing, load, omega, wavenumbers, values, error)
             else
-                call surface_compliance(medium%solver, load, k(:n), values, error)
+                call surface_compliance(medium%solver, load, wavenumbers, values, error)
             end if
         end if
         status = status_of(error)
