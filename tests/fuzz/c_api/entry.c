@@ -8,17 +8,18 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static void (*const families[])(world *) = {
     fuzz_profiles, fuzz_media, fuzz_contacts, fuzz_states, fuzz_fields, fuzz_adhesion, fuzz_laws, fuzz_structures, fuzz_fits,
-    fuzz_formulas, fuzz_inside, fuzz_friction, fuzz_shear, fuzz_time, fuzz_wide_fits, fuzz_lists
+    fuzz_formulas, fuzz_inside, fuzz_friction, fuzz_shear, fuzz_time, fuzz_wide_fits, fuzz_lists, fuzz_gels
 };
 enum { FAMILIES = sizeof families / sizeof families[0], MOST_CALLS = 40 };
 
-/* Families came in three goes: bytes mean what they meant before to all inputs that are kept, but for the highest. */
+/* Families came in four goes: bytes mean what they meant before to all inputs that are kept, but for the highest. */
 static int family_of(int byte)
 {
-    enum { FIRST = 10, SECOND = 12, FIRST_BYTES = 240, SECOND_BYTES = 244 };
+    enum { FIRST = 10, SECOND = 12, THIRD = 16, FIRST_BYTES = 240, SECOND_BYTES = 244, THIRD_BYTES = 255 };
     if (byte < FIRST_BYTES) return byte % FIRST;
     if (byte < SECOND_BYTES) return FIRST + byte % (SECOND - FIRST);
-    return SECOND + byte % (FAMILIES - SECOND);
+    if (byte < THIRD_BYTES) return SECOND + byte % (THIRD - SECOND);
+    return THIRD + byte % (FAMILIES - THIRD);
 }
 
 static void free_all(world *w)

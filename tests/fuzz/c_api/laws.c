@@ -105,6 +105,10 @@ static void write_and_read(world *w)
     judge_status("mdr_law_info", mdr_law_info(law, &facts));
     judge_status("mdr_law_description", mdr_law_description(law, words, take_choice(&w->in, 8)));
     if (mdr_law_write(law, NULL, 0, &length) != MDR_SUCCESS) return;
+    double *numbers = malloc(sizeof *numbers * (size_t)facts.buffer_size);
+    judge_status("mdr_law_buffer", mdr_law_buffer(law, facts.buffer_size, numbers));
+    if (mdr_law_buffer(law, facts.buffer_size - 1, numbers) == MDR_SUCCESS) finding("mdr_law_buffer", "takes too small a buffer", 0);
+    free(numbers);
     char *text = malloc((size_t)length);
     judge_status("mdr_law_write", mdr_law_write(law, text, length, &length));
     status = mdr_law_read(text, length, &again);

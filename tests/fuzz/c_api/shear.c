@@ -22,6 +22,9 @@ static void moduli(world *w)
     judge("mdr_weight_j0_tangential", mdr_weight_j0_tangential(n, a, nu, out), n, out, FINITE);
     if (!afford(w, w->medium_is_exact[slot] ? PRICE_OF_EXACT_MODULUS : PRICE_OF_MODULUS)) return;
     fill(out);
+    judge("mdr_medium_compliance", mdr_medium_compliance(w->media[slot], 1 + n % 3, nu > 0.0 ? nu : 0.0, n, a, out, NULL), n, out,
+          NOT_NAN);
+    fill(out);
     judge("mdr_medium_tangential_modulus", mdr_medium_tangential_modulus(w->media[slot], n, a, out), n, out, POSITIVE);
     fill(out);
     judge("mdr_medium_torsional_stiffness", mdr_medium_torsional_stiffness(w->media[slot], n, a, out), n, out, POSITIVE);

@@ -77,5 +77,6 @@ void fuzz_shear(world *w);
 void fuzz_time(world *w);
 void fuzz_wide_fits(world *w);
 void fuzz_lists(world *w);
+void fuzz_gels(world *w);
 
 #endif

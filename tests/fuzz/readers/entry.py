@@ -44,7 +44,11 @@ def _read_problem(data: bytes) -> None:
     except ProblemError:
         return
     history, path = problem.history, problem.friction and problem.friction.path
-    columns = [problem.control.values, *(history[1:] if history else ()), *((path.values, path.along_values) if path else ())]
+    columns = [problem.control.values]
+    if history:
+        columns += [history.time, history.values]
+    if path:
+        columns += [path.values, path.along_values]
     if not all(np.all(np.isfinite(column)) for column in columns):
         raise AssertionError("a problem without an error prescribes values that are not finite")
     try:

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Poroelastic gels: a table, and what it answers. */
+#include "world.h"
+
+#include <stddef.h>
+
+enum { PRICE_OF_TABLE = 90 };
+
+void fuzz_gels(world *w)
+{
+    const double nu = take_ratio(&w->in), ratio = take_chance(&w->in) ? take_positive(&w->in) : 0.0;
+    const int drainage = take_code(&w->in, 3), answer = take_code(&w->in, 5), n = take_count(&w->in);
+    const double G = take_positive(&w->in), D = take_positive(&w->in), a = take_positive(&w->in);
+    double x[MOST_POINTS], out[MOST_POINTS], loss[MOST_POINTS];
+    mdr_poroelastic *gel = NULL;
+    int status;
+
+    take_positives(&w->in, x);
+    if (!afford(w, PRICE_OF_TABLE)) return;
+    status = mdr_poroelastic_new(nu, drainage, ratio, &gel);
+    judge_object("mdr_poroelastic_new", status, gel);
+    fill(out);
+    judge("mdr_poroelastic_error", mdr_poroelastic_error(gel, out), 1, out, NOT_NEGATIVE);
+    fill(out);
+    judge("mdr_poroelastic_response", mdr_poroelastic_response(gel, answer, G, D, a, n, x, out), n, out, NOT_NAN);
+    fill(out);
+    fill(loss);
+    status = mdr_poroelastic_dynamic_stiffness(gel, G, D, a, n, x, out, loss);
+    judge("mdr_poroelastic_dynamic_stiffness", status, n, out, NOT_NAN);
+    judge("mdr_poroelastic_dynamic_stiffness", status, n, loss, NOT_NAN);
+    fill(out);
+    status = mdr_poroelastic_pressure(gel, take_code(&w->in, 2), take_byte(&w->in) % 2, G, D, a, take_positive(&w->in), n, x, out);
+    judge("mdr_poroelastic_pressure", status, n, out, NOT_NAN);
+    judge_status("mdr_poroelastic_free", mdr_poroelastic_free(&gel));
+}
