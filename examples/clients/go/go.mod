@@ -1,0 +1,3 @@
+module mdrcontact.example
+
+go 1.19
