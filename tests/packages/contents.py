@@ -14,7 +14,7 @@ import tarfile
 import zipfile
 from pathlib import Path
 
-JUNK = re.compile(r"(^|/)(build[^/]*|\.venv|output|__pycache__|\.git|[^/]*\.egg-info)/|\.(o|a|mod|smod|pyc|orig|rej|log)$|~$")
+JUNK = re.compile(r"(^|/)(build[^/]*|\.venv|output|__pycache__|\.git|[^/]*\.egg-info)/|\.(o|a|smod|pyc|orig|rej|log)$|(?<!/go)\.mod$|~$")
 BUILT_FROM = ("cmake", "include", "src", "python", "examples/problems")
 
 
