@@ -99,9 +99,12 @@ module mdrcontact
     use mdrcontact_profile_values, only: of_height, of_mdr, of_mdr_slope, of_slope, profile_values
     use mdrcontact_profile_sum, only: new_profile_sum, profile_sum_t, profile_term_t
     use mdrcontact_profile_tabulated, only: new_profile_from_function, new_profile_from_mdr, new_tabulated_profile
+    use mdrcontact_profile_worn, only: worn_profile_t
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_version, only: version_major, version_minor, version_patch, version_string
+    use mdrcontact_wear, only: new_wear, wear_t
+    use mdrcontact_wear_limit, only: constant_depth, constant_force, wear_limit_t
     use mdrcontact_weights, only: weight_i0, weight_i0_tangential, weight_i1, weight_j0, weight_j0_tangential, weight_j1, &
                                   weight_phi
     implicit none (type, external)

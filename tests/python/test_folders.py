@@ -18,7 +18,7 @@ ORDER = [
     {"inside", "field"},
     {"law"},
     {"friction", "history"},
-    {"time"},
+    {"time", "wear"},
     {"fit"},
     {"lateral"},
     {"api"},

@@ -1,0 +1,155 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A contact that wears by Archard's law, dh = k p ds (theory 11). The body keeps its shape and its layers unless said: everything
+!> here is exact on layered bodies.
+module mdrcontact_wear
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_memory, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
+                                raise, to_text
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_profile_worn, only: worn_profile_t
+    use mdrcontact_wear_limit, only: check_carries, find_limit, wear_limit_t
+    use mdrcontact_wear_rate, only: new_wear_rate, wear_rate_t
+    implicit none (type, external)
+    private
+    public :: new_wear, wear_t
+
+    !> A track up to this part of the depth: beyond, tip and groove conform.
+    real(wp), parameter :: deepest_track = 0.1_wp
+
+    !> A contact and how fast its two sides wear.
+    type :: wear_t
+        !> unworn
+        type(contact_t) :: contact
+        !> of the indenter
+        type(wear_rate_t) :: rate
+        !> k of the body, >= 0 [1/modulus]
+        real(wp) :: body_coefficient = 0.0_wp
+    contains
+        procedure :: limit
+        procedure :: track
+        procedure :: passes_through
+    end type wear_t
+
+contains
+
+    !> Wear of a contact without adhesion.
+    subroutine new_wear(self, contact, coefficients, error, thickness, body_coefficient)
+        type(wear_t), intent(out) :: self
+        !> copied
+        type(contact_t), intent(in) :: contact
+        !> k > 0 of the indenter: worn volume per force and sliding distance; of its layers from the surface, where there are
+        !> [1/modulus]
+        real(wp), intent(in) :: coefficients(:)
+        type(error_t), allocatable, intent(out) :: error
+        !> of the layers of the indenter, one less than coefficients [length]
+        real(wp), intent(in), optional :: thickness(:)
+        !> k >= 0 of the body, default 0 [1/modulus]
+        real(wp), intent(in), optional :: body_coefficient
+
+        if (present(thickness)) then
+            call new_wear_rate(self%rate, coefficients, thickness, error)
+        else
+            call new_wear_rate(self%rate, coefficients, [real(wp) ::], error)
+        end if
+        if (present(body_coefficient)) self%body_coefficient = body_coefficient
+        call check_not_negative(error, "body_coefficient", self%body_coefficient)
+        if (.not. allocated(error) .and. contact%is_adhesive()) then
+            call raise(error, error_invalid, "wear is not allowed with adhesion: there is no law of wear where surfaces pull")
+        end if
+        if (allocated(error)) return
+        self%contact = contact
+    end subroutine new_wear
+
+    !> The end of fretting: see mdrcontact_wear_limit.
+    subroutine limit(self, state, stick_radius, control, reached, error, profile)
+        class(wear_t), intent(in), target :: self
+        !> of the unworn contact
+        type(contact_state_t), intent(in) :: state
+        !> 0 < c <= a [length]
+        real(wp), intent(in) :: stick_radius
+        !> constant_depth or constant_force
+        integer, intent(in) :: control
+        type(wear_limit_t), intent(out) :: reached
+        type(error_t), allocatable, intent(out) :: error
+        !> the worn indenter
+        type(worn_profile_t), allocatable, intent(out), optional :: profile
+
+        call find_limit(self%contact, state, stick_radius, control, reached, error, profile)
+    end subroutine limit
+
+    !> h(y) = k N q(y): depth of the track that the tip leaves in the body after N passes, since the load that passes over a place
+    !> at distance y from its axis, int p dx, is the line load; to first order in h/d.
+    subroutine track(self, state, y, passes, depths, error)
+        class(wear_t), intent(in) :: self
+        type(contact_state_t), intent(in) :: state
+        !> distances from the axis of the track, >= 0 [length]
+        real(wp), intent(in) :: y(:)
+        !> N > 0 [1]
+        real(wp), intent(in) :: passes
+        !> 0 beyond the contact radius [length]
+        real(wp), intent(out) :: depths(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: axis(1)
+        real(wp), allocatable :: loads(:)
+        integer :: i, stat
+
+        depths = 0.0_wp
+        call check_body(self, error)
+        call check_positive(error, "passes", passes)
+        do i = 1, size(y)
+            call check_not_negative(error, "y", y(i), i)
+        end do
+        if (.not. allocated(error)) call self%contact%line_load(state, [0.0_wp], axis, error)
+        if (.not. allocated(error)) call check_carries(self%contact, state, error)
+        if (.not. allocated(error)) call check_shallow(self%body_coefficient*passes*axis(1), state, error)
+        if (.not. allocated(error)) then
+            allocate (loads(size(y)), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (allocated(error)) return
+        call self%contact%line_load(state, min(y, state%radius), loads, error)
+        if (.not. allocated(error)) depths = merge(self%body_coefficient*passes*loads, 0.0_wp, y <= state%radius)
+    end subroutine track
+
+    !> N = h/(k q(0)): passes of the tip until its track is as deep as h.
+    subroutine passes_through(self, state, depth, passes, error)
+        class(wear_t), intent(in) :: self
+        type(contact_state_t), intent(in) :: state
+        !> h > 0, such as the thickness of a coating [length]
+        real(wp), intent(in) :: depth
+        !> N [1]
+        real(wp), intent(out) :: passes
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: axis(1)
+
+        passes = 0.0_wp
+        call check_body(self, error)
+        call check_positive(error, "depth", depth)
+        if (.not. allocated(error)) call self%contact%line_load(state, [0.0_wp], axis, error)
+        if (.not. allocated(error)) call check_carries(self%contact, state, error)
+        if (.not. allocated(error)) call check_shallow(depth, state, error)
+        if (.not. allocated(error)) passes = depth/(self%body_coefficient*axis(1))
+    end subroutine passes_through
+
+    pure subroutine check_body(self, error)
+        class(wear_t), intent(in) :: self
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (self%body_coefficient > 0.0_wp) return
+        call raise(error, error_invalid, "body_coefficient = 0: a body that does not wear shows no track; give its coefficient")
+    end subroutine check_body
+
+    !> Raises where a track is so deep that the contact is no longer that with a flat.
+    pure subroutine check_shallow(depth, state, error)
+        real(wp), intent(in) :: depth
+        type(contact_state_t), intent(in) :: state
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (depth <= deepest_track*state%depth) return
+        call raise(error, error_domain, "a track of depth "//to_text(depth)//" is too deep: beyond "//to_text(deepest_track)// &
+                   " of the indentation depth, "//to_text(state%depth)//", the groove conforms to the tip, and the contact "// &
+                   "is no longer that with a flat")
+    end subroutine check_shallow
+
+end module mdrcontact_wear

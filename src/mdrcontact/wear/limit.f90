@@ -1,0 +1,261 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Where fretting ends: a disc of radius c sticks for good, all outside slips and wears until it carries nothing (theory 11).
+!>
+!> Inside c the profile is unworn, and the load that of the unworn disc of radius c pressed on as a flat punch,
+!>
+!>     F = F_0(c) + k(c) (d - d_0(c)),      f(r) = u(r), c < r < b,   f_0(b) = d - u(b),
+!>
+!> and the worn profile f = d - u is the free surface. Exact on layered bodies too, for a given stick radius; what stick radius a
+!> prescribed shift leads to is known on homogeneous bodies only (that of the first cycle: Popov, Sci. Rep. 4 (2014) 3749).
+module mdrcontact_wear_limit
+    use mdrcontact_base_nonfinite, only: infinity
+    use mdrcontact_cancel, only: check_cancelled
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_fields, only: check_state
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_t, raise, to_text
+    use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_roots, only: find_root
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_profile_worn, only: new_worn_profile, worn_profile_t
+    implicit none (type, external)
+    private
+    public :: check_carries, constant_depth, constant_force, find_limit, wear_limit_t
+
+    !> What stays as it is while wear goes on, enum mdr_wear_control.
+    integer, parameter :: constant_depth = 1, constant_force = 2
+    !> Nodes of the rule for the worn volume, radii of the worn profile, and radii at which the pressure is looked at.
+    integer, parameter :: nodes = 48, profile_points = 120, probes = 48
+    !> Pressures below minus this part of the mean one are no rounding errors.
+    real(wp), parameter :: noticeable = 1.0e-6_wp
+    !> How often the search for the rim of the scar is widened.
+    integer, parameter :: most_doublings = 60
+
+    !> The state at the end, and the scar.
+    type :: wear_limit_t
+        !> radius: that of stick; force: what is left of it, or what is held
+        type(contact_state_t) :: state
+        !> b, up to where the indenter is worn [length]
+        real(wp) :: outer_radius = 0.0_wp
+        !> of indenter and body together [length^3]
+        real(wp) :: worn_volume = 0.0_wp
+    end type wear_limit_t
+
+    !> How far the unworn surface lies below the limit: positive where it is worn, divided by the distance from the axis.
+    type, extends(scalar_function_t) :: gap_t
+        type(contact_t), pointer :: contact => null()
+        type(contact_state_t) :: state
+    contains
+        procedure :: value => worn_at
+    end type gap_t
+
+contains
+
+    !> The limit of a state.
+    subroutine find_limit(contact, state, stick_radius, control, limit, error, profile)
+        !> without adhesion
+        type(contact_t), intent(in), target :: contact
+        !> of the unworn contact
+        type(contact_state_t), intent(in) :: state
+        !> c, 0 < c <= a: of the disc that sticks as long as wear goes on [length]
+        real(wp), intent(in) :: stick_radius
+        !> constant_depth or constant_force
+        integer, intent(in) :: control
+        type(wear_limit_t), intent(out) :: limit
+        type(error_t), allocatable, intent(out) :: error
+        !> the worn indenter: wear of both bodies, as if it were that of the indenter
+        type(worn_profile_t), allocatable, intent(out), optional :: profile
+        type(gap_t), target :: gap
+
+        call check_input(contact, state, stick_radius, control, error)
+        if (.not. allocated(error)) call contact%at_radius(stick_radius, limit%state, error)
+        if (allocated(error)) return
+        call press_on(limit%state, state, control)
+        call check_carries(contact, limit%state, error)
+        if (allocated(error)) return
+        gap%contact => contact
+        gap%state = limit%state
+        call find_rim(gap, state%radius, limit%outer_radius, error)
+        if (.not. allocated(error)) call find_volume(gap, limit, error)
+        if (.not. allocated(error) .and. present(profile)) call make_profile(gap, limit, profile, error)
+    end subroutine find_limit
+
+    !> Raises unless a limit exists for these arguments.
+    subroutine check_input(contact, state, stick_radius, control, error)
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        real(wp), intent(in) :: stick_radius
+        integer, intent(in) :: control
+        type(error_t), allocatable, intent(out) :: error
+
+        call check_choice(error, "control", control, constant_depth, constant_force, "1 (depth) or 2 (force)")
+        call check_positive(error, "stick_radius", stick_radius)
+        if (.not. allocated(error) .and. contact%is_adhesive()) then
+            call raise(error, error_invalid, "wear is not allowed with adhesion: there is no law of wear where surfaces pull")
+        end if
+        if (.not. allocated(error)) call check_state(contact, state, error)
+        if (allocated(error)) return
+        if (stick_radius > state%radius) then
+            call raise(error, error_domain, "stick_radius = "//to_text(stick_radius)//" is not allowed: it must be at most "// &
+                       "the contact radius, "//to_text(state%radius))
+        end if
+    end subroutine check_input
+
+    !> The state at the stick radius, pressed on as a flat punch to the depth or force of another one.
+    pure subroutine press_on(state, unworn, control)
+        type(contact_state_t), intent(inout) :: state
+        type(contact_state_t), intent(in) :: unworn
+        integer, intent(in) :: control
+        real(wp) :: further
+
+        further = unworn%depth - state%depth
+        if (control == constant_force) further = (unworn%force - state%force)/state%stiffness
+        state%force = state%force + state%stiffness*further
+        state%depth = state%depth + further
+        state%excess = state%excess + further
+    end subroutine press_on
+
+    !> Raises where a state would have to pull.
+    subroutine check_carries(contact, state, error)
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: r(probes), pressure(probes)
+        integer :: i, lowest
+
+        r = state%radius*[(sin(half_pi*(real(i, wp) - 0.5_wp)/real(probes, wp)), i=1, probes)]
+        call contact%pressure(state, r, pressure, error)
+        if (allocated(error)) return
+        lowest = minloc(pressure, dim=1)
+        if (pressure(lowest) >= -noticeable*state%force/(pi*state%radius**2)) return
+        call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
+                   to_text(pressure(lowest))//" at r = "//to_text(r(lowest))//" (contact radius "//to_text(state%radius)// &
+                   "); wear needs a pressure that is nowhere negative")
+    end subroutine check_carries
+
+    !> W(r)/r outside the disc that sticks.
+    function worn_at(self, x) result(y)
+        class(gap_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        real(wp) :: depth(1)
+
+        y = 0.0_wp
+        if (x <= self%state%radius) return
+        call depths_at(self, [x], depth, self%error)
+        y = depth(1)/x
+    end function worn_at
+
+    !> W = d - u - f_0.
+    subroutine depths_at(gap, r, depths, error)
+        class(gap_t), intent(in) :: gap
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: depths(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: displacement(size(r))
+
+        depths = 0.0_wp
+        call gap%contact%displacement(gap%state, r, displacement, error)
+        if (.not. allocated(error)) depths = gap%state%depth - displacement - gap%contact%equilibrium%profile%height(r)
+    end subroutine depths_at
+
+    !> b, where the limit meets the unworn profile: beyond the radius of the unworn contact, and there alone W changes its sign.
+    subroutine find_rim(gap, radius, rim, error)
+        type(gap_t), intent(inout), target :: gap
+        !> of the unworn contact [length]
+        real(wp), intent(in) :: radius
+        real(wp), intent(out) :: rim
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: from, to, last, worn
+        integer :: i
+
+        rim = radius
+        if (.not. gap%state%radius < radius) return
+        last = gap%contact%equilibrium%profile%largest_radius
+        from = radius
+        to = radius
+        worn = gap%value(to)
+        do i = 1, most_doublings
+            if (worn <= 0.0_wp .or. allocated(gap%error)) exit
+            if (to >= last) then
+                call raise(error, error_domain, "the indenter ends at radius "//to_text(last)//" within the scar that wear "// &
+                           "would make: give a profile that goes on")
+                return
+            end if
+            from = to
+            to = min(1.5_wp*to, last)
+            worn = gap%value(to)
+        end do
+        if (allocated(gap%error)) then
+            error = gap%error
+        else if (to > radius) then
+            call find_root(gap, from, to, rim, error)
+        end if
+    end subroutine find_rim
+
+    !> int W 2 pi r dr; W rises as the root of the distance from the disc that sticks.
+    subroutine find_volume(gap, limit, error)
+        type(gap_t), intent(in) :: gap
+        type(wear_limit_t), intent(inout) :: limit
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: t(nodes), weights(nodes), r(nodes), depths(nodes), width
+
+        width = limit%outer_radius - limit%state%radius
+        if (.not. width > 0.0_wp) return
+        call gauss_legendre(t, weights, error)
+        r = limit%state%radius + width*t**2
+        if (.not. allocated(error)) call depths_at(gap, r, depths, error)
+        limit%worn_volume = 4.0_wp*pi*width*sum(weights*t*r*depths)
+    end subroutine find_volume
+
+    !> The worn indenter, through W at radii that are dense where it rises steeply; slopes in the root of the distance by
+    !> differences of fourth order.
+    subroutine make_profile(gap, limit, profile, error)
+        type(gap_t), intent(in) :: gap
+        type(wear_limit_t), intent(in) :: limit
+        type(worn_profile_t), allocatable, intent(out) :: profile
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), dimension(0:profile_points) :: t, r, depths, slopes
+        real(wp) :: width
+        integer :: i
+
+        allocate (profile)
+        width = limit%outer_radius - limit%state%radius
+        if (.not. width > 0.0_wp) then
+            call new_worn_profile(profile, gap%contact%equilibrium%profile, limit%outer_radius*[0.5_wp, 1.0_wp], &
+                                  [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], error)
+            return
+        end if
+        t = [(real(i, wp)/real(profile_points, wp), i=0, profile_points)]
+        r = limit%state%radius + width*t**2
+        call depths_at(gap, r, depths, error)
+        call check_cancelled(error)
+        if (allocated(error)) return
+        depths(0) = 0.0_wp
+        depths(profile_points) = 0.0_wp
+        call differentiate(depths, slopes)
+        slopes(1:) = slopes(1:)*real(profile_points, wp)/(2.0_wp*width*t(1:))
+        slopes(0) = infinity
+        call new_worn_profile(profile, gap%contact%equilibrium%profile, r, depths, slopes, error)
+    end subroutine make_profile
+
+    !> Slopes per step of values at equal steps.
+    pure subroutine differentiate(values, slopes)
+        real(wp), intent(in) :: values(0:)
+        real(wp), intent(out) :: slopes(0:)
+        integer :: i, n
+
+        n = ubound(values, 1)
+        slopes(0) = (-25.0_wp*values(0) + 48.0_wp*values(1) - 36.0_wp*values(2) + 16.0_wp*values(3) - 3.0_wp*values(4))/12.0_wp
+        slopes(1) = (-3.0_wp*values(0) - 10.0_wp*values(1) + 18.0_wp*values(2) - 6.0_wp*values(3) + values(4))/12.0_wp
+        do i = 2, n - 2
+            slopes(i) = (values(i - 2) - 8.0_wp*values(i - 1) + 8.0_wp*values(i + 1) - values(i + 2))/12.0_wp
+        end do
+        slopes(n - 1) = (3.0_wp*values(n) + 10.0_wp*values(n - 1) - 18.0_wp*values(n - 2) + 6.0_wp*values(n - 3) &
+                         - values(n - 4))/12.0_wp
+        slopes(n) = (25.0_wp*values(n) - 48.0_wp*values(n - 1) + 36.0_wp*values(n - 2) - 16.0_wp*values(n - 3) &
+                     + 3.0_wp*values(n - 4))/12.0_wp
+    end subroutine differentiate
+
+end module mdrcontact_wear_limit
