@@ -17,6 +17,7 @@ module mdrcontact_gsl
               gsl_root_fsolver_iterate, gsl_root_fsolver_root, gsl_root_fsolver_x_lower, gsl_root_fsolver_x_upper, &
               gsl_root_test_interval
     public :: gsl_sf_bessel_j0, gsl_sf_bessel_j1, gsl_sf_bessel_il_scaled_array, gsl_sf_bessel_jl_steed_array, &
+              gsl_sf_bessel_jn_array, gsl_sf_psi_1piy, &
               gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp, &
               gsl_sf_ellint_rd, gsl_sf_ellint_rf
     public :: gsl_interp_bsearch, gsl_sort, gsl_sort_index
@@ -209,6 +210,22 @@ module mdrcontact_gsl
             real(c_double), intent(inout) :: values(*)
             integer(c_int) :: status
         end function gsl_sf_bessel_jl_steed_array
+
+        !> Real part of the digamma function at 1 + i y.
+        function gsl_sf_psi_1piy(y) result(value) bind(C)
+            import :: c_double
+            real(c_double), value :: y
+            real(c_double) :: value
+        end function gsl_sf_psi_1piy
+
+        !> J_n(x), n = nmin ... nmax.
+        function gsl_sf_bessel_jn_array(nmin, nmax, x, values) result(status) bind(C, name="gsl_sf_bessel_Jn_array")
+            import :: c_double, c_int
+            integer(c_int), value :: nmin, nmax
+            real(c_double), value :: x
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int) :: status
+        end function gsl_sf_bessel_jn_array
 
         !> Complete elliptic integral E of modulus k; mode = 0: double precision.
         pure function gsl_sf_ellint_ecomp(k, mode) result(y) bind(C, name="gsl_sf_ellint_Ecomp")

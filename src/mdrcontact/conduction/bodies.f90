@@ -1,0 +1,128 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> One or two conductors that exchange a flux through a circular spot, and the kernels of their springs: compliances of both sides
+!> add, 1/S_0 = 1/S_1 + 1/S_2 of the surface layers and X = S_0 (X_1/S_1 + X_2/S_2).
+module mdrcontact_conduction_bodies
+    use mdrcontact_conduction_compliance, only: flux_compliance_t, new_flux_compliance
+    use mdrcontact_conduction_conductors, only: conductors_t, insulating_base
+    use mdrcontact_conduction_sink, only: add_sink
+    use mdrcontact_error, only: check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, to_text
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_combine, only: add_kernels
+    use mdrcontact_layered_kernel, only: kernel_t
+    use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
+    implicit none (type, external)
+    private
+    public :: conduction_t, new_conduction, tolerance
+
+    !> Of steady conductances, relative.
+    real(wp), parameter :: tolerance = 1.0e-11_wp
+    !> Contact radii up to this many depths of all layers are offered.
+    real(wp), parameter :: largest_ratio = 1.0e4_wp
+    !> The sink lies this many thicknesses of an insulated body beyond the spot: the potential around it is uniform through them.
+    real(wp), parameter :: nearest_sink = 8.5_wp
+
+    !> To be read only.
+    type :: conduction_t
+        !> the lower one and, of two, the upper one
+        type(conductors_t), allocatable :: bodies(:)
+        !> the steady kernels of the bodies and of both together
+        type(kernel_t), allocatable :: kernels(:)
+        type(kernel_t) :: kernel
+        !> S_0, and S_0/S_i
+        real(wp) :: scale = 1.0_wp
+        real(wp), allocatable :: share(:)
+        !> R_c >= 0, resistance in the spot
+        real(wp) :: film = 0.0_wp
+        !> b, where the flux leaves a body on an insulating base; 0: not given
+        real(wp) :: sink = 0.0_wp
+        !> of spots
+        real(wp) :: largest_radius = huge(1.0_wp)
+        logical :: is_insulated = .false.
+    contains
+        procedure :: check_radius
+        procedure :: check_steady
+    end type conduction_t
+
+contains
+
+    subroutine new_conduction(self, bodies, film, sink, error)
+        type(conduction_t), intent(out) :: self
+        !> one or two
+        type(conductors_t), intent(in) :: bodies(:)
+        !> R_c >= 0 [length^2/conductance]; b > 0, or 0 without a sink [length]
+        real(wp), intent(in) :: film, sink
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, n
+
+        call check_not_negative(error, "film", film)
+        call check_not_negative(error, "sink", sink)
+        if (allocated(error)) return
+        n = size(bodies)
+        self%film = film
+        self%sink = sink
+        allocate (self%bodies(n), source=bodies)
+        allocate (self%kernels(n), self%share(n))
+        self%scale = 1.0_wp/sum([(1.0_wp/bodies(i)%s(1), i=1, n)])
+        self%share = [(self%scale/bodies(i)%s(1), i=1, n)]
+        do i = 1, n
+            if (bodies(i)%layers > 0) self%largest_radius = min(self%largest_radius, largest_ratio*bodies(i)%depth())
+            if (bodies(i)%base /= insulating_base) cycle
+            self%is_insulated = .true.
+            if (sink > 0.0_wp) self%largest_radius = min(self%largest_radius, sink - nearest_sink*bodies(i)%depth())
+        end do
+        if (self%is_insulated .and. .not. sink > 0.0_wp) return
+        if (.not. self%largest_radius > 0.0_wp) then
+            call raise(error, error_domain, " = "//to_text(sink)//" is not allowed: it must be more than "// &
+                       to_text(nearest_sink)//" times the thickness of the layers on the insulating base", "sink")
+            return
+        end if
+        call tabulate(self, error)
+    end subroutine new_conduction
+
+    subroutine tabulate(self, error)
+        type(conduction_t), intent(inout) :: self
+        type(error_t), allocatable, intent(inout) :: error
+        type(layered_shared_t) :: shared
+        type(flux_compliance_t) :: compliance
+        integer :: i
+
+        do i = 1, size(self%bodies)
+            associate (body => self%bodies(i))
+                call new_flux_compliance(compliance, body)
+                ! one insulated layer is its own sheet
+                if (body%base /= insulating_base .or. body%layers > 1) then
+                    call shared_kernel(shared, compliance, self%kernels(i), error)
+                    if (allocated(error)) return
+                end if
+                if (body%base == insulating_base) call add_sink(self%kernels(i), body%h(1), body%sheet(), self%sink)
+            end associate
+        end do
+        self%kernel = self%kernels(1)
+        if (size(self%bodies) == 1) return
+        call add_kernels(self%kernels(1), self%kernels(2), self%share, self%kernel, error)
+        if (self%is_insulated) self%kernel%sigma_zero = 1.0_wp
+    end subroutine tabulate
+
+    !> Raises unless spots of this radius are offered.
+    pure subroutine check_radius(self, a, error)
+        class(conduction_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_positive(error, "radius", a)
+        if (allocated(error) .or. a <= self%largest_radius) return
+        call raise(error, error_domain, " = "//to_text(a)//" is not allowed: it must be at most "//to_text(self%largest_radius)// &
+                   ", 10000 times the thickness of the layers, and well within the sink of an insulating base", "radius")
+    end subroutine check_radius
+
+    !> Raises where nothing steady exists.
+    pure subroutine check_steady(self, error)
+        class(conduction_t), intent(in) :: self
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (allocated(error) .or. .not. self%is_insulated .or. self%sink > 0.0_wp) return
+        call raise(error, error_invalid, "layers on an insulating base lead nothing away for ever, they have no steady "// &
+                   "conductance: give the radius of a sink, or take steps and admittances")
+    end subroutine check_steady
+
+end module mdrcontact_conduction_bodies
