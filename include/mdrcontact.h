@@ -182,6 +182,8 @@ typedef struct mdr_contact mdr_contact;
 typedef struct mdr_material mdr_material;
 /** The answers of a poroelastic gel. Made by mdr_poroelastic_new(), freed by mdr_poroelastic_free(). */
 typedef struct mdr_poroelastic mdr_poroelastic;
+/** One or two conductors that touch at a spot. Made by mdr_conduction_new(), freed by mdr_conduction_free(). */
+typedef struct mdr_conduction mdr_conduction;
 /** A cycle of approach and retraction. Made by mdr_loop_new(), freed by mdr_loop_free(). */
 typedef struct mdr_loop mdr_loop;
 
@@ -903,6 +905,109 @@ int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, do
 /** Frees a gel and sets *p to NULL. p = NULL and *p = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *p is not a gel */
 int mdr_poroelastic_free(mdr_poroelastic **p);
+
+/* ---- conduction of heat or current through a circular spot ------------------------------------------------------ */
+
+/** A layer that conducts, and the interface below it. Electrical: conductivities in S/m, potential in V, flux in A; thermal: W/(m K),
+ *  K, W. */
+typedef struct mdr_conductor {
+    double thickness;  /**< h > 0 [length]; not used of a half-space. */
+    double sigma;      /**< Conductivity > 0 into the body [conductance/length]. */
+    double along;      /**< Conductivity > 0 along the surface [conductance/length]. */
+    double capacity;   /**< Heat capacity >= 0 per volume; 0: the layer follows at once. */
+    double resistance; /**< Area resistance >= 0 between it and what lies below (Kapitza, oxide) [length^2/conductance]. */
+} mdr_conductor;
+
+/** What layers lie on. */
+enum mdr_conduction_base {
+    MDR_BASE_HALF_SPACE = 1, /**< The last layer is a half-space. */
+    MDR_BASE_PERFECT = 2,    /**< A perfect conductor at potential 0. */
+    MDR_BASE_INSULATING = 3  /**< No flux: steady states need a sink. */
+};
+
+/** One or two bodies whose surfaces meet at a circular spot; beside it no flux passes. Potentials count from those far away.
+ *  @param n           number of layers of the lower body, at least 1
+ *  @param lower       [n] from the surface down
+ *  @param lower_base  one of enum mdr_conduction_base
+ *  @param m           number of layers of the upper body; 0: the spot of the lower one is held at a potential
+ *  @param upper       [m] from the surface away
+ *  @param upper_base  one of enum mdr_conduction_base; not used if m = 0
+ *  @param film        area resistance >= 0 in the spot itself [length^2/conductance]
+ *  @param sink        radius of the circle at which the flux leaves a body on an insulating base, potential 0 there; more than 8.5
+ *                     thicknesses of that body beyond every spot (exact but for exp(-pi distance/thickness)); 0: none, and such a
+ *                     body answers in time alone [length]
+ *  @param out         receives the handle
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[], int upper_base,
+                       double film, double sink, mdr_conduction **out);
+
+/** The steady conductance G = flux/potential of an equipotential spot, and its slope dG/da: 4 S a of a half-space,
+ *  S = sqrt(sigma along). Relative errors below 1e-11, with a film below 1e-10.
+ *  @param p            conduction
+ *  @param n            number of radii
+ *  @param radius       [n] a > 0, up to 1e4 thicknesses of the layers [length]
+ *  @param conductance  [n] G; NULL: not wanted [conductance]
+ *  @param slope        [n] dG/da; NULL: not wanted [conductance/length]
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_spot(const mdr_conduction *p, int n, const double radius[], double conductance[], double slope[]);
+
+/** A field of the steady spot at potential difference 1. */
+enum mdr_conduction_field {
+    MDR_CONDUCTION_FLUX = 1,      /**< Flux density through the spot; without a film it is infinite at its edge, 0 <= r < a. */
+    MDR_CONDUCTION_POTENTIAL = 2, /**< Potential of a body from its own far field. */
+    MDR_CONDUCTION_FLUX_Z = 3,    /**< Flux density into the body. */
+    MDR_CONDUCTION_FLUX_R = 4     /**< Flux density away from the axis. */
+};
+
+/** Fields of the steady spot at potential difference 1.
+ *  @param p       conduction; fields inside are not offered on an insulating base
+ *  @param field   one of enum mdr_conduction_field
+ *  @param radius  a > 0 [length]
+ *  @param body    one of enum mdr_body; not used by MDR_CONDUCTION_FLUX
+ *  @param below   at an interface with a resistance: 1 the side below it, 0 the side above
+ *  @param n       number of points
+ *  @param r       [n] >= 0 [length]
+ *  @param z       [n] >= 0, depth below the body's own surface; may be NULL for MDR_CONDUCTION_FLUX [length]
+ *  @param out     [n] potential [1], or flux density [conductance/length^2]
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n, const double r[],
+                         const double z[], double out[]);
+
+/** What a spot answers in time. */
+enum mdr_conduction_answer {
+    MDR_CONDUCTION_CONDUCTANCE = 1, /**< Flux per potential of an equipotential spot [conductance]. */
+    MDR_CONDUCTION_RESISTANCE = 2,  /**< Potential per flux of an equipotential spot [1/conductance]. */
+    MDR_CONDUCTION_MEAN = 3,        /**< Area mean of the potential per flux under a uniform flux, the film left out. */
+    MDR_CONDUCTION_CENTRE = 4,      /**< Potential in the centre per flux under a uniform flux, the film left out. */
+    MDR_CONDUCTION_GAUSSIAN = 5     /**< Mean over a Gaussian probe per flux of a Gaussian pump with radii w0 and w1 (1/e^2):
+                                         `radius` is sqrt(w0^2 + w1^2). */
+};
+
+/** Answers to exp(i omega t): complex, ahead of its cause or behind it.
+ *  @param p         conduction
+ *  @param answer    one of enum mdr_conduction_answer
+ *  @param radius    a > 0 [length]
+ *  @param n         number of frequencies
+ *  @param omega     [n] angular frequencies >= 0, omega a^2/D <= 1e5 with D = along/capacity of the surface; 0: steady [1/time]
+ *  @param in_phase  [n] real part
+ *  @param ahead     [n] imaginary part
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius, int n, const double omega[], double in_phase[],
+                              double ahead[]);
+
+/** Answers to a step at time 0, of potential for MDR_CONDUCTION_CONDUCTANCE, else of flux.
+ *  @param p       conduction
+ *  @param answer  one of enum mdr_conduction_answer
+ *  @param radius  a > 0 [length]
+ *  @param n       number of times
+ *  @param time    [n] > 0, D t/a^2 >= 1e-4 with D = along/capacity of the surface [time]
+ *  @param out     [n] see enum mdr_conduction_answer
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[]);
+
+/** Frees a conduction and sets *p to NULL. p = NULL and *p = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *p is not a conduction */
+int mdr_conduction_free(mdr_conduction **p);
 
 /** Elastic energy of either body: together int F dd from first touch, with adhesion int F dd + pi a^2 work_of_adhesion along the
  *  branch [modulus length^3].

@@ -20,6 +20,7 @@ from . import (
     accuracy,
     adhesion,
     closed_forms,
+    conduction,
     contact,
     critical,
     errors,
@@ -42,6 +43,7 @@ from ._native import version as _version
 from .accuracy import *  # noqa: F403
 from .adhesion import *  # noqa: F403
 from .closed_forms import *  # noqa: F403
+from .conduction import *  # noqa: F403
 from .contact import *  # noqa: F403
 from .critical import *  # noqa: F403
 from .errors import *  # noqa: F403
@@ -64,6 +66,7 @@ __all__ = [
     *accuracy.__all__,
     *adhesion.__all__,
     *closed_forms.__all__,
+    *conduction.__all__,
     *contact.__all__,
     *critical.__all__,
     *errors.__all__,

@@ -63,6 +63,16 @@ state = np.dtype(
     ],
     align=True,
 )
+conductor = np.dtype(
+    [
+        ("thickness", np.float64),
+        ("sigma", np.float64),
+        ("along", np.float64),
+        ("capacity", np.float64),
+        ("resistance", np.float64),
+    ],
+    align=True,
+)
 interior = np.dtype(
     [
         ("u_r", np.float64),
@@ -356,6 +366,21 @@ POROELASTIC_MEAN_CREEP = 5
 
 POROELASTIC_TOTAL = 1
 POROELASTIC_PORE = 2
+
+BASE_HALF_SPACE = 1
+BASE_PERFECT = 2
+BASE_INSULATING = 3
+
+CONDUCTION_FLUX = 1
+CONDUCTION_POTENTIAL = 2
+CONDUCTION_FLUX_Z = 3
+CONDUCTION_FLUX_R = 4
+
+CONDUCTION_CONDUCTANCE = 1
+CONDUCTION_RESISTANCE = 2
+CONDUCTION_MEAN = 3
+CONDUCTION_CENTRE = 4
+CONDUCTION_GAUSSIAN = 5
 
 WARNING_SLOPE = 1
 WARNING_PRESSURE = 2

@@ -23,6 +23,8 @@ SCALARS = {
 POINTS_OF_RULE = "6*order*order*order"
 SIZES = {
     "mdr_set_progress": {"part": ""},
+    "mdr_conduction_new": {"upper": ""},
+    "mdr_conduction_field": {"z": ""},
     "mdr_contact_layer_energies": {"out": "capacity"},
     "mdr_contact_pull_off": {"d": "capacity", "a": "capacity", "F": "capacity"},
     "mdr_material_viscoelastic": {"moduli": "", "times": ""},
@@ -81,14 +83,14 @@ class Argument:
             self.way = "in" if constant else "in, out" if name in BOTH_WAYS else "out"
             self.kind = "double" if is_row else self.kind
             self.size = (size or SIZES.get(function, {}).get(name, "n")) if brackets else None
-            if is_row:
+            if is_row and self.size != "":
                 self.size = f"{self.size}, {rows[kind]}" if self.size else str(rows[kind])
             if self.size == "":
                 self.kind, self.way, self.size, self.by_value = "address", "in", None, True
 
     def length(self):
         """The integer that this array's length determines, and the expression for it."""
-        match = re.fullmatch(r"(n|nx|ny|phases)( \+ 1)?(, [37])?", self.size or "")
+        match = re.fullmatch(r"(n|nx|ny|phases)( \+ 1)?(, [357])?", self.size or "")
         return match and self.way == "in" and (match[1], f"{'shape' if match[3] else 'len'}({self.name}{', 0' if match[3] else ''})"
                                                f"{' - 1' if match[2] else ''}")  # fmt: skip
 

@@ -133,6 +133,13 @@ def results():
     ]
 
 
+def conductors():
+    tin, copper = mdr.Conductor(9.17e6), mdr.Conductor(59.6e6, 50e6, 3.4e6)
+    body = mdr.LayeredConductor(((tin, 1e-6), mdr.Interface(1e-12)), copper)
+    conduction = mdr.Conduction(body, copper, film=1e-13)
+    return [tin, mdr.Interface(1e-9), body, conduction, mdr.PERFECT, mdr.INSULATING, conduction.at_radius(1e-6)]
+
+
 def bodies():
     gel = mdr.Viscoelastic(500.0, [(300.0, 0.05)], bulk_modulus=5e3)
     fluid = mdr.Poroelastic(2e3, 0.2, 1e-9)
@@ -193,7 +200,7 @@ def faults():
     return [*words, problem.ProblemError("words")]
 
 
-MAKERS = (bodies, results, friction, fits, structures, records, problems, faults)
+MAKERS = (bodies, conductors, results, friction, fits, structures, records, problems, faults)
 
 
 @pytest.fixture(scope="module")

@@ -712,6 +712,67 @@ int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, do
     return status;
 }
 
+int mdrcontact_entry_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[],
+        int upper_base, double film, double sink, mdr_conduction **out);
+int mdr_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[], int upper_base,
+        double film, double sink, mdr_conduction **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_new(n, lower, lower_base, m, upper, upper_base, film, sink, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_new(n, lower, lower_base, m, upper, upper_base, film, sink, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_spot(const mdr_conduction *p, int n, const double radius[], double conductance[], double slope[]);
+int mdr_conduction_spot(const mdr_conduction *p, int n, const double radius[], double conductance[], double slope[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_spot(p, n, radius, conductance, slope);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_spot(p, n, radius, conductance, slope);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n,
+        const double r[], const double z[], double out[]);
+int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n, const double r[],
+        const double z[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_field(p, field, radius, body, below, n, r, z, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_field(p, field, radius, body, below, n, r, z, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_admittance(const mdr_conduction *p, int answer, double radius, int n, const double omega[],
+        double in_phase[], double ahead[]);
+int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius, int n, const double omega[], double in_phase[],
+        double ahead[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_admittance(p, answer, radius, n, omega, in_phase, ahead);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_admittance(p, answer, radius, n, omega, in_phase, ahead);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[]);
+int mdr_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_step(p, answer, radius, n, time, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_step(p, answer, radius, n, time, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper);
 int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper)
 {

@@ -19,13 +19,14 @@ module mdrcontact_api_handles
     use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t, refuse_states
     use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_poroelastic_table, only: poroelastic_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
     public :: deliver, deliver_solver, hand_over, hand_over_solver, open_handle
     public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free, &
-              mdr_friction_free, mdr_material_free, mdr_friction_history_free, mdr_poroelastic_free
+              mdr_friction_free, mdr_material_free, mdr_friction_history_free, mdr_poroelastic_free, mdr_conduction_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
 
@@ -51,15 +52,15 @@ module mdrcontact_api_handles
     end interface
 
     integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6, &
-                          is_friction = 7, is_material = 8, is_friction_history = 9, is_poroelastic = 10
+                          is_friction = 7, is_material = 8, is_friction_history = 9, is_poroelastic = 10, is_conduction = 11
     character(len=*), parameter :: kinds(*) = [character(len=20) :: "mdr_profile", "mdr_medium", "mdr_contact", "mdr_loop", &
                                                "mdr_structure", "mdr_law", "mdr_friction", "mdr_material", &
-                                               "mdr_friction_history", "mdr_poroelastic"]
+                                               "mdr_friction_history", "mdr_poroelastic", "mdr_conduction"]
 
     !> The object behind a handle, by the type of the pointer that is to hold it; null after an error. `name` is the argument's.
     interface open_handle
         module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction, &
-                         open_material, open_friction_history, open_relaxing_contact, open_poroelastic
+                         open_material, open_friction_history, open_relaxing_contact, open_poroelastic, open_conduction
     end interface open_handle
 
 contains
@@ -333,6 +334,22 @@ contains
         end select
     end subroutine open_poroelastic
 
+    subroutine open_conduction(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(conduction_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, is_conduction, inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (conduction_t)
+            object => inside
+        end select
+    end subroutine open_conduction
+
     function mdr_profile_free(p) result(status) bind(C)
         type(c_ptr), intent(inout), optional :: p
         integer(c_int) :: status
@@ -403,6 +420,13 @@ contains
         status = free(p, is_poroelastic)
     end function mdr_poroelastic_free
 
+    function mdr_conduction_free(p) result(status) bind(C)
+        type(c_ptr), intent(inout), optional :: p
+        integer(c_int) :: status
+
+        status = free(p, is_conduction)
+    end function mdr_conduction_free
+
     !> Frees what is of the right kind, if there is anything, and sets the caller's pointer to NULL.
     function free(handle, kind) result(status)
         type(c_ptr), intent(inout), optional :: handle
@@ -467,6 +491,8 @@ contains
             kind = is_material
         type is (poroelastic_t)
             kind = is_poroelastic
+        type is (conduction_t)
+            kind = is_conduction
         class is (profile_t)
             kind = is_profile
         type is (medium_t)

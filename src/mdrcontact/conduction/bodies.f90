@@ -25,11 +25,13 @@ module mdrcontact_conduction_bodies
     type :: conduction_t
         !> the lower one and, of two, the upper one
         type(conductors_t), allocatable :: bodies(:)
-        !> the steady kernels of the bodies and of both together
+        !> the steady kernels of the bodies,
         type(kernel_t), allocatable :: kernels(:)
+        !> and of both together
         type(kernel_t) :: kernel
-        !> S_0, and S_0/S_i
+        !> S_0 [conductance/length]
         real(wp) :: scale = 1.0_wp
+        !> S_0/S_i of each body [1]
         real(wp), allocatable :: share(:)
         !> R_c >= 0, resistance in the spot
         real(wp) :: film = 0.0_wp
@@ -37,6 +39,7 @@ module mdrcontact_conduction_bodies
         real(wp) :: sink = 0.0_wp
         !> of spots
         real(wp) :: largest_radius = huge(1.0_wp)
+        !> whether one of them lies on an insulating base
         logical :: is_insulated = .false.
     contains
         procedure :: check_radius
@@ -45,6 +48,7 @@ module mdrcontact_conduction_bodies
 
 contains
 
+    !> Checks the numbers and tabulates the kernels, which insulated bodies without a sink do not have.
     subroutine new_conduction(self, bodies, film, sink, error)
         type(conduction_t), intent(out) :: self
         !> one or two
@@ -106,6 +110,7 @@ contains
     !> Raises unless spots of this radius are offered.
     pure subroutine check_radius(self, a, error)
         class(conduction_t), intent(in) :: self
+        !> [length]
         real(wp), intent(in) :: a
         type(error_t), allocatable, intent(inout) :: error
 

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Layers that conduct, electrically or thermally, on a base, and what their surface answers to a flux (Hankel space).
 !>
-!> A layer of conductivities sigma_z into the body and sigma_r along the surface is the isotropic one of S = sqrt(sigma_r sigma_z) and
-!> thickness h sqrt(sigma_r/sigma_z). With heat capacity c and Laplace variable s its waves fall as exp(-kappa z),
+!> A layer of conductivities sigma_z into the body and sigma_r along the surface is the isotropic one of S = sqrt(sigma_r sigma_z)
+!> and thickness h sqrt(sigma_r/sigma_z). With heat capacity c and Laplace variable s its waves fall as exp(-kappa z),
 !> kappa = sqrt(k^2 + s c/sigma_r). Potential over flux density C(k) goes from the bottom of a layer to its top as
 !>     C = (y C_b + t)/(y (1 + y C_b t)),  y = S kappa,  t = tanh(kappa H),
 !> and S_0 k C = sigma = 1 + chi at the surface.
@@ -53,6 +53,7 @@ contains
         type(conductors_t), intent(out) :: self
         !> from the surface down; on half_space_base the last one is the half-space
         type(conductor_t), intent(in) :: layers(:)
+        !> half_space_base, perfect_base or insulating_base
         integer, intent(in) :: base
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, n, stat
@@ -71,7 +72,7 @@ contains
         if (allocated(error)) return
         allocate (self%s(n), self%h(n), self%stretch(n), self%rate(n), self%r(n), stat=stat)
         call check_memory(error, stat)
-        if (allocated(error)) return
+        if (stat /= 0) return
         self%s = sqrt(layers%sigma)*sqrt(layers%along)
         self%stretch = sqrt(layers%along/layers%sigma)
         self%h = layers%thickness*self%stretch
@@ -134,7 +135,9 @@ contains
     !> C at the bottom of a layer, what lies below and the interface's resistance; of an insulating base its inverse, 0.
     pure function below(self, layer, k, s) result(c)
         class(conductors_t), intent(in) :: self
+        !> 1 ... layers
         integer, intent(in) :: layer
+        !> wavenumber [1/length]
         complex(wp), intent(in) :: k
         !> Laplace variable, 0: steady
         complex(wp), intent(in) :: s
@@ -166,7 +169,9 @@ contains
     !> layer make falls as exp(-2 kappa H).
     elemental subroutine response(self, k, s, sigma, chi)
         class(conductors_t), intent(in) :: self
+        !> wavenumber [1/length], and Laplace variable [1/time]
         complex(wp), intent(in) :: k, s
+        !> both [1]
         complex(wp), intent(out) :: sigma, chi
         complex(wp) :: ratio, kappa, y, t, fall
 

@@ -8,18 +8,21 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static void (*const families[])(world *) = {
     fuzz_profiles, fuzz_media, fuzz_contacts, fuzz_states, fuzz_fields, fuzz_adhesion, fuzz_laws, fuzz_structures, fuzz_fits,
-    fuzz_formulas, fuzz_inside, fuzz_friction, fuzz_shear, fuzz_time, fuzz_wide_fits, fuzz_lists, fuzz_gels
+    fuzz_formulas, fuzz_inside, fuzz_friction, fuzz_shear, fuzz_time, fuzz_wide_fits, fuzz_lists, fuzz_gels,
+    fuzz_conduction
 };
 enum { FAMILIES = sizeof families / sizeof families[0], MOST_CALLS = 40 };
 
-/* Families came in four goes: bytes mean what they meant before to all inputs that are kept, but for the highest. */
-static int family_of(int byte)
+/* Families came in goes: bytes mean what they meant before to all inputs that are kept, but for the highest, which the next byte
+   shares out. */
+static int family_of(input *in)
 {
+    const int byte = take_byte(in);
     enum { FIRST = 10, SECOND = 12, THIRD = 16, FIRST_BYTES = 240, SECOND_BYTES = 244, THIRD_BYTES = 255 };
     if (byte < FIRST_BYTES) return byte % FIRST;
     if (byte < SECOND_BYTES) return FIRST + byte % (SECOND - FIRST);
     if (byte < THIRD_BYTES) return SECOND + byte % (THIRD - SECOND);
-    return THIRD + byte % (FAMILIES - THIRD);
+    return THIRD + take_byte(in) % (FAMILIES - THIRD);
 }
 
 static void free_all(world *w)
@@ -45,7 +48,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     memset(&w, 0, sizeof w);
     w.in.bytes = data;
     w.in.size = size;
-    for (int i = 0; i < MOST_CALLS && w.in.next < size; i++) families[family_of(take_byte(&w.in))](&w);
+    for (int i = 0; i < MOST_CALLS && w.in.next < size; i++) families[family_of(&w.in)](&w);
     free_all(&w);
     return 0;
 }

@@ -78,5 +78,6 @@ void fuzz_time(world *w);
 void fuzz_wide_fits(world *w);
 void fuzz_lists(world *w);
 void fuzz_gels(world *w);
+void fuzz_conduction(world *w);
 
 #endif

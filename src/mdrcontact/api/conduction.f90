@@ -1,0 +1,195 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Conduction through spots, for C.
+module mdrcontact_api_conduction
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
+    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_conduction_answers, only: admittance_of, step_of
+    use mdrcontact_conduction_bodies, only: conduction_t, new_conduction
+    use mdrcontact_conduction_conductors, only: conductor_t, conductors_t, new_conductors
+    use mdrcontact_conduction_fields, only: conductance_at, flux_at, inside_at
+    use mdrcontact_error, only: check_choice, check_memory, error_t, raise_at
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: mdr_conduction_new, mdr_conduction_spot, mdr_conduction_field, mdr_conduction_admittance, mdr_conduction_step
+
+    !> Members of struct mdr_conductor.
+    integer, parameter :: members = 5
+    !> enum mdr_conduction_field
+    integer, parameter :: spot_flux = 1, potential = 2, flux_z = 3, flux_r = 4
+    !> enum mdr_body
+    integer, parameter :: lower_body = 1, upper_body = 2
+
+contains
+
+    function mdr_conduction_new(n, lower, lower_base, m, upper, upper_base, film, sink, out) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_new")
+        integer(c_int), value :: n, lower_base, m, upper_base
+        !> rows of struct mdr_conductor
+        real(c_double), intent(in), optional :: lower(members, *), upper(members, *)
+        real(c_double), value :: film, sink
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(conductors_t), allocatable :: bodies(:)
+        type(conduction_t) :: conduction
+        type(error_t), allocatable :: error
+        integer :: stat
+
+        call check_given(error, "out", present(out))
+        call check_count(error, n)
+        call check_array(error, "lower", n, present(lower))
+        call check_count(error, m)
+        call check_array(error, "upper", m, present(upper))
+        if (.not. allocated(error)) then
+            allocate (bodies(merge(2, 1, m > 0)), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) call take(bodies(1), int(n), lower_base, lower, error)
+        if (.not. allocated(error) .and. m > 0) call take(bodies(2), int(m), upper_base, upper, error)
+        if (.not. allocated(error)) call new_conduction(conduction, bodies, film, sink, error)
+        status = deliver(conduction, out, error)
+    end function mdr_conduction_new
+
+    !> A body from its rows.
+    subroutine take(body, n, base, rows, error)
+        type(conductors_t), intent(out) :: body
+        integer, intent(in) :: n
+        integer(c_int), intent(in) :: base
+        real(c_double), intent(in), optional :: rows(members, *)
+        type(error_t), allocatable, intent(inout) :: error
+        type(conductor_t), allocatable :: layers(:)
+        integer :: i, stat
+
+        allocate (layers(n), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        do i = 1, n
+            layers(i) = conductor_t(rows(1, i), rows(2, i), rows(3, i), rows(4, i), rows(5, i))
+        end do
+        call new_conductors(body, layers, int(base), error)
+    end subroutine take
+
+    function mdr_conduction_spot(p, n, radius, conductance, slope) result(status) bind(C, name="mdrcontact_entry_conduction_spot")
+        type(c_ptr), value :: p
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: radius(*)
+        real(c_double), intent(inout), optional :: conductance(*), slope(*)
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        real(c_double), allocatable :: values(:, :)
+        type(error_t), allocatable :: error
+        integer :: i, stat
+
+        call open_handle(p, "p", conduction, error)
+        call check_count(error, n)
+        call check_array(error, "radius", n, present(radius))
+        if (.not. allocated(error)) then
+            allocate (values(n, 2), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) then
+            do i = 1, n
+                call conductance_at(conduction, radius(i), values(i, 1), values(i, 2), error)
+                if (.not. allocated(error)) call check_results(error, values(i, :))
+                if (allocated(error)) call raise_at(error, i)
+                if (allocated(error)) exit
+            end do
+        end if
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(conductance)) conductance(:n) = values(:, 1)
+        if (present(slope)) slope(:n) = values(:, 2)
+    end function mdr_conduction_spot
+
+    function mdr_conduction_field(p, field, radius, body, below, n, r, z, out) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_field")
+        type(c_ptr), value :: p
+        integer(c_int), value :: field, body, below, n
+        real(c_double), value :: radius
+        real(c_double), intent(in), optional :: r(*), z(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        real(c_double), allocatable :: values(:, :)
+        type(error_t), allocatable :: error
+        integer :: stat
+
+        call open_handle(p, "p", conduction, error)
+        call check_in_out(error, n, "r", present(r), present(out))
+        call check_choice(error, "field", int(field), spot_flux, flux_r, "1 (flux through the spot), 2 (potential), 3 (flux "// &
+                          "along z) or 4 (flux along r)")
+        call check_choice(error, "below", int(below), 0, 1, "0 (above an interface) or 1 (below it)")
+        call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
+        if (field /= spot_flux) call check_array(error, "z", n, present(z))
+        if (.not. allocated(error)) then
+            allocate (values(n, potential:flux_r), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error) .and. n > 0) then
+            if (field == spot_flux) then
+                call flux_at(conduction, radius, r(:n), values(:, potential), error)
+            else
+                call inside_at(conduction, int(body), radius, r(:n), z(:n), below == 1, values(:, potential), values(:, flux_z), &
+                               values(:, flux_r), error)
+            end if
+            if (.not. allocated(error)) call check_results(error, values(:, max(field, potential)))
+            if (.not. allocated(error)) out(:n) = values(:, max(field, potential))
+        end if
+        status = status_of(error)
+    end function mdr_conduction_field
+
+    function mdr_conduction_admittance(p, answer, radius, n, omega, in_phase, ahead) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_admittance")
+        type(c_ptr), value :: p
+        integer(c_int), value :: answer, n
+        real(c_double), value :: radius
+        real(c_double), intent(in), optional :: omega(*)
+        real(c_double), intent(inout), optional :: in_phase(*), ahead(*)
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        complex(wp), allocatable :: values(:)
+        type(error_t), allocatable :: error
+        integer :: stat
+
+        call open_handle(p, "p", conduction, error)
+        call check_count(error, n)
+        call check_array(error, "omega", n, present(omega))
+        call check_array(error, "in_phase", n, present(in_phase))
+        call check_array(error, "ahead", n, present(ahead))
+        status = status_of(error)
+        if (allocated(error) .or. n == 0) return
+        allocate (values(n), stat=stat)
+        call check_memory(error, stat)
+        if (.not. allocated(error)) call admittance_of(conduction, int(answer), radius, omega(:n), values, error)
+        if (.not. allocated(error)) call check_results(error, real(values, wp))
+        status = status_of(error)
+        if (allocated(error)) return
+        in_phase(:n) = real(values, wp)
+        ahead(:n) = aimag(values)
+    end function mdr_conduction_admittance
+
+    function mdr_conduction_step(p, answer, radius, n, time, out) result(status) bind(C, name="mdrcontact_entry_conduction_step")
+        type(c_ptr), value :: p
+        integer(c_int), value :: answer, n
+        real(c_double), value :: radius
+        real(c_double), intent(in), optional :: time(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        real(c_double), allocatable :: values(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", conduction, error)
+        call check_in_out(error, n, "time", present(time), present(out))
+        call make_room(error, n, values)
+        if (.not. allocated(error) .and. n > 0) then
+            call step_of(conduction, int(answer), radius, time(:n), values, error)
+            if (.not. allocated(error)) call check_results(error, values)
+            if (.not. allocated(error)) out(:n) = values
+        end if
+        status = status_of(error)
+    end function mdr_conduction_step
+
+end module mdrcontact_api_conduction

@@ -1,0 +1,219 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What a spot answers in time: at a frequency, and after a step.
+!>
+!> Steps come from an inverse Laplace transform on parabolas (Weideman, Trefethen, Math. Comp. 76 (2007) 1341), one for all times up
+!> to a factor apart: singularities lie on the negative axis.
+module mdrcontact_conduction_answers
+    use mdrcontact_conduction_basis, only: basis_t
+    use mdrcontact_conduction_bodies, only: conduction_t
+    use mdrcontact_conduction_film_in_time, only: film_basis_t, film_spot_at, new_film_basis
+    use mdrcontact_conduction_fields, only: conductance_at
+    use mdrcontact_conduction_transient, only: basis_for, gaussian, given_flux, spot_at, uniform_centre, uniform_mean
+    use mdrcontact_cancel, only: check_cancelled
+    use mdrcontact_error, only: check_choice, check_not_negative, check_positive, error_domain, error_t, raise, to_text
+    use mdrcontact_kinds, only: pi, wp
+    implicit none (type, external)
+    private
+    public :: spot_conductance_answer, spot_resistance_answer, admittance_of, step_of
+
+    !> Of an equipotential spot: flux per potential, and potential per flux; beside uniform_mean, uniform_centre, gaussian.
+    integer, parameter :: spot_conductance_answer = 1, spot_resistance_answer = 2
+    !> Times up to this factor apart share a parabola, of so many nodes: exp(-2 pi nodes/sqrt(8 span + 1)) = 1e-13; one time takes
+    !> fewer.
+    real(wp), parameter :: span = 4.0_wp
+    integer, parameter :: shared_nodes = 28, own_nodes = 16
+    !> D t/a^2 from which on answers are solved, D the largest diffusivity at the surface, and omega a^2/D up to which.
+    real(wp), parameter :: first_time = 1.0e-4_wp, last_frequency = 1.0e5_wp
+
+contains
+
+    !> At frequencies: G, 1/G, or the potential per flux. Steady at 0.
+    subroutine admittance_of(conduction, answer, a, omega, values, error)
+        type(conduction_t), intent(in) :: conduction
+        !> spot_conductance_answer, spot_resistance_answer, uniform_mean, uniform_centre or gaussian
+        integer, intent(in) :: answer
+        !> > 0 [length]
+        real(wp), intent(in) :: a
+        !> >= 0 [1/time]
+        real(wp), intent(in) :: omega(:)
+        !> same size as omega
+        complex(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: fastest
+        integer :: i
+
+        values = 0.0_wp
+        call check_answer(answer, a, error)
+        fastest = diffusivity_limit(conduction)
+        do i = 1, size(omega)
+            call check_not_negative(error, "omega", omega(i), i)
+            if (allocated(error)) return
+            if (omega(i)*a**2*fastest > last_frequency) then
+                call raise(error, error_domain, " = "//to_text(omega(i))//" is not allowed: omega a^2/D of the surface must be "// &
+                           "at most "//to_text(last_frequency)//"; beyond, heat flows one-dimensionally, "// &
+                           "G = pi a^2 sqrt(s sigma c)", "omega", i)
+                return
+            end if
+            call check_cancelled(error)
+            call at(conduction, answer, a, cmplx(0.0_wp, omega(i), wp), values(i), error)
+            if (allocated(error)) return
+        end do
+    end subroutine admittance_of
+
+    subroutine check_answer(answer, a, error)
+        integer, intent(in) :: answer
+        real(wp), intent(in) :: a
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_choice(error, "answer", answer, spot_conductance_answer, gaussian, "1 (conductance), 2 (resistance), "// &
+                          "3 (mean of a uniform flux), 4 (centre of a uniform flux) or 5 (Gaussian)")
+        call check_positive(error, "radius", a)
+    end subroutine check_answer
+
+    !> Largest c/sigma_r at the surface.
+    pure function diffusivity_limit(conduction) result(rate)
+        type(conduction_t), intent(in) :: conduction
+        real(wp) :: rate
+        integer :: i
+
+        rate = maxval([(conduction%bodies(i)%rate(1), i=1, size(conduction%bodies))])
+    end function diffusivity_limit
+
+    !> At one Laplace variable.
+    subroutine at(conduction, answer, a, s, value, error)
+        type(conduction_t), intent(in) :: conduction
+        integer, intent(in) :: answer
+        real(wp), intent(in) :: a
+        complex(wp), intent(in) :: s
+        complex(wp), intent(out) :: value
+        type(error_t), allocatable, intent(inout) :: error
+        type(basis_t) :: basis
+        type(film_basis_t) :: film
+        real(wp) :: conductance, slope
+
+        value = 0.0_wp
+        if (allocated(error)) return
+        if (.not. abs(s) > 0.0_wp) then
+            call conduction%check_steady(error)
+            call conduction%check_radius(a, error)
+        end if
+        if (answer > spot_resistance_answer) then
+            call given_flux(conduction, answer, a, s, value, error)
+            return
+        end if
+        if (.not. abs(s) > 0.0_wp) then
+            call conductance_at(conduction, a, conductance, slope, error)
+            value = conductance
+        else if (conduction%film > 0.0_wp) then
+            call new_film_basis(film, conduction, a, abs(s), error)
+            call film_spot_at(conduction, a, s, film, value, error)
+        else
+            call basis_for(conduction, a, abs(s), abs(s), basis, error)
+            call spot_at(conduction, a, s, basis, value, error)
+        end if
+        if (allocated(error)) return
+        if (answer == spot_resistance_answer) value = 1.0_wp/value
+    end subroutine at
+
+    !> After a step of potential or flux at time 0.
+    subroutine step_of(conduction, answer, a, time, values, error)
+        type(conduction_t), intent(in) :: conduction
+        !> as in admittance_of
+        integer, intent(in) :: answer
+        !> > 0 [length]
+        real(wp), intent(in) :: a
+        !> such that D t/a^2 >= 1e-4 with the D of every surface, or > 0 without a capacity there [time]
+        real(wp), intent(in) :: time(:)
+        !> same size as time
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        logical :: done(size(time))
+        logical :: chosen(size(time))
+        real(wp) :: from
+        integer :: i
+
+        values = 0.0_wp
+        call check_answer(answer, a, error)
+        do i = 1, size(time)
+            call check_positive(error, "time", time(i), i)
+            if (allocated(error)) return
+            if (time(i) >= first_time*a**2*diffusivity_limit(conduction)) cycle
+            call raise(error, error_domain, " = "//to_text(time(i))//" is not allowed: D t/a^2 of the surface must be at least "// &
+                       to_text(first_time)//"; before, heat flows one-dimensionally, "// &
+                       "G = pi a^2 sqrt(sigma c/(pi t)) + pi a sigma", "time", i)
+            return
+        end do
+        if (allocated(error)) return
+        done = .false.
+        do while (.not. all(done))
+            from = minval(time, mask=.not. done)
+            chosen = .not. done .and. time <= span*from
+            call check_cancelled(error)
+            call on_parabola(conduction, answer, a, pack(time, chosen), values, chosen, error)
+            if (allocated(error)) return
+            done = done .or. chosen
+        end do
+    end subroutine step_of
+
+    !> Times within a span by one parabola.
+    subroutine on_parabola(conduction, answer, a, time, values, chosen, error)
+        type(conduction_t), intent(in) :: conduction
+        integer, intent(in) :: answer
+        real(wp), intent(in) :: a, time(:)
+        real(wp), intent(inout) :: values(:)
+        !> where they belong in `values`
+        logical, intent(in) :: chosen(:)
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: s(shared_nodes), weight(shared_nodes), answered(shared_nodes)
+        real(wp) :: totals(size(time)), largest
+        type(basis_t) :: basis
+        type(film_basis_t) :: film
+        integer :: i, n
+
+        call parabola(minval(time), maxval(time), n, s, weight)
+        ! beyond, exp(s t) leaves nothing of the last digits
+        largest = maxval(abs(s(:n)), mask=real(s(:n), wp)*minval(time) > -20.0_wp)
+        if (answer <= spot_resistance_answer) then
+            if (conduction%film > 0.0_wp) then
+                call new_film_basis(film, conduction, a, largest, error)
+            else
+                call basis_for(conduction, a, abs(s(1)), largest, basis, error)
+            end if
+        end if
+        if (allocated(error)) return
+        do i = 1, n
+            if (answer > spot_resistance_answer) then
+                call given_flux(conduction, answer, a, s(i), answered(i), error)
+            else if (conduction%film > 0.0_wp) then
+                call film_spot_at(conduction, a, s(i), film, answered(i), error)
+            else
+                call spot_at(conduction, a, s(i), basis, answered(i), error)
+            end if
+            if (allocated(error)) return
+            if (answer == spot_resistance_answer) answered(i) = 1.0_wp/answered(i)
+        end do
+        totals = [(sum(aimag(weight(:n)*exp(s(:n)*time(i))*answered(:n))), i=1, size(time))]
+        values = unpack(totals, chosen, values)
+    end subroutine on_parabola
+
+    !> Nodes s and weights: the inverse transform of F(s)/s is Im sum w exp(st) F(s).
+    pure subroutine parabola(from, to, n, s, weight)
+        real(wp), intent(in) :: from, to
+        integer, intent(out) :: n
+        complex(wp), intent(out) :: s(:), weight(:)
+        real(wp) :: width, opening, root
+        complex(wp) :: turn
+        integer :: j
+
+        root = sqrt(8.0_wp*to/from + 1.0_wp)
+        n = merge(shared_nodes, own_nodes, to > from)
+        width = root/real(n, wp)
+        opening = pi*real(n, wp)/(4.0_wp*root*to)
+        do j = 1, n
+            turn = cmplx(1.0_wp, (real(j, wp) - 0.5_wp)*width, wp)
+            s(j) = opening*turn**2
+            weight(j) = (0.0_wp, 2.0_wp)/turn*width/pi
+        end do
+    end subroutine parabola
+
+end module mdrcontact_conduction_answers

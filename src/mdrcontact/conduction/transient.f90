@@ -1,0 +1,163 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A spot at one Laplace variable s, or at i omega: conductance of an equipotential spot, and potentials under a given flux.
+module mdrcontact_conduction_transient
+    use mdrcontact_conduction_basis, only: basis_t, new_basis
+    use mdrcontact_conduction_bodies, only: conduction_t
+    use mdrcontact_conduction_waves, only: wave_rule
+    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise
+    use mdrcontact_gsl, only: gsl_sf_bessel_j1
+    use mdrcontact_kinds, only: pi, wp
+    implicit none (type, external)
+    private
+    public :: basis_for, chi_of, given_flux, spot_at, uniform_mean, uniform_centre, gaussian
+
+    !> What is known under a given flux, per total flux: area mean and centre under a uniform one; mean over a Gaussian probe under
+    !> a Gaussian pump of radii w0 and w1 (1/e^2), radius = sqrt(w0^2 + w1^2).
+    integer, parameter :: uniform_mean = 3, uniform_centre = 4, gaussian = 5
+
+contains
+
+    !> The polynomials and waves for Laplace variables of sizes between two.
+    subroutine basis_for(conduction, a, smallest, largest, basis, error)
+        type(conduction_t), intent(in) :: conduction
+        !> spot's radius [length]; |s| [1/time]
+        real(wp), intent(in) :: a, smallest, largest
+        type(basis_t), intent(out) :: basis
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: depth, deepest, waves, first
+        integer :: i, order
+
+        depth = 0.0_wp
+        deepest = 1.0_wp
+        waves = 0.0_wp
+        first = 1.0_wp
+        do i = 1, size(conduction%bodies)
+            associate (body => conduction%bodies(i))
+                if (body%layers > 0) depth = max(depth, a/body%h(1))
+                if (body%layers > 0) deepest = max(deepest, body%depth()/a)
+                waves = max(waves, sqrt(largest*maxval(body%rate))*a)
+                first = min(first, sqrt(smallest*minval(body%rate))*a)
+            end associate
+        end do
+        order = 8 + ceiling(3.5_wp*sqrt(depth) + 2.5_wp*sqrt(waves))
+        first = max(min(first, 1.0_wp/deepest), 1.0e-9_wp)
+        call new_basis(basis, order, 0.05_wp*first, max(4.0_wp*order, 20.0_wp*depth, 1.5_wp*waves, 40.0_wp), error)
+    end subroutine basis_for
+
+    !> chi of the bodies together at wavenumbers.
+    elemental function chi_of(conduction, k, s) result(chi)
+        type(conduction_t), intent(in) :: conduction
+        !> [1/length]; [1/time]
+        complex(wp), intent(in) :: k, s
+        complex(wp) :: chi
+        complex(wp) :: sigma, part
+        integer :: i
+
+        chi = 0.0_wp
+        do i = 1, size(conduction%bodies)
+            call conduction%bodies(i)%response(k, s, sigma, part)
+            chi = chi + conduction%share(i)*part
+        end do
+    end function chi_of
+
+    !> G of an equipotential spot without a film, and on request the series of its flux.
+    subroutine spot_at(conduction, a, s, basis, conductance, error, series)
+        type(conduction_t), intent(in) :: conduction
+        real(wp), intent(in) :: a
+        complex(wp), intent(in) :: s
+        type(basis_t), intent(in) :: basis
+        complex(wp), intent(out) :: conductance
+        type(error_t), allocatable, intent(inout) :: error
+        !> coefficients of P_2j(x/a) of q at potential 1
+        complex(wp), intent(out), optional :: series(:)
+        complex(wp), allocatable :: matrix(:, :)
+        complex(wp) :: c(basis%order)
+        integer :: i, stat
+
+        conductance = 0.0_wp
+        if (allocated(error)) return
+        allocate (matrix(basis%order, basis%order), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        call basis%project(chi_of(conduction, cmplx(basis%k/a, 0.0_wp, wp), s), chi_of(conduction, basis%far/a, s), matrix, error)
+        call solve_symmetric(matrix, c, error)
+        if (allocated(error)) return
+        conductance = 4.0_wp*conduction%scale*a*c(1)
+        if (present(series)) series = 2.0_wp*conduction%scale*[(sqrt(4.0_wp*i - 3.0_wp)*c(i), i=1, basis%order)]
+    end subroutine spot_at
+
+    !> matrix c = (1, 0, ...) by L D L^T: the matrix is symmetric, and its real part positive where flux is lost.
+    subroutine solve_symmetric(matrix, c, error)
+        complex(wp), intent(inout), contiguous :: matrix(:, :)
+        complex(wp), intent(out) :: c(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, j, n
+
+        n = size(c)
+        c = 0.0_wp
+        c(1) = 1.0_wp
+        if (allocated(error)) return
+        do j = 1, n
+            if (.not. abs(matrix(j, j)) > 0.0_wp) then
+                call raise(error, error_no_convergence, "the conductance of a spot in time could not be solved for")
+                return
+            end if
+            do i = j + 1, n
+                c(i) = c(i) - matrix(i, j)/matrix(j, j)*c(j)
+                matrix(i:n, i) = matrix(i:n, i) - matrix(i, j)/matrix(j, j)*matrix(i:n, j)
+            end do
+        end do
+        do j = n, 1, -1
+            c(j) = (c(j) - sum(matrix(j + 1:n, j)*c(j + 1:n)))/matrix(j, j)
+        end do
+    end subroutine solve_symmetric
+
+    !> Potential per total flux under a given flux, by waves up to where nothing is left.
+    subroutine given_flux(conduction, what, a, s, value, error)
+        type(conduction_t), intent(in) :: conduction
+        !> uniform_mean, uniform_centre or gaussian
+        integer, intent(in) :: what
+        real(wp), intent(in) :: a
+        complex(wp), intent(in) :: s
+        complex(wp), intent(out) :: value
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: z(:), weight(:)
+        complex(wp) :: chi
+        real(wp) :: last, waves, first, bessel
+        integer :: i
+
+        value = 0.0_wp
+        last = 0.0_wp
+        waves = 0.0_wp
+        first = 1.0_wp
+        do i = 1, size(conduction%bodies)
+            associate (body => conduction%bodies(i))
+                if (body%layers > 0) last = max(last, 20.0_wp*a/body%h(1))
+                if (body%layers > 0) first = min(first, a/body%depth())
+                waves = max(waves, sqrt(abs(s)*maxval(body%rate))*a)
+            end associate
+        end do
+        if (waves > 0.0_wp) first = min(first, waves)
+        ! chi falls as waves^2/k^2
+        if (what == uniform_mean) last = max(last, 1200.0_wp*sqrt(waves))
+        if (what == uniform_centre .and. waves > 0.0_wp) last = max(last, 4000.0_wp*waves**(4.0_wp/7.0_wp), 1.0e3_wp)
+        if (what == gaussian) last = 18.0_wp
+        if (what /= gaussian) value = merge(8.0_wp/(3.0_wp*pi), 1.0_wp, what == uniform_mean)
+        if (last > 0.0_wp) then
+            call wave_rule(1.0e-9_wp*min(first, last), last, 1.0_wp, z, weight, error)
+            if (allocated(error)) return
+            do i = 1, size(z)
+                chi = chi_of(conduction, cmplx(z(i)/a, 0.0_wp, wp), s)
+                if (what == gaussian) then
+                    value = value + weight(i)*(1.0_wp + chi)*exp(-z(i)**2/8.0_wp)
+                else
+                    bessel = gsl_sf_bessel_j1(z(i))/z(i)
+                    value = value + weight(i)*chi*merge(2.0_wp*bessel**2, bessel, what == uniform_mean)
+                end if
+            end do
+        end if
+        value = value/(pi*conduction%scale*a)
+        if (what == gaussian) value = 0.5_wp*value
+    end subroutine given_flux
+
+end module mdrcontact_conduction_transient

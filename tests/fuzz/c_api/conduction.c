@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Conduction: stacks of any numbers, and what their spots answer. */
+#include "world.h"
+
+#include <stddef.h>
+
+enum { PRICE_OF_KERNEL = 2, PRICE_OF_ANSWER = 4, MOST_LAYERS = 3 };
+
+static int take_stack(input *in, mdr_conductor layers[MOST_LAYERS])
+{
+    const int n = take_choice(in, MOST_LAYERS + 1);
+    for (int i = 0; i < MOST_LAYERS; i++) {
+        layers[i].thickness = take_positive(in);
+        layers[i].sigma = take_positive(in);
+        layers[i].along = take_chance(in) ? take_positive(in) : layers[i].sigma;
+        layers[i].capacity = take_chance(in) ? 0.0 : take_positive(in);
+        layers[i].resistance = take_chance(in) ? take_positive(in) : 0.0;
+    }
+    return n > MOST_LAYERS ? -1 : n;
+}
+
+void fuzz_conduction(world *w)
+{
+    mdr_conductor lower[MOST_LAYERS], upper[MOST_LAYERS];
+    const int n = take_stack(&w->in, lower), m = take_chance(&w->in) ? take_stack(&w->in, upper) : 0;
+    const int base = take_code(&w->in, 3), upper_base = take_code(&w->in, 3), answer = take_code(&w->in, 5), points = take_count(&w->in);
+    const double film = take_chance(&w->in) ? take_positive(&w->in) : 0.0, sink = take_chance(&w->in) ? take_positive(&w->in) : 0.0;
+    const double a = take_positive(&w->in);
+    double x[MOST_POINTS], z[MOST_POINTS], out[MOST_POINTS], more[MOST_POINTS];
+    mdr_conduction *p = NULL;
+    int status;
+
+    take_positives(&w->in, x);
+    take_positives(&w->in, z);
+    if (!afford(w, PRICE_OF_KERNEL)) return;
+    status = mdr_conduction_new(n, lower, base, m, m ? upper : NULL, upper_base, film, sink, &p);
+    judge_object("mdr_conduction_new", status, p);
+    if (p && afford(w, PRICE_OF_ANSWER)) {
+        fill(out);
+        fill(more);
+        status = mdr_conduction_spot(p, points, x, out, more);
+        judge("mdr_conduction_spot", status, points, out, NOT_NEGATIVE);
+        judge("mdr_conduction_spot", status, points, more, NOT_NEGATIVE);
+        fill(out);
+        status = mdr_conduction_field(p, take_code(&w->in, 4), a, take_code(&w->in, 2), take_byte(&w->in) % 2, points, x, z, out);
+        judge("mdr_conduction_field", status, points, out, NOT_NAN);
+    }
+    if (p && afford(w, PRICE_OF_ANSWER)) {
+        fill(out);
+        fill(more);
+        status = mdr_conduction_admittance(p, answer, a, points, x, out, more);
+        judge("mdr_conduction_admittance", status, points, out, NOT_NAN);
+        judge("mdr_conduction_admittance", status, points, more, NOT_NAN);
+        fill(out);
+        judge("mdr_conduction_step", mdr_conduction_step(p, answer, a, points, x, out), points, out, NOT_NAN);
+    }
+    judge_status("mdr_conduction_free", mdr_conduction_free(&p));
+}
