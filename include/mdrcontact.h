@@ -696,6 +696,10 @@ typedef struct mdr_contact_options {
     int adhesion_rule;         /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
     int zeta_is_exact;         /**< Not 0: instead of a table, the zeta of the same coated, layered or graded body solved exactly,
                                     for radii up to 1000 thicknesses, so that E_eff is the only approximation; default 0. */
+    double cohesive_stress;    /**< sigma >= 0 [modulus]: adhesion with a range, the Dugdale-Maugis zone, on homogeneous bodies and
+                                    under the model exact, pairs included. The surfaces pull on each other with sigma wherever
+                                    they are less than work_of_adhesion/sigma apart; default 0: a range of nothing. A zone too
+                                    short to change a digit is left out, and mdr_contact_warnings() says so. */
 } mdr_contact_options;
 
 /** The contact of an indenter with a medium, both of which are copied.
@@ -714,6 +718,8 @@ typedef struct mdr_state {
     double stiffness; /**< k = dF/dd at constant a, 2 a E_eff(a) [modulus length]. */
     double excess;    /**< Depth beyond that of the non-adhesive state of this radius: 0 without adhesion, less than 0 with it, the
                            whole depth under a flat punch [length]. */
+    double zone_radius; /**< c, outer radius of the cohesive zone: the bodies pull on each other where a < r < c; 0 without a
+                             cohesive stress [length]. With radius 0 they attract each other without contact. */
 } mdr_state;
 
 /** Which number determines a state. */
@@ -1050,7 +1056,8 @@ enum mdr_warning {
                                       punch at depths beyond 0.94 a; where the slope is not the reason. */
     MDR_WARNING_COMPRESSION = 4, /**< Layers are compressed by more than half of their thickness: a depth beyond that on a rigid base, and
                                       on an elastic one the depth less F/(a E1*), the most by which the base gives way. */
-    MDR_WARNING_CONTRAST = 8     /**< Young's moduli of one contact are 1e9 apart or more, as GPa beside Pa. */
+    MDR_WARNING_CONTRAST = 8,    /**< Young's moduli of one contact are 1e9 apart or more, as GPa beside Pa. */
+    MDR_WARNING_SHORT_ZONE = 16  /**< The zone of a cohesive stress is too short to change a digit: adhesion without a range. */
 };
 
 /** What speaks against the numbers of a state.

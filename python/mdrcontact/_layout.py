@@ -50,6 +50,7 @@ contact_options = np.dtype(
         ("work_of_adhesion", np.float64),
         ("adhesion_rule", np.intc),
         ("zeta_is_exact", np.intc),
+        ("cohesive_stress", np.float64),
     ],
     align=True,
 )
@@ -60,6 +61,7 @@ state = np.dtype(
         ("force", np.float64),
         ("stiffness", np.float64),
         ("excess", np.float64),
+        ("zone_radius", np.float64),
     ],
     align=True,
 )
@@ -386,6 +388,7 @@ WARNING_SLOPE = 1
 WARNING_PRESSURE = 2
 WARNING_COMPRESSION = 4
 WARNING_CONTRAST = 8
+WARNING_SHORT_ZONE = 16
 
 BODY_LOWER = 1
 BODY_UPPER = 2

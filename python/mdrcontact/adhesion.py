@@ -32,7 +32,7 @@ class PullOff(NamedTuple):
     depth: float
     """d, indentation depth, positive into the medium [length]"""
     radius: float
-    """a, contact radius [length]"""
+    """a, contact radius [length]; 0 where bodies with a cohesive stress part while they attract each other without contact"""
     force: float
     """F, normal force, positive in compression [modulus length^2]"""
     stiffness: float
@@ -105,7 +105,9 @@ def pull_offs(contact: Any, control: str) -> PullOff:
         room = count
     if not count:
         return PullOff(0.0, 0.0, 0.0, 0.0)
-    k = np.asarray(contact.medium.stiffness(a[:count]))
+    # bodies with a cohesive stress may part without having touched
+    k = np.zeros(count)
+    k[a[:count] > 0.0] = contact.medium.stiffness(a[:count][a[:count] > 0.0]) if np.any(a[:count] > 0.0) else 0.0
     states = [PullOff(float(d[i]), float(a[i]), float(F[i]), float(k[i])) for i in range(count)]
     return states[0]._replace(others=tuple(states[1:]))
 

@@ -26,6 +26,7 @@ from .errors import (
     MDRError,
     NoConvergenceError,
     NotOneDiscWarning,
+    ShortZoneWarning,
     UnitsWarning,
 )
 from .failure import Failure
@@ -45,7 +46,14 @@ _BEYOND = np.geomspace(1.1, 60.0, 30)
 
 Table = tuple[tuple[float, ...], tuple[float, ...]]
 
-_WARNINGS = (_layout.WARNING_SLOPE, _layout.WARNING_PRESSURE, _layout.WARNING_COMPRESSION, _layout.WARNING_CONTRAST)
+_WARNINGS = {
+    _layout.WARNING_SLOPE: LargeStrainWarning,
+    _layout.WARNING_PRESSURE: LargeStrainWarning,
+    _layout.WARNING_COMPRESSION: LargeStrainWarning,
+    _layout.WARNING_CONTRAST: UnitsWarning,
+    _layout.WARNING_SHORT_ZONE: ShortZoneWarning,
+}
+"""What speaks against a state, in the order of the library's sentences."""
 _BODIES = {"lower": 0, "upper": 1}
 
 
@@ -63,6 +71,9 @@ class State(NamedTuple):
     excess: FloatOrArray = 0.0
     """depth beyond that of the non-adhesive state of this radius [length]: 0 without adhesion, less than 0 with it, the whole depth
     under a flat punch"""
+    zone_radius: FloatOrArray = 0.0
+    """c, outer radius of the cohesive zone [length]: the bodies pull on each other where a < r < c; 0 without a cohesive stress.
+    With radius 0 they attract each other without contact"""
 
     def one(self, index: Any) -> State:
         """One of several states, as the fields of a contact take it: `states.one(3)`, `states.one((0, 2))`."""
@@ -76,6 +87,9 @@ class Contact(Value):
     indenter : a profile: Sphere(...), Cone(...), ...
     medium : Coated(...), Homogeneous(...), ...
     work_of_adhesion : gamma >= 0 [modulus length], J/m^2 in SI units; 0 is the contact without adhesion
+    cohesive_stress : sigma >= 0 [modulus]; adhesion with a range (Dugdale, Maugis): the surfaces pull on each other with sigma
+        wherever they are less than work_of_adhesion/sigma apart, in a zone around the contact. 0: a range of nothing (JKR). On
+        homogeneous bodies and under the model "exact", pairs included
     adhesion_rule : the edge opening, by which the springs at the edge are stretched when they let go
         "paper": sqrt(2 pi a gamma/E_eff), equation (28); "energy": sqrt(4 pi a gamma/k'(a)), the balance of energy;
         "automatic": energy for exact media, where it is exact, and the paper's rule for all others
@@ -91,6 +105,7 @@ class Contact(Value):
     work_of_adhesion: float
     adhesion_rule: str
     zeta: Table | str | None
+    cohesive_stress: float
     _looked_at: set[int] | None = field(init=False, repr=False, compare=False)
     _warned: list[Any] = field(init=False, repr=False, compare=False)
     """up to which depth no state needs to be looked at, then the kinds of warnings that were given"""
@@ -104,26 +119,28 @@ class Contact(Value):
         work_of_adhesion: float = 0.0,
         adhesion_rule: str = "automatic",
         zeta: tuple[ArrayLike, ArrayLike] | str | None = None,
+        cohesive_stress: float = 0.0,
     ) -> None:
         if not isinstance(indenter, Profile):
             raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an indenter profile")
         if not isinstance(medium, Medium):
             raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
         gamma, rule = number("work_of_adhesion", work_of_adhesion), adhesion.code("adhesion_rule", adhesion_rule, RULES)
+        sigma = number("cohesive_stress", cohesive_stress)
         is_exact = isinstance(zeta, str) and zeta == "exact"
         given: Any = zeta if zeta is None or is_exact else _table(zeta)
         columns = [np.array(column) for column in (((), ()) if is_exact or given is None else given)]
         options = record(_layout.contact_options, work_of_adhesion=gamma, adhesion_rule=rule,
                          zeta_count=len(columns[0]), zeta_radius=address(columns[0]), zeta=address(columns[1]),
-                         zeta_is_exact=int(is_exact))  # fmt: skip
+                         zeta_is_exact=int(is_exact), cohesive_stress=sigma)  # fmt: skip
         handle: Any = poroelastic.NoHandle()
         if not poroelastic.is_poroelastic(medium):
             created = _native.contact_new(indenter._handle.address, medium._handle.address, address(options))
             handle = Handle(created, _native.contact_free)
-        elif gamma != 0.0 or given is not None:
-            raise InvalidArgumentError("work_of_adhesion and zeta are not allowed on a gel: they belong to elastic contacts")
+        elif gamma != 0.0 or sigma != 0.0 or given is not None:
+            raise InvalidArgumentError("work_of_adhesion, cohesive_stress and zeta are not allowed on a gel: they belong to elastic contacts")
         self._set(_handle=handle, indenter=indenter, medium=medium)
-        self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given)
+        self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given, cohesive_stress=sigma)
         may_open = gamma == 0.0 and getattr(medium, "model", None) == "exact" and not isinstance(indenter, Paraboloid)
         self._set(_looked_at=set() if may_open else None, _warned=[-math.inf], _compared={})
 
@@ -447,7 +464,7 @@ class Contact(Value):
         self._warned[0] = max(_DEEPER * float(deepest.depth), 0.0)
         codes, texts = self._cautions(deepest)
         for code_of, text in zip(codes, texts, strict=True):
-            kind = UnitsWarning if code_of == _layout.WARNING_CONTRAST else LargeStrainWarning
+            kind = _WARNINGS[code_of]
             if kind not in self._warned:
                 self._warned.append(kind)
                 warn(text, kind)

@@ -20,6 +20,7 @@ __all__ = [
     "BeyondRangeWarning",
     "LargeStrainWarning",
     "UnitsWarning",
+    "ShortZoneWarning",
     "InteriorAccuracyWarning",
 ]
 
@@ -90,6 +91,10 @@ class LargeStrainWarning(MDRWarning):
 
 class UnitsWarning(MDRWarning):
     """Young's moduli of one contact are 1e9 apart or more: one of them may be in another unit, as GPa beside Pa."""
+
+
+class ShortZoneWarning(MDRWarning):
+    """The zone of a cohesive stress is too short to change a digit: the states are those of adhesion without a range (JKR)."""
 
 
 class InteriorAccuracyWarning(MDRWarning):

@@ -1,10 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact of an indenter with a medium: states from depth, force or radius (theory 2, 4, 5).
 module mdrcontact_contact
-    use mdrcontact_contact_branch, only: branch_t, new_branch, stable_segment_t
+    use mdrcontact_contact_adhesive_branch, only: adhesive_branch_t, stable_segment_t
+    use mdrcontact_contact_branch, only: branch_t, new_branch
+    use mdrcontact_contact_cohesion, only: new_cohesion
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, new_equilibrium
+    use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, new_equilibrium
     use mdrcontact_contact_exact_zeta, only: exact_zeta
     use mdrcontact_contact_falls, only: find_falls
     use mdrcontact_error, only: check_choice, check_finite, check_not_negative, error_domain, error_invalid, error_t, &
@@ -12,7 +14,8 @@ module mdrcontact_contact
     use mdrcontact_contact_fields, only: check_state, fields_t
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_contact_inversion, only: invert, neighbours_t
-    use mdrcontact_contact_warnings, only: contact_warning_t, find_warnings
+    use mdrcontact_contact_zone_branch, only: new_zone_branch, zone_branch_t, zone_is_resolved
+    use mdrcontact_contact_warnings, only: add_warning => add, contact_warning_t, find_warnings, warning_short_zone
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_solver, only: solver_t
@@ -32,6 +35,8 @@ module mdrcontact_contact
     type :: contact_options_t
         !> gamma >= 0 [modulus length]
         real(wp) :: work_of_adhesion = 0.0_wp
+        !> sigma >= 0, under which the bodies pull on each other up to a gap of gamma/sigma; 0: a range of nothing [modulus]
+        real(wp) :: cohesive_stress = 0.0_wp
         !> adhesion_automatic, adhesion_paper or adhesion_energy
         integer :: adhesion_rule = adhesion_automatic
         !> zeta(a) of (9), d = zeta(a) g(a), for a medium with an effective modulus; the source's zeta = 1 if not allocated
@@ -43,7 +48,9 @@ module mdrcontact_contact
     !> An indenter on a medium. It holds copies of both and never changes; any number of threads may share it.
     type, extends(fields_t) :: contact_t
         !> the adhesive branch; not allocated without adhesion
-        type(branch_t), allocatable, private :: branch
+        class(adhesive_branch_t), allocatable, private :: branch
+        !> a cohesive stress was given whose zone is too short to change a digit: adhesion without a range stands for it
+        logical :: has_short_zone = .false.
     contains
         procedure :: at_radius
         procedure :: at_depth
@@ -53,6 +60,7 @@ module mdrcontact_contact
         procedure :: stable_segments
         procedure :: state_on_segment
         procedure :: work_between
+        procedure :: first_attraction
         procedure :: is_adhesive
         procedure :: is_formula
         procedure :: radius_range
@@ -102,23 +110,72 @@ contains
         else
             call new_equilibrium(self%equilibrium, profile, medium, error, options%zeta)
         end if
-        if (.not. allocated(error)) call set_adhesion(self, options%work_of_adhesion, options%adhesion_rule, error)
+        if (.not. allocated(error)) call set_adhesion(self, options, error)
         if (.not. (allocated(error) .or. self%is_adhesive())) call find_falls(self%equilibrium, error)
     end subroutine new_contact_with_solver
 
-    subroutine set_adhesion(self, work_of_adhesion, rule, error)
+    subroutine set_adhesion(self, options, error)
         type(contact_t), intent(inout) :: self
-        real(wp), intent(in) :: work_of_adhesion
-        integer, intent(in) :: rule
+        type(contact_options_t), intent(in) :: options
         type(error_t), allocatable, intent(out) :: error
+        type(branch_t), allocatable :: branch
 
-        call check_adhesion(work_of_adhesion, rule, error)
-        if (allocated(error) .or. work_of_adhesion <= 0.0_wp) return
-        self%equilibrium%work_of_adhesion = work_of_adhesion
-        self%equilibrium%rule = rule
-        allocate (self%branch)
-        call new_branch(self%branch, self%equilibrium, error)
+        call check_adhesion(options%work_of_adhesion, options%adhesion_rule, error)
+        call check_cohesion(options, error)
+        if (allocated(error) .or. options%work_of_adhesion <= 0.0_wp) return
+        self%equilibrium%work_of_adhesion = options%work_of_adhesion
+        self%equilibrium%rule = options%adhesion_rule
+        if (options%cohesive_stress > 0.0_wp) call set_cohesion(self, options, error)
+        if (allocated(error) .or. allocated(self%branch)) return
+        allocate (branch)
+        call new_branch(branch, self%equilibrium, error)
+        call move_alloc(branch, self%branch)
     end subroutine set_adhesion
+
+    !> Adhesion with a range; none where the zone is too short to change a digit.
+    subroutine set_cohesion(self, options, error)
+        type(contact_t), intent(inout) :: self
+        type(contact_options_t), intent(in) :: options
+        type(error_t), allocatable, intent(out) :: error
+        type(zone_branch_t), allocatable :: branch
+        logical :: is_resolved
+
+        associate (equilibrium => self%equilibrium)
+            allocate (equilibrium%cohesion)
+            call new_cohesion(equilibrium%cohesion, equilibrium%profile, equilibrium%medium, equilibrium%last_radius, &
+                              options%work_of_adhesion, options%cohesive_stress, error)
+            if (allocated(error)) return
+            call zone_is_resolved(equilibrium, is_resolved, error)
+            if (allocated(error)) return
+            self%has_short_zone = .not. is_resolved
+            if (.not. is_resolved) then
+                deallocate (equilibrium%cohesion)
+                return
+            end if
+        end associate
+        allocate (branch)
+        call new_zone_branch(branch, self%equilibrium, error)
+        call move_alloc(branch, self%branch)
+    end subroutine set_cohesion
+
+    !> Raises unless the cohesive stress is >= 0 and goes with the other options.
+    pure subroutine check_cohesion(options, error)
+        type(contact_options_t), intent(in) :: options
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_not_negative(error, "cohesive_stress", options%cohesive_stress)
+        if (allocated(error) .or. .not. options%cohesive_stress > 0.0_wp) return
+        if (.not. options%work_of_adhesion > 0.0_wp) then
+            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//" is not allowed without a "// &
+                       "work_of_adhesion: the range of adhesion is work_of_adhesion/cohesive_stress", "cohesive_stress")
+        else if (options%adhesion_rule == adhesion_paper) then
+            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//" is not allowed with the adhesion "// &
+                       "rule paper: the zone follows from the balance of energy", "cohesive_stress")
+        else if (options%zeta_is_exact .or. allocated(options%zeta)) then
+            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//" is not allowed with zeta: a contact "// &
+                       "with a zone is solved exactly", "cohesive_stress")
+        end if
+    end subroutine check_cohesion
 
     !> Raises unless the work of adhesion is >= 0 and the rule is automatic, the paper's or energy.
     pure subroutine check_adhesion(work_of_adhesion, rule, error)
@@ -176,7 +233,10 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         if (state%radius /= 0.0_wp) call check_state(self, state, error)
-        if (.not. allocated(error)) call find_warnings(self%equilibrium, state, found)
+        if (allocated(error)) return
+        call find_warnings(self%equilibrium, state, found)
+        if (self%has_short_zone) call add_warning(found, warning_short_zone, "the cohesive zone is too short to change a digit "// &
+                                                  "of this contact: its states are those of adhesion without a range (JKR)")
     end subroutine warnings
 
     !> The state of equilibrium at contact radius a, stable or not.
@@ -191,6 +251,8 @@ contains
         call check_not_negative(error, "radius", radius)
         if (allocated(error)) return
         end_radius = self%equilibrium%profile%end_radius
+        ! with a zone a part of a flat end may be in contact
+        if (allocated(self%equilibrium%cohesion)) end_radius = 0.0_wp
         wall_radius = self%equilibrium%profile%largest_radius
         smallest = self%equilibrium%medium%smallest_radius
         if (radius < end_radius) then
@@ -207,7 +269,11 @@ contains
                        to_text(smallest)//" on", "radius")
         end if
         if (allocated(error)) return
-        call self%equilibrium%at(radius, state, error)
+        if (allocated(self%branch)) then
+            call self%branch%at_radius(self%equilibrium, radius, state, error)
+        else
+            call self%equilibrium%at(radius, state, error)
+        end if
     end subroutine at_radius
 
     !> The stable state at indentation depth d.
@@ -348,20 +414,23 @@ contains
         call self%branch%state_on(self%equilibrium, control, segment, s, state, error)
     end subroutine state_on_segment
 
-    !> int F dd along the adhesive branch between two of its states; at a vertical wall the depth alone changes.
+    !> int F dd along the adhesive branch between two of its states.
     function work_between(self, from, to) result(work)
         class(contact_t), intent(in) :: self
         type(contact_state_t), intent(in) :: from, to
         real(wp) :: work
 
-        if (self%equilibrium%profile%has_wall .and. from%radius >= self%equilibrium%last_radius &
-            .and. to%radius >= self%equilibrium%last_radius) then
-            work = 0.5_wp*(from%force + to%force)*(to%depth - from%depth)
-        else
-            work = self%branch%work_between(self%equilibrium%coordinate_of(from%radius), &
-                                            self%equilibrium%coordinate_of(to%radius))
-        end if
+        work = self%branch%work_between(self%equilibrium, from, to)
     end function work_between
+
+    !> s at which adhesive bodies that approach begin to attract each other.
+    pure function first_attraction(self, control) result(s)
+        class(contact_t), intent(in) :: self
+        type(control_t), intent(in) :: control
+        real(wp) :: s
+
+        s = self%branch%first_attraction(control)
+    end function first_attraction
 
     !> The stable adhesive state with a given s, on loading (the smallest contact that the approach meets) or on unloading
     !> (the largest).
@@ -378,9 +447,9 @@ contains
         integer :: chosen
 
         what = " = "//to_text(s)//" cannot be reached"
-        if (way == on_loading .and. s < 0.0_wp) then
-            call raise(error, error_unreachable, what//" on loading: the bodies touch at "//name//" 0; below it a contact "// &
-                       "exists on unloading only", name)
+        if (way == on_loading .and. s < self%branch%first_attraction(control)) then
+            call raise(error, error_unreachable, what//" on loading: the bodies attract each other from "//name//" "// &
+                       to_text(self%branch%first_attraction(control))//" on; below it a contact exists on unloading only", name)
             return
         end if
         call self%stable_segments(control, list, error)

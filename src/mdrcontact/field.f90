@@ -143,6 +143,11 @@ contains
                 call raise(error, error_invalid, " = upper is not allowed: the indenter is rigid", "body")
                 return
             end if
+            if (allocated(equilibrium%cohesion)) then
+                call raise(error, error_invalid, "stresses and energies inside are not known of a contact with a "// &
+                           "cohesive_stress: leave it out for adhesion without a range")
+                return
+            end if
             call check_state(contact, state, error)
             if (allocated(error)) return
             call equilibrium%medium%surface_load(equilibrium%profile, state%radius, state%excess, load, error)

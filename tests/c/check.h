@@ -111,7 +111,7 @@ static inline void check_untouched_at(const char *file, int line, const char *wh
 /* A field of the state that a radius, depth or force determines, on unloading. */
 static inline int field_at(const mdr_contact *c, int field, int given, double value, int n, const double r[], double out[])
 {
-    mdr_state state = {0.0, 0.0, 0.0, 0.0, 0.0};
+    mdr_state state = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const int status = mdr_contact_states(c, given, MDR_ON_UNLOADING, 1, &value, &state);
     return status != MDR_SUCCESS ? status : mdr_contact_field(c, field, &state, n, r, out);
 }

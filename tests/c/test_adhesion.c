@@ -40,7 +40,7 @@ static void options_refuse(void)
 static void branches_refuse(const mdr_contact *c, int given)
 {
     const double good[1] = {0.1}, not_a_number[1] = {NAN}, far[1] = {-100.0};
-    mdr_state out = {untouched, untouched, untouched, untouched, untouched};
+    mdr_state out = {untouched, untouched, untouched, untouched, untouched, untouched};
 
     CHECK_STATUS(mdr_contact_states(NULL, given, MDR_ON_LOADING, 1, good, &out), MDR_ENULL, "c is NULL");
     CHECK_STATUS(mdr_contact_states(c, given, MDR_ON_LOADING, -1, good, &out), MDR_EINVALID, "n = -1");

@@ -66,7 +66,7 @@ static int rub_along(void)
 }
 static int inside(void)
 {
-    const mdr_state state = {0.5, 1.0, 1.0, 2.0, 0.0};
+    const mdr_state state = {0.5, 1.0, 1.0, 2.0, 0.0, 0.0};
     static double angles[MANY];
     static mdr_interior found[MANY];
     return mdr_contact_interior(exact, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.1, MANY / 10, radii, in, angles, found);

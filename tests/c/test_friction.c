@@ -76,7 +76,7 @@ static void refusals(void)
     mdr_medium *film = NULL, *modulus = NULL, *rigid = NULL;
     mdr_contact *c, *unknown;
     mdr_friction *f = NULL, *none = NULL;
-    mdr_state state, nowhere = {0.0, 0.0, 0.0, 0.0, 0.0};
+    mdr_state state, nowhere = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     mdr_tangential_state out[2];
     double a[2] = {0.5, 1.0}, bad[2] = {0.5, NAN}, G[2], shift[POINTS], force[POINTS], dissipated;
 

@@ -24,7 +24,7 @@ static void refusals(void)
     const double r[2] = {0.0, 0.5}, z[2] = {0.1, 0.2}, negative[2] = {0.0, -0.5};
     mdr_interior out[2];
     mdr_contact *c = on_film(0.0), *sticky = on_film(1.0);
-    const mdr_state nothing = {0.0, 0.0, 0.0, 0.0, 0.0};
+    const mdr_state nothing = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     mdr_state state, sticky_state;
     double energy[2], deviation;
     int count = -7;

@@ -11,7 +11,7 @@ from ..adhesion import Loop, PullOff
 from ..contact import Contact
 from ..problem import Problem, ProblemError, load
 from ..problem.adhesion import Adhesion
-from ..problem.units import ENERGY, FORCE, LENGTH, WORK_OF_ADHESION, practical, shown
+from ..problem.units import ENERGY, FORCE, LENGTH, MODULUS, WORK_OF_ADHESION, practical, shown
 from . import figures, files
 from .table import Column, aligned, as_csv, column, number
 
@@ -28,6 +28,7 @@ The problem file has one table more than for the other commands:
 
     [adhesion]
     work_of_adhesion = "50 mJ/m^2"
+    cohesive_stress = "2 MPa"           # adhesion with a range; without it: of no range (JKR)
     control = "spring"                  # or "depth" (default), "force": what the machine prescribes
     spring_stiffness = "0.2 N/m"        # with control = "spring": an AFM cantilever
     adhesion_rule = "automatic"         # or "paper", "energy": the edge opening, see docs/adhesion.md
@@ -53,7 +54,7 @@ def run(arguments: argparse.Namespace) -> None:
     loop = cycle(contact, problem, problem.adhesion)
     print(f"{problem.title}\n")
     gamma = shown(problem.adhesion.work_of_adhesion, WORK_OF_ADHESION)
-    print(f"work of adhesion: {gamma}, adhesion rule: {problem.adhesion.adhesion_rule}\n")
+    print(f"work of adhesion: {gamma}, {_law(problem.adhesion)}\n")
     print(_states(pull_offs))
     print(f"\n{_jumps(loop)}")
     print(f"\nenergy lost in the cycle: {shown(loop.dissipated_energy, ENERGY)}")
@@ -64,6 +65,14 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.plot:
         results[arguments.plot] = figures.loop_figure(problem, loop, pull_offs, files.figure_format(arguments.plot))
     files.write(results, arguments.overwrite)
+
+
+def _law(adhesion: Adhesion) -> str:
+    """What holds the surfaces together at the edge."""
+    if not adhesion.cohesive_stress:
+        return f"adhesion rule: {adhesion.adhesion_rule}"
+    reach = adhesion.work_of_adhesion / adhesion.cohesive_stress
+    return f"cohesive stress: {shown(adhesion.cohesive_stress, MODULUS)}, up to a gap of {shown(reach, LENGTH)}"
 
 
 def cycle(contact: Contact, problem: Problem, adhesion: Adhesion) -> Loop:

@@ -51,7 +51,14 @@ class Problem(NamedTuple):
             self.check_elastic()
         if self.adhesion is None:
             return Contact(self.indenter, self.medium)
-        return Contact(self.indenter, self.medium, self.adhesion.work_of_adhesion, self.adhesion.adhesion_rule)
+        adhesion = self.adhesion
+        return Contact(
+            self.indenter,
+            self.medium,
+            adhesion.work_of_adhesion,
+            adhesion.adhesion_rule,
+            cohesive_stress=adhesion.cohesive_stress,
+        )
 
 
 def load(path: str | Path) -> Problem:

@@ -8,10 +8,11 @@ from typing import NamedTuple
 
 from ..adhesion import CONTROLS, RULES
 from .section import ProblemError, Section
-from .units import STIFFNESS, WORK_OF_ADHESION, Dimension
+from .units import MODULUS, STIFFNESS, WORK_OF_ADHESION, Dimension
 
 KNOWN: Mapping[str, Dimension | None] = {
     "work_of_adhesion": WORK_OF_ADHESION,
+    "cohesive_stress": MODULUS,
     "adhesion_rule": None,
     "control": None,
     "spring_stiffness": STIFFNESS,
@@ -19,9 +20,10 @@ KNOWN: Mapping[str, Dimension | None] = {
 
 
 class Adhesion(NamedTuple):
-    """Work of adhesion, rule of the edge, and what the machine prescribes in a loop; SI units."""
+    """Work of adhesion, cohesive stress, rule of the edge, and what the machine prescribes in a loop; SI units."""
 
     work_of_adhesion: float
+    cohesive_stress: float
     adhesion_rule: str
     control: str
     spring_stiffness: float | None
@@ -35,4 +37,5 @@ def read_adhesion(section: Section) -> Adhesion:
         raise ProblemError(f'[{section.path}]: spring_stiffness belongs to control = "spring", not to {control!r}')
     spring = section.quantity("spring_stiffness") if control == "spring" else None
     rule = section.choice("adhesion_rule", RULES, default="automatic")
-    return Adhesion(section.positive("work_of_adhesion", zero=True), rule, control, spring)
+    stress = section.positive("cohesive_stress", zero=True) if "cohesive_stress" in section else 0.0
+    return Adhesion(section.positive("work_of_adhesion", zero=True), stress, rule, control, spring)

@@ -33,6 +33,7 @@ module mdrcontact_api_contact
         real(c_double) :: work_of_adhesion = 0.0_c_double
         integer(c_int) :: adhesion_rule = int(adhesion_automatic, c_int)
         integer(c_int) :: zeta_is_exact = 0_c_int
+        real(c_double) :: cohesive_stress = 0.0_c_double
     end type c_contact_options_t
 
 contains
@@ -52,6 +53,7 @@ contains
         call open_handle(profile, "profile", indenter, error)
         call open_handle(medium, "medium", body, error)
         chosen%work_of_adhesion = given%work_of_adhesion
+        chosen%cohesive_stress = given%cohesive_stress
         chosen%adhesion_rule = given%adhesion_rule
         chosen%zeta_is_exact = given%zeta_is_exact /= 0_c_int
         if (chosen%zeta_is_exact .and. given%zeta_count /= 0) then

@@ -4,6 +4,7 @@
 !> Equilibria are stable where what the machine controls grows with the contact radius; a coated body can have several such
 !> segments.
 module mdrcontact_contact_branch
+    use mdrcontact_contact_adhesive_branch, only: adhesive_branch_t, stable_segment_t
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_curve, only: curve_point_t, curve_t, new_curve
     use mdrcontact_contact_equilibrium, only: equilibrium_t
@@ -15,18 +16,10 @@ module mdrcontact_contact_branch
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: branch_t, new_branch, stable_segment_t
+    public :: branch_t, new_branch
 
-    !> A stable segment of the branch: s grows from `lowest` to `highest` as the coordinate goes from `first` to `last`.
-    type :: stable_segment_t
-        real(wp) :: first = 0.0_wp, last = 0.0_wp
-        real(wp) :: lowest = 0.0_wp, highest = 0.0_wp
-        !> the radius stays at the indenter's vertical wall, the depth changes
-        logical :: at_wall = .false.
-    end type stable_segment_t
-
-    !> The equilibria from where adhesion is all to where it is nothing.
-    type :: branch_t
+    !> The equilibria of adhesion without a range from where it is all to where it is nothing.
+    type, extends(adhesive_branch_t) :: branch_t
         private
         !> not allocated without a range of radii (flat punch): there are wall states only
         type(curve_t), allocatable :: curve
@@ -35,6 +28,7 @@ module mdrcontact_contact_branch
     contains
         procedure :: stable_segments
         procedure :: state_on
+        procedure :: at_radius
         procedure :: work_between
     end type branch_t
 
@@ -258,14 +252,31 @@ contains
         call solve_increasing(quantity, point%x, slope, segment%first, segment%last, x, found, error)
     end subroutine find_coordinate
 
-    !> int F dd from coordinate `from` to coordinate `to`, both clipped to the sampled range: beyond it adhesion is over, and
-    !> loading and unloading do the same work.
-    function work_between(self, from, to) result(work)
+    subroutine at_radius(self, equilibrium, radius, state, error)
         class(branch_t), intent(in) :: self
-        real(wp), intent(in) :: from, to
+        type(equilibrium_t), intent(in), target :: equilibrium
+        real(wp), intent(in) :: radius
+        type(contact_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self)
+        end associate
+        call equilibrium%at(radius, state, error)
+    end subroutine at_radius
+
+    !> Between coordinates that are clipped to the sampled range: beyond it adhesion is over, and loading and unloading do the same
+    !> work. At a vertical wall the depth alone changes.
+    function work_between(self, equilibrium, from, to) result(work)
+        class(branch_t), intent(in) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        type(contact_state_t), intent(in) :: from, to
         real(wp) :: work
 
-        work = self%curve%work_between(from, to)
+        if (equilibrium%profile%has_wall .and. min(from%radius, to%radius) >= equilibrium%last_radius) then
+            work = 0.5_wp*(from%force + to%force)*(to%depth - from%depth)
+        else
+            work = self%curve%work_between(equilibrium%coordinate_of(from%radius), equilibrium%coordinate_of(to%radius))
+        end if
     end function work_between
 
     function quantity_at(self, x) result(y)

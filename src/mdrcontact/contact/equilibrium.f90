@@ -5,6 +5,7 @@
 !> state. With a zeta(a) the depth is zeta(a) g(a), equation (9).
 module mdrcontact_contact_equilibrium
     use mdrcontact_base_nonfinite, only: is_finite
+    use mdrcontact_contact_cohesion, only: cohesion_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_scaled_profile, only: new_scaled_profile, scaled_profile_t
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
@@ -41,6 +42,8 @@ module mdrcontact_contact_equilibrium
         real(wp) :: work_of_adhesion = 0.0_wp
         !> one of adhesion_...
         integer :: rule = adhesion_automatic
+        !> the range of adhesion; not allocated: none
+        type(cohesion_t), allocatable :: cohesion
         !> the largest contact radius at which all parts are defined [length]
         real(wp) :: last_radius = 0.0_wp
         !> whether a state is a formula and costs less than to start a thread for it
@@ -119,6 +122,7 @@ contains
         if (.not. allocated(error)) call self%medium%copy_to(copy%medium, error)
         copy%work_of_adhesion = self%work_of_adhesion
         copy%rule = self%rule
+        if (allocated(self%cohesion)) copy%cohesion = self%cohesion
         copy%last_radius = self%last_radius
         copy%is_formula = self%is_formula
         copy%roughness = self%roughness

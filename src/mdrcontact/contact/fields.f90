@@ -5,11 +5,14 @@ module mdrcontact_contact_fields
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, check_not_negative, error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_contact_zone_fields, only: zone_displacement, zone_energy, zone_line_load, zone_pressure
     use mdrcontact_numerics_pick, only: pick
     implicit none (type, external)
     private
     public :: fields_t, check_positions, check_state
 
+    !> The axis of a zone without contact, where the displacement is a limit [c].
+    real(wp), parameter :: smallest_ratio = 1.0e-9_wp
     !> Where the lowest pressure is looked for: so many radii, and again as many between the neighbours of the lowest.
     integer, parameter :: pressure_probes = 32, pressure_rounds = 3
 
@@ -31,32 +34,40 @@ contains
     subroutine line_load(self, state, x, values, error)
         class(fields_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
-        !> positions 0 <= x <= a [length]
+        !> positions 0 <= x <= a, or to the end c of a cohesive zone [length]
         real(wp), intent(in) :: x(:)
         !> same size as x
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
         call check_state(self, state, error)
-        call check_positions(error, "x", x, state%radius)
+        call check_positions(error, "x", x, max(state%radius, state%zone_radius))
         if (allocated(error)) return
+        if (allocated(self%equilibrium%cohesion)) then
+            call zone_line_load(self%equilibrium%cohesion, self%equilibrium%profile, state, x, values, error)
+            return
+        end if
         call self%equilibrium%medium%line_load(self%equilibrium%profile, state%radius, state%excess, x, values, error)
     end subroutine line_load
 
     !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the
-    !> apex of a cone; minus infinity at an adhesive edge.
+    !> apex of a cone; minus infinity at an adhesive edge without a range.
     subroutine pressure(self, state, r, values, error)
         class(fields_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
-        !> positions 0 <= r <= a [length]
+        !> positions 0 <= r <= a, or to the end c of a cohesive zone, where it is -sigma [length]
         real(wp), intent(in) :: r(:)
         !> same size as r
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
         call check_state(self, state, error)
-        call check_positions(error, "r", r, state%radius)
+        call check_positions(error, "r", r, max(state%radius, state%zone_radius))
         if (allocated(error)) return
+        if (allocated(self%equilibrium%cohesion)) then
+            call zone_pressure(self%equilibrium%cohesion, self%equilibrium%profile, state, r, values, error)
+            return
+        end if
         call self%equilibrium%medium%pressure(self%equilibrium%profile, state%radius, state%excess, r, values, error)
     end subroutine pressure
 
@@ -80,8 +91,19 @@ contains
         call check_positions(error, "r", r)
         call pick(r, places, outside, found, error, above=state%radius)
         if (allocated(error)) return
-        call self%equilibrium%medium%displacement_outside(self%equilibrium%profile, state%radius, state%excess, &
-                                                          outside, found, error)
+        if (allocated(self%equilibrium%cohesion)) then
+            ! without contact the axis, too, lies outside
+            if (.not. state%radius > 0.0_wp) then
+                outside = max(r, smallest_ratio*state%zone_radius)
+                found = outside
+                places = [(i, i=1, size(r))]
+            end if
+            call zone_displacement(self%equilibrium%cohesion, self%equilibrium%profile, state, outside, found, error)
+            if (present(body)) call check_share(self, error)
+        else
+            call self%equilibrium%medium%displacement_outside(self%equilibrium%profile, state%radius, state%excess, &
+                                                              outside, found, error)
+        end if
         if (allocated(error)) return
         do i = 1, size(r)
             if (r(i) <= state%radius) values(i) = state%depth - self%equilibrium%profile%height(r(i))
@@ -104,6 +126,13 @@ contains
         values = 0.0_wp
         call check_state(self, state, error)
         if (allocated(error)) return
+        if (allocated(self%equilibrium%cohesion)) then
+            call check_share(self, error)
+            if (allocated(error)) return
+            call zone_energy(self%equilibrium%cohesion, self%equilibrium%profile, state, values(1), error)
+            values = values(1)*[1.0_wp - self%equilibrium%medium%share_of_upper, self%equilibrium%medium%share_of_upper]
+            return
+        end if
         call self%equilibrium%medium%energies(self%equilibrium%profile, state%radius, state%excess, values, error)
     end subroutine elastic_energy
 
@@ -122,8 +151,8 @@ contains
         pressure = 0.0_wp
         radius = state%radius
         if (self%equilibrium%work_of_adhesion > 0.0_wp) then
-            call raise(error, error_invalid, "lowest_pressure is not allowed: under adhesion the pressure is "// &
-                       "minus infinity at the edge")
+            call raise(error, error_invalid, "lowest_pressure is not allowed: under adhesion the bodies pull on "// &
+                       "each other at the edge")
             return
         end if
         from = 0.0_wp
@@ -148,15 +177,35 @@ contains
         type(contact_state_t), intent(in) :: state
         type(error_t), allocatable, intent(out) :: error
 
-        if (.not. state%radius > 0.0_wp) then
+        if (allocated(self%equilibrium%cohesion)) then
+            call check_not_negative(error, "contact radius of the state", state%radius)
+            if (.not. state%zone_radius > state%radius .and. .not. allocated(error)) then
+                call raise(error, error_invalid, "the zone_radius of the state must be greater than its contact radius: this "// &
+                           "contact has a cohesive zone")
+            end if
+        else if (.not. state%radius > 0.0_wp) then
             call raise(error, error_invalid, "the contact radius of the state must be greater than 0: there is no contact")
-        else if (state%radius > self%equilibrium%last_radius) then
+        end if
+        if (allocated(error)) return
+        if (max(state%radius, state%zone_radius) > self%equilibrium%last_radius) then
             call raise(error, error_invalid, "the contact radius of the state, "//to_text(state%radius)//", is not one of this "// &
                        "contact: indenter and medium are defined up to "//to_text(self%equilibrium%last_radius))
         end if
         call check_finite(error, "depth of the state", state%depth)
         call check_finite(error, "excess of the state", state%excess)
     end subroutine check_state
+
+    !> Raises where a zone loads two bodies that do not share its displacement by a factor.
+    pure subroutine check_share(self, error)
+        class(fields_t), intent(in) :: self
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (medium => self%equilibrium%medium)
+            if (.not. medium%is_pair .or. medium%has_free_springs .or. allocated(error)) return
+        end associate
+        call raise(error, error_invalid, "what each of two bodies takes of a cohesive zone is known for homogeneous ones only: "// &
+                   "leave out the body, for both together")
+    end subroutine check_share
 
     !> Raises unless no position is negative or, where a contact radius is given, outside.
     pure subroutine check_positions(error, name, positions, radius)

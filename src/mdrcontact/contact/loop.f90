@@ -2,12 +2,12 @@
 !> A full cycle of approach and retraction under depth control, force control, or through a spring such as an AFM cantilever:
 !> jump-in, adhesive contact, pull-off, and the energy that is lost (theory 5).
 module mdrcontact_contact_loop
-    use mdrcontact_contact_branch, only: stable_segment_t
+    use mdrcontact_contact_adhesive_branch, only: stable_segment_t
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact, only: contact_t, on_loading
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_count_within, check_memory, check_positive, error_t, error_unreachable, raise
+    use mdrcontact_error, only: check_count_within, check_memory, check_positive, error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -82,21 +82,22 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(stable_segment_t), allocatable :: list(:)
         type(contact_state_t) :: entered
-        real(wp) :: start, pull_off
+        real(wp) :: start, pull_off, attracted
         integer :: current
 
         call contact%stable_segments(control, list, error)
         if (allocated(error)) return
-        current = findloc(list%lowest <= 0.0_wp .and. 0.0_wp <= list%highest, .true., dim=1)
+        attracted = contact%first_attraction(control)
+        current = findloc(list%lowest <= attracted .and. attracted <= list%highest, .true., dim=1)
         if (current == 0) then
-            call raise(error, error_unreachable, "the bodies do not stick when they touch: there is no stable "// &
-                       "contact at position 0")
+            call raise(error, error_unreachable, "the bodies do not stick when they meet: there is no stable "// &
+                       "contact at position "//to_text(attracted))
             return
         end if
-        start = margin*min(minval(list%lowest), 0.0_wp)
+        start = margin*min(minval(list%lowest), attracted, 0.0_wp)
         call add_apart(self, control, start, error)
-        if (.not. allocated(error)) call add_apart(self, control, 0.0_wp, error)
-        if (.not. allocated(error)) call load(self, contact, control, list, current, largest, count, entered, error)
+        if (.not. allocated(error)) call add_apart(self, control, attracted, error)
+        if (.not. allocated(error)) call load(self, contact, control, list, current, attracted, largest, count, entered, error)
         if (allocated(error)) return
         self%turning_point = self%points
         call unload(self, contact, control, list, current, largest, count, entered, error)
@@ -108,13 +109,14 @@ contains
         if (.not. allocated(error)) call add_apart(self, control, start, error)
     end subroutine adhesive_way
 
-    subroutine load(self, contact, control, list, current, largest, count, entered, error)
+    subroutine load(self, contact, control, list, current, attracted, largest, count, entered, error)
         type(loop_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
         type(control_t), intent(in) :: control
         type(stable_segment_t), intent(in) :: list(:)
         integer, intent(inout) :: current
-        real(wp), intent(in) :: largest
+        !> where the bodies begin to attract each other, and where the motion turns back
+        real(wp), intent(in) :: attracted, largest
         integer, intent(in) :: count
         !> the state in which the contact enters the segment where the motion turns back
         type(contact_state_t), intent(out) :: entered
@@ -123,7 +125,7 @@ contains
         real(wp) :: from, to
         integer :: step
 
-        from = 0.0_wp
+        from = attracted
         do
             call add_jump(self)
             to = min(largest, list(current)%highest)

@@ -62,10 +62,12 @@ contains
     end subroutine coordinates_between
 
     !> The coordinates between which the depth or the force of an adhesive contact can have extrema.
-    subroutine adhesive_range(equilibrium, first, last, error)
+    subroutine adhesive_range(equilibrium, first, last, error, handover_coordinate)
         type(equilibrium_t), intent(in), target :: equilibrium
         real(wp), intent(out) :: first, last
         type(error_t), allocatable, intent(out) :: error
+        !> where d0 = dl
+        real(wp), intent(out), optional :: handover_coordinate
         type(handover_t) :: handover
         real(wp) :: smallest, largest, equal, guess, slope
         logical :: found
@@ -85,6 +87,7 @@ contains
             call raise(error, error_no_convergence, "work_of_adhesion = "//to_text(equilibrium%work_of_adhesion)// &
                        " is too small for this contact: its adhesive radii are beyond the range of floating-point numbers")
         end if
+        if (present(handover_coordinate)) handover_coordinate = equal
         if (allocated(error)) return
         handover%ratio = 1.0_wp/adhesion_over
         call solve_increasing(handover, equal, slope, smallest, largest, last, found, error)

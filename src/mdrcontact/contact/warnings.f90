@@ -10,10 +10,11 @@ module mdrcontact_contact_warnings
     implicit none (type, external)
     private
     public :: contact_warning_t, find_warnings
-    public :: warning_slope, warning_pressure, warning_compression, warning_contrast
+    public :: warning_slope, warning_pressure, warning_compression, warning_contrast, warning_short_zone, add
 
     !> enum mdr_warning of the C header; bits of a sum.
-    integer, parameter :: warning_slope = 1, warning_pressure = 2, warning_compression = 4, warning_contrast = 8
+    integer, parameter :: warning_slope = 1, warning_pressure = 2, warning_compression = 4, warning_contrast = 8, &
+                          warning_short_zone = 16
 
     !> The largest slope of the indenter in the contact: 50 degrees, a little more than the cone of a cube corner has.
     real(wp), parameter :: largest_slope = 1.2_wp
@@ -118,6 +119,7 @@ contains
         if (.not. body%last_depth > 0.0_wp) return
         ! what lies below the layers gives way by at most F/(a E1*), as a half-space does under a cone; F without adhesion
         force = state%force - min(state%excess, 0.0_wp)*state%stiffness
+        if (state%zone_radius > 0.0_wp) force = max(state%force, 0.0_wp)
         base = force*body%long_wave_limit/(state%radius*body%surface_modulus)
         depth = state%depth
         if (depth(1) - base <= largest_compression*body%last_depth) return

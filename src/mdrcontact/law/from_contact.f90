@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> From a contact to its compiled law: the range, the samples of the branch, the tables, and the verification.
 module mdrcontact_law_from_contact
-    use mdrcontact_contact_branch, only: stable_segment_t
+    use mdrcontact_contact_adhesive_branch, only: stable_segment_t
     use mdrcontact_contact_control, only: depth_control, force_control
     use mdrcontact_contact_curve, only: curve_t, new_curve
     use mdrcontact_contact_range, only: coordinate_before, coordinate_beyond, coordinates_between
@@ -71,6 +71,10 @@ contains
         call check_within(error, "tolerance", chosen%tolerance, smallest_tolerance, largest_tolerance)
         if (chosen%smallest_depth == 0.0_wp) chosen%smallest_depth = default_decades*largest_depth
         call check_positive(error, "smallest_depth", chosen%smallest_depth)
+        if (allocated(contact%equilibrium%cohesion) .and. .not. allocated(error)) then
+            call raise(error, error_invalid, "a contact with a cohesive_stress cannot be compiled: leave it out for a law of "// &
+                       "adhesion without a range, or take the contact's own states")
+        end if
         if (allocated(error)) return
         if (chosen%smallest_depth > 0.5_wp*largest_depth) then
             call raise(error, error_invalid, "smallest_depth = "//to_text(chosen%smallest_depth)//" is not allowed: it must be "// &

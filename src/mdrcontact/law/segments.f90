@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The stable segments of a sampled branch, cut where it is not analytic, and compiled.
 module mdrcontact_law_segments
-    use mdrcontact_contact_branch, only: stable_segment_t
+    use mdrcontact_contact_adhesive_branch, only: stable_segment_t
     use mdrcontact_contact_curve, only: curve_t
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp

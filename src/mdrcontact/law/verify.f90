@@ -2,7 +2,7 @@
 !> How far a compiled law is from the contact it was made from, at states that were no part of making it.
 module mdrcontact_law_verify
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_contact_branch, only: stable_segment_t
+    use mdrcontact_contact_adhesive_branch, only: stable_segment_t
     use mdrcontact_contact_curve, only: curve_t
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t

@@ -70,6 +70,7 @@ module mdrcontact_medium_exact
         procedure :: disc_products
         procedure :: torsional_stiffness
         procedure :: new_slip
+        procedure :: springs
         procedure :: copy_to
     end type layered_exact_t
 
@@ -201,6 +202,21 @@ contains
         own%tolerance = self%tolerance
         call move_alloc(own, copy)
     end subroutine copy_to
+
+    subroutine springs(self, kernel, modulus, tolerance, error)
+        class(layered_exact_t), intent(in) :: self
+        type(kernel_t), intent(out) :: kernel
+        real(wp), intent(out) :: modulus, tolerance
+        type(error_t), allocatable, intent(inout) :: error
+
+        kernel = self%kernel
+        modulus = self%surface_modulus
+        tolerance = self%tolerance
+        if (self%kernel%resolved > 1.0_wp) then
+            call raise(error, error_invalid, "the load of a cohesive zone (cohesive_stress) is not known on a body whose "// &
+                       "constants vary from the surface down: its springs are nearly singular at the edge")
+        end if
+    end subroutine springs
 
     !> E0*/E_eff at large radii, or what it comes to at the unit if the base is stiff again.
     pure function contrast_of(kernel) result(ratio)

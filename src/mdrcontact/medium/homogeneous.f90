@@ -7,6 +7,7 @@ module mdrcontact_medium_homogeneous
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
     use mdrcontact_gsl, only: gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium_solver, only: set_pair, solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
@@ -29,6 +30,7 @@ module mdrcontact_medium_homogeneous
         procedure :: new_tangential
         procedure :: disc_products
         procedure :: torsional_stiffness
+        procedure :: springs
     end type homogeneous_t
 
 contains
@@ -94,6 +96,20 @@ contains
         if (allocated(error)) return
         call set_modulus(self, contact_modulus)
     end subroutine new_homogeneous_from_modulus
+
+    !> The springs of a half-space are not coupled.
+    subroutine springs(self, kernel, modulus, tolerance, error)
+        class(homogeneous_t), intent(in) :: self
+        type(kernel_t), intent(out) :: kernel
+        real(wp), intent(out) :: modulus, tolerance
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => error)
+        end associate
+        kernel%vanishes = .true.
+        modulus = self%contact_modulus
+        tolerance = epsilon(1.0_wp)
+    end subroutine springs
 
     elemental function effective_modulus(self, a) result(value)
         class(homogeneous_t), intent(in) :: self

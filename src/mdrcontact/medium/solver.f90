@@ -12,6 +12,7 @@ module mdrcontact_medium_solver
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -79,6 +80,8 @@ module mdrcontact_medium_solver
         procedure :: new_slip => no_slip
         !> displacements integrated over discs, of unit pressures on discs
         procedure :: disc_products => no_discs
+        !> what couples its springs, which a cohesive zone beside the contact loads too
+        procedure :: springs => no_springs
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
         procedure :: copy_to
     end type solver_t
@@ -269,6 +272,22 @@ contains
         end associate
         call not_known("stresses inside are", "a homogeneous, coated, layered or graded one", error)
     end subroutine no_surface_load
+
+    subroutine no_springs(self, kernel, modulus, tolerance, error)
+        class(solver_t), intent(in) :: self
+        !> X of theory 6
+        type(kernel_t), intent(out) :: kernel
+        !> E0* [modulus], and relative tolerance
+        real(wp), intent(out) :: modulus, tolerance
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => self, also_unused => kernel)
+        end associate
+        modulus = 0.0_wp
+        tolerance = 0.0_wp
+        call not_known("the load of a cohesive zone (cohesive_stress) is", "a homogeneous, coated, layered or graded one "// &
+                       "with the model exact: an effective modulus has no equation for what lies beyond the contact", error)
+    end subroutine no_springs
 
     subroutine no_tangential(self, tangential, error)
         class(solver_t), intent(in) :: self

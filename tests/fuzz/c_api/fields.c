@@ -11,7 +11,7 @@ void fuzz_fields(world *w)
     const int which = take_byte(&w->in) % 6, inside = take_byte(&w->in) % 2;
     const double at = take_positive(&w->in);
     double r[MOST_POINTS], out[MOST_POINTS], radius = at;
-    mdr_state state = {at, at, at, at, 0.0};
+    mdr_state state = {at, at, at, at, 0.0, 0.0};
     int slot, n = take_count(&w->in);
     const mdr_contact *contact = some_contact(w, &slot);
 

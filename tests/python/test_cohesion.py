@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Adhesion with a range: its balance of energy, its limits, its loops, and what it refuses."""
+
+import math
+import pickle
+import warnings
+
+import mdrcontact as mdr
+import numpy as np
+import pytest
+from numpy.polynomial.legendre import leggauss
+
+NODES, WEIGHTS = leggauss(40)
+PARABOLOID, CONE = mdr.Paraboloid(1.0), mdr.Cone(math.pi / 4)
+HALF_SPACE = mdr.Homogeneous(mdr.Elastic(0.75, 0.0))
+FILM = mdr.Coated(mdr.Elastic(2.6, 0.3), 1.0, mdr.Elastic(26.0, 0.3), model="exact")
+PAIR = mdr.Pair(FILM, mdr.Homogeneous(mdr.Elastic(3.0, 0.2)))
+BODIES = {"half-space": HALF_SPACE, "film": FILM, "pair": PAIR}
+"""Fractions of the contact radius at which derivatives are taken, and their weights."""
+STEPS = np.array([-2.0, -1.0, 1.0, 2.0]) * 2e-3
+DIFFERENCES = np.array([1.0, -8.0, 8.0, -1.0])
+
+pytestmark = pytest.mark.filterwarnings("ignore::mdrcontact.errors.LargeStrainWarning")
+
+
+def integral(function, low, high):
+    """int over r of 2 pi r f(r), whose slope may be a root at both ends."""
+    y = 0.5 * (NODES + 1.0)
+    r = low + (high - low) * y**2 * (3.0 - 2.0 * y)
+    return float(np.sum(2.0 * np.pi * r * function(r) * (high - low) * 3.0 * y * (1.0 - y) * WEIGHTS))
+
+
+def total_energy(contact, state):
+    """Elastic energy, and that of the surfaces: -gamma where they touch, sigma h - gamma where they pull."""
+    gamma, sigma = contact.work_of_adhesion, contact.cohesive_stress
+
+    def of_gap(r):
+        return sigma * (contact.displacement(r, state) - state.depth + contact.indenter.height(r)) - gamma
+
+    zone = integral(of_gap, state.radius, state.zone_radius)
+    return contact.elastic_energy(state) + zone - math.pi * state.radius**2 * gamma
+
+
+@pytest.mark.parametrize("body", [HALF_SPACE, FILM], ids=["half-space", "film"])
+@pytest.mark.parametrize("tip", [PARABOLOID, CONE], ids=["paraboloid", "cone"])
+@pytest.mark.parametrize("stress", [0.3, 3.0])
+def test_force_is_the_slope_of_the_energy(tip, body, stress):
+    """F = dU/dd along the branch: with the energy of the gap in the zone, which the solution does not use."""
+    contact = mdr.Contact(tip, body, work_of_adhesion=0.5, cohesive_stress=stress)
+    for radius in (0.4, 1.1):
+        states = [contact.at_radius(radius * (1.0 + step)) for step in STEPS]
+        slope = DIFFERENCES @ [total_energy(contact, s) for s in states] / (DIFFERENCES @ [s.depth for s in states])
+        assert slope == pytest.approx(contact.at_radius(radius).force, rel=1e-8, abs=1e-8)
+
+
+@pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
+@pytest.mark.parametrize("tip", [PARABOLOID, CONE, mdr.FlatEndedParaboloid(0.3, 1.0)], ids=["paraboloid", "cone", "flat end"])
+def test_pressure_bears_the_force_and_the_gap_closes(tip, body):
+    contact = mdr.Contact(tip, body, work_of_adhesion=0.5, cohesive_stress=0.8)
+    for radius in (0.5, 1.2):
+        state = contact.at_radius(radius)
+        c = state.zone_radius
+
+        def pressure(r, state=state):
+            return contact.pressure(r, state)
+
+        corners = [0.0, 0.3, radius, c] if tip not in (PARABOLOID, CONE) else [0.0, radius, c]
+        borne = sum(integral(pressure, low, high) for low, high in zip(corners[:-1], corners[1:], strict=True))
+        # the pressure has a sharp corner at the rim of a flat end
+        assert borne == pytest.approx(state.force, rel=1e-8 if tip in (PARABOLOID, CONE) else 1e-6)
+        assert contact.pressure([radius, 0.5 * (radius + c), c], state) == pytest.approx([-0.8] * 3, rel=1e-13)
+        r = radius + (c - radius) * np.array([1e-3, 0.2, 0.5, 0.8, 1.0, 1.5, 4.0])
+        gap = contact.displacement(r, state) - state.depth + tip.height(r)
+        assert np.all(np.diff(gap) > 0.0) and gap[0] > 0.0
+        assert gap[4] == pytest.approx(0.5 / 0.8, rel=1e-10)
+        if body is not PAIR:
+            x = np.linspace(0.0, c, 9)
+            assert contact.line_load(x, state)[-1] == 0.0
+
+
+@pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
+def test_jkr_is_the_limit_of_a_large_stress(body):
+    """What the range changes falls with the square of the stress."""
+    jkr = mdr.Contact(PARABOLOID, body, work_of_adhesion=0.5).at_radius(1.0)
+    stresses = np.array([30.0, 100.0, 300.0, 1000.0])
+    states = [mdr.Contact(PARABOLOID, body, work_of_adhesion=0.5, cohesive_stress=s).at_radius(1.0) for s in stresses]
+    scaled = np.array([s.depth - jkr.depth for s in states]) * stresses**2
+    assert scaled == pytest.approx(np.full(4, scaled[-1]), rel=2e-2)
+    assert scaled[2:] == pytest.approx(np.full(2, scaled[-1]), rel=2e-4)
+    forces = np.array([s.force - jkr.force for s in states]) * stresses**2
+    assert forces[2:] == pytest.approx(np.full(2, forces[-1]), rel=2e-4)
+
+
+@pytest.mark.parametrize("body", [HALF_SPACE, FILM], ids=["half-space", "film"])
+@pytest.mark.parametrize("stress", [0.1, 0.5, 5.0])
+@pytest.mark.parametrize("control", ["depth", "spring"])
+def test_loop_loses_what_the_jumps_lose(body, stress, control):
+    """The area of a loop is the energy that disappears in its jumps."""
+    contact = mdr.Contact(PARABOLOID, body, work_of_adhesion=0.5, cohesive_stress=stress)
+    spring = {"spring_stiffness": 3.0} if control == "spring" else {}
+    loop = contact.loop(control, 0.5, 60, **spring)
+
+    def energy(i):
+        d, a, force = loop.depth[i], loop.radius[i], loop.force[i]
+        stored = 0.5 * force**2 / 3.0 if spring else 0.0
+        if force == 0.0 and a == 0.0:
+            return stored
+        if a > 0.0:
+            return stored + total_energy(contact, contact.at_radius(a))
+        zone = math.sqrt(-force / (math.pi * stress))
+        return stored + total_energy(contact, mdr.State(d, 0.0, force, 0.0, d, zone))
+
+    lost = sum(energy(i) - energy(i + 1) for i in loop.jumps)
+    assert loop.dissipated_energy == pytest.approx(lost, rel=1e-6, abs=1e-7)
+    assert loop.position[loop.jumps[0]] == pytest.approx(-0.5 / stress, rel=1e-12)
+
+
+def test_bodies_attract_each_other_before_they_touch():
+    """From a gap of the range on: on a body so compliant that it jumps, else at once and smoothly."""
+    contact = mdr.Contact(PARABOLOID, HALF_SPACE, work_of_adhesion=0.5, cohesive_stress=0.05)
+    first = contact.at_depth(-0.5 / 0.05, branch="loading")
+    assert first.radius == 0.0 and first.force < 0.0
+    touch = contact.at_radius(0.0)
+    assert touch.zone_radius > first.zone_radius
+    assert touch.force == pytest.approx(-math.pi * 0.05 * touch.zone_radius**2, rel=1e-13)
+    gaps = contact.displacement([0.0, 0.5 * first.zone_radius, first.zone_radius], first)
+    gaps = gaps - first.depth + PARABOLOID.height(np.array([0.0, 0.5, 1.0]) * first.zone_radius)
+    assert np.all(np.diff(gaps) > 0.0) and gaps[-1] == pytest.approx(0.5 / 0.05, rel=1e-9)
+    with pytest.raises(mdr.UnreachableError, match="attract each other from depth -10 on"):
+        contact.at_depth(-10.001, branch="loading")
+    sharp = mdr.Contact(mdr.Cone(0.2), HALF_SPACE, work_of_adhesion=0.5, cohesive_stress=0.05)
+    assert sharp.at_depth(-10.0 + 1e-6, branch="loading").zone_radius < 1e-5
+    assert sharp.pull_off("depth").depth == pytest.approx(-10.0, rel=1e-12)
+
+
+@pytest.mark.parametrize("control", ["force", "depth"])
+def test_inversion_gives_the_state_back(control):
+    for body in BODIES.values():
+        contact = mdr.Contact(PARABOLOID, body, work_of_adhesion=0.5, cohesive_stress=0.7)
+        for radius in (0.9, 1.4, 40.0):
+            state = contact.at_radius(radius)
+            back = contact.at_force(state.force) if control == "force" else contact.at_depth(state.depth)
+            assert np.array(back) == pytest.approx(np.array(state), rel=1e-9)
+
+
+def test_refusals():
+    with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress"):
+        mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=-1.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="without a work_of_adhesion"):
+        mdr.Contact(PARABOLOID, FILM, cohesive_stress=1.0)
+    for model in ("gao", "perriot-barthel"):
+        with pytest.raises(mdr.InvalidArgumentError, match="an effective modulus has no equation"):
+            mdr.Contact(PARABOLOID, FILM.with_model(model), work_of_adhesion=0.5, cohesive_stress=1.0)
+    graded = mdr.Graded([0.0, 1.0], [1.0, 3.0], [0.3, 0.3], model="exact")
+    with pytest.raises(mdr.InvalidArgumentError, match="vary from the surface down"):
+        mdr.Contact(PARABOLOID, graded, work_of_adhesion=0.5, cohesive_stress=1.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="vertical wall"):
+        mdr.Contact(mdr.FlatPunch(1.0), FILM, work_of_adhesion=0.5, cohesive_stress=1.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="paper"):
+        mdr.Contact(PARABOLOID, FILM, 0.5, "paper", cohesive_stress=1.0)
+    with pytest.raises(mdr.DomainError, match="larger cohesive_stress"):
+        mdr.Contact(mdr.Sphere(1.0), HALF_SPACE, work_of_adhesion=0.5, cohesive_stress=0.02)
+    contact = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1.0)
+    state = contact.at_radius(1.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress"):
+        contact.interior(0.0, 0.5, state=state)
+    with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress"):
+        mdr.ContactLaw(contact, 2.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="zone_radius"):
+        contact.pressure(0.5, state._replace(zone_radius=0.0))
+    with pytest.raises(mdr.DomainError, match="at most"):
+        contact.pressure(1.1 * state.zone_radius, state)
+
+
+def test_a_zone_too_short_is_none_and_says_so():
+    jkr = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5)
+    with pytest.warns(mdr.ShortZoneWarning, match="without a range"):
+        state = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1e7).at_depth(0.5)
+    assert state == jkr.at_depth(0.5)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", mdr.ShortZoneWarning)
+        near = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1e5).at_depth(0.5)
+    assert near.force == pytest.approx(jkr.at_depth(0.5).force, rel=1e-8)
+
+
+def test_pickles_and_problem_files(tmp_path):
+    contact = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1.0)
+    again = pickle.loads(pickle.dumps(contact))
+    assert again == contact and again.at_radius(1.0) == contact.at_radius(1.0)
+    assert "cohesive_stress=1.0" in repr(contact)
