@@ -159,6 +159,36 @@ def adhesion(quick: bool) -> Any:
     return figure
 
 
+def adhesion_range(quick: bool) -> Any:
+    """From JKR to DMT on a film: F(d) with all equilibria, and the pressure around one contact radius."""
+    film = mdr.Coated(mdr.Elastic(2e6, 0.5), 1e-6, mdr.Elastic(70e9, 0.23), model="exact")
+    tip = mdr.Paraboloid(2e-6)
+    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
+    count = 30 if quick else 200
+    for stress, colour in ((0.1e6, GREEN), (0.4e6, RED), (2e6, BLUE)):
+        contact = mdr.Contact(tip, film, work_of_adhesion=0.05, cohesive_stress=stress)
+        states = contact.at_radius(np.linspace(0.0, 1.5e-6, count))
+        (line,) = axes[0].plot(1e9 * states.depth, 1e6 * states.force, color=colour, label=f"{1e-6 * stress:g} MPa")
+        touch = contact.at_radius(0.0)
+        depth = np.linspace(contact.pull_off("depth").depth, float(touch.depth), count)
+        if contact.pull_off("depth").radius == 0.0:
+            apart = contact.at_depth(depth)
+            axes[0].plot(1e9 * apart.depth, 1e6 * apart.force, color=line.get_color(), linestyle="--")
+        axes[0].plot(1e9 * touch.depth, 1e6 * touch.force, "o", color=colour, markersize=4)
+        state = contact.at_radius(1e-6)
+        r = np.linspace(0.0, float(state.zone_radius), 400)
+        axes[1].plot(1e6 * np.append(r, r[-1]), 1e-3 * np.append(contact.pressure(r, state), 0.0), color=colour)
+    states = mdr.Contact(tip, film, work_of_adhesion=0.05).at_radius(np.linspace(0.0, 1.5e-6, count))
+    axes[0].plot(1e9 * states.depth, 1e6 * states.force, color=GREY, linewidth=1.0, label="no range (JKR)")
+    axes[0].set(xlabel="depth [nm]", ylabel="force [\u00b5N]", title="equilibria; dots: the surfaces touch", ylim=(-0.8, 0.6))
+    axes[0].legend(frameon=False, title="cohesive stress")
+    axes[1].set(xlabel="r [\u00b5m]", ylabel="pressure [kPa]", title="contact radius 1 \u00b5m and its zone", ylim=(-2200, 900))
+    for axis in axes:
+        axis.axhline(0.0, color=GREY, linewidth=0.7)
+        axis.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
 def stress(quick: bool) -> Any:
     """Largest principal stress and von Mises stress in a TiN coating on steel under a sliding ball."""
     contact = mdr.Contact(mdr.Paraboloid(1e-3), mdr.Coated(mdr.Elastic(450e9, 0.25), 2e-6, mdr.Elastic(210e9, 0.30)))
@@ -211,7 +241,7 @@ def _elastic_models() -> tuple[str, ...]:
     return mdr.accuracy_map([2.0], [1.0]).models
 
 
-PICTURES = (springs, indenters, media, accuracy, adhesion, stress, gels)
+PICTURES = (springs, indenters, media, accuracy, adhesion, adhesion_range, stress, gels)
 
 
 def save(figure: Any, file: Path) -> None:

@@ -138,7 +138,9 @@ class Contact(Value):
             created = _native.contact_new(indenter._handle.address, medium._handle.address, address(options))
             handle = Handle(created, _native.contact_free)
         elif gamma != 0.0 or sigma != 0.0 or given is not None:
-            raise InvalidArgumentError("work_of_adhesion, cohesive_stress and zeta are not allowed on a gel: they belong to elastic contacts")
+            raise InvalidArgumentError(
+                "work_of_adhesion, cohesive_stress and zeta are not allowed on a gel: they belong to elastic contacts"
+            )
         self._set(_handle=handle, indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given, cohesive_stress=sigma)
         may_open = gamma == 0.0 and getattr(medium, "model", None) == "exact" and not isinstance(indenter, Paraboloid)

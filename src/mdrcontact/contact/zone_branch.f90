@@ -16,6 +16,7 @@ module mdrcontact_contact_zone_branch
     private
     public :: zone_branch_t, new_zone_branch, zone_is_resolved
 
+    !> The equilibria of a contact with a cohesive zone.
     type, extends(adhesive_branch_t) :: zone_branch_t
         private
         type(zone_curve_t) :: curve
