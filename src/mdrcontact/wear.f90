@@ -68,7 +68,7 @@ contains
         type(contact_state_t), intent(in) :: state
         !> 0 < c <= a [length]
         real(wp), intent(in) :: stick_radius
-        !> constant_depth or constant_force
+        !> given_depth or given_force
         integer, intent(in) :: control
         type(wear_limit_t), intent(out) :: reached
         type(error_t), allocatable, intent(out) :: error

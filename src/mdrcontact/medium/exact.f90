@@ -17,6 +17,7 @@ module mdrcontact_medium_exact
     use mdrcontact_layered_combine, only: add_kernels
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_kernel, only: kernel_t
+    use mdrcontact_layered_legendre, only: moments_t, new_interaction
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
     use mdrcontact_medium_exact_slip, only: layered_slip_t, new_layered_slip
     use mdrcontact_layered_solve, only: solution_t, solve
@@ -34,6 +35,8 @@ module mdrcontact_medium_exact
 
     !> Rings of friction up to this many thicknesses of the first layer, which their quadrature has to resolve.
     real(wp), parameter :: widest = 30.0_wp
+    !> Even Legendre polynomials for the interaction of springs: so many, and so many more for each thickness in the contact radius.
+    real(wp), parameter :: fewest_waves = 8.0_wp, waves_per_depth = 5.0_wp
     !> Contact radii up to this many depths of all layers are offered.
     real(wp), parameter :: largest_ratio = 1.0e4_wp
     !> The same where all layers are of one material [length].
@@ -68,6 +71,7 @@ module mdrcontact_medium_exact
         procedure :: surface_load
         procedure :: new_tangential
         procedure :: disc_products
+        procedure :: interaction
         procedure :: torsional_stiffness
         procedure :: new_slip
         procedure :: springs
@@ -575,5 +579,32 @@ contains
             products(k) = products(k) + 4.0_wp*(radius*radii(k))**2*total/(pi*self%kernel%unit*self%surface_modulus)
         end do
     end subroutine disc_products
+
+    !> Polynomials up to where waves are so short that they do not reach through the first layer: the 2j-th one has waves of about
+    !> pi a/j, which a depth of h damps by exp(-4 j h/a).
+    subroutine interaction(self, a, most, modulus, matrix, error)
+        class(layered_exact_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        integer, intent(in) :: most
+        real(wp), intent(out) :: modulus
+        real(wp), allocatable, intent(out) :: matrix(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        type(moments_t) :: moments
+        integer :: i, n, nodes
+
+        modulus = self%surface_modulus
+        if (self%kernel%vanishes) then
+            allocate (matrix(0, 0))
+            return
+        end if
+        n = min(most, ceiling(min(fewest_waves + waves_per_depth*a/self%kernel%unit, real(most, wp))))
+        nodes = max(ceiling(16.0_wp*sqrt(a/self%kernel%unit)) + 14, 2*n)
+        call new_interaction(moments, matrix, self%kernel, a, n, n, nodes, 4*n, error)
+        if (allocated(error)) return
+        do i = 1, n
+            matrix(i, i) = matrix(i, i) + (moments%diagonal - 1.0_wp)
+            matrix(i, i + 1:) = matrix(i + 1:, i)
+        end do
+    end subroutine interaction
 
 end module mdrcontact_medium_exact

@@ -29,6 +29,7 @@ module mdrcontact_medium_homogeneous
         procedure :: half_space_modulus
         procedure :: new_tangential
         procedure :: disc_products
+        procedure :: interaction
         procedure :: torsional_stiffness
         procedure :: springs
     end type homogeneous_t
@@ -190,5 +191,20 @@ contains
             products(i) = 8.0_wp/3.0_wp*a/self%contact_modulus*products(i)
         end do
     end subroutine disc_products
+
+    !> None: springs are free.
+    subroutine interaction(self, a, most, modulus, matrix, error)
+        class(homogeneous_t), intent(in) :: self
+        real(wp), intent(in) :: a
+        integer, intent(in) :: most
+        real(wp), intent(out) :: modulus
+        real(wp), allocatable, intent(out) :: matrix(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => a, also_unused => most, unused_too => error)
+        end associate
+        modulus = self%contact_modulus
+        allocate (matrix(0, 0))
+    end subroutine interaction
 
 end module mdrcontact_medium_homogeneous

@@ -82,6 +82,8 @@ module mdrcontact_medium_solver
         procedure :: disc_products => no_discs
         !> what couples its springs, which a cohesive zone beside the contact loads too
         procedure :: springs => no_springs
+        !> what the springs under a contact do to each other, for wear
+        procedure :: interaction => no_interaction
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
         procedure :: copy_to
     end type solver_t
@@ -334,6 +336,27 @@ contains
         call not_known("histories of friction on rings are", "a homogeneous one with E and nu, or a coated, layered or "// &
                        "graded one with the model exact", error)
     end subroutine no_discs
+
+    !> The springs' equation E0* w = q + K q at one contact radius.
+    subroutine no_interaction(self, a, most, modulus, matrix, error)
+        class(solver_t), intent(in) :: self
+        !> [length]
+        real(wp), intent(in) :: a
+        !> how many polynomials at most
+        integer, intent(in) :: most
+        !> E0* [modulus]
+        real(wp), intent(out) :: modulus
+        !> K between the even Legendre polynomials sqrt((4 j + 1)/2) P_2j(x/a) on -a < x < a; (0, 0) where springs are free [1]
+        real(wp), allocatable, intent(out) :: matrix(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => self, also_unused => a, unused_too => most)
+        end associate
+        modulus = 0.0_wp
+        call not_known("the wear of a sliding indenter is", "a homogeneous one, or a coated, layered or graded one with the "// &
+                       "model exact", error)
+        allocate (matrix(0, 0))
+    end subroutine no_interaction
 
     subroutine no_slip(self, tangential, profile, a, excess, slip, error)
         class(solver_t), intent(in) :: self

@@ -40,10 +40,10 @@ contains
         class(profile_t), intent(in) :: base
         !> ascending, >= 0, at least 2; W is 0 beyond the last one, and has its first value below the first one [length]
         real(wp), intent(in) :: radii(:)
-        !> W >= 0, 0 at the last radius [length]; W' [1]: the first one, if infinite, is taken as that of one parabola
+        !> W >= 0, 0 at the last radius [length]; W' [1]: the first or the last one, if infinite, is that of one parabola
         real(wp), intent(in) :: depths(:), slopes(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: step, rise, middle, from
+        real(wp) :: step, rise, middle, from, to
         integer :: i, n, stat
 
         n = size(radii)
@@ -62,10 +62,12 @@ contains
             step = radii(i + 1) - radii(i)
             rise = (depths(i + 1) - depths(i))/step
             from = slopes(i)
-            if (abs(from) > huge(from)) from = 2.0_wp*rise - slopes(i + 1)
-            middle = 2.0_wp*rise - 0.5_wp*(from + slopes(i + 1))
+            to = slopes(i + 1)
+            if (abs(from) > huge(from)) from = 2.0_wp*rise - to
+            if (abs(to) > huge(to)) to = 2.0_wp*rise - from
+            middle = 2.0_wp*rise - 0.5_wp*(from + to)
             call set_piece(self, 2*i, radii(i), from, 2.0_wp*(middle - from)/step, depths(i))
-            call set_piece(self, 2*i + 1, radii(i) + 0.5_wp*step, middle, 2.0_wp*(slopes(i + 1) - middle)/step, &
+            call set_piece(self, 2*i + 1, radii(i) + 0.5_wp*step, middle, 2.0_wp*(to - middle)/step, &
                            depths(i) + 0.25_wp*step*(from + middle))
         end do
         call set_piece(self, 2*n, radii(n), 0.0_wp, 0.0_wp, 0.0_wp)

@@ -13,6 +13,7 @@ module mdrcontact_wear_limit
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_fields, only: check_state
     use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_values, only: given_depth, given_force
     use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
@@ -21,10 +22,8 @@ module mdrcontact_wear_limit
     use mdrcontact_profile_worn, only: new_worn_profile, worn_profile_t
     implicit none (type, external)
     private
-    public :: check_carries, constant_depth, constant_force, find_limit, wear_limit_t
+    public :: check_carries, check_control, find_limit, wear_limit_t
 
-    !> What stays as it is while wear goes on, enum mdr_wear_control.
-    integer, parameter :: constant_depth = 1, constant_force = 2
     !> Nodes of the rule for the worn volume, radii of the worn profile, and radii at which the pressure is looked at.
     integer, parameter :: nodes = 48, profile_points = 120, probes = 48
     !> Pressures below minus this part of the mean one are no rounding errors.
@@ -60,7 +59,7 @@ contains
         type(contact_state_t), intent(in) :: state
         !> c, 0 < c <= a: of the disc that sticks as long as wear goes on [length]
         real(wp), intent(in) :: stick_radius
-        !> constant_depth or constant_force
+        !> given_depth or given_force
         integer, intent(in) :: control
         type(wear_limit_t), intent(out) :: limit
         type(error_t), allocatable, intent(out) :: error
@@ -81,6 +80,14 @@ contains
         if (.not. allocated(error) .and. present(profile)) call make_profile(gap, limit, profile, error)
     end subroutine find_limit
 
+    !> Raises unless what is held or led is the depth or the force.
+    pure subroutine check_control(error, control)
+        type(error_t), allocatable, intent(inout) :: error
+        integer, intent(in) :: control
+
+        call check_choice(error, "control", control, given_depth, given_force, "1 (depth) or 2 (force)")
+    end subroutine check_control
+
     !> Raises unless a limit exists for these arguments.
     subroutine check_input(contact, state, stick_radius, control, error)
         type(contact_t), intent(in) :: contact
@@ -89,7 +96,7 @@ contains
         integer, intent(in) :: control
         type(error_t), allocatable, intent(out) :: error
 
-        call check_choice(error, "control", control, constant_depth, constant_force, "1 (depth) or 2 (force)")
+        call check_control(error, control)
         call check_positive(error, "stick_radius", stick_radius)
         if (.not. allocated(error) .and. contact%is_adhesive()) then
             call raise(error, error_invalid, "wear is not allowed with adhesion: there is no law of wear where surfaces pull")
@@ -110,7 +117,7 @@ contains
         real(wp) :: further
 
         further = unworn%depth - state%depth
-        if (control == constant_force) further = (unworn%force - state%force)/state%stiffness
+        if (control == given_force) further = (unworn%force - state%force)/state%stiffness
         state%force = state%force + state%stiffness*further
         state%depth = state%depth + further
         state%excess = state%excess + further

@@ -13,7 +13,7 @@ module mdrcontact_wear_rate
 
     !> k(W).
     type :: wear_rate_t
-        !> k of each layer, the last one below all [1/modulus]
+        !> k of each layer of the indenter, the last one below all, with that of the body where it wears too [1/modulus]
         real(wp), allocatable :: coefficients(:)
         !> W at which each layer begins, the first one 0 [length]
         real(wp), allocatable :: starts(:)
@@ -21,7 +21,9 @@ module mdrcontact_wear_rate
         real(wp), allocatable, private :: loads(:)
     contains
         procedure :: worn_depth
+        procedure :: layer
         procedure :: coefficient
+        procedure :: add
     end type wear_rate_t
 
 contains
@@ -62,6 +64,16 @@ contains
         end do
     end subroutine new_wear_rate
 
+    !> The layer that is at the surface after int p ds.
+    elemental function layer(self, load) result(i)
+        class(wear_rate_t), intent(in) :: self
+        !> [modulus length]
+        real(wp), intent(in) :: load
+        integer :: i
+
+        i = max(count(self%loads <= load), 1)
+    end function layer
+
     !> W after int p ds.
     elemental function worn_depth(self, load) result(depth)
         class(wear_rate_t), intent(in) :: self
@@ -70,7 +82,7 @@ contains
         real(wp) :: depth
         integer :: i
 
-        i = max(count(self%loads <= load), 1)
+        i = self%layer(load)
         depth = self%starts(i) + self%coefficients(i)*(load - self%loads(i))
     end function worn_depth
 
@@ -81,7 +93,17 @@ contains
         real(wp), intent(in) :: load
         real(wp) :: k
 
-        k = self%coefficients(max(count(self%loads <= load), 1))
+        k = self%coefficients(self%layer(load))
     end function coefficient
+
+    !> What lies opposite wears at the same places: W is then what both lose.
+    pure subroutine add(self, coefficient)
+        class(wear_rate_t), intent(inout) :: self
+        !> of the other side [1/modulus]
+        real(wp), intent(in) :: coefficient
+
+        self%starts = self%starts + coefficient*self%loads
+        self%coefficients = self%coefficients + coefficient
+    end subroutine add
 
 end module mdrcontact_wear_rate

@@ -1,0 +1,270 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> One step of gross sliding on a disc that moves with the edge of the contact (theory 11): of second order in the step and in the
+!> intervals, the contact radius included.
+!>
+!> With hats phi_i in the disc of the new radius the contact is int phi_i (S p + f - d) 2 pi r dr = 0, i = 0 ... n, of which the
+!> last is the half hat inside the edge; unknowns are p at n radii and d. Each place of the indenter keeps int p ds, and
+!>
+!>     int p ds (new) = int p ds (old) + ds [w_o p_old + w_n p_new],
+!>
+!> with weights that are exact for pressures 1 and rho^lambda, rho the distance from an edge that moves evenly, where
+!> tan(pi lambda) = 2 a'(s)/(k E0*) is the exponent at the edge, layered or not.
+module mdrcontact_wear_disc
+    use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_lapack, only: dgemm, dgesv
+    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_profile, only: profile_t
+    use mdrcontact_wear_hats, only: hat_points, hats_t
+    use mdrcontact_wear_ledger, only: disc_t, ledger_t, new_ledger
+    use mdrcontact_wear_rate, only: wear_rate_t
+    implicit none (type, external)
+    private
+    public :: step_disc, worn_volume
+
+    !> The radius of a step is sought so often, until force or depth is met to this relative accuracy.
+    integer, parameter :: most_rounds = 60
+    real(wp), parameter :: close_enough = 1.0e-12_wp
+    !> How often the coefficient is adapted to the depth that a place reaches.
+    integer, parameter :: most_changes = 40
+    !> Edges that move by less than this part of their distance; exponents below which p is a step.
+    real(wp), parameter :: at_rest = 1.0e-4_wp, least_exponent = 1.0e-3_wp
+    !> The contact may shrink by this part in a step, which is error of the scheme.
+    real(wp), parameter :: shrinks = 1.0e-3_wp
+    !> An edge is slow that moves by less than so many of the last intervals in a step; so many of them are beside it.
+    real(wp), parameter :: slow = 4.0_wp, zone = 16.0_wp
+
+contains
+
+    !> The disc after a step, from the disc before it.
+    subroutine step_disc(hats, solver, profile, rate, disc, sliding, by_depth, target, next, error)
+        type(hats_t), intent(in) :: hats
+        class(solver_t), intent(in) :: solver
+        !> unworn
+        class(profile_t), intent(in) :: profile
+        type(wear_rate_t), intent(in) :: rate
+        !> its radius > 0
+        type(disc_t), intent(in) :: disc
+        !> ds >= 0 [length]
+        real(wp), intent(in) :: sliding
+        !> the target at the end of the step is a depth, else a force
+        logical, intent(in) :: by_depth
+        !> see by_depth
+        real(wp), intent(in) :: target
+        type(disc_t), intent(out) :: next
+        type(error_t), allocatable, intent(inout) :: error
+        type(ledger_t) :: ledger
+        real(wp) :: a, low, high, before, miss_before, miss, further
+        integer :: i
+
+        call new_ledger(ledger, disc)
+        a = disc%radius
+        low = 0.0_wp
+        high = profile%largest_radius
+        before = 0.0_wp
+        miss_before = 0.0_wp
+        do i = 1, most_rounds
+            call disc_at(hats, solver, profile, rate, disc, ledger, sliding, a, next, error)
+            if (allocated(error)) return
+            miss = merge(next%depth, next%force, by_depth)/target - 1.0_wp
+            if (abs(miss) <= close_enough) exit
+            if (miss > 0.0_wp) high = a
+            if (miss < 0.0_wp) low = a
+            further = -0.3_wp*miss
+            if (i > 1 .and. abs(miss - miss_before) > 0.0_wp) further = -miss*(1.0_wp - before/a)/(miss - miss_before)
+            before = a
+            miss_before = miss
+            a = a*(1.0_wp + min(max(further, -0.3_wp), 0.5_wp))
+            if (a <= low .or. a >= high) a = 0.5_wp*(max(low, 0.5_wp*before) + min(high, 2.0_wp*before))
+            if (abs(a - before) <= epsilon(a)*a) exit
+        end do
+        if (abs(miss) > sqrt(close_enough)) then
+            if (high >= profile%largest_radius) then
+                call raise(error, error_domain, "the contact would grow beyond where the indenter ends, "// &
+                           to_text(profile%largest_radius)//": the history stays where it was")
+            else
+                call raise(error, error_no_convergence, "no contact radius found for "//to_text(target)//" at this step of wear")
+            end if
+        else if (next%radius < disc%radius*(1.0_wp - shrinks)) then
+            call raise(error, error_domain, "the contact would shrink from radius "//to_text(disc%radius)//" to "// &
+                       to_text(next%radius)//": a disc that moves with its edge does not keep the wear outside it; hold the "// &
+                       "load or let it grow")
+        end if
+    end subroutine step_disc
+
+    !> Pressure, depth and force where the new radius is a.
+    subroutine disc_at(hats, solver, profile, rate, disc, ledger, sliding, a, next, error)
+        type(hats_t), intent(in) :: hats
+        class(solver_t), intent(in) :: solver
+        class(profile_t), intent(in) :: profile
+        type(wear_rate_t), intent(in) :: rate
+        type(disc_t), intent(in) :: disc
+        type(ledger_t), intent(in) :: ledger
+        real(wp), intent(in) :: sliding, a
+        type(disc_t), intent(out) :: next
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: matrix(0:hats%n, 0:hats%n), system(0:hats%n, 0:hats%n), rhs(0:hats%n), modulus
+        real(wp), dimension(hat_points, hats%n) :: height, load, pressure, weight, further
+        integer :: pivots(hats%n + 1), i, info, round, n
+        real(wp) :: exponent
+
+        n = hats%n
+        call line_compliance(hats, solver, a, matrix, modulus, error)
+        if (allocated(error)) return
+        exponent = atan(2.0_wp*max(a - disc%radius, 0.0_wp)/(modulus*rate%coefficients(1)*max(sliding, tiny(a))))/pi
+        height = profile%height(a*hats%radii)
+        call ledger%at(a*hats%radii, load, pressure)
+        weight = steadied(new_weight(a*hats%radii, disc%radius, a, exponent), a*hats%radii, disc%radius, a, n)
+        load = load + sliding*(1.0_wp - weight)*pressure
+        further = sliding*weight*pressure
+        do round = 1, most_changes
+            system = matrix
+            call add_wear(hats, rate, load, further, sliding*weight, a, height, system, rhs)
+            system(:, n) = -hats%areas*a**2
+            call dgesv(n + 1, 1, system, n + 1, pivots, rhs, n + 1, info)
+            if (info /= 0) then
+                call raise(error, error_no_convergence, "the pressure of a worn contact was not found: the system is singular")
+                return
+            end if
+            next%depth = rhs(n)
+            rhs(n) = 0.0_wp
+            if (size(rate%coefficients) == 1) exit
+            if (is_settled(hats, rate, load, sliding*weight, rhs, further)) exit
+        end do
+        next%radius = a
+        next%power = hats%power
+        next%force = dot_product(hats%areas, rhs)*a**2
+        allocate (next%pressure(0:n), next%load(0:n))
+        next%pressure = rhs
+        call ledger%at(a*hats%nodes, next%load, rhs)
+        do i = 0, n - 1
+            associate (w => steadied(new_weight(a*hats%nodes(i), disc%radius, a, exponent), a*hats%nodes(i), disc%radius, a, n))
+                next%load(i) = next%load(i) + sliding*((1.0_wp - w)*rhs(i) + w*next%pressure(i))
+            end associate
+        end do
+        next%load(n) = 0.0_wp
+    end subroutine disc_at
+
+    !> int phi_i S phi_j 2 pi r dr = (2/E0*) int_0^a Q_i (Q_j + K Q_j) dx.
+    subroutine line_compliance(hats, solver, a, matrix, modulus, error)
+        type(hats_t), intent(in) :: hats
+        class(solver_t), intent(in) :: solver
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: matrix(0:, 0:)
+        !> E0* [modulus]
+        real(wp), intent(out) :: modulus
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: interaction(:, :), coupled(:, :)
+        integer :: m, n
+
+        n = hats%n + 1
+        call solver%interaction(a, size(hats%waves, 1), modulus, interaction, error)
+        if (allocated(error)) return
+        matrix = hats%products
+        m = size(interaction, 1)
+        if (m > 0) then
+            allocate (coupled(m, 0:hats%n))
+            call dgemm("N", "N", m, n, m, 0.5_wp, interaction, m, hats%waves, size(hats%waves, 1), 0.0_wp, coupled, m)
+            call dgemm("T", "N", n, n, m, 1.0_wp, hats%waves, size(hats%waves, 1), coupled, m, 1.0_wp, matrix, n)
+        end if
+        matrix = (2.0_wp*a**3/modulus)*matrix
+    end subroutine line_compliance
+
+    !> w_n: of the pressure at the end of the step in int p ds over it, where the edge moves evenly from one radius to the other.
+    elemental function new_weight(r, from, to, exponent) result(weight)
+        real(wp), intent(in) :: r, from, to, exponent
+        real(wp) :: weight
+        real(wp) :: ratio, power, lambda
+
+        lambda = max(exponent, least_exponent)
+        if (r >= to) then
+            weight = 0.0_wp
+        else if (to - from <= at_rest*(to - r)) then
+            weight = 0.5_wp + (1.0_wp - lambda)*max(to - from, 0.0_wp)/(12.0_wp*(to - r))
+        else if (r >= from) then
+            ! touched within the step
+            weight = (to - r)/((to - from)*(1.0_wp + lambda))
+        else
+            ratio = (from - r)/(to - r)
+            power = ratio**lambda
+            weight = ((1.0_wp - ratio*power)/((1.0_wp + lambda)*(1.0_wp - ratio)) - power)/(1.0_wp - power)
+        end if
+    end function new_weight
+
+    !> More of the end of the step beside an edge that moves by less than some of the intervals there: the hats at it, which wear
+    !> fastest, would swing about the pressure from step to step.
+    elemental function steadied(weight, r, from, to, n) result(more)
+        real(wp), intent(in) :: weight, r, from, to
+        integer, intent(in) :: n
+        real(wp) :: more
+        real(wp) :: width
+
+        width = 0.125_wp*to*(pi/real(n, wp))**2
+        more = weight + (1.0_wp - weight)*max(1.0_wp - max(to - from, 0.0_wp)/(slow*width), 0.0_wp) &
+               /(1.0_wp + ((to - r)/(zone*width))**2)
+    end function steadied
+
+    !> What wear adds to the matrix, and the right-hand sides -int phi_i f 2 pi r dr, f the profile as far as it is known.
+    pure subroutine add_wear(hats, rate, load, further, share, a, height, matrix, rhs)
+        type(hats_t), intent(in) :: hats
+        type(wear_rate_t), intent(in) :: rate
+        !> int p ds without the pressure at the end of the step, that pressure times its share by the last guess, and the share
+        real(wp), dimension(:, :), intent(in) :: load, further, share
+        real(wp), intent(in) :: a, height(:, :)
+        real(wp), intent(inout) :: matrix(0:, 0:)
+        real(wp), intent(out) :: rhs(0:)
+        real(wp) :: area, known, k
+        integer :: c, i
+
+        rhs = 0.0_wp
+        do c = 1, hats%n
+            do i = 1, hat_points
+                area = hats%weights(i, c)*a**2
+                k = rate%coefficient(load(i, c) + further(i, c))
+                known = area*(height(i, c) + rate%worn_depth(load(i, c) + further(i, c)) - k*further(i, c))
+                k = k*share(i, c)*area
+                associate (up => hats%rising(i, c), down => 1.0_wp - hats%rising(i, c))
+                    rhs(c - 1) = rhs(c - 1) - down*known
+                    rhs(c) = rhs(c) - up*known
+                    matrix(c - 1, c - 1) = matrix(c - 1, c - 1) + k*down**2
+                    matrix(c, c - 1) = matrix(c, c - 1) + k*up*down
+                    matrix(c - 1, c) = matrix(c - 1, c) + k*up*down
+                    matrix(c, c) = matrix(c, c) + k*up**2
+                end associate
+            end do
+        end do
+    end subroutine add_wear
+
+    !> Whether each place stays in the layer that was assumed; sets what is assumed next.
+    function is_settled(hats, rate, load, share, pressure, further) result(settled)
+        type(hats_t), intent(in) :: hats
+        type(wear_rate_t), intent(in) :: rate
+        real(wp), intent(in) :: load(:, :), share(:, :), pressure(0:)
+        real(wp), intent(inout) :: further(:, :)
+        logical :: settled
+        real(wp) :: now(hat_points)
+        integer :: c
+
+        settled = .true.
+        do c = 1, hats%n
+            now = share(:, c)*(pressure(c - 1)*(1.0_wp - hats%rising(:, c)) + pressure(c)*hats%rising(:, c))
+            settled = settled .and. all(rate%layer(load(:, c) + now) == rate%layer(load(:, c) + further(:, c)))
+            further(:, c) = now
+        end do
+    end function is_settled
+
+    !> int W 2 pi r dr of a disc, by what it has seen at each place.
+    subroutine worn_volume(hats, rate, disc, volume)
+        type(hats_t), intent(in) :: hats
+        type(wear_rate_t), intent(in) :: rate
+        type(disc_t), intent(in) :: disc
+        real(wp), intent(out) :: volume
+        type(ledger_t) :: ledger
+        real(wp), dimension(hat_points, hats%n) :: load, pressure
+
+        call new_ledger(ledger, disc)
+        call ledger%at(disc%radius*hats%radii, load, pressure)
+        volume = sum(hats%weights*rate%worn_depth(load))*disc%radius**2
+    end subroutine worn_volume
+
+end module mdrcontact_wear_disc

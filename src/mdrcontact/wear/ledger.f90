@@ -1,0 +1,84 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What each place of a worn disc has seen: int p ds and the pressure, between the places where they are kept.
+module mdrcontact_wear_ledger
+    use mdrcontact_kinds, only: half_pi, wp
+    use mdrcontact_wear_hats, only: hat_nodes
+    implicit none (type, external)
+    private
+    public :: disc_t, ledger_t, new_ledger
+
+    !> A disc in contact.
+    type :: disc_t
+        !> a [length], d [length], F [modulus length^2]
+        real(wp) :: radius = 0.0_wp, depth = 0.0_wp, force = 0.0_wp
+        !> m of the radii, see mdrcontact_wear_hats
+        integer :: power = 1
+        !> p [modulus] and int p ds [modulus length] at the radii 0 ... n: both 0 at the edge
+        real(wp), allocatable :: pressure(:), load(:)
+    end type disc_t
+
+    !> int p ds as a cubic spline over (arcsin(r/a))^(1/m), flat at the axis, and p as straight lines between the radii.
+    type :: ledger_t
+        private
+        real(wp) :: radius = 0.0_wp
+        integer :: power = 1
+        real(wp), allocatable :: nodes(:), pressure(:), load(:), curvature(:)
+    contains
+        procedure :: at
+    end type ledger_t
+
+contains
+
+    !> Of a disc.
+    pure subroutine new_ledger(self, disc)
+        type(ledger_t), intent(out) :: self
+        type(disc_t), intent(in) :: disc
+        real(wp) :: pivot(0:ubound(disc%load, 1)), side(0:ubound(disc%load, 1))
+        integer :: i, n
+
+        n = ubound(disc%load, 1)
+        self%radius = disc%radius
+        self%power = disc%power
+        allocate (self%nodes(0:n), self%pressure(0:n), self%load(0:n), self%curvature(0:n))
+        self%nodes = hat_nodes(n, disc%power)
+        self%pressure = disc%pressure
+        self%load = disc%load
+        ! second differences; at the edge int p ds vanishes faster than the square of the distance in theta
+        pivot(0) = 2.0_wp
+        side(0) = 6.0_wp*(self%load(1) - self%load(0))
+        do i = 1, n - 1
+            pivot(i) = 4.0_wp - 1.0_wp/pivot(i - 1)
+            side(i) = 6.0_wp*(self%load(i - 1) - 2.0_wp*self%load(i) + self%load(i + 1)) - side(i - 1)/pivot(i - 1)
+        end do
+        self%curvature(n) = 0.0_wp
+        do i = n - 1, 0, -1
+            self%curvature(i) = (side(i) - self%curvature(i + 1))/pivot(i)
+        end do
+    end subroutine new_ledger
+
+    !> int p ds and p at a radius; 0 outside.
+    elemental subroutine at(self, r, load, pressure)
+        class(ledger_t), intent(in) :: self
+        !> >= 0 [length]
+        real(wp), intent(in) :: r
+        real(wp), intent(out) :: load, pressure
+        real(wp) :: t, s, place
+        integer :: i, n
+
+        load = 0.0_wp
+        pressure = 0.0_wp
+        if (r >= self%radius) return
+        n = ubound(self%load, 1)
+        place = asin(r/self%radius)/half_pi
+        if (self%power == 2) place = sqrt(place)
+        place = place*real(n, wp)
+        i = min(int(place), n - 1)
+        t = place - real(i, wp)
+        s = 1.0_wp - t
+        load = s*self%load(i) + t*self%load(i + 1) + (s*(s**2 - 1.0_wp)*self%curvature(i) &
+                                                      + t*(t**2 - 1.0_wp)*self%curvature(i + 1))/6.0_wp
+        pressure = self%pressure(i) + (self%pressure(i + 1) - self%pressure(i)) &
+                   *(r/self%radius - self%nodes(i))/(self%nodes(i + 1) - self%nodes(i))
+    end subroutine at
+
+end module mdrcontact_wear_ledger
