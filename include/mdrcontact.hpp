@@ -85,6 +85,7 @@ using Material = Handle<mdr_material, mdr_material_free>;
 using Medium = Handle<mdr_medium, mdr_medium_free>;
 using Contact = Handle<mdr_contact, mdr_contact_free>;
 using Loop = Handle<mdr_loop, mdr_loop_free>;
+using Rate = Handle<mdr_rate, mdr_rate_free>;
 using Friction = Handle<mdr_friction, mdr_friction_free>;
 using FrictionHistory = Handle<mdr_friction_history, mdr_friction_history_free>;
 using Structure = Handle<mdr_structure, mdr_structure_free>;

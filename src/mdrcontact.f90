@@ -39,6 +39,10 @@ module mdrcontact
                                       instrument_numbers, loss_cauchy, loss_huber, loss_linear, part_loss, part_storage
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
+    use mdrcontact_history_rate_contact, only: new_rate_contact, rate_contact_t
+    use mdrcontact_history_rate_history, only: rate_history
+    use mdrcontact_history_rate_law, only: new_rate_law, new_surface_law, rate_law_t
+    use mdrcontact_history_rate_state, only: rate_state_t
     use mdrcontact_history_relaxation, only: contact_history
     use mdrcontact_history_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_creep, step_relaxation, step_response

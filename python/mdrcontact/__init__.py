@@ -34,6 +34,7 @@ from . import (
     medium,
     poroelastic,
     profile,
+    rate_adhesion,
     threads,
     torsion,
     weights,
@@ -57,6 +58,7 @@ from .material import *  # noqa: F403
 from .medium import *  # noqa: F403
 from .poroelastic import *  # noqa: F403
 from .profile import *  # noqa: F403
+from .rate_adhesion import *  # noqa: F403
 from .threads import *  # noqa: F403
 from .torsion import *  # noqa: F403
 from .weights import *  # noqa: F403
@@ -80,6 +82,7 @@ __all__ = [
     *medium.__all__,
     *poroelastic.__all__,
     *profile.__all__,
+    *rate_adhesion.__all__,
     *threads.__all__,
     *torsion.__all__,
     *weights.__all__,

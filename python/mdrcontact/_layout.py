@@ -111,6 +111,39 @@ torsional_state = np.dtype(
     ],
     align=True,
 )
+rate_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("work", np.float64),
+        ("speed", np.float64),
+        ("exponent", np.float64),
+        ("closing_work", np.float64),
+        ("closing_speed", np.float64),
+        ("closing_exponent", np.float64),
+        ("material", np.uintp),
+        ("cohesive_stress", np.float64),
+        ("largest_radius", np.float64),
+        ("smallest_radius", np.float64),
+    ],
+    align=True,
+)
+rate_state = np.dtype(
+    [
+        ("radius", np.float64),
+        ("depth", np.float64),
+        ("dissipated", np.float64),
+        ("work", np.float64),
+        ("lowest_force", np.float64),
+        ("lowest_time", np.float64),
+        ("lowest_depth", np.float64),
+        ("lowest_radius", np.float64),
+        ("lowest_speed", np.float64),
+        ("rupture_time", np.float64),
+        ("rupture_depth", np.float64),
+        ("ruptures", np.float64),
+    ],
+    align=True,
+)
 structure_options = np.dtype(
     [
         ("size", np.uintp),

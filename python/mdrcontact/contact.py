@@ -12,11 +12,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native, adhesion, critical, failure, history, interior, poroelastic, sensitivity
+from . import _layout, _native, critical, failure, history, interior, poroelastic, rate_adhesion, sensitivity
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record, row
 from ._value import Value
 from ._warn import warn
-from .adhesion import BRANCHES, RULES, Loop, PullOff, code
+from .adhesion import BRANCHES, RULES, Loop, PullOff, code, loop, pull_offs
 from .critical import Critical
 from .errors import (
     ArgumentTypeError,
@@ -34,6 +34,7 @@ from .history import History
 from .interior import Interior
 from .medium import Medium
 from .profile import Paraboloid, Profile
+from .rate_adhesion import RateAdhesion, RateHistory, RheologicalAdhesion
 
 __all__ = ["Contact", "State"]
 
@@ -96,6 +97,8 @@ class Contact(Value):
     zeta : ratio d/g(a) of equation (9), the correction of the contact radius; None: 1, the source's approximation.
         Else a table (radii, values): at least 3 radii > 0 ascending [length], values > 0; or "exact": that of the same coated or
         layered body solved exactly, for radii up to 1000 thicknesses, so that E_eff is the only approximation left
+    adhesion : a work of adhesion that depends on the speed of the edge, in place of work_of_adhesion: states are those of an edge
+        at rest, and `history` follows it in time
 
     Arrays may be shared out among several threads, see `set_threads`.
     """
@@ -106,6 +109,9 @@ class Contact(Value):
     adhesion_rule: str
     zeta: Table | str | None
     cohesive_stress: float
+    adhesion: RateAdhesion | RheologicalAdhesion | None
+    _rates: list[tuple[Handle, float]] = field(init=False, repr=False, compare=False)
+    """the library's contact with a rate and its largest radius, once there was a history"""
     _looked_at: set[int] | None = field(init=False, repr=False, compare=False)
     _warned: list[Any] = field(init=False, repr=False, compare=False)
     """up to which depth no state needs to be looked at, then the kinds of warnings that were given"""
@@ -120,13 +126,16 @@ class Contact(Value):
         adhesion_rule: str = "automatic",
         zeta: tuple[ArrayLike, ArrayLike] | str | None = None,
         cohesive_stress: float = 0.0,
+        adhesion: RateAdhesion | RheologicalAdhesion | None = None,
     ) -> None:
         if not isinstance(indenter, Profile):
             raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an indenter profile")
         if not isinstance(medium, Medium):
             raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
-        gamma, rule = number("work_of_adhesion", work_of_adhesion), adhesion.code("adhesion_rule", adhesion_rule, RULES)
-        sigma = number("cohesive_stress", cohesive_stress)
+        gamma = rate_adhesion.work("work_of_adhesion", work_of_adhesion, adhesion)
+        rule, sigma = code("adhesion_rule", adhesion_rule, RULES), number("cohesive_stress", cohesive_stress)
+        if adhesion is not None and sigma != 0.0:
+            raise InvalidArgumentError("cohesive_stress is not allowed beside adhesion=, whose edge has no range")
         is_exact = isinstance(zeta, str) and zeta == "exact"
         given: Any = zeta if zeta is None or is_exact else _table(zeta)
         columns = [np.array(column) for column in (((), ()) if is_exact or given is None else given)]
@@ -143,6 +152,7 @@ class Contact(Value):
             )
         self._set(_handle=handle, indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given, cohesive_stress=sigma)
+        self._set(adhesion=adhesion, _rates=[])
         may_open = gamma == 0.0 and getattr(medium, "model", None) == "exact" and not isinstance(indenter, Paraboloid)
         self._set(_looked_at=set() if may_open else None, _warned=[-math.inf], _compared={})
 
@@ -175,17 +185,22 @@ class Contact(Value):
         depth: ArrayLike | None = None,
         force: ArrayLike | None = None,
         radius: ArrayLike | None = None,
-        tolerance: float = 1e-5,
+        position: ArrayLike | None = None,
+        spring_stiffness: float | None = None,
+        start: str | Mapping[str, float] = "apart",
+        tolerance: float | None = None,
         progress: bool = False,
         drainage: str | None = None,
-    ) -> History:
-        """The path of a contact with a viscoelastic or poroelastic body in time: one of depth, force and radius is prescribed.
+    ) -> History | RateHistory:
+        """The path in time of a contact with a viscoelastic or poroelastic body, or of one whose `adhesion` depends on speed: one
+        of depth, force, radius and position is prescribed.
 
         time : strictly ascending, one dimension [time]; before the first the bodies are apart and at rest
         depth, force, radius : one of them, as many values; linear in time in between, the first value is reached in a jump.
             Depths may be negative where the bodies are apart
 
-        tolerance : where steps in time are taken, relative to the largest depth, radius and force, 1e-9 to 1e-2
+        tolerance : where steps in time are taken, relative to the largest depth, radius and force, 1e-9 to 1e-2, default 1e-5; with
+            `adhesion` of ln(radius) in each step, 1e-12 to 1e-3, default 1e-9
         progress : show a bar on a terminal where the march takes more than two seconds
 
         Bodies whose materials relax in proportion, each at a constant Poisson's ratio (a layer on a rigid base), and homogeneous
@@ -196,7 +211,24 @@ class Contact(Value):
         drainage : of a gel, and only of one, see `relaxation`. A flat punch may follow any path of depth or force, exactly; tension
             is taken as it comes. A paraboloid is pressed in at once and held at one contact radius, `radius` a constant. Its true
             contact grows by up to 9 % and comes back: at "indenter" its force then differs by up to 0.05 of the part that relaxes
+
+        With `adhesion`, on an elastic body (of a viscoelastic one the relaxed moduli), the result is a `RateHistory`:
+
+        position, spring_stiffness : the far end of a spring that presses the indenter, d + F/spring_stiffness [length], in place of
+            depth or force, and its stiffness > 0 [modulus length]
+        start : "apart" before the first time; "rest": in equilibrium with the first value, the largest stable one; or the `end` of
+            a history that this one continues, whose last time and value are the first of this one. A dict with "radius" alone
+            begins at that contact radius
         """
+        if self.adhesion is not None:
+            history.refuse_drainage(drainage)
+            if radius is not None:
+                raise ArgumentTypeError("radius is not allowed with adhesion=: it follows from position, depth or force")
+            given = {"position": position, "depth": depth, "force": force}
+            return rate_adhesion.history(self, time, given, spring_stiffness, start, tolerance)
+        if position is not None or spring_stiffness is not None or start != "apart":
+            raise ArgumentTypeError("position, spring_stiffness and start belong to contacts with adhesion=")
+        tolerance = 1e-5 if tolerance is None else tolerance
         if poroelastic.is_poroelastic(self.medium):
             return History(*poroelastic.history(self, time, depth, force, radius, drainage))
         history.refuse_drainage(drainage)
@@ -268,7 +300,7 @@ class Contact(Value):
         It is the global minimum over the whole branch; `.others` are the ends of the other stable segments. All 0 without
         adhesion. A contact that is still stable at the smallest radius of a tabulated medium raises DomainError.
         """
-        return adhesion.pull_offs(self, control)
+        return pull_offs(self, control)
 
     def loop(self, control: str, largest: float, points: int = 200, *, spring_stiffness: float | None = None) -> Loop:
         """A cycle of approach and retraction, with its jumps and the energy lost.
@@ -279,7 +311,7 @@ class Contact(Value):
         points : points on each way, at least 2; jumps and their ends come on top
         spring_stiffness : > 0 [modulus length], for "spring" only
         """
-        return adhesion.loop(self, control, largest, points, spring_stiffness)
+        return loop(self, control, largest, points, spring_stiffness)
 
     def pressure(
         self,
@@ -432,6 +464,13 @@ class Contact(Value):
         """
         return failure.first_failure(self, strengths, body, friction, largest_radius)
 
+    def _rate_handle(self, law: RateAdhesion | RheologicalAdhesion, largest: float) -> Handle:
+        """The library's contact with a rate, up to at least a contact radius."""
+        kept = self._rates
+        if not kept or kept[-1][1] < largest:
+            kept[:] = [(rate_adhesion.sampled(self._handle, law, largest), largest)]
+        return kept[0][0]
+
     def _one(self, state: State | None) -> list[float]:
         """One state as the library takes it."""
         if not isinstance(state, State):
@@ -448,7 +487,7 @@ class Contact(Value):
 
     def _solve(self, name: str, given: int, values: ArrayLike, branch: str = "unloading") -> State:
         """States without a warning of large strains, as a search needs them."""
-        chosen = adhesion.code("branch", branch, BRANCHES)
+        chosen = code("branch", branch, BRANCHES)
         states = State(*evaluate_all(name, values, lambda v: _native.contact_states(self._handle.address, given, chosen, v)))
         if self._looked_at is not None:
             self._look_at(states)

@@ -22,6 +22,7 @@ __all__ = [
     "UnitsWarning",
     "ShortZoneWarning",
     "InteriorAccuracyWarning",
+    "AdhesionRateWarning",
 ]
 
 
@@ -101,6 +102,11 @@ class InteriorAccuracyWarning(MDRWarning):
     """Displacements and stresses inside a body are off by more than 1e-8 of the depth and of the largest pressure, and 10 times the
     tolerance of its medium: by about as much as the text says, s_zz and u_z at the surface differ from the contact's p(r) and
     d - f(r)."""
+
+
+class AdhesionRateWarning(MDRWarning):
+    """A work of adhesion that follows from the rheology of the surface is used where the contact is too fast, v time/a > 0.02, or
+    its cohesive zone too long, zone/a > 0.03, for a steady crack in a relaxed body: pull-off is off by more than 2 %."""
 
 
 _BY_STATUS: dict[int, type[MDRError]] = {

@@ -30,6 +30,18 @@ def history_in_time():
     return mdr.Contact(mdr.Paraboloid(5e-6), gel).history([0.0, 0.5, 1.0], depth=[0.0, 1e-7, 1e-7])
 
 
+def rates():
+    rate = mdr.RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03)
+    rubber = mdr.Viscoelastic(5e5, [(2e6, 1e-2)], nu=0.5)
+    contact = mdr.Contact(mdr.Paraboloid(5e-6), mdr.Homogeneous(RUBBER), adhesion=rate)
+    return [
+        rate,
+        mdr.RateAdhesion.from_rheology(rubber, 0.05, 1e6),
+        contact,
+        contact.history([0.0, 1.0], depth=[1e-7, -1e-7], start="rest"),
+    ]
+
+
 def fits():
     """Data, results and what is made of results."""
     states = CONTACT.at_depth(DEPTH)
@@ -126,6 +138,7 @@ def results():
         critical.interfaces[0],
         *CONTACT.first_failure({"yield": [1e8, 1e8]}),
         history_in_time(),
+        *rates(),
         law,
         law.at_depth(5e-8),
         law.arrays(),

@@ -101,7 +101,9 @@ def follow(contact: Contact, path: HistoryPath) -> tuple[History, int]:
     places = np.arange((len(path.time) - 1) * cuts + 1) / cuts
     time, values = (np.interp(places, samples, column) for column in (path.time, path.values))
     prescribed: dict[str, Any] = {path.name: values}
-    return contact.history(time, **prescribed, progress=True, drainage=path.drainage), cuts
+    found = contact.history(time, **prescribed, progress=True, drainage=path.drainage)
+    assert isinstance(found, History)
+    return found, cuts
 
 
 def columns(history: History) -> list[Column]:

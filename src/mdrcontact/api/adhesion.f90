@@ -12,7 +12,7 @@ module mdrcontact_api_adhesion
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     implicit none (type, external)
     private
-    public :: mdr_contact_pull_off
+    public :: mdr_contact_pull_off, choose_control
     public :: mdr_loop_new, mdr_loop_size, mdr_loop_path, mdr_loop_jumps, mdr_loop_dissipated_energy
 
     !> enum mdr_control

@@ -1036,6 +1036,56 @@ int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy)
     return status;
 }
 
+int mdrcontact_entry_rate_new(const mdr_contact *c, const mdr_rate_options *options, mdr_rate **out);
+int mdr_rate_new(const mdr_contact *c, const mdr_rate_options *options, mdr_rate **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_rate_new(c, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_rate_new(c, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_rate_work(const mdr_rate_options *options, int n, const double v[], double out[]);
+int mdr_rate_work(const mdr_rate_options *options, int n, const double v[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_rate_work(options, n, v, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_rate_work(options, n, v, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_rate_scales(const mdr_rate_options *options, double *time, double *zone);
+int mdr_rate_scales(const mdr_rate_options *options, double *time, double *zone)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_rate_scales(options, time, zone);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_rate_scales(options, time, zone);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_rate_history(const mdr_rate *r, int control, double spring_stiffness, double tolerance,
+        const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[], double F[], double v[],
+        double dissipated[], double work[], mdr_rate_state *end);
+int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, double tolerance, const mdr_rate_state *start, int n,
+        const double time[], const double in[], double d[], double a[], double F[], double v[], double dissipated[], double work[],
+        mdr_rate_state *end)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_rate_history(r, control, spring_stiffness, tolerance, start, n, time, in, d, a,
+        F, v, dissipated, work, end);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_rate_history(r, control, spring_stiffness, tolerance, start, n, time, in, d, a, F, v,
+        dissipated, work, end);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
         double thickness, double out[]);
 int mdr_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,

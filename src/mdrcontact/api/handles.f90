@@ -11,6 +11,7 @@ module mdrcontact_api_handles
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_history_friction, only: friction_t
     use mdrcontact_history_friction_history, only: friction_history_t
+    use mdrcontact_history_rate_contact, only: rate_contact_t
     use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
@@ -26,7 +27,8 @@ module mdrcontact_api_handles
     private
     public :: deliver, deliver_solver, hand_over, hand_over_solver, open_handle
     public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free, &
-              mdr_friction_free, mdr_material_free, mdr_friction_history_free, mdr_poroelastic_free, mdr_conduction_free
+              mdr_friction_free, mdr_material_free, mdr_friction_history_free, mdr_poroelastic_free, mdr_conduction_free, &
+              mdr_rate_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
 
@@ -52,15 +54,17 @@ module mdrcontact_api_handles
     end interface
 
     integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6, &
-                          is_friction = 7, is_material = 8, is_friction_history = 9, is_poroelastic = 10, is_conduction = 11
+                          is_friction = 7, is_material = 8, is_friction_history = 9, is_poroelastic = 10, is_conduction = 11, &
+                          is_rate = 12
     character(len=*), parameter :: kinds(*) = [character(len=20) :: "mdr_profile", "mdr_medium", "mdr_contact", "mdr_loop", &
                                                "mdr_structure", "mdr_law", "mdr_friction", "mdr_material", &
-                                               "mdr_friction_history", "mdr_poroelastic", "mdr_conduction"]
+                                               "mdr_friction_history", "mdr_poroelastic", "mdr_conduction", "mdr_rate"]
 
     !> The object behind a handle, by the type of the pointer that is to hold it; null after an error. `name` is the argument's.
     interface open_handle
         module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction, &
-                         open_material, open_friction_history, open_relaxing_contact, open_poroelastic, open_conduction
+                         open_material, open_friction_history, open_relaxing_contact, open_poroelastic, open_conduction, &
+                         open_rate
     end interface open_handle
 
 contains
@@ -350,6 +354,22 @@ contains
         end select
     end subroutine open_conduction
 
+    subroutine open_rate(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(rate_contact_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, is_rate, inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (rate_contact_t)
+            object => inside
+        end select
+    end subroutine open_rate
+
     function mdr_profile_free(p) result(status) bind(C)
         type(c_ptr), intent(inout), optional :: p
         integer(c_int) :: status
@@ -427,6 +447,13 @@ contains
         status = free(p, is_conduction)
     end function mdr_conduction_free
 
+    function mdr_rate_free(r) result(status) bind(C)
+        type(c_ptr), intent(inout), optional :: r
+        integer(c_int) :: status
+
+        status = free(r, is_rate)
+    end function mdr_rate_free
+
     !> Frees what is of the right kind, if there is anything, and sets the caller's pointer to NULL.
     function free(handle, kind) result(status)
         type(c_ptr), intent(inout), optional :: handle
@@ -493,6 +520,8 @@ contains
             kind = is_poroelastic
         type is (conduction_t)
             kind = is_conduction
+        type is (rate_contact_t)
+            kind = is_rate
         class is (profile_t)
             kind = is_profile
         type is (medium_t)

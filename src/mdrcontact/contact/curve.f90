@@ -62,6 +62,7 @@ module mdrcontact_contact_curve
         real(wp), private :: work_rule(work_nodes, 2) = 0.0_wp
     contains
         procedure :: at
+        procedure :: parts
         procedure :: slope
         procedure :: find
         procedure :: turn
@@ -357,6 +358,22 @@ contains
         call series(self%coefficients(:, :, panel), local(self, panel, x), v, dv)
         point = point_of(self, panel, local(self, panel, x), v)
     end function at
+
+    !> d0, F0, k and dl at coordinate x, and their slopes in x.
+    pure subroutine parts(self, x, values, slopes)
+        class(curve_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp), intent(out) :: values(rows), slopes(rows)
+        real(wp) :: z, v(rows), dv(rows)
+        integer :: panel
+
+        panel = interval_of(self%edges, x)
+        z = local(self, panel, x)
+        call series(self%coefficients(:, :, panel), z, v, dv)
+        values = exp(v)
+        slopes = 2.0_wp*values*dv/(self%edges(panel + 1) - self%edges(panel))
+        if (self%from_root(panel)) slopes = slopes/max(1.0_wp + z, 2.0_wp*smallest_root)
+    end subroutine parts
 
     !> ds/dx at coordinate x; at a break that of the panel before it: of a root's it has no digits.
     pure function slope(self, control, x) result(rate)

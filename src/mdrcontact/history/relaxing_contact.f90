@@ -37,8 +37,8 @@ contains
             call check_adhesion(options%work_of_adhesion, options%adhesion_rule, error)
             if (options%work_of_adhesion > 0.0_wp) then
                 call raise(error, error_invalid, " = "//to_text(options%work_of_adhesion)//" is not allowed with a "// &
-                           "viscoelastic body: how much its edge holds depends on how fast it moves, on a scale that this "// &
-                           "theory does not have", "work_of_adhesion")
+                           "viscoelastic body: how much its edge holds depends on how fast it moves; take its relaxed "// &
+                           "moduli and a work of adhesion that depends on speed", "work_of_adhesion")
             else if (options%zeta_is_exact) then
                 call raise(error, error_invalid, "the exact zeta is not allowed here: it needs an elastic body")
             end if

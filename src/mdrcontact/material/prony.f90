@@ -9,7 +9,7 @@ module mdrcontact_material_prony
     use mdrcontact_lapack, only: dsyev
     implicit none (type, external)
     private
-    public :: prony_t, creep_t, creep_of, power_law_series, merged
+    public :: prony_t, creep_t, creep_of, power_law_series, merged, risen
 
     !> A relaxing modulus.
     type :: prony_t

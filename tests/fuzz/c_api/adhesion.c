@@ -64,6 +64,10 @@ static void loop(world *w)
 
 void fuzz_adhesion(world *w)
 {
-    if (take_byte(&w->in) % 2 == 0) pull_off(w);
+    enum { OLDER = 240 };
+    const int byte = take_byte(&w->in);
+
+    if (byte >= OLDER) fuzz_rates(w);
+    else if (byte % 2 == 0) pull_off(w);
     else loop(w);
 }

@@ -79,5 +79,6 @@ void fuzz_wide_fits(world *w);
 void fuzz_lists(world *w);
 void fuzz_gels(world *w);
 void fuzz_conduction(world *w);
+void fuzz_rates(world *w);
 
 #endif

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A work of adhesion that depends on the speed of the contact's edge, and the histories of such contacts (docs/rate.md)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _layout, _native
+from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, numbers, record
+from ._value import Value
+from ._warn import warn
+from .adhesion import CONTROLS
+from .errors import AdhesionRateWarning, ArgumentTypeError, InvalidArgumentError
+from .material import Viscoelastic
+
+__all__ = ["RateAdhesion", "RateHistory", "RheologicalAdhesion"]
+
+_STATE = _layout.rate_state.names or ()
+_FASTEST, _LONGEST = 0.02, 0.03
+"""v time/a and zone/a up to which a steady crack gives pull-off to 2 %."""
+_ROOM = 1.02
+"""Contacts are sampled this much beyond the largest equilibrium of a history."""
+
+
+class RateHistory(NamedTuple):
+    """The path of a contact whose edge moves at a finite speed: arrays of one length, then what happened once."""
+
+    time: NDArray[np.float64]
+    """[time]"""
+    depth: NDArray[np.float64]
+    """d, that of the bodies where they are apart [length]"""
+    radius: NDArray[np.float64]
+    """a, 0 where they are apart [length]"""
+    force: NDArray[np.float64]
+    """F [modulus length^2]"""
+    speed: NDArray[np.float64]
+    """v = -da/dt of the edge, > 0 where it opens [length/time]"""
+    dissipated: NDArray[np.float64]
+    """energy lost at the edge so far, beyond the work of adhesion of an edge at rest [modulus length^3]"""
+    work: NDArray[np.float64]
+    """int F dd so far [modulus length^3]"""
+    end: dict[str, float]
+    """at the last time, from which a history goes on (`start=`): "radius", "depth", "dissipated", "work"; of the lowest force,
+    pull-off, "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; of the last time that the contact
+    broke "rupture_time", "rupture_depth"; and how often it broke, "ruptures" """
+
+
+class _Rate(Value):
+    """What works of adhesion that depend on speed have in common."""
+
+    work: float
+
+    def at_speed(self, v: ArrayLike) -> FloatOrArray:
+        """G [modulus length] of an edge of speed v [length/time], > 0 where it opens, any shape; `work` at v = 0."""
+        options = self._options()
+        return evaluate("v", v, lambda values: _native.rate_work(address(options), values))
+
+    def _options(self, **more: float) -> NDArray[Any]:
+        """The library's options."""
+        return record(_layout.rate_options, **{name: value for name, value in self._given().items() if value is not None}, **more)
+
+    def _scales(self) -> tuple[float, float]:
+        """Longest time of creep and length of the cohesive zone; 0 where they are not known."""
+        time, zone = call(_native.rate_scales, address(self._options()))
+        return float(time), float(zone)
+
+
+@dataclass(frozen=True)
+class RateAdhesion(_Rate):
+    """A work of adhesion that depends on the speed v of the contact's edge (Gent and Schultz 1972, Maugis and Barquins 1978).
+
+    work : gamma0 > 0, of an edge that just opens; `Contact.at_depth` and the like are in equilibrium with it [modulus length]
+    speed : v0 > 0 at which an edge that opens costs twice that: G = work (1 + (v/speed)^exponent) [length/time]
+    exponent : n, 0 < n <= 2 [1]
+    closing_work, closing_speed, closing_exponent : of an edge that closes, G = closing_work/(1 + (|v|/closing_speed)^
+        closing_exponent); closing_work at most `work`: in between the edge stands still. None: those of the opening edge
+    """
+
+    work: float
+    speed: float
+    exponent: float
+    closing_work: float | None = None
+    closing_speed: float | None = None
+    closing_exponent: float | None = None
+
+    def __post_init__(self) -> None:
+        given = {name: value if value is None else number(name, value) for name, value in self._given().items()}
+        self._set(**given)
+        for name in ("closing_work", "closing_speed", "closing_exponent"):
+            if given[name] == 0.0:
+                raise InvalidArgumentError(
+                    f"{name} = 0 is not allowed: it must be greater than 0; None is that of the opening edge"
+                )
+        self.at_speed(0.0)
+
+    @classmethod
+    def from_rheology(cls, material: Viscoelastic, work: float, cohesive_stress: float) -> RheologicalAdhesion:
+        """The law of a viscoelastic surface, see `RheologicalAdhesion`."""
+        return RheologicalAdhesion(material, work, cohesive_stress)
+
+
+@dataclass(frozen=True)
+class RheologicalAdhesion(_Rate):
+    """The work of adhesion of a viscoelastic surface whose cohesion does not depend on speed: that of a steady crack (Greenwood
+    and Johnson 1981), from 1 to E_glassy/E_relaxed times `work` where it opens, and down to the inverse where it closes.
+
+    material : of the surface layer, with a glassy and a relaxed modulus. The contact's medium has the relaxed ones
+    work : gamma0 > 0 [modulus length]
+    cohesive_stress : sigma > 0; with it the scale of the speed, E* work/(sigma^2 time) [modulus]
+
+    It holds while the edge is slow against the material, v time/a <= 0.02, and its cohesive zone short, zone/a <= 0.03: pull-off is
+    then good to 2 %. Histories beyond give an `AdhesionRateWarning`.
+    """
+
+    material: Viscoelastic
+    work: float
+    cohesive_stress: float
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.material, Viscoelastic):
+            raise ArgumentTypeError(f"material = {self.material!r} is not allowed: it must be a Viscoelastic")
+        stress = number("cohesive_stress", self.cohesive_stress)
+        self._set(work=number("work", self.work), cohesive_stress=stress)
+        self.at_speed(0.0)
+
+    def _options(self, **more: float) -> NDArray[Any]:
+        return record(_layout.rate_options, material=self.material._handle.address, work=self.work,
+                      cohesive_stress=self.cohesive_stress, **more)  # fmt: skip
+
+
+def work(name: str, value: Any, adhesion: Any) -> float:
+    """The work of adhesion of a contact at rest."""
+    if adhesion is None:
+        return number(name, value)
+    if not isinstance(adhesion, _Rate):
+        raise ArgumentTypeError(f"adhesion = {adhesion!r} is not allowed: it must be a RateAdhesion")
+    if number(name, value) not in (0.0, adhesion.work):
+        raise InvalidArgumentError(f"{name} = {value!r} is not allowed beside adhesion=, which has work = {adhesion.work!r}")
+    return adhesion.work
+
+
+def sampled(contact: Handle, adhesion: _Rate, largest: float) -> Handle:
+    """The library's contact with a rate, up to a largest contact radius."""
+    return Handle(_native.rate_new(contact.address, address(adhesion._options(largest_radius=largest))), _native.rate_free)
+
+
+def history(
+    contact: Any,
+    time: ArrayLike,
+    given: dict[str, ArrayLike | None],
+    spring_stiffness: float | None,
+    start: Any,
+    tolerance: float | None,
+) -> RateHistory:
+    """See `Contact.history`."""
+    names = [name for name, values in given.items() if values is not None]
+    if len(names) != 1:
+        raise ArgumentTypeError(f"a history needs one of position, depth and force, not {' and '.join(names) or 'none'}")
+    (name,) = names
+    if (name == "position") != (spring_stiffness is not None):
+        raise ArgumentTypeError("spring_stiffness is needed with position=, the far end of the spring, and only there")
+    t, s = numbers("time", time), numbers(name, given[name])  # type: ignore[arg-type]
+    if t.ndim != 1 or t.shape != s.shape or not t.size:
+        raise InvalidArgumentError(
+            f"time and {name} must have one dimension, the same length, and not be empty; they have {t.shape} and {s.shape}"
+        )
+    stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
+    control = CONTROLS[{"position": "spring"}.get(name, name)]
+    row = _start(start)
+    handle = contact._rate_handle(contact.adhesion, max(row[0], _largest(contact, control, float(np.max(s)))) * _ROOM)
+    accuracy = 0.0 if tolerance is None else number("tolerance", tolerance)
+    d, a, F, v, lost, done, end = call(_native.rate_history, handle.address, control, stiffness, accuracy, row, t, s)
+    found = RateHistory(t, d, a, F, v, lost, done, dict(zip(_STATE, end.tolist(), strict=True)))
+    _warn_of(contact.adhesion, found)
+    return found
+
+
+def _warn_of(adhesion: _Rate, found: RateHistory) -> None:
+    """Warns where a law that follows from a material is beyond its range: at the lowest force, and while the contact is larger than
+    half of its largest radius."""
+    time, zone = adhesion._scales()
+    large = found.radius > 0.5 * np.max(found.radius)
+    speeds, radii = np.abs(found.speed[large]), found.radius[large]
+    if found.end["lowest_radius"] > 0.0:
+        speeds, radii = np.append(speeds, found.end["lowest_speed"]), np.append(radii, found.end["lowest_radius"])
+    if not time or not radii.size:
+        return
+    fast, long = float(np.max(speeds / radii)) * time, zone / float(np.min(radii))
+    if fast > _FASTEST or long > _LONGEST:
+        warn(
+            f"the work of adhesion of a steady crack is beyond its range: v time/a = {fast:.2g} (at most {_FASTEST}: the solid "
+            f"around is relaxed), zone/a = {long:.2g} (at most {_LONGEST}: the cohesive zone is short). Pull-off may be more than "
+            "2 % off",
+            AdhesionRateWarning,
+        )
+
+
+def _start(start: Any) -> list[float]:
+    """The library's record of where a history begins."""
+    row = dict.fromkeys(_STATE, 0.0)
+    if isinstance(start, Mapping):
+        row.update({key: number(key, value) for key, value in start.items() if key in row})
+    elif start == "rest":
+        row["radius"] = -1.0
+    elif start != "apart":
+        raise InvalidArgumentError(f'start = {start!r} is not allowed: it must be "apart", "rest" or the `end` of a history')
+    return list(row.values())
+
+
+def _largest(contact: Any, control: int, highest: float) -> float:
+    """A contact radius that equilibrium does not exceed: the force of a spring is none or pushes where it is pressed in."""
+    free = contact._solve("force", _layout.GIVEN_FORCE, 0.0)
+    if control == CONTROLS["force"]:
+        return max(float(contact._solve("force", _layout.GIVEN_FORCE, max(highest, 0.0)).radius), float(free.radius))
+    return float(contact._solve("depth", _layout.GIVEN_DEPTH, max(highest, float(free.depth))).radius)

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A work of adhesion that depends on speed: a row of tests/data/adhesion_time.csv, a history in pieces, refusals. */
+#include "check.h"
+
+enum { N = 2 };
+
+static mdr_contact *elastic_contact(const mdr_contact_options *options)
+{
+    mdr_profile *ball = NULL;
+    mdr_medium *body = NULL;
+    mdr_contact *contact = NULL;
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.0, &body));
+    CHECK_SUCCESS(mdr_contact_new(ball, body, options, &contact));
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_SUCCESS(mdr_medium_free(&body));
+    return contact;
+}
+
+static void test_pull_off(const mdr_rate *rate)
+{
+    const double time[3] = {0.0, 10.0, 300.0}, depth[3] = {0.1939501, 0.0939501, -2.8060499};
+    const mdr_rate_state rest = {.radius = -1.0};
+    mdr_rate_state end = {0}, middle = {0};
+    double d[3], a[3], F[3], v[3], lost[3], work[3];
+
+    CHECK_SUCCESS(mdr_rate_history(rate, MDR_CONTROL_DEPTH, 0.0, 1e-10, &rest, 3, time, depth, d, a, F, v, lost, work, &end));
+    CHECK_CLOSE(end.lowest_force, -0.018852959529303603, 1e-10);
+    CHECK_TRUE(a[0] > 0.49 && a[2] == 0.0 && F[2] == 0.0 && end.ruptures == 1.0 && v[1] > 0.0 && lost[1] > 0.0 && work[2] < 0.0);
+    CHECK_SUCCESS(mdr_rate_history(rate, MDR_CONTROL_DEPTH, 0.0, 1e-10, &rest, 2, time, depth, d, a, F, v, lost, NULL, &middle));
+    CHECK_SUCCESS(mdr_rate_history(rate, MDR_CONTROL_DEPTH, 0.0, 1e-10, &middle, 2, time + 1, depth + 1, NULL, NULL, NULL, NULL, NULL,
+                                   NULL, &middle));
+    CHECK_CLOSE(middle.lowest_force, end.lowest_force, 1e-11);
+    CHECK_CLOSE(middle.dissipated, end.dissipated, 1e-9);
+}
+
+static void test_refusals(const mdr_contact *contact, const mdr_rate *rate, mdr_rate_options options)
+{
+    const double time[N] = {0.0, 1.0}, still[N] = {1.0, 1.0}, deep[N] = {0.0, 9.0};
+    const mdr_rate_state apart = {0};
+    mdr_rate_state end = {.radius = 7.0};
+    mdr_rate *none = NULL;
+    double out[N] = {7.0, 7.0};
+
+    CHECK_STATUS(mdr_rate_history(rate, 1, 0.0, 0.0, &apart, N, still, still, out, out, out, out, out, out, &end), MDR_EINVALID, "time");
+    CHECK_STATUS(mdr_rate_history(rate, 1, 0.0, 0.0, &apart, N, time, deep, out, NULL, NULL, NULL, NULL, NULL, &end), MDR_EDOMAIN,
+                 "largest_radius");
+    CHECK_STATUS(mdr_rate_history(rate, 2, 0.0, 0.0, &apart, N, time, still, out, NULL, NULL, NULL, NULL, NULL, &end), MDR_EINVALID,
+                 "stiffness");
+    CHECK_STATUS(mdr_rate_history(rate, 1, 0.0, 1.0, &apart, N, time, still, out, NULL, NULL, NULL, NULL, NULL, &end), MDR_EINVALID,
+                 "tolerance");
+    CHECK_STATUS(mdr_rate_history(rate, 1, 0.0, 0.0, NULL, N, time, still, out, NULL, NULL, NULL, NULL, NULL, &end), MDR_ENULL, "start");
+    CHECK_STATUS(mdr_rate_history(rate, 1, 0.0, 0.0, &apart, -1, time, still, out, NULL, NULL, NULL, NULL, NULL, &end), MDR_EINVALID, "n");
+    CHECK_STATUS(mdr_rate_work(NULL, N, time, out), MDR_ENULL, "options");
+    options.exponent = 2.5;
+    CHECK_STATUS(mdr_rate_work(&options, N, time, out), MDR_EINVALID, "exponent = 2.5");
+    options.exponent = 0.5;
+    options.speed = -1.0;
+    CHECK_STATUS(mdr_rate_new(contact, &options, &none), MDR_EINVALID, "speed = -1");
+    options.speed = 1.0;
+    options.closing_work = 2.0 * options.work;
+    CHECK_STATUS(mdr_rate_new(contact, &options, &none), MDR_EINVALID, "closing_work");
+    options.closing_work = 0.0;
+    options.largest_radius = NAN;
+    CHECK_STATUS(mdr_rate_new(contact, &options, &none), MDR_EINVALID, "largest_radius");
+    CHECK_TRUE(none == NULL && end.radius == 7.0 && out[0] == 7.0 && out[1] == 7.0);
+}
+
+static void test_no_zone(mdr_rate_options options)
+{
+    mdr_contact_options zone = MDR_SIZED(mdr_contact_options);
+    mdr_contact *contact = NULL;
+    mdr_rate *none = NULL;
+
+    zone.work_of_adhesion = 0.01;
+    zone.cohesive_stress = 0.2;
+    contact = elastic_contact(&zone);
+    CHECK_STATUS(mdr_rate_new(contact, &options, &none), MDR_EINVALID, "cohesive_stress");
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+}
+
+/* Of E_glassy = 10 E_relaxed: between 1 and 10 times the work, and 1/10. */
+static void test_surface(const mdr_contact *contact)
+{
+    const double moduli[1] = {4.5}, times[1] = {0.1}, v[3] = {0.0, 1e9, -1e9};
+    mdr_rate_options options = MDR_SIZED(mdr_rate_options);
+    mdr_material *rubber = NULL;
+    mdr_rate *rate = NULL;
+    double out[3], time, zone;
+
+    CHECK_SUCCESS(mdr_material_viscoelastic(0.5, 1, moduli, times, 0.0, 0.0, 0.0, &rubber));
+    options.work = 0.01;
+    options.material = rubber;
+    options.cohesive_stress = 1.0;
+    options.largest_radius = 1.0;
+    CHECK_SUCCESS(mdr_rate_work(&options, 3, v, out));
+    CHECK_CLOSE(out[0], 0.01, 1e-15);
+    CHECK_CLOSE(out[1], 0.1, 1e-6);
+    CHECK_CLOSE(out[2], 0.001, 1e-6);
+    CHECK_SUCCESS(mdr_rate_scales(&options, &time, &zone));
+    CHECK_CLOSE(time, 1.0, 1e-12);
+    CHECK_CLOSE(zone, 0.01 * acos(-1.0) / 4.0, 1e-12);
+    CHECK_SUCCESS(mdr_rate_new(contact, &options, &rate));
+    options.speed = 1.0;
+    CHECK_STATUS(mdr_rate_work(&options, 3, v, out), MDR_EINVALID, "material");
+    CHECK_SUCCESS(mdr_rate_free(&rate));
+    CHECK_SUCCESS(mdr_material_free(&rubber));
+}
+
+int main(void)
+{
+    mdr_rate_options options = MDR_SIZED(mdr_rate_options);
+    mdr_contact *contact = elastic_contact(NULL);
+    mdr_rate *rate = NULL;
+
+    options.work = 1e-3;
+    options.speed = 1e-3;
+    options.exponent = 0.33;
+    options.largest_radius = 0.51;
+    CHECK_SUCCESS(mdr_rate_new(contact, &options, &rate));
+    test_pull_off(rate);
+    test_refusals(contact, rate, options);
+    test_surface(contact);
+    test_no_zone(options);
+    CHECK_SUCCESS(mdr_rate_free(&rate));
+    CHECK_TRUE(rate == NULL);
+    CHECK_SUCCESS(mdr_rate_free(NULL));
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+    return check_report("rate");
+}

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Works of adhesion that depend on the speed of the edge: reference rows, limits, scaling, conservation of energy."""
+
+from __future__ import annotations
+
+import csv
+import math
+import warnings
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import mdrcontact as mdr
+
+TIP = mdr.Paraboloid(1.0)
+HALF_SPACE = mdr.Homogeneous(mdr.Elastic(1.0, 0.0))
+BODIES = {
+    "homogeneous E*=1 paraboloid R=1": HALF_SPACE,
+    "film h=1 E=1 nu=.5 on E=100 nu=.3 paraboloid R=1": mdr.Coated(mdr.Elastic(1.0, 0.5), 1.0, mdr.Elastic(100.0, 0.3)),
+    "film h=1 E=10 nu=.3 on E=1 nu=.3 paraboloid R=1": mdr.Coated(mdr.Elastic(10.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3)),
+}
+LAW = {"w0": "work", "v0": "speed", "n": "exponent", "wc": "closing_work", "vc": "closing_speed", "nc": "closing_exponent"}
+RUBBER = mdr.Viscoelastic(0.5, [(4.5, 0.1)], nu=0.0)
+"""1/E* = 0.1 + 0.9 (1 - exp(-t))."""
+
+pytestmark = pytest.mark.filterwarnings("ignore::mdrcontact.LargeStrainWarning")
+
+
+def rows(kind):
+    with (ROOT / "tests" / "data" / "adhesion_time.csv").open() as file:
+        table = csv.DictReader(line for line in file if not line.startswith("#"))
+        found = [row for row in table if row["kind"] == kind]
+    for row in found:
+        words = dict(word.split("=") for word in row["inputs"].split(";"))
+        row["inputs"] = {key: value if key == "control" else float(value) for key, value in words.items()}
+    return [pytest.param(row, id=f"{kind}-{i}") for i, row in enumerate(found)]
+
+
+def contact_of(row):
+    law = {LAW[key]: value for key, value in row["inputs"].items() if key in LAW}
+    return mdr.Contact(TIP, BODIES[row["body"]], adhesion=mdr.RateAdhesion(**law))
+
+
+def met(row, found):
+    assert found == pytest.approx(float(row["value"]), rel=10.0 * float(row["accuracy"]))
+
+
+@pytest.mark.parametrize("row", rows("rate_pull_off"))
+def test_pull_off_rows(row):
+    given, contact = row["inputs"], contact_of(row)
+    state = contact.at_radius(given["start_radius"])
+    start, spring = state.depth, given.get("spring")
+    if spring:
+        start += state.force / spring
+    time = (start + 4.0) / given["speed"]
+    control = {"position": [start, -4.0], "spring_stiffness": spring} if spring else {"depth": [start, -4.0]}
+    end = contact.history([0.0, time], **control, start={"radius": given["start_radius"]}).end
+    met(row, end["lowest_force" if row["quantity"] == "F_min" else "lowest_time"])
+
+
+@pytest.mark.parametrize("row", rows("rate_dead_load"))
+def test_dead_load_rows(row):
+    contact = contact_of(row)
+    force = [row["inputs"]["F"]] * 2
+    end = contact.history([0.0, 1e4], force=force, start={"radius": row["inputs"]["start_radius"]}, tolerance=1e-11).end
+    met(row, end["rupture_time"])
+
+
+@pytest.mark.parametrize("row", rows("rate_cycle"))
+def test_cycle_rows(row):
+    contact, given = contact_of(row), row["inputs"]
+    ramp, depth = given["depth"] / given["speed"], given["depth"]
+    time = np.array([0.0, ramp, ramp + given["dwell"], 2.0 * ramp + given["dwell"] + 300.0])
+    found = contact.history(time, depth=[0.0, depth, depth, -0.3])
+    places = {"radius_end_of_approach": found.radius[1], "force_end_of_approach": found.force[1]}
+    met(row, {**places, "force_end_of_dwell": found.force[2]}[row["quantity"]])
+    assert found.work[-1] == pytest.approx(found.dissipated[-1], rel=1e-8)
+    # and by the trapezoidal rule of the force itself
+    fine = np.interp(np.linspace(0.0, time[-1], 40001), time, [0.0, depth, depth, -0.3])
+    path = contact.history(np.linspace(0.0, time[-1], 40001), depth=fine)
+    assert np.trapezoid(path.force, fine) == pytest.approx(found.work[-1], rel=1e-4)
+
+
+# The steady crack has its rows, to 1e-12, in tests/unit/test_rate_adhesion.pf: they give the compliance, not the modulus.
+@pytest.mark.parametrize("medium", [*BODIES.values(), mdr.Coated(mdr.Elastic(5.0, 0.4), 1.0, mdr.Elastic(1.0, 0.3), model="gao")])
+def test_slow_edges_are_in_equilibrium(medium):
+    """V -> 0: both pull-offs of the contact at rest, and the states on the way."""
+    rate = mdr.RateAdhesion(0.02, 1e-3, 1.0)
+    contact = mdr.Contact(TIP, medium, adhesion=rate)
+    rest = mdr.Contact(TIP, medium, work_of_adhesion=0.02)
+    first = rest.at_depth(0.5)
+    pulled = rest.pull_off("depth")
+    depth = np.linspace(0.5, pulled.depth * 0.5, 50)
+    slow = contact.history(np.linspace(0.0, 1e9, 50), depth=depth, start="rest")
+    assert slow.radius[0] == pytest.approx(first.radius, rel=1e-10)
+    assert slow.force == pytest.approx(rest.at_depth(depth).force, rel=2e-5, abs=2e-5 * abs(pulled.force))
+    end = contact.history([0.0, 1e10], depth=[0.5, 3.0 * pulled.depth], start="rest").end
+    lowest = min(np.min(rest.at_depth(np.linspace(0.5, pulled.depth, 2001)).force), pulled.force)
+    assert end["lowest_force"] == pytest.approx(lowest, rel=1e-3)
+
+
+@pytest.mark.parametrize(("p", "n"), [(2, 0.33), (2, 0.6), (3, 0.33), (3, 0.6)])
+def test_fast_edges_scale(p, n):
+    """Under depth control F ~ V^(n (1 + p)/(2 p - 1 + n (p - 1))) for a profile r^p, once V is far above the law's speed."""
+    tip = TIP if p == 2 else mdr.PowerLaw(3.0, 1.0)
+    contact = mdr.Contact(tip, HALF_SPACE, adhesion=mdr.RateAdhesion(1e-9, 1e-3, n))
+    forces = []
+    for speed in (30.0, 300.0):
+        start = contact.at_radius(30.0).depth
+        forces.append(
+            contact.history([0.0, 2.0 * start / speed], depth=[start, -start], start={"radius": 30.0}).end["lowest_force"]
+        )
+    slope = math.log10(forces[1] / forces[0])
+    assert slope == pytest.approx(n * (1 + p) / (2 * p - 1 + n * (p - 1)), abs=0.01)
+
+
+def test_soft_springs_lower_the_pull_off():
+    """theory_adhesion_time 3: beta = 100, n = 0.33, K/(E* a_J) = 10, 1, 0.1: 3.914, 3.414, 2.519; the preload is forgotten."""
+    unit = 1e-3 ** (1.0 / 3.0)
+    contact = mdr.Contact(TIP, HALF_SPACE, adhesion=mdr.RateAdhesion(1e-3, 1e-3, 0.33))
+    state = contact.at_radius(5.0 * unit)
+    for stiffness, expected in ((10.0, 3.914), (1.0, 3.414), (0.1, 2.519)):
+        spring = stiffness * unit
+        start = state.depth + state.force / spring
+        speed = 100.0 * 1e-3 * unit
+        found = contact.history([0.0, 20.0 / speed], position=[start, start - 20.0], spring_stiffness=spring, start="rest")
+        assert -found.end["lowest_force"] / (1.5 * math.pi * 1e-3) == pytest.approx(expected, abs=2e-3)
+
+
+def test_histories_go_on():
+    contact = mdr.Contact(TIP, HALF_SPACE, adhesion=mdr.RateAdhesion(1e-3, 1e-3, 0.33, closing_work=7e-4))
+    time, depth = np.linspace(0.0, 300.0, 301), np.interp(np.linspace(0, 300, 301), [0, 60, 80, 300], [-0.01, 0.05, 0.05, -0.17])
+    whole = contact.history(time, depth=depth)
+    first = contact.history(time[:101], depth=depth[:101])
+    again = contact.history(time[100:], depth=depth[100:], start=first.end)
+    assert again.force == pytest.approx(whole.force[100:], abs=1e-9)
+    assert again.dissipated[-1] == pytest.approx(whole.dissipated[-1], rel=1e-7)
+    assert np.all(np.diff(whole.dissipated) >= 0.0)
+    assert whole.radius[0] == whole.force[0] == 0.0
+    assert whole.depth == pytest.approx(depth)
+    assert whole.end["ruptures"] == 1.0
+
+
+def test_energy_under_a_spring():
+    """The work of the machine is what the edge loses, and what is left in spring and body."""
+    contact = mdr.Contact(TIP, HALF_SPACE, adhesion=mdr.RateAdhesion(1e-3, 1e-3, 0.33, closing_work=7e-4))
+    time = np.linspace(0.0, 400.0, 20001)
+    position = np.interp(time, [0.0, 60.0, 80.0, 400.0], [-0.01, 0.05, 0.05, -0.27])
+    found = contact.history(time, position=position, spring_stiffness=0.3)
+    assert 0.3 * (position - found.depth) == pytest.approx(found.force, abs=1e-12)
+    assert found.work[-1] == pytest.approx(found.dissipated[-1], rel=1e-7)
+    assert np.trapezoid(found.force, position) == pytest.approx(found.dissipated[-1], rel=1e-3)
+    assert found.radius[-1] == 0.0
+
+
+@pytest.mark.parametrize(("stress", "speed", "expected", "warns"), [
+    (1.0, 2e-4, 1.1204, False), (1.0, 1e-3, 1.3890, False), (1.0, 5e-3, 2.0569, True),
+    (0.25, 0.01, 1.2803, True), (0.25, 0.1, 2.1935, True), (0.25, 1.0, 4.2814, True),
+])  # fmt: skip
+def test_pull_off_of_a_viscoelastic_surface(stress, speed, expected, warns):
+    """theory_adhesion_time 6, column B + C, and that the law's range is watched."""
+    contact = mdr.Contact(TIP, mdr.Homogeneous(RUBBER.relaxed), adhesion=mdr.RateAdhesion.from_rheology(RUBBER, 0.01, stress))
+    start = contact.at_radius(0.6).depth
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        end = contact.history([0.0, (start + 1.0) / speed], depth=[start, -1.0], start="rest").end
+    assert -end["lowest_force"] / (1.5 * math.pi * 0.01) == pytest.approx(expected, rel=1e-4)
+    assert any(issubclass(entry.category, mdr.AdhesionRateWarning) for entry in caught) == warns
+
+
+def test_works_at_speeds():
+    rate = mdr.RateAdhesion(2.0, 0.5, 0.5, closing_work=1.0, closing_speed=0.25)
+    assert rate.at_speed([0.0, 0.5, 2.0, -0.25]) == pytest.approx([2.0, 4.0, 6.0, 0.5])
+    surface = mdr.RateAdhesion.from_rheology(RUBBER, 0.01, 1.0)
+    assert surface.at_speed([1e9, -1e9]) == pytest.approx([0.1, 0.001], rel=1e-6)
+    assert surface.at_speed(0.0) == 0.01
+
+
+@pytest.mark.parametrize(("wrong", "words"), [
+    ({"speed": -1.0}, "speed = -1"), ({"exponent": 0.0}, "exponent = 0"), ({"exponent": 2.5}, "exponent = 2.5"),
+    ({"work": 0.0}, "work = 0"), ({"closing_work": 2.0}, "closing_work = 2"), ({"closing_speed": 0.0}, "closing_speed = 0"),
+    ({"closing_exponent": -0.5}, "closing_exponent = -0.5"),
+])  # fmt: skip
+def test_laws_that_cannot_be(wrong, words):
+    with pytest.raises(mdr.InvalidArgumentError, match=words):
+        mdr.RateAdhesion(**{"work": 1.0, "speed": 1.0, "exponent": 0.5, **wrong})
+
+
+def test_refusals():
+    rate = mdr.RateAdhesion(1e-3, 1e-3, 0.33)
+    contact = mdr.Contact(TIP, HALF_SPACE, adhesion=rate)
+    with pytest.raises(mdr.InvalidArgumentError, match="relaxed"):
+        mdr.Contact(TIP, mdr.Homogeneous(RUBBER), adhesion=rate)
+    with pytest.raises(mdr.InvalidArgumentError, match="flat end"):
+        mdr.Contact(mdr.FlatEndedCone(0.1, 0.2), HALF_SPACE, adhesion=rate).history([0.0, 1.0], depth=[0.1, 0.0])
+    with pytest.raises(mdr.ArgumentTypeError, match="spring_stiffness"):
+        contact.history([0.0, 1.0], position=[0.0, 1.0])
+    with pytest.raises(mdr.ArgumentTypeError, match="radius"):
+        contact.history([0.0, 1.0], radius=[0.0, 1.0])
+    with pytest.raises(mdr.InvalidArgumentError, match="start"):
+        contact.history([0.0, 1.0], depth=[0.0, 1.0], start="here")
+    with pytest.raises(mdr.UnreachableError, match="no stable"):
+        contact.history([0.0, 1.0], depth=[-1.0, -1.0], start="rest")
+    with pytest.raises(mdr.InvalidArgumentError, match="work_of_adhesion"):
+        mdr.Contact(TIP, HALF_SPACE, work_of_adhesion=1.0, adhesion=rate)
+    with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress"):
+        mdr.Contact(TIP, HALF_SPACE, cohesive_stress=1.0, adhesion=rate)
+    with pytest.raises(mdr.ArgumentTypeError, match="adhesion="):
+        mdr.Contact(TIP, HALF_SPACE).history([0.0, 1.0], depth=[0.0, 1.0], start="rest")
