@@ -14,7 +14,9 @@ import tarfile
 import zipfile
 from pathlib import Path
 
-JUNK = re.compile(r"(^|/)(build[^/]*|\.venv|output|__pycache__|\.git|[^/]*\.egg-info)/|\.(o|a|smod|pyc|orig|rej|log)$|(?<!/go)\.mod$|~$")
+JUNK = re.compile(
+    r"(^|/)(build[^/]*|\.venv|output|__pycache__|\.git|[^/]*\.egg-info)/|\.(o|a|smod|pyc|orig|rej|log)$|(?<!/go)\.mod$|~$"
+)
 BUILT_FROM = ("cmake", "include", "src", "python", "examples/problems")
 
 
