@@ -12,6 +12,7 @@ from scipy import special
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
+from mdrcontact.fitting import gel
 
 TABLE = Path(__file__).parents[1] / "data" / "poroelastic.csv"
 DRAINAGES = {"drained": "surface", "impermeable": "sealed", "mixed": "indenter"}
@@ -241,6 +242,31 @@ def test_fits_find_what_made_the_data():
     fit = mdr.fit_gel(mdr.ForceTime(time, ramp, force, sd=1e-6), tip, body.replace(material=true.replace(diffusivity=1.0)),
                       ["diffusivity"], drainage="surface")  # fmt: skip
     assert fit.values["diffusivity"] == pytest.approx(3e-8, rel=1e-5)
+
+
+def test_ratios_between_the_tables_of_a_fit():
+    """Poisson's ratio of a film: the answers between the tables of a fit are those of a table of their own."""
+    tip, film = mdr.FlatPunch(1.0), mdr.Coated(mdr.Poroelastic(3.0, 0.435, 0.2), 1.0, mdr.RIGID)
+    time = np.append(0.0, np.geomspace(1e-4, 1e3, 60))
+    held = np.full(time.shape, 1e-3)
+    force = mdr.Contact(tip, film).history(time, depth=held, drainage="sealed").force
+    data = mdr.ForceTime(time, held, force, sd=1e-5 * force.max())
+    start = mdr.Coated(mdr.Poroelastic(1.0, 0.2, 1.0), 1.0, mdr.RIGID)
+    fit = mdr.fit_gel(data, tip, start, gel.NAMES, drainage="sealed")
+    assert np.abs(fit.fitted / force - 1.0).max() < 5e-6
+    assert fit.values["nu"] == pytest.approx(0.435, abs=1e-5)
+
+
+def test_a_fit_compares_its_tables_with_their_source(monkeypatch):
+    """Too few tables are seen by the comparison that a fit ends with."""
+    monkeypatch.setattr(gel, "_PLACES", gel._PLACES[[0, 4, 8]])
+    monkeypatch.setattr(gel, "_TABLES", gel._TABLES[::4])
+    tip, body = mdr.FlatPunch(1.0), mdr.Homogeneous(mdr.Poroelastic(3.0, 0.3, 0.2))
+    time = np.append(0.0, np.geomspace(1e-4, 1e3, 30))
+    held = np.full(time.shape, 1e-3)
+    data = mdr.ForceTime(time, held, mdr.Contact(tip, body).history(time, depth=held, drainage="sealed").force, sd=1e-6)
+    with pytest.raises(mdr.MDRError, match="fix nu"):
+        mdr.fit_gel(data, tip, body, gel.NAMES, drainage="sealed")
 
 
 def test_fits_say_what_the_data_do_not_tell():

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
+from .. import _scipy
 from ..contact import Contact
 from ..errors import ArgumentTypeError, InvalidArgumentError, NoConvergenceError
 from ..poroelastic import DRAINAGES, Poroelastic, body_of, drainage_code, gel_of, is_poroelastic
@@ -27,14 +28,16 @@ __all__ = ["GelFit", "fit_gel", "compare_drainages"]
 NAMES = ("shear_modulus", "nu", "diffusivity")
 _LOWEST, _HIGHEST = 0.0, 0.499
 """Poisson's ratios between which one is sought."""
-_NODES = 9
-"""Of them there are tables; the answers between are interpolated, to 1e-6."""
+_END = 0.55
+"""Answers of films change as 1/(1/2 - nu) does: polynomials of ln(_END - nu) follow them best."""
+_AGREE = 5e-5
+"""Of the largest reading: answers between the tables that are further from a table of their own are refused."""
 _DECADES = np.linspace(-7.0, 5.0, 25)
 """Starts of the diffusivity, in powers of 10 of the squared contact radius over the duration."""
 _MOST = 100
 """Readings that a start is sought with."""
-_ROUNDS, _CHANGE = 200, 1e-6
-"""Of the search, and the gain of a step, in mean squared residuals, that is none."""
+_ROUNDS = 200
+"""Of the search, at the most."""
 _LOOSE = 0.5
 """A parameter whose standard error is larger, of its value or of Poisson's ratio's range, does not follow from the data."""
 _TOGETHER = 0.95
@@ -98,11 +101,15 @@ def fit_gel(
     if not is_poroelastic(medium):
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a body of Poroelastic(...)")
     drainage_code(drainage)
+    _scipy.require()
     gel = gel_of(medium)
-    shape = partial(_shape, _case(data, indenter), data, indenter, medium, drainage, gel.nu if "nu" not in names else None)
+    answers = partial(_shape, _case(data, indenter), data, indenter, medium, drainage)
+    shape = partial(answers, gel.nu if "nu" not in names else None)
     weights = np.ones(len(data)) if data.sd is None else 1.0 / data.sd
     search = _Search(shape, data.y, weights, names, gel, _power(data))
     values, covariance, residuals = search.run(_time_scale(data, indenter))
+    if "nu" in names:
+        _check_between_tables(answers, *search.gel_at(values)[1:])
     if data.sd is None:
         covariance = covariance * float(residuals @ residuals) / max(len(data) - len(names), 1)
     return _result(search, data, medium, drainage, values, covariance, residuals)
@@ -172,20 +179,33 @@ def _shape(
     """The readings of `part` under a shear modulus of 1: from the table of the given Poisson's ratio, or interpolated."""
     if fixed is not None:
         return _answer(case, data, indenter, medium, drainage, Poroelastic(1.0, fixed, diffusivity), part)
-    nodes = chebyshev.chebpts1(_NODES)
-    ratios = _LOWEST + 0.5 * (_HIGHEST - _LOWEST) * (nodes + 1.0)
-    rows = [_answer(case, data, indenter, medium, drainage, Poroelastic(1.0, float(r), diffusivity), part) for r in ratios]
-    place = 2.0 * (nu - _LOWEST) / (_HIGHEST - _LOWEST) - 1.0
-    return np.asarray(_weights(nodes, place) @ np.array(rows))
+    rows = [_answer(case, data, indenter, medium, drainage, Poroelastic(1.0, ratio, diffusivity), part) for ratio in _TABLES]
+    series = chebyshev.chebfit(_PLACES, np.array(rows), len(_PLACES) - 1)
+    return np.asarray(chebyshev.chebval(_place(nu), series))
 
 
-def _weights(nodes: Array, place: float) -> Array:
-    """Of an interpolation, Lagrange's polynomials at one place."""
-    weights = np.ones(len(nodes))
-    for j, node in enumerate(nodes):
-        others = np.delete(nodes, j)
-        weights[j] = np.prod((place - others) / (node - others))
-    return weights
+def _place(nu: float) -> float:
+    """Of a Poisson's ratio among the tables, -1 to 1."""
+    return 2.0 * math.log((_END - nu) / (_END - _HIGHEST)) / math.log((_END - _LOWEST) / (_END - _HIGHEST)) - 1.0
+
+
+_PLACES = chebyshev.chebpts1(9)
+_TABLES = [_END - (_END - _HIGHEST) * ((_END - _LOWEST) / (_END - _HIGHEST)) ** (0.5 * (float(x) + 1.0)) for x in _PLACES]
+"""Poisson's ratios of which there are tables; the answers between are interpolated."""
+
+
+def _check_between_tables(shape: Any, nu: float, diffusivity: float) -> None:
+    """Refuses an interpolation that is not its source midway between the two tables around nu."""
+    edges = np.array([_LOWEST, *_TABLES[::-1], _HIGHEST])
+    i = min(max(int(np.searchsorted(edges, nu)), 1), len(edges) - 1)
+    between = float(0.5 * (edges[i - 1] + edges[i]))
+    exact = shape(between, between, diffusivity, slice(None))
+    off = float(np.max(np.abs(shape(None, between, diffusivity, slice(None)) - exact)) / np.max(np.abs(exact)))
+    if not off <= _AGREE:
+        raise NoConvergenceError(
+            f"the answers between the tables of {len(_TABLES)} Poisson's ratios are off by {off:.1e} at nu = {between:.3f}: more "
+            f"than is allowed, {_AGREE:g}; fix nu"
+        )
 
 
 def _answer(case: str, data: Any, indenter: Any, medium: Any, drainage: str, gel: Poroelastic, part: Any) -> Array:
@@ -202,11 +222,10 @@ def _answer(case: str, data: Any, indenter: Any, medium: Any, drainage: str, gel
 
 
 class _Search:
-    """Levenberg and Marquardt's search in ln G, nu and ln D."""
+    """The least squares in ln G, nu and ln D, by SciPy's trust regions."""
 
     def __init__(self, shape: Any, y: Array, weights: Array, names: tuple[str, ...], gel: Poroelastic, power: float) -> None:
         self.shape, self.y, self.weights, self.names, self.gel, self.power = shape, y, weights, names, gel, power
-        self.are_ratios = bool((weights == 1.0).all())
 
     def gel_at(self, u: Array) -> tuple[float, float, float]:
         """G, nu and D."""
@@ -215,10 +234,10 @@ class _Search:
         diffusivity = math.exp(own["diffusivity"]) if "diffusivity" in own else self.gel.diffusivity
         return modulus, own.get("nu", self.gel.nu), diffusivity
 
-    def model(self, u: Array, part: Any = slice(None)) -> Array:
+    def model(self, u: Array) -> Array:
         """The readings."""
         modulus, nu, diffusivity = self.gel_at(u)
-        return np.asarray(modulus**self.power * self.shape(nu, diffusivity, part))
+        return np.asarray(modulus**self.power * self.shape(nu, diffusivity, slice(None)))
 
     def start(self, scale: float) -> Array:
         """The best of a grid, with the shear modulus that fits it best."""
@@ -239,53 +258,21 @@ class _Search:
                     best, least = np.array([own[name] for name in self.names]), off
         return best
 
-    def inside(self, u: Array) -> Array:
-        """With a Poisson's ratio that is allowed."""
-        if "nu" in self.names:
-            place = self.names.index("nu")
-            u[place] = min(max(u[place], _LOWEST), _HIGHEST)
-        return u
-
-    def jacobian(self, u: Array) -> Array:
-        """By central differences."""
-        columns = []
-        for i in range(len(u)):
-            ahead, behind = u.copy(), u.copy()
-            ahead[i] += _STEP
-            behind[i] -= _STEP
-            ahead, behind = self.inside(ahead), self.inside(behind)
-            columns.append(self.weights * (self.model(ahead) - self.model(behind)) / (ahead[i] - behind[i]))
-        return np.array(columns).T
-
     def run(self, scale: float) -> tuple[Array, Array, Array]:
         """Where the sum of squares is least, the covariance there for unit errors, and the residuals."""
-        u, damping = self.start(scale), 1e-3
-        r = self.weights * (self.y - self.model(u))
-        for _ in range(_ROUNDS):
-            slope = self.jacobian(u)
-            square = slope.T @ slope
-            size = np.diag(square) + 1e-300
-            while damping < 1e12:
-                step = np.linalg.solve(square + damping * np.diag(size), slope.T @ r)
-                tried = self.inside(u + np.clip(step, -2.0, 2.0))
-                new = self.weights * (self.y - self.model(tried))
-                if new @ new <= r @ r:
-                    break
-                damping *= 10.0
-            else:
-                break
-            gain = float(r @ r - new @ new)
-            expected = float(r @ r - np.sum((r - slope @ (tried - u)) ** 2))
-            # where the model is wrong the residuals bend the sum of squares: long steps then swing about the minimum
-            damping *= 0.1 if gain > 0.75 * expected else 1.0 if gain > 0.25 * expected else 10.0
-            u, r = tried, new
-            unit = float(r @ r) / len(r) if self.are_ratios else 1.0
-            if gain <= _CHANGE * unit or float(r @ r) <= 1e-28 * float(np.sum((self.weights * self.y) ** 2)):
-                break
-        else:
+        from scipy.optimize import least_squares
+
+        low = [_LOWEST if name == "nu" else -math.inf for name in self.names]
+        high = [_HIGHEST if name == "nu" else math.inf for name in self.names]
+        unit = float(np.sqrt(np.mean((self.weights * self.y) ** 2))) or 1.0
+        found = least_squares(
+            lambda u: self.weights * (self.y - self.model(u)) / unit,
+            self.start(scale), "3-point", (low, high), x_scale=1.0, diff_step=_STEP, max_nfev=_ROUNDS,
+        )  # fmt: skip
+        if not found.success:
             raise NoConvergenceError(f"the fit did not come to rest in {_ROUNDS} steps: leave fewer parameters free")
-        slope = self.jacobian(u)
-        return u, np.asarray(np.linalg.pinv(slope.T @ slope, rcond=1e-14), np.float64), r
+        slope = unit * found.jac
+        return found.x, np.asarray(np.linalg.pinv(slope.T @ slope, rcond=1e-14), np.float64), unit * found.fun
 
 
 def _result(search: _Search, data: Any, medium: Any, drainage: str, u: Array, covariance: Array, residuals: Array) -> GelFit:

@@ -12,13 +12,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _native
+from .. import _native, _scipy
 from .._boundary import call, row, thread_count
 from .._interrupt import workers
 from ..errors import ArgumentTypeError, InvalidArgumentError, OutOfMemoryError
 from ..material import Elastic
 from ..weights import weight_j0, weight_j1
-from . import _scipy
 from .structure import PowerMean, shear
 from .voxels import Voxels
 

@@ -8,13 +8,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .. import _scipy
 from .._boundary import number, numbers, whole
 from ..contact import Contact
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from ..medium import Homogeneous, TabulatedMedium
 from ..profile import Profile
-from . import _scipy
 from .mapping import effective_map
 from .structure import Structure
 from .voxels import Voxels

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""SciPy, which maps and sliding need and `import mdrcontact` does not."""
+"""SciPy, which maps, sliding and fits of gels need and `import mdrcontact` does not."""
 
 from __future__ import annotations
 
-from ..errors import MDRError
+from .errors import MDRError
 
 
 def require() -> None:
@@ -11,4 +11,4 @@ def require() -> None:
     try:
         import scipy  # noqa: F401
     except ImportError as problem:
-        raise MDRError('maps and sliding need SciPy: pip install "mdrcontact[map]"') from problem
+        raise MDRError('maps, sliding and fits of gels need SciPy: pip install "mdrcontact[map]"') from problem
