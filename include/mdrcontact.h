@@ -905,8 +905,8 @@ enum mdr_gel_pressure {
  *  @param time           > 0, D t/a^2 >= 1e-5 [time]
  *  @param n              number of radii
  *  @param r              [n] 0 <= r < radius [length]
- *  @param out            [n] pressure per depth [modulus/length]
- *  @return also MDR_EINVALID, MDR_EDOMAIN */
+ *  @param out            [n] pressure per depth [modulus/length]; the pore pressure of a sealed surface to 1e-4 of the largest
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE where that is not reached next to the edge */
 int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, double shear_modulus, double diffusivity,
                              double radius, double time, int n, const double r[], double out[]);
 

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Total pressure and pore pressure under an indenter that was pressed into a gel at time 0, its contact radius being held.
 module mdrcontact_poroelastic_pressure
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: gsl_sf_bessel_j0
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
@@ -15,7 +15,9 @@ module mdrcontact_poroelastic_pressure
     public :: gel_pressure
 
     !> Under a sealed surface pore pressure is summed over waves up to this k, and this many times sqrt(1/tau).
-    real(wp), parameter :: last_wave = 2000.0_wp, last_ratio = 60.0_wp
+    real(wp), parameter :: last_wave = 6000.0_wp, last_ratio = 60.0_wp
+    !> What the shortest two thirds of them may add, of the largest value.
+    real(wp), parameter :: allowed = 1.0e-4_wp
 
 contains
 
@@ -119,7 +121,9 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(basis_t) :: waves
         complex(wp) :: z(nodes), weight(nodes), q(basis%order), w(basis%order)
-        real(wp), allocatable :: part(:)
+        real(wp), allocatable :: part(:), terms(:)
+        logical, allocatable :: shorter(:)
+        real(wp) :: off
         integer :: i, j
 
         call new_basis(waves, basis%order, min(1.0e-3_wp, 1.0e-3_wp/sqrt(tau)), max(last_wave, last_ratio/sqrt(tau)), error)
@@ -131,9 +135,25 @@ contains
             call solve_contact(gel, basis, shape, z(j)/tau, q, w, error)
             part = part + aimag(weight(j)*pore_part(gel, waves%k, z(j)/tau)*matmul(q, waves%b))
         end do
+        part = 0.5_wp*pi*waves%weight*waves%k*part
+        shorter = waves%k > waves%k(waves%count)/3.0_wp
+        off = 0.0_wp
         do i = 1, size(r)
-            values(i) = 0.5_wp*pi*sum([(waves%weight(j)*waves%k(j)*gsl_sf_bessel_j0(waves%k(j)*r(i))*part(j), j=1, waves%count)])
+            terms = part*bessel(waves%k*r(i))
+            values(i) = sum(terms)
+            off = max(off, abs(sum(terms, mask=shorter)))
         end do
+        if (.not. (allocated(error) .or. off <= allowed*maxval(abs(values)))) then
+          call raise(error, error_no_convergence, " is not allowed: the pore pressure is not found so near the edge of "// &
+                       "contact, where the shortest waves add "//to_text(off)//" to it", "r")
+        end if
     end subroutine sum_waves
+
+    impure elemental function bessel(x) result(y)
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = gsl_sf_bessel_j0(x)
+    end function bessel
 
 end module mdrcontact_poroelastic_pressure

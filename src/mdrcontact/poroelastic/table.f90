@@ -21,8 +21,9 @@ module mdrcontact_poroelastic_table
     real(wp), parameter :: last_time = 1.0e8_wp
     !> A table that is off by more than this part of the force is none.
     real(wp), parameter :: allowed = 2.0e-5_wp
-    !> Where the early answers are compared, in units of where the series begin.
-    real(wp), parameter :: look_early = 0.2_wp
+    !> Where the early answers are fitted, and compared, in units of where the series begin.
+    real(wp), parameter :: early(*) = [0.1_wp, 0.2_wp, 0.45_wp], joined(*) = [1.0_wp, 1.6_wp, 2.5_wp, 4.0_wp], &
+                           between(*) = [0.06_wp, 0.15_wp, 0.65_wp]
     !> From this tau on what is left to relax, which falls as tau^-1/2, is rounding.
     real(wp), parameter :: at_rest = 1.0e28_wp
 
@@ -78,25 +79,43 @@ contains
                                                     to_text(self%error)//": more than is allowed, "//to_text(allowed))
     end subroutine new_poroelastic
 
-    !> What comes before the first decade, and how well it continues.
+    !> What comes before the first decade: fitted to a few answers there and to the beginning of the decade, compared between them.
     subroutine fill_early(self, error)
         type(poroelastic_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error
-        type(basis_t) :: basis
-        real(wp) :: tau(terms), values(terms, columns), exact(columns)
+        real(wp) :: tau(size(early) + size(joined)), values(size(tau), columns), exact(columns)
         integer :: i, j
 
-        do i = 1, terms
-            tau(i) = self%first*10.0_wp**(0.5_wp + 0.5_wp*node(i, terms))
+        tau = self%first*[early, joined]
+        do i = 1, size(early)
+            call early_answers(self%gel, tau(i), exact, error)
+            if (allocated(error)) return
+            values(i, :) = exact - self%undrained
+        end do
+        do i = size(early) + 1, size(tau)
             do j = 1, columns
-                values(i, j) = chebyshev_sum(self%series(:, j, 1), node(i, terms)) - self%undrained(j)
+                values(i, j) = chebyshev_sum(self%series(:, j, 1), 2.0_wp*log10(tau(i)/self%first) - 1.0_wp) - self%undrained(j)
             end do
         end do
         call fit_early(tau, values, self%early, error)
-        call basis_for(self%gel, look_early*self%first, look_early*self%first, basis, error)
-        call answers(self%gel, basis, look_early*self%first, exact, error)
-        if (.not. allocated(error)) call compare(self, self%undrained + early_part(self%early, look_early*self%first), exact)
+        do i = 1, size(between)
+            call early_answers(self%gel, between(i)*self%first, exact, error)
+            if (allocated(error)) return
+            call compare(self, self%undrained + early_part(self%early, between(i)*self%first), exact)
+        end do
     end subroutine fill_early
+
+    !> All columns at one tau before the first decade.
+    subroutine early_answers(gel, tau, values, error)
+        type(gel_t), intent(in) :: gel
+        real(wp), intent(in) :: tau
+        real(wp), intent(out) :: values(columns)
+        type(error_t), allocatable, intent(inout) :: error
+        type(basis_t) :: basis
+
+        call basis_for(gel, tau, tau, basis, error, finer=.true.)
+        call answers(gel, basis, tau, values, error)
+    end subroutine early_answers
 
     !> Keeps the largest misfit.
     pure subroutine compare(self, values, exact)
