@@ -11,7 +11,12 @@ module mdrcontact_api_arrays
     private
     public :: check_count, check_array, check_in_out, check_not_empty, check_each_finite, check_each_positive, &
               check_each_not_negative, check_each_within
-    public :: make_room, check_results, check_results_or_infinity, check_positive_results
+    public :: make_room, check_complex_arrays, deliver_parts, check_results, check_results_or_infinity, check_positive_results
+
+    !> Room for n results, unless there is an error: they are written to the caller's array when all of them are known.
+    interface make_room
+        module procedure :: make_real_room, make_complex_room
+    end interface make_room
 
 contains
 
@@ -123,8 +128,20 @@ contains
         end do
     end subroutine check_each_within
 
-    !> Room for n results, unless there is an error: they are written to the caller's array when all of them are known.
-    pure subroutine make_room(error, n, values)
+    !> The same for complex results, whose parts go to two arrays.
+    pure subroutine check_complex_arrays(error, n, name, has_in, has_storage, has_loss)
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int), intent(in) :: n
+        character(len=*), intent(in) :: name
+        logical, intent(in) :: has_in, has_storage, has_loss
+
+        call check_count(error, n)
+        call check_array(error, name, n, has_in)
+        call check_array(error, "storage", n, has_storage)
+        call check_array(error, "loss", n, has_loss)
+    end subroutine check_complex_arrays
+
+    pure subroutine make_real_room(error, n, values)
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int), intent(in) :: n
         real(c_double), allocatable, intent(out) :: values(:)
@@ -133,7 +150,39 @@ contains
         if (allocated(error)) return
         allocate (values(n), stat=stat)
         call check_memory(error, stat)
-    end subroutine make_room
+    end subroutine make_real_room
+
+    pure subroutine make_complex_room(error, n, values)
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int), intent(in) :: n
+        complex(c_double), allocatable, intent(out) :: values(:)
+        integer :: stat
+
+        if (allocated(error)) return
+        allocate (values(n), stat=stat)
+        call check_memory(error, stat)
+    end subroutine make_complex_room
+
+    !> Writes complex results to the caller's arrays, unless there is an error or one of them is not finite. All are wanted but the
+    !> imaginary part, which may be missing.
+    pure subroutine deliver_parts(error, values, real_part, imaginary_part)
+        type(error_t), allocatable, intent(inout) :: error
+        !> not allocated if there is an error
+        complex(c_double), allocatable, intent(in) :: values(:)
+        real(c_double), intent(inout), optional :: real_part(*), imaginary_part(*)
+        integer :: i
+
+        if (allocated(error)) return
+        do i = 1, size(values)
+            if (ieee_is_finite(real(values(i), c_double)) .and. ieee_is_finite(aimag(values(i)))) cycle
+            call raise_range(error, i)
+            return
+        end do
+        do i = 1, size(values)
+            real_part(i) = real(values(i), c_double)
+            if (present(imaginary_part)) imaginary_part(i) = aimag(values(i))
+        end do
+    end subroutine deliver_parts
 
     !> Raises unless all results are finite: from numbers that are far apart they can leave the number range.
     pure subroutine check_results(error, values)

@@ -2,11 +2,12 @@
 !> What surfaces answer to a wave of load, for C.
 module mdrcontact_api_compliance
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_positive
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_positive, deliver_parts, &
+                                     make_room
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_body_compliance, only: normal_load, twist_load
-    use mdrcontact_error, only: check_choice, check_memory, error_t
+    use mdrcontact_error, only: check_choice, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_compliance, only: surface_compliance
@@ -28,7 +29,6 @@ contains
         complex(wp), allocatable :: values(:)
         real(c_double), allocatable :: wavenumbers(:)
         type(error_t), allocatable :: error
-        integer :: stat
 
         call open_handle(m, "m", medium, error)
         if (.not. allocated(error)) then
@@ -39,10 +39,8 @@ contains
         call check_array(error, "k", n, present(k))
         call check_array(error, "out", n, present(out))
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
-        if (.not. allocated(error)) then
-            allocate (values(n), wavenumbers(n), stat=stat)
-            call check_memory(error, stat)
-        end if
+        call make_room(error, n, values)
+        call make_room(error, n, wavenumbers)
         if (.not. allocated(error)) then
             ! without points k may be NULL
             if (n > 0) wavenumbers(:) = k(:n)
@@ -52,10 +50,8 @@ contains
                 call surface_compliance(medium%solver, load, wavenumbers, values, error)
             end if
         end if
+        call deliver_parts(error, values, out, imaginary)
         status = status_of(error)
-        if (allocated(error) .or. n == 0) return
-        out(:n) = real(values, wp)
-        if (present(imaginary)) imaginary(:n) = aimag(values)
     end function mdr_medium_compliance
 
 end module mdrcontact_api_compliance

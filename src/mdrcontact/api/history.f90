@@ -2,10 +2,11 @@
 !> Histories of contacts with viscoelastic bodies, for C.
 module mdrcontact_api_history
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
+    use mdrcontact_api_arrays, only: check_array, check_complex_arrays, check_count, check_in_out, check_results, deliver_parts, &
+                                     make_room
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_status, only: status_of
-    use mdrcontact_error, only: check_memory, error_t, raise_at
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_history_relaxation, only: contact_history
     use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_response
     use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
@@ -60,28 +61,14 @@ contains
         type(relaxing_contact_t), pointer :: contact
         complex(wp), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: i, stat
 
         call open_handle(c, "c", contact, error)
-        call check_count(error, n)
-        call check_array(error, "omega", n, present(omega))
+        call check_complex_arrays(error, n, "omega", present(omega), present(storage), present(loss))
         call check_array(error, "radius", n, present(radius))
-        call check_array(error, "storage", n, present(storage))
-        call check_array(error, "loss", n, present(loss))
+        call make_room(error, n, values)
+        if (.not. allocated(error) .and. n > 0) call dynamic_stiffness(contact, omega(:n), radius(:n), values, error)
+        call deliver_parts(error, values, storage, loss)
         status = status_of(error)
-        if (allocated(error) .or. n == 0) return
-        allocate (values(n), stat=stat)
-        call check_memory(error, stat)
-        if (.not. allocated(error)) call dynamic_stiffness(contact, omega(:n), radius(:n), values, error)
-        do i = 1, n
-            if (allocated(error)) exit
-            call check_results(error, [real(values(i), wp), aimag(values(i))])
-            if (allocated(error)) call raise_at(error, i)
-        end do
-        status = status_of(error)
-        if (allocated(error)) return
-        storage(:n) = real(values, wp)
-        loss(:n) = aimag(values)
     end function mdr_contact_dynamic_stiffness
 
     function mdr_contact_step_response(c, step, radius, n, time, out) result(status) &

@@ -2,7 +2,8 @@
 !> Viscoelastic materials and the media made of them, for C.
 module mdrcontact_api_material
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results, make_room
+    use mdrcontact_api_arrays, only: check_array, check_complex_arrays, check_count, check_each_positive, check_in_out, &
+                                     check_results, deliver_parts, make_room
     use mdrcontact_api_handles, only: deliver, hand_over, open_handle
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_status, only: check_given, status_of
@@ -137,25 +138,17 @@ contains
         type(rheology_t), pointer :: material
         complex(wp), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: i, stat
+        integer :: i
 
         call open_handle(m, "m", material, error)
-        call check_count(error, n)
-        call check_array(error, "omega", n, present(omega))
-        call check_array(error, "storage", n, present(storage))
-        call check_array(error, "loss", n, present(loss))
-        if (.not. allocated(error) .and. n > 0) then
-            call check_each_positive(error, "omega", omega(:n))
-            allocate (values(n), stat=stat)
-            call check_memory(error, stat)
-            if (.not. allocated(error)) then
-                do i = 1, n
-                    values(i) = material%complex_shear(cmplx(0.0_wp, omega(i), wp))
-                end do
-                storage(:n) = real(values, wp)
-                loss(:n) = aimag(values)
-            end if
-        end if
+        call check_complex_arrays(error, n, "omega", present(omega), present(storage), present(loss))
+        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "omega", omega(:n))
+        call make_room(error, n, values)
+        do i = 1, n
+            if (allocated(error)) exit
+            values(i) = material%complex_shear(cmplx(0.0_wp, omega(i), wp))
+        end do
+        call deliver_parts(error, values, storage, loss)
         status = status_of(error)
     end function mdr_material_complex_modulus
 

@@ -2,10 +2,10 @@
 !> Poroelastic gels, for C.
 module mdrcontact_api_poroelastic
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
+    use mdrcontact_api_arrays, only: check_complex_arrays, check_in_out, check_results, deliver_parts, make_room
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_error, only: check_choice, check_memory, error_t
+    use mdrcontact_error, only: check_choice, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_poroelastic_response, only: poroelastic_dynamic_stiffness, poroelastic_pressure, poroelastic_response
     use mdrcontact_poroelastic_table, only: new_poroelastic, poroelastic_t
@@ -76,25 +76,15 @@ contains
         type(poroelastic_t), pointer :: table
         complex(wp), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: stat
 
         call open_handle(p, "p", table, error)
-        call check_count(error, n)
-        call check_array(error, "omega", n, present(omega))
-        call check_array(error, "storage", n, present(storage))
-        call check_array(error, "loss", n, present(loss))
-        status = status_of(error)
-        if (allocated(error) .or. n == 0) return
-        allocate (values(n), stat=stat)
-        call check_memory(error, stat)
-        if (.not. allocated(error)) then
+        call check_complex_arrays(error, n, "omega", present(omega), present(storage), present(loss))
+        call make_room(error, n, values)
+        if (.not. allocated(error) .and. n > 0) then
             call poroelastic_dynamic_stiffness(table, shear_modulus, diffusivity, radius, omega(:n), values, error)
         end if
-        if (.not. allocated(error)) call check_results(error, real(values, wp))
+        call deliver_parts(error, values, storage, loss)
         status = status_of(error)
-        if (allocated(error)) return
-        storage(:n) = real(values, wp)
-        loss(:n) = aimag(values)
     end function mdr_poroelastic_dynamic_stiffness
 
     function mdr_poroelastic_pressure(p, kind, is_flat, shear_modulus, diffusivity, radius, time, n, r, out) result(status) &
