@@ -144,7 +144,7 @@ contains
             off = max(off, abs(sum(terms, mask=shorter)))
         end do
         if (.not. (allocated(error) .or. off <= allowed*maxval(abs(values)))) then
-          call raise(error, error_no_convergence, " is not allowed: the pore pressure is not found so near the edge of "// &
+            call raise(error, error_no_convergence, " is not allowed: the pore pressure is not found so near the edge of "// &
                        "contact, where the shortest waves add "//to_text(off)//" to it", "r")
         end if
     end subroutine sum_waves
