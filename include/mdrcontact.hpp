@@ -88,6 +88,8 @@ using Loop = Handle<mdr_loop, mdr_loop_free>;
 using Rate = Handle<mdr_rate, mdr_rate_free>;
 using Friction = Handle<mdr_friction, mdr_friction_free>;
 using FrictionHistory = Handle<mdr_friction_history, mdr_friction_history_free>;
+using Wear = Handle<mdr_wear, mdr_wear_free>;
+using WearHistory = Handle<mdr_wear_history, mdr_wear_history_free>;
 using Structure = Handle<mdr_structure, mdr_structure_free>;
 using LawHandle = Handle<mdr_law, mdr_law_free>;
 

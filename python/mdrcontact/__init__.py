@@ -37,6 +37,7 @@ from . import (
     rate_adhesion,
     threads,
     torsion,
+    wear,
     weights,
 )
 from ._c_library import *  # noqa: F403
@@ -61,6 +62,7 @@ from .profile import *  # noqa: F403
 from .rate_adhesion import *  # noqa: F403
 from .threads import *  # noqa: F403
 from .torsion import *  # noqa: F403
+from .wear import *  # noqa: F403
 from .weights import *  # noqa: F403
 
 __all__ = [
@@ -85,6 +87,7 @@ __all__ = [
     *rate_adhesion.__all__,
     *threads.__all__,
     *torsion.__all__,
+    *wear.__all__,
     *weights.__all__,
 ]
 

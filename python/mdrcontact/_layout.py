@@ -111,6 +111,22 @@ torsional_state = np.dtype(
     ],
     align=True,
 )
+wear_state = np.dtype(
+    [
+        ("sliding", np.float64),
+        ("depth", np.float64),
+        ("radius", np.float64),
+        ("force", np.float64),
+        ("pressure", np.float64),
+        ("worn_depth", np.float64),
+        ("worn_volume", np.float64),
+        ("body_depth", np.float64),
+        ("body_volume", np.float64),
+        ("work", np.float64),
+        ("error", np.float64),
+    ],
+    align=True,
+)
 rate_options = np.dtype(
     [
         ("size", np.uintp),
@@ -437,6 +453,9 @@ FIELD_TANGENTIAL_LINE_LOAD = 2
 
 GIVEN_TWIST = 1
 GIVEN_TORQUE = 2
+
+WEAR_FRESH = 1
+WEAR_SAME = 2
 
 SHAPE_LAYER = 0
 SHAPE_HALF_SPACE = 1

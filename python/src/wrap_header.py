@@ -29,6 +29,8 @@ SIZES = {
     "mdr_contact_pull_off": {"d": "capacity", "a": "capacity", "F": "capacity"},
     "mdr_material_viscoelastic": {"moduli": "", "times": ""},
     "mdr_medium_viscoelastic": {"materials": "", "thickness": ""},
+    "mdr_wear_new": {"thickness": ""},
+    "mdr_wear_history_save": {"numbers": "capacity"},
     "mdr_structure_shapes": {"parameters": "n, 7"},
     "mdr_structure_voxels": {"labels": "", "E": "phases", "nu": "phases"},
     "mdr_lateral_cells": {"x": "nx + 1", "y": "ny + 1", "shear": "ny, nx", "poisson": "ny, nx"},

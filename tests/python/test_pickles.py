@@ -120,6 +120,16 @@ def friction():
     ]
 
 
+def wear():
+    contact = mdr.Contact(BALL, mdr.Homogeneous(OXIDE))
+    worn = mdr.Wear(contact, (1e-15, 2e-15), (1e-9,), 1e-16)
+    state = contact.at_depth(5e-8)
+    history = worn.history(force=state.force, intervals=40)
+    history.advance(1.0, force=state.force)
+    fit = mdr.wear_coefficient_from_volume([1e-18, 2e-18], [1.0, 2.0], 1e-3)
+    return [worn, worn.limit(state, 0.5 * state.radius), history, history.state, history.profile, fit]
+
+
 def results():
     adhesive = mdr.Contact(mdr.Paraboloid(5e-6), mdr.Coated(RUBBER, 2e-6, mdr.RIGID), 0.05)
     law = mdr.ContactLaw(CONTACT, 1e-7)
@@ -213,7 +223,7 @@ def faults():
     return [*words, problem.ProblemError("words")]
 
 
-MAKERS = (bodies, conductors, results, friction, fits, structures, records, problems, faults)
+MAKERS = (bodies, conductors, results, friction, wear, wear, fits, structures, records, problems, faults)
 
 
 @pytest.fixture(scope="module")

@@ -1001,6 +1001,146 @@ int mdr_friction_history_advance(mdr_friction_history *h, int normal_given, int 
     return status;
 }
 
+int mdrcontact_entry_wear_new(const mdr_contact *c, int n, const double coefficient[], const double thickness[],
+        double body_coefficient, mdr_wear **out);
+int mdr_wear_new(const mdr_contact *c, int n, const double coefficient[], const double thickness[], double body_coefficient,
+        mdr_wear **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_new(c, n, coefficient, thickness, body_coefficient, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_new(c, n, coefficient, thickness, body_coefficient, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_limit(const mdr_wear *w, const mdr_state *state, double stick_radius, int given, mdr_state *reached,
+        double *outer_radius, double *worn_volume, mdr_profile **out);
+int mdr_wear_limit(const mdr_wear *w, const mdr_state *state, double stick_radius, int given, mdr_state *reached,
+        double *outer_radius, double *worn_volume, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_limit(w, state, stick_radius, given, reached, outer_radius, worn_volume,
+        out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_limit(w, state, stick_radius, given, reached, outer_radius, worn_volume, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_track(const mdr_wear *w, const mdr_state *state, double passes, int n, const double y[], double out[]);
+int mdr_wear_track(const mdr_wear *w, const mdr_state *state, double passes, int n, const double y[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_track(w, state, passes, n, y, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_track(w, state, passes, n, y, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_passes(const mdr_wear *w, const mdr_state *state, double depth, double *passes);
+int mdr_wear_passes(const mdr_wear *w, const mdr_state *state, double depth, double *passes)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_passes(w, state, depth, passes);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_passes(w, state, depth, passes);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_history_new(const mdr_wear *w, int given, double value, int intervals, int places,
+        mdr_wear_history **out);
+int mdr_wear_history_new(const mdr_wear *w, int given, double value, int intervals, int places, mdr_wear_history **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_new(w, given, value, intervals, places, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_history_new(w, given, value, intervals, places, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_history_copy(const mdr_wear_history *h, mdr_wear_history **out);
+int mdr_wear_history_copy(const mdr_wear_history *h, mdr_wear_history **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_copy(h, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_history_copy(h, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_history_advance(mdr_wear_history *h, int given, int n, const double sliding[], const double value[],
+        mdr_wear_state out[]);
+int mdr_wear_history_advance(mdr_wear_history *h, int given, int n, const double sliding[], const double value[],
+        mdr_wear_state out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_advance(h, given, n, sliding, value, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_history_advance(h, given, n, sliding, value, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_history_state(const mdr_wear_history *h, mdr_wear_state *out);
+int mdr_wear_history_state(const mdr_wear_history *h, mdr_wear_state *out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_state(h, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_history_state(h, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_history_pressure(const mdr_wear_history *h, int n, const double r[], double out[]);
+int mdr_wear_history_pressure(const mdr_wear_history *h, int n, const double r[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_pressure(h, n, r, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_history_pressure(h, n, r, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_history_profile(const mdr_wear_history *h, mdr_profile **out);
+int mdr_wear_history_profile(const mdr_wear_history *h, mdr_profile **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_profile(h, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_history_profile(h, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_history_save(const mdr_wear_history *h, int capacity, double numbers[], int *count);
+int mdr_wear_history_save(const mdr_wear_history *h, int capacity, double numbers[], int *count)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_save(h, capacity, numbers, count);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_history_save(h, capacity, numbers, count);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_history_restore(mdr_wear_history *h, int n, const double numbers[]);
+int mdr_wear_history_restore(mdr_wear_history *h, int n, const double numbers[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_restore(h, n, numbers);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_history_restore(h, n, numbers);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[],
         int *count);
 int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count)

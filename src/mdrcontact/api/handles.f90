@@ -23,12 +23,14 @@ module mdrcontact_api_handles
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_poroelastic_table, only: poroelastic_t
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_wear, only: wear_t
+    use mdrcontact_wear_history, only: wear_history_t
     implicit none (type, external)
     private
     public :: deliver, deliver_solver, hand_over, hand_over_solver, open_handle
     public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free, &
               mdr_friction_free, mdr_material_free, mdr_friction_history_free, mdr_poroelastic_free, mdr_conduction_free, &
-              mdr_rate_free
+              mdr_rate_free, mdr_wear_free, mdr_wear_history_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
 
@@ -55,16 +57,17 @@ module mdrcontact_api_handles
 
     integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6, &
                           is_friction = 7, is_material = 8, is_friction_history = 9, is_poroelastic = 10, is_conduction = 11, &
-                          is_rate = 12
+                          is_rate = 12, is_wear = 13, is_wear_history = 14
     character(len=*), parameter :: kinds(*) = [character(len=20) :: "mdr_profile", "mdr_medium", "mdr_contact", "mdr_loop", &
                                                "mdr_structure", "mdr_law", "mdr_friction", "mdr_material", &
-                                               "mdr_friction_history", "mdr_poroelastic", "mdr_conduction", "mdr_rate"]
+                                               "mdr_friction_history", "mdr_poroelastic", "mdr_conduction", "mdr_rate", &
+                                               "mdr_wear", "mdr_wear_history"]
 
     !> The object behind a handle, by the type of the pointer that is to hold it; null after an error. `name` is the argument's.
     interface open_handle
         module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction, &
                          open_material, open_friction_history, open_relaxing_contact, open_poroelastic, open_conduction, &
-                         open_rate
+                         open_rate, open_wear, open_wear_history
     end interface open_handle
 
 contains
@@ -322,6 +325,38 @@ contains
         end select
     end subroutine open_friction_history
 
+    subroutine open_wear(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(wear_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, is_wear, inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (wear_t)
+            object => inside
+        end select
+    end subroutine open_wear
+
+    subroutine open_wear_history(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(wear_history_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, is_wear_history, inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (wear_history_t)
+            object => inside
+        end select
+    end subroutine open_wear_history
+
     subroutine open_poroelastic(handle, name, object, error)
         type(c_ptr), intent(in) :: handle
         character(len=*), intent(in) :: name
@@ -433,6 +468,20 @@ contains
         status = free(h, is_friction_history)
     end function mdr_friction_history_free
 
+    function mdr_wear_free(w) result(status) bind(C)
+        type(c_ptr), intent(inout), optional :: w
+        integer(c_int) :: status
+
+        status = free(w, is_wear)
+    end function mdr_wear_free
+
+    function mdr_wear_history_free(h) result(status) bind(C)
+        type(c_ptr), intent(inout), optional :: h
+        integer(c_int) :: status
+
+        status = free(h, is_wear_history)
+    end function mdr_wear_history_free
+
     function mdr_poroelastic_free(p) result(status) bind(C)
         type(c_ptr), intent(inout), optional :: p
         integer(c_int) :: status
@@ -514,6 +563,10 @@ contains
             kind = is_friction
         type is (friction_history_t)
             kind = is_friction_history
+        type is (wear_t)
+            kind = is_wear
+        type is (wear_history_t)
+            kind = is_wear_history
         type is (rheology_t)
             kind = is_material
         type is (poroelastic_t)

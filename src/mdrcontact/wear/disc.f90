@@ -29,8 +29,8 @@ module mdrcontact_wear_disc
     integer, parameter :: most_changes = 40
     !> Edges that move by less than this part of their distance; exponents below which p is a step.
     real(wp), parameter :: at_rest = 1.0e-4_wp, least_exponent = 1.0e-3_wp
-    !> The contact may shrink by this part in a step, which is error of the scheme.
-    real(wp), parameter :: shrinks = 1.0e-3_wp
+    !> The contact may shrink by this part of an interval in a step, which is error of the scheme.
+    real(wp), parameter :: shrinks = 0.1_wp
     !> An edge is slow that moves by less than so many of the last intervals in a step; so many of them are beside it.
     real(wp), parameter :: slow = 4.0_wp, zone = 16.0_wp
 
@@ -78,14 +78,14 @@ contains
             if (a <= low .or. a >= high) a = 0.5_wp*(max(low, 0.5_wp*before) + min(high, 2.0_wp*before))
             if (abs(a - before) <= epsilon(a)*a) exit
         end do
-        if (abs(miss) > sqrt(close_enough)) then
+        if (.not. abs(miss) <= sqrt(close_enough)) then
             if (high >= profile%largest_radius) then
                 call raise(error, error_domain, "the contact would grow beyond where the indenter ends, "// &
                            to_text(profile%largest_radius)//": the history stays where it was")
             else
                 call raise(error, error_no_convergence, "no contact radius found for "//to_text(target)//" at this step of wear")
             end if
-        else if (next%radius < disc%radius*(1.0_wp - shrinks)) then
+        else if (next%radius < disc%radius*(1.0_wp - shrinks/real(hats%n, wp))) then
             call raise(error, error_domain, "the contact would shrink from radius "//to_text(disc%radius)//" to "// &
                        to_text(next%radius)//": a disc that moves with its edge does not keep the wear outside it; hold the "// &
                        "load or let it grow")

@@ -35,6 +35,8 @@ module mdrcontact_wear_history
     real(wp), parameter :: noticeable = 1.0e-2_wp
     !> The part of the thickness of its coating that the body may lose at most: its layers stay as they are.
     real(wp), parameter :: deepest_loss = 0.25_wp
+    !> A part of a path is so long at most: contact radii over k E0*.
+    real(wp), parameter :: farthest = 1.0e3_wp
     !> A target that differs from what there is by less than this part is the same.
     real(wp), parameter :: unchanged = 1.0e-9_wp
     !> Part of a radius that is close to the axis.
@@ -254,6 +256,8 @@ contains
         from = merge(self%past%discs(2)%depth, self%past%discs(2)%force, control == given_depth)
         if (abs(from - target) <= unchanged*target) from = target
         if (.not. (sliding > 0.0_wp .or. abs(from - target) > 0.0_wp)) return
+        call check_length(self, sliding, error)
+        if (allocated(error)) return
         done = 0.0_wp
         do
             call check_cancelled(error)
@@ -270,6 +274,19 @@ contains
         past%sliding = self%past%sliding + sliding
         self%past = past
     end subroutine advance
+
+    !> Raises for a distance that would take very many steps.
+    subroutine check_length(self, sliding, error)
+        class(wear_history_t), intent(in) :: self
+        real(wp), intent(in) :: sliding
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: most
+
+        most = farthest*self%past%discs(2)%radius/(self%modulus*maxval(self%rate%coefficients))
+        if (sliding <= most) return
+        call raise(error, error_domain, "sliding = "//to_text(sliding)//" is too far for one part of a path: at most "// &
+                   to_text(most)//", "//to_text(farthest)//" contact radii over coefficient times contact modulus")
+    end subroutine check_length
 
     !> How much of a distance is done.
     elemental function part(done, all) result(ratio)
@@ -443,15 +460,22 @@ contains
     end function slope_at
 
     !> p(r) by the finer disc, 0 outside.
-    subroutine pressure(self, r, values)
+    subroutine pressure(self, r, values, error)
         class(wear_history_t), intent(in) :: self
         !> >= 0 [length]
         real(wp), intent(in) :: r(:)
         !> same size as r [modulus]
         real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
         type(ledger_t) :: ledger
         real(wp) :: load(size(r))
+        integer :: i
 
+        values = 0.0_wp
+        do i = 1, size(r)
+            call check_not_negative(error, "r", r(i), i)
+        end do
+        if (allocated(error)) return
         call new_ledger(ledger, self%past%discs(2))
         call ledger%at(r, load, values)
     end subroutine pressure

@@ -9,7 +9,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 static void (*const families[])(world *) = {
     fuzz_profiles, fuzz_media, fuzz_contacts, fuzz_states, fuzz_fields, fuzz_adhesion, fuzz_laws, fuzz_structures, fuzz_fits,
     fuzz_formulas, fuzz_inside, fuzz_friction, fuzz_shear, fuzz_time, fuzz_wide_fits, fuzz_lists, fuzz_gels,
-    fuzz_conduction
+    fuzz_conduction, fuzz_rates, fuzz_wear
 };
 enum { FAMILIES = sizeof families / sizeof families[0], MOST_CALLS = 40 };
 

@@ -80,5 +80,6 @@ void fuzz_lists(world *w);
 void fuzz_gels(world *w);
 void fuzz_conduction(world *w);
 void fuzz_rates(world *w);
+void fuzz_wear(world *w);
 
 #endif

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Wear: the end of fretting, the track, histories that go on from where they were, refusals. */
+#include "check.h"
+
+static const double k = 0.5;
+
+static mdr_contact *hertz(void)
+{
+    mdr_profile *ball = NULL;
+    mdr_medium *body = NULL;
+    mdr_contact *contact = NULL;
+
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &body));
+    CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &contact));
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_SUCCESS(mdr_medium_free(&body));
+    return contact;
+}
+
+/* F = 2 (d c - c^3/3), and a worn indenter that bears it anew */
+static void test_limit(const mdr_contact *contact)
+{
+    const double one = 1.0, c = 0.4, r[2] = {0.2, 5.0};
+    double rim = 0.0, volume = 0.0, height[2];
+    mdr_wear *wear = NULL;
+    mdr_profile *worn = NULL;
+    mdr_state state, end;
+
+    CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_LOADING, 1, &one, &state));
+    CHECK_SUCCESS(mdr_wear_new(contact, 1, &k, NULL, 0.0, &wear));
+    CHECK_SUCCESS(mdr_wear_limit(wear, &state, c, MDR_GIVEN_DEPTH, &end, &rim, &volume, &worn));
+    CHECK_CLOSE(end.force, 2.0 * (c - c * c * c / 3.0), 1e-14);
+    CHECK_CLOSE(end.radius, c, 0.0);
+    CHECK_TRUE(rim > 1.0 && volume > 0.0);
+    CHECK_SUCCESS(mdr_profile_height(worn, 2, r, height));
+    CHECK_CLOSE(height[0], 0.02, 1e-14);
+    CHECK_CLOSE(height[1], 12.5, 1e-14);
+    CHECK_SUCCESS(mdr_wear_limit(wear, &state, c, MDR_GIVEN_FORCE, &end, NULL, NULL, NULL));
+    CHECK_CLOSE(end.force, state.force, 1e-14);
+    CHECK_SUCCESS(mdr_profile_free(&worn));
+    CHECK_SUCCESS(mdr_wear_free(&wear));
+}
+
+/* h = k N q, q = 2 sqrt... of Hertz: 1 - y^2 */
+static void test_track(const mdr_contact *contact)
+{
+    const double one = 1.0, small = 1e-6, y[3] = {0.0, 0.5, 2.0};
+    double depth[3], passes = 0.0;
+    mdr_wear *wear = NULL;
+    mdr_state state;
+
+    CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_LOADING, 1, &one, &state));
+    CHECK_SUCCESS(mdr_wear_new(contact, 1, &k, NULL, small, &wear));
+    CHECK_SUCCESS(mdr_wear_track(wear, &state, 100.0, 3, y, depth));
+    CHECK_CLOSE(depth[0], 1e-4, 1e-12);
+    CHECK_CLOSE(depth[1], 0.75e-4, 1e-12);
+    CHECK_TRUE(depth[2] == 0.0);
+    CHECK_SUCCESS(mdr_wear_passes(wear, &state, 0.01, &passes));
+    CHECK_CLOSE(passes, 1e4, 1e-12);
+    CHECK_STATUS(mdr_wear_passes(wear, &state, 0.2, &passes), MDR_EDOMAIN, "too deep");
+    CHECK_SUCCESS(mdr_wear_free(&wear));
+}
+
+static void test_history(const mdr_contact *contact)
+{
+    enum { MOST = 200 };
+    const double sliding[2] = {0.2, 0.3}, force[2] = {1.0, 1.0}, more = 1.1, less = 0.2, r[2] = {0.0, 9.0};
+    double numbers[MOST], other_numbers[MOST], pressure[2];
+    int count = 0, other_count = 0;
+    mdr_wear *wear = NULL;
+    mdr_wear_history *h = NULL, *copy = NULL, *other = NULL;
+    mdr_profile *worn = NULL;
+    mdr_wear_state states[2], now;
+
+    CHECK_SUCCESS(mdr_wear_new(contact, 1, &k, NULL, 0.0, &wear));
+    CHECK_SUCCESS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, 40, MDR_WEAR_FRESH, &h));
+    CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 2, sliding, force, states));
+    CHECK_CLOSE(states[1].work, 0.5, 1e-9);
+    CHECK_CLOSE(states[1].worn_volume, k * 0.5, 1e-3);
+    CHECK_SUCCESS(mdr_wear_history_state(h, &now));
+    CHECK_TRUE(now.radius == states[1].radius && now.sliding == 0.5 && now.error < 1e-2);
+    CHECK_SUCCESS(mdr_wear_history_save(h, 0, NULL, &count));
+    CHECK_TRUE(count > 0 && count < MOST);
+    CHECK_SUCCESS(mdr_wear_history_save(h, MOST, numbers, &count));
+    CHECK_SUCCESS(mdr_wear_history_copy(h, &copy));
+    CHECK_SUCCESS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 0.1, 40, MDR_WEAR_FRESH, &other));
+    CHECK_SUCCESS(mdr_wear_history_restore(other, count, numbers));
+    CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 1, sliding, &more, states));
+    CHECK_SUCCESS(mdr_wear_history_save(h, MOST, numbers, &count));
+    CHECK_SUCCESS(mdr_wear_history_advance(copy, MDR_GIVEN_FORCE, 1, sliding, &more, states));
+    CHECK_SUCCESS(mdr_wear_history_save(copy, MOST, other_numbers, &other_count));
+    CHECK_TRUE(count == other_count && !memcmp(numbers, other_numbers, (size_t)count * sizeof *numbers));
+    CHECK_SUCCESS(mdr_wear_history_advance(other, MDR_GIVEN_FORCE, 1, sliding, &more, states));
+    CHECK_SUCCESS(mdr_wear_history_save(other, MOST, other_numbers, &other_count));
+    CHECK_TRUE(!memcmp(numbers, other_numbers, (size_t)count * sizeof *numbers));
+    CHECK_SUCCESS(mdr_wear_history_pressure(h, 2, r, pressure));
+    CHECK_TRUE(pressure[0] > 0.0 && pressure[1] == 0.0);
+    CHECK_SUCCESS(mdr_wear_history_profile(h, &worn));
+    CHECK_SUCCESS(mdr_profile_free(&worn));
+    /* the second part fails: the first has not been either */
+    CHECK_STATUS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 1, sliding, &less, states), MDR_EDOMAIN, "entry 1");
+    CHECK_SUCCESS(mdr_wear_history_save(h, MOST, other_numbers, &other_count));
+    CHECK_TRUE(!memcmp(numbers, other_numbers, (size_t)count * sizeof *numbers));
+    CHECK_STATUS(mdr_wear_history_restore(h, 3, numbers), MDR_EINVALID, "numbers of a history");
+    CHECK_STATUS(mdr_wear_history_restore(h, 3, NULL), MDR_ENULL, "numbers");
+    CHECK_STATUS(mdr_wear_history_pressure(h, 1, &less, NULL), MDR_ENULL, "out");
+    CHECK_STATUS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, -1, sliding, force, states), MDR_EINVALID, "n = -1");
+    CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 0, NULL, NULL, NULL));
+    CHECK_STATUS(mdr_wear_history_advance(h, MDR_GIVEN_RADIUS, 1, sliding, force, states), MDR_EINVALID, "control = 3");
+    CHECK_SUCCESS(mdr_wear_history_free(&h));
+    CHECK_SUCCESS(mdr_wear_history_free(&copy));
+    CHECK_SUCCESS(mdr_wear_history_free(&other));
+    CHECK_SUCCESS(mdr_wear_free(&wear));
+}
+
+static void test_refusals(const mdr_contact *contact)
+{
+    const double bad = -1.0, one = 1.0, layers[2] = {1.0, 2.0};
+    double out = 7.0;
+    mdr_wear *wear = NULL;
+    mdr_wear_history *h = NULL;
+    mdr_material *other = NULL;
+    mdr_state state;
+
+    CHECK_STATUS(mdr_wear_new(contact, 1, &bad, NULL, 0.0, &wear), MDR_EINVALID, "coefficient = -1");
+    CHECK_STATUS(mdr_wear_new(contact, 0, &one, NULL, 0.0, &wear), MDR_EINVALID, "n = 0");
+    CHECK_STATUS(mdr_wear_new(contact, 2, layers, NULL, 0.0, &wear), MDR_ENULL, "thickness");
+    CHECK_STATUS(mdr_wear_new(contact, 2, layers, &bad, 0.0, &wear), MDR_EINVALID, "thickness = -1");
+    CHECK_STATUS(mdr_wear_new(contact, 1, &one, NULL, NAN, &wear), MDR_EINVALID, "body_coefficient");
+    CHECK_STATUS(mdr_wear_new(contact, 1, NULL, NULL, 0.0, &wear), MDR_ENULL, "coefficient");
+    CHECK_STATUS(mdr_wear_new(NULL, 1, &one, NULL, 0.0, &wear), MDR_ENULL, "c");
+    CHECK_STATUS(mdr_wear_new(contact, 1, &one, NULL, 0.0, NULL), MDR_ENULL, "out");
+    CHECK_TRUE(wear == NULL);
+    CHECK_SUCCESS(mdr_wear_new(contact, 1, &one, NULL, 0.0, &wear));
+    CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_LOADING, 1, &one, &state));
+    CHECK_STATUS(mdr_wear_limit(wear, &state, 2.0, MDR_GIVEN_DEPTH, &state, NULL, NULL, NULL), MDR_EDOMAIN, "stick_radius = 2");
+    CHECK_STATUS(mdr_wear_limit(wear, &state, 0.5, MDR_GIVEN_RADIUS, &state, NULL, NULL, NULL), MDR_EINVALID, "control = 3");
+    CHECK_STATUS(mdr_wear_limit(wear, NULL, 0.5, MDR_GIVEN_DEPTH, &state, NULL, NULL, NULL), MDR_ENULL, "state");
+    CHECK_STATUS(mdr_wear_limit(wear, &state, 0.5, MDR_GIVEN_DEPTH, NULL, NULL, NULL, NULL), MDR_ENULL, "reached");
+    CHECK_STATUS(mdr_wear_track(wear, &state, 1.0, 1, &one, &out), MDR_EINVALID, "body_coefficient");
+    CHECK_STATUS(mdr_wear_track(wear, &state, 1.0, 1, NULL, &out), MDR_ENULL, "y");
+    CHECK_STATUS(mdr_wear_passes(wear, &state, 1.0, NULL), MDR_ENULL, "passes");
+    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, 42, MDR_WEAR_FRESH, &h), MDR_EINVALID, "multiple of 4");
+    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, 4, MDR_WEAR_FRESH, &h), MDR_EINVALID, "intervals = 4");
+    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 0.0, 40, MDR_WEAR_FRESH, &h), MDR_EINVALID, "force = 0");
+    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, 40, 3, &h), MDR_EINVALID, "places = 3");
+    CHECK_STATUS(mdr_wear_history_new(NULL, MDR_GIVEN_FORCE, 1.0, 40, 1, &h), MDR_ENULL, "w");
+    CHECK_STATUS(mdr_wear_history_copy(NULL, &h), MDR_ENULL, "h");
+    CHECK_STATUS(mdr_wear_history_state(h, NULL), MDR_ENULL, "h");
+    CHECK_STATUS(mdr_wear_history_profile(h, NULL), MDR_ENULL, "h");
+    CHECK_STATUS(mdr_wear_history_save(h, 0, NULL, NULL), MDR_ENULL, "h");
+    CHECK_TRUE(h == NULL && out == 7.0);
+    CHECK_SUCCESS(mdr_material_elastic(1.0, 0.3, &other));
+    CHECK_STATUS(mdr_wear_passes((mdr_wear *)other, &state, 1.0, &out), MDR_EINVALID, "mdr_wear");
+    CHECK_SUCCESS(mdr_material_free(&other));
+    CHECK_SUCCESS(mdr_wear_free(&wear));
+    CHECK_SUCCESS(mdr_wear_free(NULL));
+    CHECK_SUCCESS(mdr_wear_history_free(NULL));
+}
+
+int main(void)
+{
+    mdr_contact *contact = hertz();
+    test_limit(contact);
+    test_track(contact);
+    test_history(contact);
+    test_refusals(contact);
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+    return check_report("wear");
+}

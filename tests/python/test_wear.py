@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Wear from Python: limits, tracks, histories, fits."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import mdrcontact as mdr
+
+BALL = mdr.Paraboloid(1.0)
+SOFT, HARD = mdr.Elastic(0.091, 0.3), mdr.Elastic(0.91, 0.3)
+HERTZ = mdr.Contact(BALL, mdr.Homogeneous(HARD))
+COATED = mdr.Contact(BALL, mdr.Coated(HARD, 1.0, SOFT))
+
+
+@pytest.mark.parametrize("contact", [HERTZ, COATED])
+def test_limit(contact):
+    state = contact.at_radius(1.0)
+    end = mdr.Wear(contact, 0.1).limit(state, 0.5)
+    inner = contact.at_radius(0.5)
+    assert end.state.force == pytest.approx(inner.force + inner.stiffness * (state.depth - inner.depth), rel=1e-13)
+    again = mdr.Contact(end.profile, contact.medium).at_depth(state.depth * 0.99)
+    assert again.radius == pytest.approx(0.5, rel=2e-3)
+    assert pickle.loads(pickle.dumps(end.profile)).height(0.8) == end.profile.height(0.8)
+    r = np.linspace(0.0, 2.0, 9)
+    worn = end.profile.worn_depth(r)
+    assert np.all(worn[(r > 0.5) & (r < end.outer_radius)] > 0.0)
+    np.testing.assert_allclose(worn[(r <= 0.5) | (r > end.outer_radius)], 0.0, atol=1e-12)
+    held = mdr.Wear(contact, 0.1).limit(state, 0.5, constant="force")
+    assert held.state.force == pytest.approx(state.force, rel=1e-13)
+
+
+@pytest.mark.parametrize("contact", [HERTZ, COATED])
+def test_track_is_the_line_load(contact):
+    state = contact.at_radius(1.0)
+    wear = mdr.Wear(contact, 0.1, body_coefficient=1e-6)
+    y = np.linspace(0.0, 1.0, 7)
+    np.testing.assert_allclose(wear.track(y, state, 1000.0), 1e-3 * contact.line_load(y, state), rtol=1e-12, atol=1e-18)
+    passes = wear.passes_through(state, 0.01)
+    assert wear.track(0.0, state, passes) == pytest.approx(0.01, rel=1e-13)
+    with pytest.raises(mdr.DomainError, match="too deep"):
+        wear.track(0.0, state, 100.0 * passes)
+
+
+@pytest.mark.parametrize("contact", [HERTZ, COATED])
+def test_history_goes_on_from_where_it_was(contact):
+    history = mdr.Wear(contact, 1.0).history(force=0.5, intervals=40)
+    history.advance([0.1, 0.2], force=0.5)
+    others = [copy.deepcopy(history), pickle.loads(pickle.dumps(history)), history.copy()]
+    state = history.advance(0.3, force=[0.6])
+    for other in others:
+        assert other.advance(0.3, force=[0.6]).radius == state.radius
+        assert np.array_equal(other.saved(), history.saved())
+    profile = history.profile
+    assert pickle.loads(pickle.dumps(profile)) == profile
+    again = mdr.Contact(profile, contact.medium).at_depth(history.state.depth - history.state.worn_depth)
+    assert again.force == pytest.approx(0.6, rel=3e-4)
+    r = np.linspace(0.0, 2.0, 5)
+    np.testing.assert_allclose(profile.worn_depth(0.0), history.state.worn_depth, rtol=1e-12)
+    assert np.all(profile.worn_depth(r) > -1e-12) and history.pressure(2.0) == 0.0
+
+
+def test_volume_and_coefficients():
+    """The volume identity; k from volumes, and from radii of the scar, is that of the history that made them."""
+    s = np.array([0.5, 1.0, 2.0])
+    states, profile = mdr.Wear(COATED, 0.7).advance(s, force=0.5)
+    np.testing.assert_allclose(states.worn_volume, 0.7 * 0.5 * s, rtol=1e-4)
+    assert isinstance(profile, mdr.WornProfile)
+    fit = mdr.wear_coefficient_from_volume(states.worn_volume, s, 0.5)
+    assert fit.coefficient == pytest.approx(0.7, rel=1e-4) and fit.sd < 1e-4
+    fit = mdr.wear_coefficient_from_scar(COATED, states.radius, s, 0.5)
+    assert fit.coefficient == pytest.approx(0.7, rel=1e-4) and fit.sd < 1e-4
+
+
+def test_noise_shows_in_the_deviation():
+    s = np.linspace(1.0, 20.0, 12)
+    noise = 1.0 + 0.02 * np.sin(np.arange(12) * 2.4)
+    fit = mdr.wear_coefficient_from_volume(0.3 * s * noise, s, 1.0)
+    assert abs(fit.coefficient - 0.3) < 3.0 * fit.sd < 0.02
+
+
+def test_bad_input_is_refused_with_the_reason():
+    wear = mdr.Wear(HERTZ, 1.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="coefficient = 0"):
+        mdr.Wear(HERTZ, 0.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="one coefficient more"):
+        mdr.Wear(HERTZ, [1.0, 2.0])
+    with pytest.raises(mdr.InvalidArgumentError, match="adhesion"):
+        mdr.Wear(mdr.Contact(BALL, mdr.Homogeneous(HARD), 0.1), 1.0)
+    with pytest.raises(mdr.ArgumentTypeError, match="one of force and depth"):
+        wear.history(force=1.0, depth=1.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="body_coefficient"):
+        wear.track(0.0, HERTZ.at_depth(0.1))
+    with pytest.raises(mdr.InvalidArgumentError, match="flat punch"):
+        mdr.Wear(mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=1.0)
+    history = wear.history(force=1.0, intervals=16)
+    before = history.saved()
+    with pytest.raises(mdr.DomainError, match="shrink"):
+        history.advance(0.1, force=0.1)
+    assert np.array_equal(history.saved(), before)
+    history.advance(0.1, force=1.0)
