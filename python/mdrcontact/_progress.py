@@ -51,3 +51,27 @@ def marching(samples: int, shown: bool) -> Iterator[None]:
         call(_native.set_progress, 0)
         done.set()
         watcher.join()
+
+
+@contextmanager
+def waiting(what: str) -> Iterator[None]:
+    """The time that a call takes of which nothing says how far it is."""
+    from tqdm import tqdm
+
+    done = threading.Event()
+
+    def follow() -> None:
+        if done.wait(PATIENCE):
+            return
+        with tqdm(desc=what, bar_format="{desc}: {elapsed}", disable=None, leave=False) as clock:
+            clock.start_t -= PATIENCE
+            while not done.wait(LOOK):
+                clock.refresh()
+
+    watcher = threading.Thread(target=follow, daemon=True)
+    watcher.start()
+    try:
+        yield
+    finally:
+        done.set()
+        watcher.join()

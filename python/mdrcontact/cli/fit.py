@@ -116,7 +116,8 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
     if problem.drainage is not None:
         _run_gel(arguments, problem, data)
         return
-    result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
+    with _progress.waiting("fit"):
+        result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
     analysis: list[list[str]] = []
     if isinstance(data, StiffnessDepth) and data.unloadings:
         analysis = oliver_pharr_rows(_analysis(result))

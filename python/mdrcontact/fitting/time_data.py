@@ -29,6 +29,24 @@ class _InTime(Data):
         if len(back):
             raise InvalidArgumentError(f"entry {back[0] + 2} of time = {self.x[back[0] + 1]:.7g} is not allowed: times must ascend")
 
+    def _follow_path(self) -> tuple[float, float]:
+        """Puts straight pieces in the place of prescribed readings whose noise goes back and forth; how far the pieces lie from the
+        readings (root mean square), and that as a part of their range. Readings of another kind of path are left as they are."""
+        assert self.given is not None
+        path = _rise_and_fall(self.x, self.given)
+        off = float(np.sqrt(np.mean((path - self.given) ** 2))) if len(path) else 0.0
+        if off == 0.0:
+            return 0.0, 0.0
+        span = float(np.ptp(path))
+        share = off / span if span > 0.0 else np.inf
+        if share <= _ROUGH:
+            self.given = path
+            self.warnings.append(
+                f"the {self.given_name} readings go back and forth: a path of straight pieces, {off:.2g} (root mean square) from "
+                f"them, {100.0 * share:.2g} % of its range, is used"
+            )
+        return off, share
+
 
 class ForceTime(_InTime):
     """Force against time of a viscoelastic body whose indentation depth is prescribed: approach, hold, retract; a relaxation test.
@@ -54,28 +72,21 @@ class ForceTime(_InTime):
         missing: str = "raise",
     ) -> None:
         super().__init__(time, force, depth, sd, relative_sd, missing)
-        assert self.given is not None
-        path = _rise_and_fall(self.x, self.given)
-        off = float(np.sqrt(np.mean((path - self.given) ** 2))) if len(path) else 0.0
-        if off > 0.0 and off > _ROUGH * float(np.ptp(path)):
+        off, share = self._follow_path()
+        if share > _ROUGH:
             raise InvalidArgumentError(
                 f"depth is not allowed: it must rise to one largest value and fall; the closest such path is {off:.3g} from the "
                 "readings. Give the path that was prescribed, or a part of the record"
             )
-        if off > 0.0:
-            share = 100.0 * off / float(np.ptp(path))
-            self.warnings.append(
-                f"the depth readings go back and forth: a path of straight pieces, {off:.2g} (root mean square) from them, "
-                f"{share:.2g} % of its range, is used"
-            )
-        self.given = path
 
 
 class DepthTime(_InTime):
     """Indentation depth against time of a viscoelastic body under a prescribed force: creep.
 
     time : ascending [time]
-    force : in between linear in time; readings below force_offset are taken as none [modulus length^2]
+    force : in between linear in time; readings below force_offset are taken as none. Readings whose noise goes back and forth about
+        a path that rises to one largest value, may be held there, and falls, are replaced by the straight pieces that they follow;
+        the error of those is not in the standard errors [modulus length^2]
     depth : [length]
     sd, relative_sd : of the depth, as in ForceDepth
     """
@@ -93,6 +104,7 @@ class DepthTime(_InTime):
         missing: str = "raise",
     ) -> None:
         super().__init__(time, depth, force, sd, relative_sd, missing)
+        self._follow_path()
 
 
 class DynamicStiffness(Data):

@@ -74,6 +74,8 @@ class Record:
     """as the file says them; None: to be found from the readings"""
     unused: list[tuple[Array, Array]] = field(default_factory=list)
     """depths and forces that are not used"""
+    contact: int = 0
+    """the reading at which contact begins"""
     readings: int = 0
     """in the file"""
 
@@ -142,7 +144,9 @@ def prepare(section: Section, cantilever: Cantilever, record: Record, kind: str)
         _cut_at_pop_in(record)
     elif "branch" in section or is_raw:
         _mention_pop_in(record)
-    if "branch" in section or is_raw and kind == "force-depth":
+    if kind == "depth-time" and ("branch" in section or is_raw):
+        _choose_creep(section, record)
+    elif "branch" in section or is_raw and kind == "force-depth":
         _choose_branch(section, record)
 
 
@@ -218,6 +222,7 @@ def _find_zero(section: Section, record: Record, is_raw: bool, is_fitted: bool) 
         return
     zero = float(depth[contact])
     record.depth = depth - zero
+    record.contact = contact
     record.contact_points = {name: float(depth[i]) - zero for name, i in found.items()}
     begins = METHODS[0] if method == "fit" else method
     others = ", ".join(
@@ -300,3 +305,21 @@ def _choose_branch(section: Section, record: Record) -> None:
     record.keep(keep)
     usual = "" if "branch" in section else ', the approach; branch = "both" takes the retract too, where adhesion pulls off'
     record.notes.append(f"{words}; {int(keep.sum())} readings of {branch} are used{usual}")
+
+
+def _choose_creep(section: Section, record: Record) -> None:
+    """Of a creep test the readings from first contact to the end of the hold: without contact no force says the depth, and under a
+    falling force adhesion holds the contact."""
+    branch = section.choice("branch", ("loading", "both"), default="loading")
+    segments, words = record.parts()
+    top = int(np.argmax(record.force))
+    end = next((s.start for s in segments if s.kind == "unloading" and s.start > top), len(record.force))
+    if branch == "both":
+        end = len(record.force)
+    place = np.arange(len(record.force))
+    keep = (place >= record.contact) & (place < end)
+    if keep.sum() < 2:
+        raise ProblemError(f"[data]: branch = {branch!r}: {int(keep.sum())} readings lie between contact and unloading; {words}")
+    record.keep(keep)
+    what = "approach and hold" if branch == "loading" else "approach, hold and retract"
+    record.notes.append(f"{words}; from contact, reading {record.contact}, {int(keep.sum())} readings of {what} are used")

@@ -62,7 +62,7 @@ contains
         else
             ! a reading below the offset is noise of an instrument that does not touch
             call contact_history(contact, given_force, data%x, max(data%given - instrument(at_force_offset), 0.0_wp), depth, a, &
-                                 force, error, history_tolerance)
+                                 force, error, history_tolerance, depth_alone=.true.)
             y = depth + instrument(at_depth_offset)
         end if
     end subroutine predict_time

@@ -6,8 +6,9 @@ module mdrcontact_history_relaxation
     use mdrcontact_contact_values, only: contact_states, given_depth, given_force, given_radius
     use mdrcontact_error, only: check_choice, check_not_negative, check_table, check_within, error_invalid, error_t, raise, &
                                 to_text
-    use mdrcontact_history_relaxation_follow, only: follow_depth, follow_force
+    use mdrcontact_history_relaxation_follow, only: follow_depth
     use mdrcontact_history_relaxation_steps, only: march_through
+    use mdrcontact_history_relaxation_under_force, only: follow_force
     use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material_prony, only: prony_t
@@ -24,7 +25,7 @@ contains
 
     !> Depth, radius and force at each time, of which one is prescribed. Before the first time the bodies are apart and at rest;
     !> what is prescribed then is reached in a jump. In between it is linear in time.
-    subroutine contact_history(contact, given, time, values, depth, radius, force, error, tolerance)
+    subroutine contact_history(contact, given, time, values, depth, radius, force, error, tolerance, depth_alone)
         type(relaxing_contact_t), intent(in) :: contact
         !> given_depth, given_force or given_radius
         integer, intent(in) :: given
@@ -38,6 +39,8 @@ contains
         !> where steps in time are taken: relative to the largest depth, radius and force; a shrinking contact that grows again by
         !> less has not grown; default 1e-5
         real(wp), intent(in), optional :: tolerance
+        !> under a prescribed force the tolerance is that of the depth alone; default .false.
+        logical, intent(in), optional :: depth_alone
         real(wp) :: accuracy
         integer :: i
         logical :: covered
@@ -65,7 +68,7 @@ contains
             end if
             covered = medium%is_proportional
             if (covered) call of_proportional(contact, medium, given, time, values, accuracy, depth, radius, force, &
-                                               covered, error)
+                                              covered, error, depth_alone)
             if (allocated(error) .or. covered) return
             call march_through(contact, medium, given, time, values, accuracy, depth, radius, force, error)
         end associate
@@ -81,7 +84,7 @@ contains
     end function word
 
     !> A body whose materials relax in proportion, as far as its history follows from the elastic curve.
-    subroutine of_proportional(contact, medium, given, time, values, tolerance, depth, radius, force, covered, error)
+    subroutine of_proportional(contact, medium, given, time, values, tolerance, depth, radius, force, covered, error, depth_alone)
         type(relaxing_contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium
         integer, intent(in) :: given
@@ -89,10 +92,14 @@ contains
         real(wp), intent(inout) :: depth(:), radius(:), force(:)
         logical, intent(out) :: covered
         type(error_t), allocatable, intent(out) :: error
+        logical, intent(in), optional :: depth_alone
         type(contact_t) :: elastic
         type(prony_t) :: phi
+        logical :: for_depth
 
         covered = .false.
+        for_depth = .false.
+        if (present(depth_alone)) for_depth = depth_alone
         call new_contact(elastic, contact%equilibrium%profile, medium%reference, error)
         if (allocated(error)) return
         phi = medium%relaxation_shape(shortest_step(time), max(time(size(time)) - time(1), shortest_step(time)), &
@@ -103,7 +110,7 @@ contains
             call follow_depth(elastic, phi, time, depth, tolerance, radius, force, covered, error)
         case (given_force)
             force = values
-            call follow_force(elastic, phi, time, force, depth, radius, covered, error)
+            call follow_force(elastic, phi, time, force, tolerance, for_depth, depth, radius, covered, error)
         case default
             call depths_of(elastic, values, depth, error)
             if (.not. allocated(error)) call follow_depth(elastic, phi, time, depth, tolerance, radius, force, covered, error)

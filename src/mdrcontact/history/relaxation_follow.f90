@@ -8,16 +8,14 @@
 module mdrcontact_history_relaxation_follow
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact, only: contact_t
-    use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_values, only: contact_states, given_force
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_history_relaxation_curve, only: break_depths, elastic_curve_t
     use mdrcontact_history_relaxation_path, only: mean_decay, new_path, partial_integrals, path_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_material_prony, only: creep_of, creep_t, prony_t
+    use mdrcontact_material_prony, only: prony_t
     implicit none (type, external)
     private
-    public :: follow_depth, follow_force
+    public :: follow_depth
 
     !> Rounding of a sum of exponentials, relative to its terms.
     real(wp), parameter :: noise = 1.0e-11_wp
@@ -311,50 +309,5 @@ contains
         end do
         place%fraction = x
     end subroutine find_edge
-
-    !> Depth and radius under a force that is prescribed, while the contact grows: F_el(t) = int j(t - u) dF(u), j the creep
-    !> function of phi.
-    subroutine follow_force(contact, phi, time, force, depth, radius, covered, error)
-        type(contact_t), intent(in) :: contact
-        type(prony_t), intent(in) :: phi
-        !> as for follow_depth
-        real(wp), intent(in) :: time(:)
-        !> F >= 0 [modulus length^2]
-        real(wp), intent(in) :: force(:)
-        real(wp), intent(out) :: depth(:), radius(:)
-        logical, intent(out) :: covered
-        type(error_t), allocatable, intent(out) :: error
-        type(creep_t) :: creep
-        type(contact_state_t), allocatable :: states(:)
-        real(wp), allocatable :: rise(:), z(:), elastic(:)
-        real(wp) :: impulse, rate, length, pull
-        integer :: i, stat
-
-        covered = .true.
-        creep = creep_of(phi)
-        allocate (rise(size(creep%rate)), z(size(creep%rate)), elastic(size(force)), states(size(force)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        rise = force(1)
-        impulse = 0.0_wp
-        elastic(1) = creep%instant*force(1)
-        do i = 2, size(force)
-            call check_cancelled(error)
-            if (allocated(error)) return
-            length = time(i) - time(i - 1)
-            rate = (force(i) - force(i - 1))/length
-            pull = creep%instant*rate + creep%fluidity*force(i - 1) + sum(creep%weight*creep%rate*rise)
-            z = creep%rate*length
-            rise = exp(-min(z, 700.0_wp))*rise + (force(i) - force(i - 1))*mean_decay(z)
-            impulse = impulse + 0.5_wp*(force(i) + force(i - 1))*length
-            elastic(i) = creep%instant*force(i) + sum(creep%weight*(force(i) - rise)) + creep%fluidity*impulse
-            covered = covered .and. pull >= -noise*creep%instant*abs(rate) .and. elastic(i) >= elastic(i - 1)*(1.0_wp - noise)
-            if (.not. covered) return
-        end do
-        call contact_states(contact, given_force, elastic, states, error)
-        if (allocated(error)) return
-        depth = states%depth
-        radius = states%radius
-    end subroutine follow_force
 
 end module mdrcontact_history_relaxation_follow
