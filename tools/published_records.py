@@ -17,8 +17,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mdrcontact import Elastic, FitResult, Homogeneous, MDRError, Unloading, fit, oliver_pharr
-from mdrcontact.fitting.calibration import as_prior, together
+from mdrcontact import Elastic, FitResult, Homogeneous, MDRError, Unloading, fit, mean_of_tests, oliver_pharr
+from mdrcontact.fitting.calibration import as_prior, together, words_of_tests
+from mdrcontact.fitting.data import Data
 from mdrcontact.problem.curves import Curve
 from mdrcontact.problem.fit_file import FitFile, load_fit_file
 
@@ -129,12 +130,30 @@ def silica(path: Path, folder: Path, known: OnSilica) -> bool:
     half = [data for data, _ in (one.read() for one in curves[known.first :: 2]) if isinstance(data, Unloading)]
     tip = fit(together(half), given.indenter, given.medium, given.free, instrument=given.instrument, **given.options)
     print(f"{path.name}: calibrated on {len(half)} tests, chi-square/dof {tip.reduced_chi_square:.3g}")
-    away = [_of_silica(one, tip, given) for one in curves[1 - known.first :: 2]]
-    return max(away) < known.near
+    for words in words_of_tests(tip):
+        print(f"  {words}")
+    found = [_of_silica(one, tip, given) for one in curves[1 - known.first :: 2]]
+    mean = mean_of_tests([test for test, _ in found], "E")
+    low, high = (1e-9 * end for end in mean.interval)
+    print(f"  mean of {mean.tests} tests {mean.value / 1e9:.2f} GPa, 95 % interval {low:.2f} to {high:.2f} GPa")
+    _print_largest([one.read()[0] for one in curves])
+    return max(away for _, away in found) < known.near and low <= 1e-9 * SILICA.E <= high
 
 
-def _of_silica(one: Curve, tip: FitResult, given: FitFile) -> float:
-    """Prints a test; how far its cycles are away at most, 0 of a test that its fit rejects."""
+def _print_largest(tests: list[Data]) -> None:
+    """What the tests read at their largest force, whatever tip, frame or fit: the same stiffness belongs to the same area, so that
+    differences of the depth are those of the modulus of any method that takes the area from the depth."""
+    last = [(test.x[-1], test.force[-1], test.y[-1]) for test in tests if isinstance(test, Unloading)]
+    h, force, stiffness = (np.array(column) for column in zip(*last, strict=True))
+    spans = ", ".join(
+        f"{what} {100.0 * np.ptp(values) / np.mean(values):.2g} %"
+        for what, values in (("force", force), ("stiffness", stiffness), ("depth", h), ("stiffness over depth", stiffness / h))
+    )
+    print(f"  at the largest force of {len(last)} tests, from least to largest: {spans}")
+
+
+def _of_silica(one: Curve, tip: FitResult, given: FitFile) -> tuple[FitResult, float]:
+    """Prints a test; its fit, and how far its cycles are away at most, 0 of a test that its fit rejects."""
     data, _ = one.read()
     assert isinstance(data, Unloading)
     body, known = Homogeneous(SILICA), [as_prior(tip)]
@@ -148,7 +167,7 @@ def _of_silica(one: Curve, tip: FitResult, given: FitFile) -> float:
         f"  {one.name[-8:]}: {found.as_text('E')}, {found.verdict}; {len(sharp)} of {len(moduli)} cycles known to 1 %: "
         f"{sharp.min():.1f} to {sharp.max():.1f} GPa{maker}"
     )
-    return 0.0 if found.describes_data is False else float(abs(1e9 * sharp / SILICA.E - 1.0).max())
+    return found, 0.0 if found.describes_data is False else float(abs(1e9 * sharp / SILICA.E - 1.0).max())
 
 
 def main() -> int:

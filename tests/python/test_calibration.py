@@ -12,7 +12,7 @@ from records import REDUCED, indentation
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
-from mdrcontact.fitting.calibration import together
+from mdrcontact.fitting.calibration import together, words_of_tests
 from mdrcontact.fitting.quantities import dimension_of
 from mdrcontact.problem.fit_file import load_fit_file
 
@@ -151,6 +151,34 @@ def test_python_takes_a_calibration_as_a_prior():
     assert prior.names == ("indenter.C0", "indenter.C1")
     film = mdr.fit(columns[1], tip.indenter, mdr.Homogeneous(mdr.Elastic(60e9, NU)), ["E"], instrument=TOOL, known=[prior])
     assert abs(film.estimates["E"] - SILICA) < 3.0 * film.standard_errors["E"]
+
+
+def cycles(random, apart):
+    """Eight cycles into silica with 0.3 % noise, whose depths are off together by drift."""
+    contact_depth = np.linspace(2e-7, 1.5e-6, 8)
+    area = 24.5 * contact_depth**2
+    stiffness, force = 2.0 * REDUCED * np.sqrt(area / np.pi), 9e9 * area
+    depth = (contact_depth + 0.75 * force / stiffness) * (1.0 + apart * random.standard_normal())
+    data = mdr.StiffnessDepth(
+        depth, force, stiffness * (1.0 + 3e-3 * random.standard_normal(8)), sd=3e-3 * stiffness, elastic=False
+    )
+    data.unloadings = ("as of a record",)
+    return data
+
+
+@pytest.mark.parametrize("apart", [0.0, 0.02])
+def test_tests_that_differ_as_wholes(apart):
+    """What a calibration is off is as large as its error, whether the tests agree or drift; by their readings alone it was three
+    times that, and nothing said so."""
+    random, tip = np.random.default_rng(5), mdr.AreaFunction([24.0], max_height=5e-6)
+    off, words = [], []
+    for _ in range(60):
+        found = mdr.fit(together([cycles(random, apart) for _ in range(6)]), tip, KNOWN, ["indenter.C0"], instrument=TOOL)
+        prior = mdr.as_prior(found)
+        off.append((prior.values[0] - 24.5) / np.sqrt(prior.covariance[0][0]))
+        words += words_of_tests(found)
+    assert 0.6 < np.sqrt(np.mean(np.square(off))) < 1.5
+    assert (len(words) > 55 and "differ as wholes by" in words[0]) if apart else len(words) < 6
 
 
 def test_mean_of_dynamic_curves():

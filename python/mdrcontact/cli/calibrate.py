@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..fitting import FitResult, StiffnessDepth, fit, report
-from ..fitting.calibration import as_prior, together
+from ..fitting.calibration import as_prior, together, words_of_tests
 from ..fitting.parameters import of_indenter
 from ..fitting.quantities import dimension_of
 from ..problem import ProblemError
@@ -67,7 +67,7 @@ def calibration_text(result: FitResult, title: str, indenter: Mapping[str, Any],
         "# Tip and frame, calibrated by mdrcontact",
         *(f"# {' '.join(words.split())}" for words in (title, f"curves: {', '.join(curves)}")),
     ]
-    lines += [f"# warning: {words}" for words in result.warnings]
+    lines += [f"# warning: {words}" for words in [*result.warnings, *words_of_tests(result)]]
     lines += ["", "[indenter]"]
     numbers = _numbers(result)
     kept = {key: value for key, value in indenter.items() if not any(f"{key}_".startswith(f"{name}_") for name in numbers)}
@@ -138,7 +138,7 @@ def run(arguments: argparse.Namespace) -> None:
             names.append(curve.name)
     data = together(curves)
     result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
-    print(f"\n{result.summary()}")
+    print("\n".join(["", result.summary(), *(f"warning: {words}" for words in words_of_tests(result))]))
     table = with_calibration(parse_file(arguments.problem), arguments.problem.parent)["indenter"]
     contents = {arguments.output: calibration_text(result, problem.title, table, names).encode()}
     if arguments.plot:

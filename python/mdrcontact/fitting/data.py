@@ -40,6 +40,8 @@ class Data:
     """depth of first contact by each estimator that has looked at the record"""
     pulls: Mapping[str, float] = MappingProxyType({})
     """forces of jump-in and pull-off that the record shows, without a model"""
+    tests: NDArray[np.intp] | None = None
+    """which test each point belongs to, where there are several"""
     also_free: tuple[str, ...] = ()
     """numbers of the instrument that a fit finds beside those that it names"""
 
