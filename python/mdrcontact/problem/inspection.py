@@ -22,7 +22,7 @@ from .curves import Curve, curves, fits
 from .formats import Fact
 from .record import Cantilever, Record
 from .section import ProblemError, Section
-from .start_file import start_file
+from .start_file import Size, start_file
 from .units import SENSITIVITY, STIFFNESS, parse
 
 Array = NDArray[np.float64]
@@ -32,6 +32,10 @@ _CANTILEVER = {"spring_constant": "0.2 N/m", "deflection_sensitivity": "50 nm/V"
 _DIMENSIONS = {"spring_constant": STIFFNESS, "deflection_sensitivity": SENSITIVITY}
 _FEWEST = 5
 """Stiffnesses that make a record a dynamic one."""
+_SOFT = 1e8
+"""Force over depth squared below which a body is a gel, a cell or rubber, under a ball [Pa]."""
+_APART = 0.05
+"""Of the largest force: a record that begins with less begins before contact."""
 _WIDEST = 9
 """Columns of a table without titles."""
 
@@ -76,8 +80,9 @@ def inspect_file(path: Path) -> Inspection:
     facts = [fact for fact in found[0].facts if fact.name not in guessed]
     tests = [test._replace(facts=facts) for test in tests] if guessed else tests
     notes = [*records[0].notes, *(f"not in the file: {name.replace('_', ' ')}, taken as {v}" for name, v in guessed.items())]
-    deepest = max(float(np.ptp(test.along)) for test in tests)
-    return Inspection(notes, tests, str(options["kind"]), start_file(path.name, options, facts, deepest, guessed))
+    notes += _further_columns(path, str(options["kind"]))
+    size = Size(max(float(np.ptp(test.along)) for test in tests), max(float(np.ptp(test.force)) for test in tests))
+    return Inspection(notes, tests, str(options["kind"]), start_file(path.name, options, facts, size, guessed))
 
 
 def _curves(path: Path) -> tuple[list[Curve], Mapping[str, str]]:
@@ -125,19 +130,43 @@ def _options(path: Path, one: Curve, record: Record, test: Test) -> dict[str, ob
     unloads = unloading_parts(test.segments, test.force, 0.4)
     if not is_raw and _has_stiffness(path):
         return {"kind": "stiffness-depth", "branch": "loading"} if len(test.segments) > 1 else {"kind": "stiffness-depth"}
-    is_ball = is_raw or any(fact.name == "indenter.radius" for fact in one.facts)
-    if not is_ball and unloads:
+    says_ball = any(fact.name == "indenter.radius" for fact in one.facts)
+    is_soft = not is_raw and not says_ball and _is_soft(test)
+    held = max((s for s in test.segments if s.kind == "hold"), key=lambda s: s.stop - s.start, default=None)
+    if is_soft and held is not None and _tables_with(path, "time"):
+        creeps = np.ptp(test.along[held.points]) / np.ptp(test.along) > np.ptp(test.force[held.points]) / np.ptp(test.force)
+        kind: dict[str, object] = {"kind": "depth-time", "branch": "loading"} if creeps else {"kind": "force-time"}
+        begins_apart = abs(test.force[0]) < _APART * np.ptp(test.force)
+        return {**kind, "contact_point": "piecewise"} if begins_apart else kind
+    if not (is_raw or says_ball or is_soft) and unloads:
         return {"kind": "unloading"}
     return {"kind": "force-depth", "branch": "loading"} if len(test.segments) > 1 else {"kind": "force-depth"}
+
+
+def _is_soft(test: Test) -> bool:
+    """Whether so small a force goes so deep: sharp tips are for bodies that are harder."""
+    return float(np.ptp(test.force)) < _SOFT * float(np.ptp(test.along)) ** 2
 
 
 def _has_stiffness(path: Path) -> bool:
     """Whether a table has stiffnesses beside depths and forces."""
     section = _section({"kind": "stiffness-depth"})
-    tables = [
-        table for table in read_tables(path) if measured.has(section, table, "stiffness") and fits(section, table, "unloading")
-    ]
+    tables = _tables_with(path, "stiffness")
     return any(np.isfinite(measured.column(section, table, "stiffness").values).sum() >= _FEWEST for table in tables)
+
+
+def _tables_with(path: Path, role: str) -> list[MeasuredTable]:
+    """The tables of tests that have a column of this role, too."""
+    section = _section({"kind": "stiffness-depth"})
+    return [table for table in read_tables(path) if measured.has(section, table, role) and fits(section, table, "unloading")]
+
+
+def _further_columns(path: Path, kind: str) -> list[str]:
+    """What a kind reads beside depth and force, in the first test of a table."""
+    role = "stiffness" if kind == "stiffness-depth" else "time"
+    if path.suffix.lower() in SUFFIXES or kind not in ("stiffness-depth", "force-time", "depth-time"):
+        return []
+    return [measured.column(_section({"kind": kind}), table, role).described(role) for table in _tables_with(path, role)[:1]]
 
 
 def _of_columns(path: Path, problem: ProblemError) -> Inspection:
@@ -152,7 +181,7 @@ def _of_columns(path: Path, problem: ProblemError) -> Inspection:
         section = _section({"kind": kind})
         if all(measured.has(section, tables[0], role) for role in roles):
             notes = [*tables[0].notes, *(measured.column(section, tables[0], role).described(role) for role in roles)]
-            return Inspection(notes, [], kind, start_file(path.name, {"kind": kind}, tables[0].facts, 1e-6))
+            return Inspection(notes, [], kind, start_file(path.name, {"kind": kind}, tables[0].facts, Size(1e-6, 0.0)))
     raise ProblemError(f"{problem}. {_columns(tables[0])}")
 
 
