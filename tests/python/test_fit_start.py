@@ -76,6 +76,43 @@ def test_weights_next_to_contact_leave_other_forces_out():
     assert nothing.estimates["E"] == pytest.approx(clean, rel=0.01)
 
 
+@pytest.mark.parametrize("distance", [3e-7, 1e-6])
+def test_weights_that_follow_the_contact_point(distance):
+    """The sum of squares whose weights move with the contact point is at a minimum, which those that are held miss; its errors say
+    how far the estimates scatter."""
+    data = approach(tail=2e-10, begin=-4e-6)
+    found = mdr.fit(data, BALL, GEL, FREE, contact_weight=distance, contact_weight_rule="moving")
+
+    def square(values):
+        at, modulus, offset = values
+        unit = np.asarray(
+            mdr.Contact(BALL, GEL.replace(material=GEL.material.replace(E=modulus))).at_depth(np.maximum(data.x - at, 0.0)).force
+        )
+        return np.sum(((data.y - offset - unit) * np.clip(np.abs(data.x - at) / distance, 0.01, 1.0)) ** 2)
+
+    best = np.array([found.estimates[name] for name in ("depth_offset", "E", "force_offset")])
+    errors = np.array([found.standard_errors[name] for name in ("depth_offset", "E", "force_offset")])
+    assert (errors > 0.0).all()
+    for i in range(3):
+        for sign in (-1.0, 1.0):
+            away = best.copy()
+            away[i] += 0.3 * sign * errors[i]
+            assert square(away) > square(best)
+    held = mdr.fit(data, BALL, GEL, FREE, contact_weight=distance)
+    assert square([held.estimates[name] for name in ("depth_offset", "E", "force_offset")]) > square(best)
+
+
+def test_moving_weights_cover():
+    """Curves of noise alone: the modulus scatters as its standard error says."""
+    off = []
+    for seed in range(30):
+        found = mdr.fit(approach(seed=seed), BALL, GEL, FREE, contact_weight=5e-7, contact_weight_rule="moving")
+        off.append((found.estimates["E"] - 1.2e3) / found.standard_errors["E"])
+    assert 0.6 < np.sqrt(np.mean(np.square(off))) < 1.6
+    with pytest.raises(mdr.MDRError, match="contact_weight_rule"):
+        mdr.fit(approach(), BALL, GEL, FREE, contact_weight=5e-7, contact_weight_rule="none")
+
+
 @pytest.mark.parametrize("distance", [-1e-9, float("nan"), float("inf")])
 def test_wrong_weights_are_refused(distance):
     with pytest.raises(mdr.InvalidArgumentError, match="contact_weight"):

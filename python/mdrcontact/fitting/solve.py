@@ -3,23 +3,19 @@
 
 from __future__ import annotations
 
-import copy
 import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-import numpy as np
-
 from .._boundary import number
+from ..adhesion import code
 from ..errors import InvalidArgumentError
 from .advice import advice
 from .data import Data, ForceDepth
 from .parameters import Free, Instrument, JointPrior
 from .problem import Problem, make_problem
 from .result import FitResult
-
-_ROUNDS, _LEAST = 4, 1e-2
-"""Of weighted fits, and the least weight of a residual."""
+from .weighted import RULES, fit_weighted
 
 
 def fit(
@@ -37,6 +33,7 @@ def fit(
     check_units: bool = True,
     known: Iterable[JointPrior] = (),
     contact_weight: float = 0.0,
+    contact_weight_rule: str = "held",
 ) -> FitResult:
     """Finds the parameters under which indenter and medium explain the data best: nonlinear least squares of the same forward model
     that `Contact` computes, over GSL's trust region.
@@ -59,6 +56,9 @@ def fit(
     known : JointPrior(...) of several parameters together, as a tip's calibration gives them
     contact_weight : of ForceDepth: within this distance of first contact residuals count in proportion to their distance from it,
         for forces of other kinds act there; 0: all count alike [length]
+    contact_weight_rule : "held": the weights are those at the contact point that is found, and stay while the residuals are made
+        small; "moving": they follow the contact point while it is sought, so that it goes where it leaves large residuals out. That
+        is the sum of squares of other programs, and between 0 and 60 % off "held" where other forces act at contact
 
     Bad data raise an exception; a search that does not converge returns its best point, and says so in `converged` and `warnings`.
     """
@@ -66,8 +66,15 @@ def fit(
     distance = number("contact_weight", contact_weight)
     if not 0.0 <= distance < math.inf:
         raise InvalidArgumentError(f"contact_weight = {contact_weight!r} is not allowed: it must be at least 0 and finite")
+    moves = bool(code("contact_weight_rule", contact_weight_rule, RULES))
     if distance > 0.0:
-        return _weighted(data, distance, indenter, medium, free, options)
+        if not isinstance(data, ForceDepth):
+            raise InvalidArgumentError("contact_weight is not allowed: it belongs to forces against depth")
+        first = _fitted(make_problem(data, indenter, medium, free, *options))
+        # weights beside standard deviations that are not known are their ratios
+        absolute = bool(sd_is_absolute) and data.sd is not None
+        options = (*options[:4], absolute, *options[5:])
+        return fit_weighted(first, distance, moves, lambda part: make_problem(part, indenter, medium, free, *options), _fitted)
     return _fitted(make_problem(data, indenter, medium, free, *options))
 
 
@@ -75,26 +82,3 @@ def _fitted(problem: Problem) -> FitResult:
     result = FitResult(problem, *problem.answer())
     result.warnings = advice(result)
     return result
-
-
-def _weighted(data: Data, distance: float, indenter: Any, medium: Any, free: Any, options: tuple[Any, ...]) -> FitResult:
-    """Where contact begins is known after a fit only: a few rounds."""
-    if not isinstance(data, ForceDepth):
-        raise InvalidArgumentError("contact_weight is not allowed: it belongs to forces against depth")
-    result = _fitted(make_problem(data, indenter, medium, free, *options))
-    own = 1.0 if data.sd is None else data.sd
-    # weights beside standard deviations that are not known are their ratios
-    absolute = bool(options[4]) and data.sd is not None
-    weighted = (*options[:4], absolute, *options[5:])
-    for _ in range(_ROUNDS):
-        away = np.abs(data.x - result.values["depth_offset"]) / distance
-        part = copy.copy(data)
-        part.sd = np.asarray(own / np.clip(away, _LEAST, 1.0))
-        problem = make_problem(part, indenter, medium, free, *weighted)
-        result = _fitted(problem.changed(part, start=_begin(problem, result)))
-    return result
-
-
-def _begin(problem: Problem, result: FitResult) -> Any:
-    """What has been found, to go on from."""
-    return np.array([result.values.get(name, value) for name, value in zip(problem.names, problem.table[0], strict=True)])

@@ -48,10 +48,12 @@ _FIT: Mapping[str, Dimension | None] = {
     "max_iterations": None,
     "sd_is_absolute": None,
     "contact_weight": LENGTH,
+    "contact_weight_rule": None,
     "joint_prior": None,
     "drainage": None,
 }
 
+_WEIGHTS = ("contact_weight_rule", ("held", "moving"))
 _APART = 0.01
 """Of a number: more between two files is no rounding."""
 _JOINT: Mapping[str, Dimension | None] = {"names": None, "values": None, "sds": None, "correlation": None}
@@ -125,7 +127,7 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
         return _read_gel(whole, title, tip, body, instrument, cantilever, fit, Section(table["data"], "data", measured.KNOWN))
     names = [*of_indenter(tip).names, *of_medium(body).numbers.names, *of_instrument(instrument).names]
     options: dict[str, Any] = {}
-    for key, known in (("loss", ("linear", "huber", "cauchy")), ("adhesion_rule", ("automatic", "paper", "energy"))):
+    for key, known in (("loss", ("linear", "huber", "cauchy")), ("adhesion_rule", ("automatic", "paper", "energy")), _WEIGHTS):
         if key in fit:
             options[key] = fit.choice(key, known)
     if "loss_scale" in fit:
