@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Axisymmetric finite elements, by scikit-fem: the same bodies by a method that shares nothing with the library."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ..contact import Contact
+from ..material import RIGID, Elastic
+from ..medium import Coated, Homogeneous
+from ..profile import Paraboloid
+from .check import Array, Check, Comparison, comparison
+
+_FAR = 60.0
+"""Where a half-space ends, in contact radii."""
+_FINEST, _RATIO = 2e-4, 1.35
+"""Cells beside the edge of the contact, in contact radii, and how they grow away from it."""
+
+
+def _lines(points: list[float], finest: float, ratio: float) -> Array:
+    """Ascending lines of a mesh between points, at the first of which they are finest."""
+    edge, *ends = points
+    lines = [edge]
+    for end in ends:
+        step, x = finest, edge
+        while abs(end - x) > 1.5 * step:
+            x += np.sign(end - edge) * step
+            step *= ratio
+            lines.append(x)
+        lines.append(end)
+    return np.unique(np.array(lines))
+
+
+class _Body:
+    """A mesh of biquadratic elements over 0 < r < far, 0 < z < depth, the base held."""
+
+    def __init__(self, moduli: Callable[[Array], tuple[Array, Array]], r: Array, z: Array) -> None:
+        fem: Any = importlib.import_module("skfem")
+        self.fem = fem
+        mesh = fem.MeshQuad.init_tensor(r, z)
+        self.basis = fem.Basis(mesh, fem.ElementVector(fem.ElementQuad2()), intorder=6)
+        self.matrix = self._stiffness(moduli)
+        # the field of degrees of freedom: which component, and where
+        self.places = self.basis.doflocs
+        self.component = np.zeros(self.basis.N, dtype=int)
+        for name in ("nodal_dofs", "facet_dofs", "interior_dofs"):
+            dofs = getattr(self.basis, name)
+            if len(dofs):
+                self.component[np.asarray(dofs)[1::2].ravel()] = 1
+        far = (self.places[1] > z[-1] - 1e-12) | ((self.places[0] > r[-1] - 1e-12) & (r[-1] > z[-1]) & (self.component == 0))
+        self.held = np.flatnonzero(far | ((self.places[0] < 1e-12) & (self.component == 0)))
+
+    def _stiffness(self, moduli: Callable[[Array], tuple[Array, Array]]) -> Any:
+        def form(u: Any, v: Any, w: Any) -> Any:
+            r = w.x[0]
+            lame, shear = moduli(w.x[1])
+            du, dv = u.grad, v.grad
+            hoop_u, hoop_v = u[0] / r, v[0] / r
+            trace_u, trace_v = du[0][0] + du[1][1] + hoop_u, dv[0][0] + dv[1][1] + hoop_v
+            pairs = du[0][0] * dv[0][0] + du[1][1] * dv[1][1] + hoop_u * hoop_v
+            pairs = pairs + 0.5 * (du[0][1] + du[1][0]) * (dv[0][1] + dv[1][0])
+            return 2.0 * np.pi * r * (lame * trace_u * trace_v + 2.0 * shear * pairs)
+
+        return self.fem.BilinearForm(form).assemble(self.basis)
+
+    def punch(self, a: float) -> float:
+        """Stiffness of a flat frictionless punch: twice the energy of a unit depth."""
+        under = np.flatnonzero((self.component == 1) & (self.places[1] < 1e-12) & (self.places[0] <= a * (1.0 + 1e-9)))
+        u = np.zeros(self.basis.N)
+        u[under] = 1.0
+        solved = self.fem.solve(*self.fem.condense(self.matrix, x=u, D=np.union1d(under, self.held)))
+        return float(solved @ (self.matrix @ solved))
+
+    def loaded(self, pressure: Callable[[Array], Array], a: float) -> Any:
+        """Displacements under a pressure on r < a."""
+        top = self.fem.FacetBasis(
+            self.basis.mesh, self.basis.elem, facets=self.basis.mesh.facets_satisfying(lambda x: (x[1] < 1e-12) & (x[0] < a)),
+            intorder=10,
+        )  # fmt: skip
+
+        def form(v: Any, w: Any) -> Any:
+            return 2.0 * np.pi * w.x[0] * pressure(w.x[0]) * v[1]
+
+        return self.fem.solve(*self.fem.condense(self.matrix, self.fem.LinearForm(form).assemble(top), D=self.held))
+
+
+def _moduli(layers: list[tuple[float, Elastic]]) -> Callable[[Array], tuple[Array, Array]]:
+    """Lame's constants at depths, of layers that end at depths."""
+
+    def at(z: Array) -> tuple[Array, Array]:
+        lame, shear = np.zeros_like(z), np.zeros_like(z)
+        above = 0.0
+        for end, material in layers:
+            here = (z >= above) & (z <= end)
+            g = material.E / (2.0 * (1.0 + material.nu))
+            shear[here], lame[here] = g, 2.0 * g * material.nu / (1.0 - 2.0 * material.nu)
+            above = end
+        return lame, shear
+
+    return at
+
+
+def bonded() -> Comparison:
+    """A layer on a rigid base under a flat punch, Poisson's ratio 0.3, 0.45."""
+    rows = []
+    for nu in (0.3, 0.45):
+        for a in (0.5, 1.0, 2.0, 4.0):
+            film = Elastic(1.0, nu)
+            r = _lines([a, 0.0, a + 12.0], _FINEST * a, _RATIO)
+            z = _lines([0.0, 1.0], _FINEST * a, _RATIO)
+            rows.append((a, Coated(film, 1.0, RIGID).stiffness(a), _Body(_moduli([(1.0, film)]), r, z).punch(a)))
+    a, here, there = np.array(rows, dtype=float).T
+    return comparison("a/h (nu = 0.3, then 0.45)", np.concatenate([a[:4], 5.0 + a[4:]]), here, there)
+
+
+def coated() -> Comparison:
+    """Films ten times softer and stiffer than their base. What lies beyond the mesh adds to the compliance what it adds to that of
+    the base alone."""
+    base, rows = Elastic(1.0, 0.3), []
+    for contrast in (0.1, 10.0):
+        film = Elastic(contrast, 0.25)
+        for a in (0.3, 1.0, 3.0):
+            far = _FAR * max(a, 1.0)
+            r = _lines([a, 0.0, far], _FINEST * a, _RATIO)
+            z = np.unique(np.concatenate([_lines([0.0, 1.0], _FINEST * a, _RATIO), _lines([1.0, far], 0.05, _RATIO)]))
+            added = 1.0 / _Body(_moduli([(1.0, film), (far, base)]), r, z).punch(a)
+            added -= 1.0 / _Body(_moduli([(far, base)]), r, z).punch(a)
+            there = 1.0 / (1.0 / float(Homogeneous(base).stiffness(a)) + added)
+            rows.append((a, float(Coated(film, 1.0, base).stiffness(a)), there))
+    a, here, there = np.array(rows, dtype=float).T
+    return comparison("a/h (soft, then stiff)", np.concatenate([a[:3], 4.0 + a[3:]]), here, there)
+
+
+def pressed() -> Comparison:
+    """The surface and the axis of a coated body under the pressure of its contact: where the pressure is that of the contact the
+    surface has the shape of the indenter."""
+    film, base, a = Elastic(4.0, 0.3), Elastic(1.0, 0.25), 1.0
+    contact = Contact(Paraboloid(100.0), Coated(film, 1.0, base))
+    state = contact.at_radius(a)
+    far = _FAR * a
+    r = _lines([a, 0.0, far], 0.005, 1.2)
+    z = np.unique(np.concatenate([_lines([0.0, 1.0], 0.01, 1.2), _lines([1.0, far], 0.02, 1.2)]))
+    body = _Body(_moduli([(1.0, film), (far, base)]), r, z)
+    u = body.loaded(lambda at: np.asarray(contact.pressure(np.minimum(at.ravel(), a), state)).reshape(at.shape), a)
+    top = np.flatnonzero((body.component == 1) & (body.places[1] < 1e-12) & (body.places[0] <= 3.0 * a))
+    top = top[np.argsort(body.places[0][top])][:: max(len(top) // 40, 1)]
+    places = body.places[0][top]
+    here = np.asarray(contact.displacement(places, state))
+    # the far end of the mesh moves all of the surface alike: differences from the axis
+    return comparison("r/a", places / a, here - here[0], u[top] - u[top[0]], float(np.abs(here).max()))
+
+
+ELEMENTS = (
+    Check("elements-bonded", "stiffness, layer on a rigid base", "finite elements (scikit-fem)", 1e-3,
+          "the elements': singular edge, 12 thicknesses", bonded, needs="skfem"),
+    Check("elements-coated", "stiffness, coated half-space", "finite elements (scikit-fem)", 4e-3,
+          "the elements': end of the mesh at 60 a", coated, is_long=True, needs="skfem"),
+    Check("elements-pressed", "pressure and surface of a coated body", "finite elements (scikit-fem)", 2e-3,
+          "the elements': cells beside the edge, end of the mesh", pressed, is_long=True, needs="skfem"),
+)  # fmt: skip

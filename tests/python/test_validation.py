@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact validate`: every comparison within its bound, missing programs named, a wrong number seen."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+from mdrcontact.__main__ import main
+from mdrcontact.validation import CHECKS
+from mdrcontact.validation import page as pages
+from mdrcontact.validation.check import comparison
+from mdrcontact.validation.limits import refusals
+
+PAGE = (ROOT / "docs" / "validation.md").read_text()
+
+
+@pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.name)
+def test_within_what_the_source_explains(check):
+    if check.needs:
+        pytest.importorskip(check.needs)
+    found = check.run()
+    assert np.isfinite(found.here).all() and len(found.x) == len(found.here)
+    assert found.deviation <= check.error
+
+
+def test_a_wrong_number_is_seen(monkeypatch, capsys):
+    """A part in a hundred thousand."""
+    first = CHECKS[0]
+
+    def spoiled():
+        found = first.run()
+        return comparison(found.x_name, found.x, found.here * 1.00001, found.there)
+
+    monkeypatch.setattr("mdrcontact.cli.validate.CHECKS", (dataclasses.replace(first, run=spoiled),))
+    assert main(["validate"]) == 1
+    shown = capsys.readouterr()
+    assert "BEYOND" in shown.out and "explains: hertz" in shown.err
+
+
+def test_missing_programs_are_named(monkeypatch, capsys):
+    monkeypatch.setattr(pages, "is_installed", lambda module: False)
+    assert main(["validate", "--only", "elements-bonded"]) == 0
+    assert "not run: scikit-fem is not installed" in capsys.readouterr().out
+    assert main(["validate", "--only", "hertzz"]) == 2
+    assert "did you mean 'hertz'" in capsys.readouterr().err
+
+
+def test_the_files_that_are_written(tmp_path, capsys):
+    given = ["validate", "--only", "jkr", "--html", str(tmp_path / "a.html"), "--markdown", str(tmp_path / "a.md")]
+    assert main(given) == 0
+    text = (tmp_path / "a.html").read_text()
+    assert "Johnson, Kendall, Roberts 1971" in text and text.count("data:image/png") == 1
+    assert main(given) == 1 and "exists" in capsys.readouterr().err
+
+
+def test_the_page_of_the_guide():
+    """Each comparison with its command, each refusal as the library words it today."""
+    for check in CHECKS:
+        assert f"| {check.capability} | {check.source} | " in PAGE and f"--only {check.name}`" in PAGE
+    assert "BEYOND" not in PAGE and "not run" not in PAGE
+    for beyond, words in refusals()[1:]:
+        assert f"| {beyond} | {words} |" in PAGE
+        assert words != "it is computed"
