@@ -184,3 +184,17 @@ class Handle:
 
     def __reduce__(self) -> Any:
         raise TypeError("a handle belongs to its object: it is neither copied nor pickled")
+
+
+def one_path(time: ArrayLike, **given: ArrayLike | None) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]:
+    """Which one of some quantities is prescribed, at which times, and its values; one dimension, same length."""
+    names = [name for name, values in given.items() if values is not None]
+    if len(names) != 1:
+        choice = ", ".join(list(given)[:-1]) + f" and {list(given)[-1]}"
+        raise ArgumentTypeError(f"a history needs one of {choice}, not {' and '.join(names) or 'none'}")
+    t, values = numbers("time", time), numbers(names[0], given[names[0]])  # type: ignore[arg-type]
+    if t.ndim != 1 or t.shape != values.shape:
+        raise InvalidArgumentError(
+            f"time and {names[0]} must have one dimension and the same length, not {t.shape} and {values.shape}"
+        )
+    return names[0], t, values

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native, poroelastic
-from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, numbers, together
+from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, one_path, together
 from ._progress import marching
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .material import RIGID, Elastic, PowerLawRheology, Viscoelastic
@@ -51,20 +51,12 @@ def history(
     progress: bool,
 ) -> History:
     """The history of a contact's handle."""
-    prescribed = {"depth": depth, "force": force, "radius": radius}
-    given = [name for name, values in prescribed.items() if values is not None]
-    if len(given) != 1:
-        raise ArgumentTypeError(f"a history needs one of depth, force and radius, not {' and '.join(given) or 'none'}")
-    t, values = numbers("time", time), numbers(given[0], prescribed[given[0]])  # type: ignore[arg-type]
-    if t.ndim != 1 or t.shape != values.shape:
-        raise InvalidArgumentError(
-            f"time and {given[0]} must have one dimension and the same length, not {t.shape} and {values.shape}"
-        )
+    given, t, values = one_path(time, depth=depth, force=force, radius=radius)
     if not t.size:
         return History(t, t.copy(), t.copy(), t.copy())
     accuracy = number("tolerance", tolerance)
     with marching(t.size, progress):
-        status, *columns = _native.contact_history(contact, _GIVEN[given[0]], accuracy, t, values)
+        status, *columns = _native.contact_history(contact, _GIVEN[given], accuracy, t, values)
     check(status)
     return History(t, *columns)
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, number, numbers
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, number, one_path
 from ._value import Value
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .profile import FlatPunch, Paraboloid, Profile
@@ -221,23 +221,15 @@ def history(
     drainage: str | None,
 ) -> tuple[NDArray[np.float64], ...]:
     """Time, depth, radius and force; see `Contact.history`."""
-    prescribed = {"depth": depth, "force": force, "radius": radius}
-    given = [name for name, values in prescribed.items() if values is not None]
-    if len(given) != 1:
-        raise ArgumentTypeError(f"a history needs one of depth, force and radius, not {' and '.join(given) or 'none'}")
-    t, values = numbers("time", time), numbers(given[0], prescribed[given[0]])  # type: ignore[arg-type]
-    if t.ndim != 1 or t.shape != values.shape:
-        raise InvalidArgumentError(
-            f"time and {given[0]} must have one dimension and the same length, not {t.shape} and {values.shape}"
-        )
+    given, t, values = one_path(time, depth=depth, force=force, radius=radius)
     if not (np.isfinite(t).all() and np.isfinite(values).all() and (np.diff(t) > 0.0).all()):
-        raise InvalidArgumentError(f"time must be strictly ascending, and time and {given[0]} finite")
+        raise InvalidArgumentError(f"time must be strictly ascending, and time and {given} finite")
     _check_held(contact.indenter)
     if isinstance(contact.indenter, FlatPunch):
-        if given[0] == "radius":
+        if given == "radius":
             raise InvalidArgumentError("radius is not allowed here: that of a flat punch is its own; give depth or force")
-        return _punch_history(contact, t, given[0], values, drainage)
-    if given[0] != "radius" or not (values == values[:1]).all():
+        return _punch_history(contact, t, given, values, drainage)
+    if given != "radius" or not (values == values[:1]).all():
         raise InvalidArgumentError(
             "this path is not offered: under a paraboloid on a gel the contact radius changes with the fluid's pressure, and the "
             "surface that drains with it, which is not solved; give radius=, one constant, the radius that is held from the step on"

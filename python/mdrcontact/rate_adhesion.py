@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, numbers, record
+from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, one_path, record
 from ._value import Value
 from ._warn import warn
 from .adhesion import CONTROLS
@@ -158,17 +158,11 @@ def history(
     tolerance: float | None,
 ) -> RateHistory:
     """See `Contact.history`."""
-    names = [name for name, values in given.items() if values is not None]
-    if len(names) != 1:
-        raise ArgumentTypeError(f"a history needs one of position, depth and force, not {' and '.join(names) or 'none'}")
-    (name,) = names
+    name, t, s = one_path(time, **given)
     if (name == "position") != (spring_stiffness is not None):
         raise ArgumentTypeError("spring_stiffness is needed with position=, the far end of the spring, and only there")
-    t, s = numbers("time", time), numbers(name, given[name])  # type: ignore[arg-type]
-    if t.ndim != 1 or t.shape != s.shape or not t.size:
-        raise InvalidArgumentError(
-            f"time and {name} must have one dimension, the same length, and not be empty; they have {t.shape} and {s.shape}"
-        )
+    if not t.size:
+        raise InvalidArgumentError("time must not be empty")
     stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
     control = CONTROLS[{"position": "spring"}.get(name, name)]
     row = _start(start)

@@ -5,10 +5,11 @@
 !> Beyond the last node j_l = (h_l + conj h_l)/2 splits products into their mean, which is smooth, and waves exp(+-2 i k), which
 !> fall along the imaginary direction: nothing is cut off.
 module mdrcontact_conduction_basis
-    use mdrcontact_conduction_waves, only: even_waves, wave_rule
+    use mdrcontact_conduction_waves, only: wave_rule
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemm
+    use mdrcontact_numerics_even_waves, only: even_waves
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private

@@ -7,7 +7,7 @@
 module mdrcontact_conduction_film
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
-    use mdrcontact_conduction_waves, only: highest_order, wave_rule
+    use mdrcontact_conduction_waves, only: wave_rule
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort, gsl_sf_bessel_j0, gsl_sf_bessel_jn_array
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -15,6 +15,7 @@ module mdrcontact_conduction_film
     use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
     use mdrcontact_layered_series, only: add_projections
     use mdrcontact_layered_solve, only: factorize, solve_lower
+    use mdrcontact_numerics_even_waves, only: highest_order
     implicit none (type, external)
     private
     public :: film_spot_t, new_film_spot, of_half_space, odd_waves

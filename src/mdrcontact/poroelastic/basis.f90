@@ -5,11 +5,10 @@
 !>
 !> Beyond the last node, an odd multiple of pi, cos^2 and sin^2 of the products are replaced by their mean.
 module mdrcontact_poroelastic_basis
-    use, intrinsic :: iso_c_binding, only: c_int
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise
-    use mdrcontact_gsl, only: disable_gsl_abort, gsl_sf_bessel_jl_steed_array, gsl_success
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemm
+    use mdrcontact_numerics_even_waves, only: even_waves
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
@@ -72,39 +71,17 @@ contains
     subroutine fill(self, error)
         type(basis_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: bessel(0:2*self%order - 2)
+        real(wp) :: waves(self%order)
         integer :: i, j
 
-        call disable_gsl_abort()
         do i = 1, self%count
-            bessel = 0.0_wp
-            if (gsl_sf_bessel_jl_steed_array(int(highest(self%k(i), 2*self%order - 2), c_int), self%k(i), bessel) &
-                /= gsl_success) then
-                call raise(error, error_no_convergence, "Bessel functions for a gel could not be computed")
-                return
-            end if
-            do j = 1, self%order
-                self%b(j, i) = (-1)**(j - 1)*sqrt(4.0_wp*j - 3.0_wp)*bessel(2*j - 2)
-            end do
+            call even_waves(self%k(i), waves, error)
+            if (allocated(error)) return
+            self%b(:, i) = waves*sqrt([(4.0_wp*j - 3.0_wp, j=1, self%order)])
             self%inner(:, i) = self%b(:, i)
-            self%inner(1, i) = bessel(0) - cos(self%k(i))
+            self%inner(1, i) = waves(1) - cos(self%k(i))
         end do
     end subroutine fill
-
-    !> The highest l <= order for which j_l(k) ~ k^l/(2l + 1)!! is not far below all others.
-    pure function highest(k, order) result(l)
-        real(wp), intent(in) :: k
-        integer, intent(in) :: order
-        integer :: l
-        real(wp) :: size_of
-
-        size_of = 1.0_wp
-        do l = 0, order - 1
-            size_of = size_of*k/(2*l + 3)
-            if (size_of < 1.0e-100_wp) return
-        end do
-        l = order
-    end function highest
 
     !> b_j = s_j [sin k/k + l_j cos k/k^2], s_j = sqrt(4j + 1), l_j = j (2j + 1), up to terms of k^-3.
     pure subroutine fill_tails(self)
