@@ -30,6 +30,36 @@ static void test_limits(const mdr_poroelastic *gel, double nu)
     for (int i = 0; i < N; i++) CHECK_CLOSE(again[i], 2.0 * force[i], 1e-14);
 }
 
+/* tests/data/poroelastic.csv, nu = 0.3, mixed drainage */
+static void test_paraboloid(const mdr_poroelastic *gel)
+{
+    const double time[2] = {0.3, 3.0};
+    double force[2];
+
+    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_POROELASTIC_PARABOLOID, 1.0, 1.0, 1.0, 2, time, force));
+    CHECK_CLOSE(force[0], 16.0 / 3.0 * 0.8584312823880124, 1e-6);
+    CHECK_CLOSE(force[1], 16.0 / 3.0 * 0.750836446149805, 1e-6);
+}
+
+/* what answers a ramp is the mean of what answers a step: by Simpson's rule in time^(1/2), as answers begin with it */
+static void test_means(const mdr_poroelastic *gel)
+{
+    enum { HALVES = 200 };
+    const int step[2] = {MDR_POROELASTIC_RELAXATION, MDR_POROELASTIC_CREEP};
+    const int ramp[2] = {MDR_POROELASTIC_MEAN_RELAXATION, MDR_POROELASTIC_MEAN_CREEP};
+    const double last = 0.7;
+    double time[HALVES + 1], values[HALVES + 1], mean;
+
+    for (int i = 0; i <= HALVES; i++) time[i] = last * i * i / HALVES / HALVES;
+    for (int k = 0; k < 2; k++) {
+        double sum = 0.0;
+        CHECK_SUCCESS(mdr_poroelastic_response(gel, step[k], 1.0, 1.0, 1.0, HALVES + 1, time, values));
+        for (int i = 0; i <= HALVES; i++) sum += (i == HALVES ? 1 : 2 + 2 * (i % 2)) * 2.0 * i / HALVES * values[i] / 3.0 / HALVES;
+        CHECK_SUCCESS(mdr_poroelastic_response(gel, ramp[k], 1.0, 1.0, 1.0, 1, &last, &mean));
+        CHECK_CLOSE(mean, sum, 1e-6);
+    }
+}
+
 static void test_pressure(const mdr_poroelastic *gel)
 {
     const double r[3] = {0.0, 0.3, 0.6}, edge[1] = {1.0};
@@ -86,8 +116,10 @@ int main(void)
 {
     mdr_poroelastic *gel = NULL;
 
-    CHECK_SUCCESS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_INDENTER, 0.0, &gel));
-    test_limits(gel, 0.2);
+    CHECK_SUCCESS(mdr_poroelastic_new(0.3, MDR_DRAINAGE_INDENTER, 0.0, &gel));
+    test_limits(gel, 0.3);
+    test_paraboloid(gel);
+    test_means(gel);
     test_pressure(gel);
     test_refusals(gel);
     CHECK_SUCCESS(mdr_poroelastic_free(&gel));
