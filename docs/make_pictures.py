@@ -237,11 +237,47 @@ def gels(quick: bool) -> Any:
     return figure
 
 
+def wear(quick: bool) -> Any:
+    """A ball that wears on a coating: its profile, the pressure, radius and depth with the distance, and where fretting ends."""
+    body = mdr.Coated(mdr.Elastic(0.91, 0.3), 1.0, mdr.Elastic(0.091, 0.3))
+    contact = mdr.Contact(mdr.Paraboloid(1.0), body)
+    state = contact.at_radius(1.0)
+    worn = mdr.Wear(contact, 1.0)
+    r = np.linspace(0.0, 2.2, 60 if quick else 300)
+    figure, axes = plt.subplots(1, 4, figsize=(13.0, 3.2), layout="constrained")
+    history = worn.history(force=state.force, intervals=40 if quick else 80)
+    for distance, colour in zip((0.0, 0.3, 3.0), (GREY, BLUE, RED), strict=True):
+        if distance:
+            history.advance(distance - history.state.sliding, force=state.force)
+        lost = history.profile.worn_depth(r) if distance else 0.0 * r
+        axes[0].plot(r, contact.indenter.height(r) + lost, color=colour, label=f"{distance:g}")
+        axes[1].plot(r, history.pressure(r), color=colour)
+    s = np.geomspace(1e-2, 10.0, 8 if quick else 30)
+    states, _ = worn.advance(s, force=state.force, intervals=40 if quick else 80)
+    axes[2].semilogx(s, states.radius, color=BLUE, label="radius a")
+    axes[2].semilogx(s, states.depth, color=RED, label="depth d")
+    axes[2].semilogx(s, states.worn_depth, color=GREEN, label="worn depth")
+    for c, colour in ((0.8, GREEN), (0.5, BLUE), (0.2, RED)):
+        end = worn.limit(state, c)
+        axes[3].plot(r, end.profile.height(r), color=colour, label=f"c = {c:g} a")
+    axes[3].plot(r, contact.indenter.height(r), color=GREY, linestyle=":")
+    axes[0].set(xlabel="r", ylabel="profile from the old apex", ylim=(0.0, 2.0))
+    axes[0].legend(title="k E0* s/h", frameon=False)
+    axes[1].set(xlabel="r", ylabel="pressure p/E0*")
+    axes[2].set(xlabel="k E0* s/h")
+    axes[3].set(xlabel="r", ylabel="where fretting ends", ylim=(0.0, 2.4))
+    for axis in axes[2:]:
+        axis.legend(frameon=False)
+    for axis in axes:
+        axis.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
 def _elastic_models() -> tuple[str, ...]:
     return mdr.accuracy_map([2.0], [1.0]).models
 
 
-PICTURES = (springs, indenters, media, accuracy, adhesion, adhesion_range, stress, gels)
+PICTURES = (springs, indenters, media, accuracy, adhesion, adhesion_range, stress, gels, wear)
 
 
 def save(figure: Any, file: Path) -> None:

@@ -18,7 +18,7 @@ ORDER = [
     {"inside", "field"},
     {"law"},
     {"friction", "history"},
-    {"time", "wear"},
+    {"time", "wear", "conduction"},
     {"fit"},
     {"lateral"},
     {"api"},

@@ -25,6 +25,9 @@ module mdrcontact_wear_disc
     !> The radius of a step is sought so often, until force or depth is met to this relative accuracy.
     integer, parameter :: most_rounds = 60
     real(wp), parameter :: close_enough = 1.0e-12_wp
+    !> What is accepted where force and depth change steeply with the radius by less than the error of the scheme, as a point of its
+    !> rules passes the edge of the step before; it does not add up, as each step meets the target anew.
+    real(wp), parameter :: tolerated = 1.0e-4_wp
     !> How often the coefficient is adapted to the depth that a place reaches.
     integer, parameter :: most_changes = 40
     !> Edges that move by less than this part of their distance; exponents below which p is a step.
@@ -78,7 +81,7 @@ contains
             if (a <= low .or. a >= high) a = 0.5_wp*(max(low, 0.5_wp*before) + min(high, 2.0_wp*before))
             if (abs(a - before) <= epsilon(a)*a) exit
         end do
-        if (.not. abs(miss) <= sqrt(close_enough)) then
+        if (.not. abs(miss) <= tolerated) then
             if (high >= profile%largest_radius) then
                 call raise(error, error_domain, "the contact would grow beyond where the indenter ends, "// &
                            to_text(profile%largest_radius)//": the history stays where it was")
