@@ -16,6 +16,7 @@ from mdrcontact.measurement import (
     drift_rate,
     find_baseline,
     find_contact_point,
+    find_parting,
     find_pop_in,
     find_pull,
     find_segments,
@@ -260,3 +261,20 @@ def test_stray_readings_are_found_and_jumps_are_none():
     assert not len(find_strays(force))
     force[[60, 170]] = 500.0, 0.0
     assert list(find_strays(force)) == [60, 170]
+
+
+def test_how_a_tip_comes_off():
+    """Last rupture and energy lost of a cycle that is known: a polymer pulled by a spring, with a baseline of its own and noise."""
+    contact = mdr.Contact(
+        mdr.Paraboloid(20e-6), mdr.Homogeneous(mdr.Elastic(1e6, 0.5)), adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03)
+    )
+    time = np.linspace(0.0, 8.0, 4001)
+    position = np.interp(time, [0.0, 2.0, 8.0], [-2e-6, 2e-6, -10e-6])
+    path = contact.history(time, position=position, spring_stiffness=20.0)
+    random = np.random.default_rng(3).standard_normal(time.size)
+    found = find_parting(path.depth, path.force + 3e-8 + 5e-9 * random)
+    assert found is not None
+    assert path.end["ruptures"] == 1.0
+    assert found.energy == pytest.approx(path.dissipated[-1], rel=5e-3)
+    assert found.rupture_depth == path.depth[np.flatnonzero(path.radius)[-1]]
+    assert find_parting(path.depth, 3e-8 + 5e-9 * random) is None

@@ -22,10 +22,12 @@ from ..fitting.misfit import percent
 from ..fitting.quantities import digits, dimension_of, words_of
 from ..problem.curves import Curve
 from ..problem.fit_file import FitFile
-from ..problem.units import FORCE, practical
+from ..problem.units import ENERGY, FORCE, LENGTH, practical
 from . import files, many_figure
 from .table import aligned, number
 
+_WITHOUT_MODEL = {"jump-in": FORCE, "pull-off": FORCE, "last rupture": LENGTH, "energy lost": ENERGY}
+"""What records say without a model, in columns of the table."""
 _MOST_ROWS = 300
 """On the screen."""
 
@@ -205,9 +207,12 @@ def _estimates(curves: list[Curve], results: list[Any], names: tuple[str, ...], 
     titles = [f"{t}{name} [{units[name].name}]".replace(" []", "") for name in names for t in ("", "standard error of ")]
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
-    pulls = [name for name in ("jump-in", "pull-off") if any(name in r.data.pulls for r in good)]
-    unit = practical(FORCE, [force for r in good for force in r.data.pulls.values()] or [1.0])
-    titles += [f"{name} [{unit.name}]" for name in pulls]
+    pulls = {
+        name: practical(dimension, [abs(r.data.pulls[name]) for r in good if name in r.data.pulls])
+        for name, dimension in _WITHOUT_MODEL.items()
+        if any(name in r.data.pulls for r in good)
+    }
+    titles += [f"{name} [{unit.name}]" for name, unit in pulls.items()]
     found = ["converged", "verdict", "misfit", "noise", "rating", "sound", "chi-square/dof", "pattern p", "warnings"]
     writer.writerow(["file", *titles, *found])
     for curve, r in zip(curves, results, strict=True):
@@ -215,7 +220,7 @@ def _estimates(curves: list[Curve], results: list[Any], names: tuple[str, ...], 
             writer.writerow([curve.name, *(len(titles) + len(found) - 1) * [""], f"not fitted: {r.error}"])
             continue
         values = [float(v) / units[n].factor for n in names for v in (r.estimates[n], r.standard_errors[n])]
-        forces = [repr(r.data.pulls[name] / unit.factor) if name in r.data.pulls else "" for name in pulls]
+        forces = [repr(r.data.pulls[name] / unit.factor) if name in r.data.pulls else "" for name, unit in pulls.items()]
         ratio = repr(r.reduced_chi_square) if r.noise_is_known and r.degrees_of_freedom >= 1.0 else ""
         rating = ratings[id(r)]
         marks = [int(r.converged), r.verdict, repr(r.misfit.rms), repr(r.misfit.noise), f"{rating.score:.2f}", int(rating.is_sound)]

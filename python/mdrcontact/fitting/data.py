@@ -39,7 +39,7 @@ class Data:
     contact_points: Mapping[str, float] = MappingProxyType({})
     """depth of first contact by each estimator that has looked at the record"""
     pulls: Mapping[str, float] = MappingProxyType({})
-    """forces of jump-in and pull-off that the record shows, without a model"""
+    """what the record shows without a model: forces of "jump-in" and "pull-off", depth of the "last rupture", "energy lost" """
     tests: NDArray[np.intp] | None = None
     """which test each point belongs to, where there are several"""
     also_free: tuple[str, ...] = ()

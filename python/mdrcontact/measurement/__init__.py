@@ -3,7 +3,7 @@
 
 from .contact_point import Baseline, depth_from_height, find_baseline, find_contact_point
 from .dynamic import without_oscillation
-from .pull import Pull, find_pull
+from .pull import Parting, Pull, find_parting, find_pull
 from .segments import (
     Drift,
     PopIn,
@@ -28,7 +28,9 @@ __all__ = [
     "Segmentation",
     "drift_rate",
     "find_pop_in",
+    "find_parting",
     "find_pull",
+    "Parting",
     "Pull",
     "find_segments",
     "find_strays",

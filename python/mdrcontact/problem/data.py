@@ -312,6 +312,8 @@ def data_of(section: Section, cantilever: Cantilever, record: Record, kind: str)
     data.warnings += record.warnings
     data.contact_points, data.also_free = record.contact_points, record.also_free
     data.pulls = {name: pull.force for name, pull in record.pulls.items()}
+    if record.parting is not None:
+        data.pulls |= {"last rupture": record.parting.rupture_depth, "energy lost": record.parting.energy}
     if isinstance(data, Unloading):
         record.notes += data.found_and_used()
     else:

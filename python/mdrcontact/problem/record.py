@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -24,10 +25,10 @@ from ..measurement import (
     without_drift,
 )
 from ..measurement.contact_point import FEWEST, METHODS, SOURCES
-from ..measurement.pull import Pull, find_pull
+from ..measurement.pull import Parting, Pull, find_parting, find_pull
 from ..measurement.segments import joined
 from .section import ProblemError, Section
-from .units import FORCE, LENGTH, SPEED, shown
+from .units import ENERGY, FORCE, LENGTH, SPEED, shown
 
 Array = NDArray[np.float64]
 
@@ -68,6 +69,8 @@ class Record:
     """depth of first contact by each estimator, from the zero that is used"""
     pulls: dict[str, Pull] = field(default_factory=dict)
     """"jump-in" and "pull-off", where the record has them"""
+    parting: Parting | None = None
+    """where it has a pull-off and both branches"""
     also_free: tuple[str, ...] = ()
     """offsets that the fit finds, whether it names them or not"""
     segments: Sequence[Segment] | None = None
@@ -245,6 +248,11 @@ def _find_pulls(record: Record) -> None:
         if found is not None:
             record.pulls[name] = found
             record.notes.append(f"{name}: {shown(found.force, FORCE)} at depth {shown(found.depth, LENGTH)}, before any fit")
+    with suppress(MDRError):
+        record.parting = find_parting(depth, record.force)
+    if record.parting is not None:
+        at, energy = shown(record.parting.rupture_depth, LENGTH), shown(record.parting.energy, ENERGY)
+        record.notes.append(f"last rupture at depth {at}, energy lost {energy}, before any fit")
 
 
 def _take_off_baseline(record: Record, approach: slice, contact: int, tilts: bool) -> None:
