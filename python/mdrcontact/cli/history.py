@@ -12,7 +12,8 @@ from ..contact import Contact
 from ..history import History
 from ..problem import Problem, ProblemError, load
 from ..problem.history import HistoryPath
-from ..problem.units import ENERGY, FORCE, LENGTH, TIME, shown
+from ..problem.units import ENERGY, FORCE, LENGTH, SPEED, TIME, shown
+from ..rate_adhesion import RateHistory
 from . import files, history_figure
 from .table import Column, as_csv, as_text, column
 
@@ -56,6 +57,22 @@ and one table takes the place of [compute]:
     drainage = "indenter"       # of a gel, without a default: surface (drained everywhere), sealed (nowhere) or indenter (sealed by
                                 # it, drained beside it); a flat punch takes any path, a paraboloid a step of the radius
 
+Of an elastic body whose adhesion depends on the speed of the contact's edge, G = work (1 + (v/speed)^exponent):
+
+    [adhesion]
+    work_of_adhesion = "50 mJ/m^2"
+    speed = "1 um/s"
+    exponent = 0.4
+    closing_work = "30 mJ/m^2"  # or that of the opening edge; closing_speed, closing_exponent
+    spring_stiffness = "20 N/m" # the depths of [history] are then those of the far end of a spring
+
+    [history]
+    path = "ramp"
+    depth = "500 nm"
+    rise_time = "1 s"
+    fall_time = "10 s"
+    retract_to = "-5 um"
+
 or a path from a table with columns such as "time [s]" and "depth [nm]":
 
     [history]
@@ -78,11 +95,18 @@ def run(arguments: argparse.Namespace) -> None:
     if problem.history is None:
         raise ProblemError(f'{arguments.problem}: the table [history] is missing: write it with path = "ramp", depth and rise_time')
     path = problem.history
-    history, cuts = follow(problem.contact(in_time=True), path)
+    contact = problem.contact(in_time=True)
+    if contact.adhesion is not None:
+        found = follow_edge(problem, contact)
+        history, cuts = History(*found[:4]), 1
+        closing = said(found)
+    else:
+        history, cuts = follow(contact, path)
+        closing = summary(problem, history)
     table = columns(History(*(values[::cuts] for values in history)))
     print(f"{problem.title}\n")
     print(as_text(table, 12))
-    print(f"\n{summary(problem, history)}")
+    print(f"\n{closing}")
     results = {}
     if arguments.csv:
         results[arguments.csv] = as_csv(table)
@@ -104,6 +128,29 @@ def follow(contact: Contact, path: HistoryPath) -> tuple[History, int]:
     found = contact.history(time, **prescribed, progress=True, drainage=path.drainage)
     assert isinstance(found, History)
     return found, cuts
+
+
+def follow_edge(problem: Problem, contact: Contact) -> RateHistory:
+    """The history of a contact whose adhesion depends on speed, led by depth, force or the far end of a spring."""
+    path, spring = problem.history, problem.adhesion and problem.adhesion.spring_stiffness
+    assert path is not None
+    name = "position" if spring is not None and path.name == "depth" else path.name
+    prescribed: dict[str, Any] = {name: path.values}
+    found = contact.history(path.time, **prescribed, spring_stiffness=spring, drainage=path.drainage)
+    assert isinstance(found, RateHistory)
+    return found
+
+
+def said(history: RateHistory) -> str:
+    """Pull-off, the last rupture and the energy lost."""
+    end = history.end
+    lines = [f"largest force: {shown(float(history.force.max()), FORCE)}"]
+    lines.append(f"lowest force: {shown(end['lowest_force'], FORCE)} at {shown(end['lowest_time'], TIME)}, edge at "
+                 f"{shown(end['lowest_speed'], SPEED)}")  # fmt: skip
+    if end["ruptures"]:
+        lines.append(f"the contact breaks at {shown(end['rupture_time'], TIME)}, depth {shown(end['rupture_depth'], LENGTH)}")
+    lines.append(f"energy lost at the edge: {shown(float(history.dissipated[-1]), ENERGY)}")
+    return "\n".join(lines)
 
 
 def columns(history: History) -> list[Column]:

@@ -52,6 +52,10 @@ class Problem(NamedTuple):
         if self.adhesion is None:
             return Contact(self.indenter, self.medium)
         adhesion = self.adhesion
+        if adhesion.rate is not None and in_time:
+            if adhesion.cohesive_stress:
+                raise ProblemError("[adhesion]: cohesive_stress and speed exclude each other")
+            return Contact(self.indenter, self.medium, adhesion_rule=adhesion.adhesion_rule, adhesion=adhesion.rate)
         return Contact(
             self.indenter,
             self.medium,

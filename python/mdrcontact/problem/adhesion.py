@@ -7,8 +7,18 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..adhesion import CONTROLS, RULES
+from ..rate_adhesion import RateAdhesion
 from .section import ProblemError, Section
-from .units import MODULUS, STIFFNESS, WORK_OF_ADHESION, Dimension
+from .units import MODULUS, SPEED, STIFFNESS, WORK_OF_ADHESION, Dimension
+
+_RATE: Mapping[str, Dimension | None] = {
+    "speed": SPEED,
+    "exponent": None,
+    "closing_work": WORK_OF_ADHESION,
+    "closing_speed": SPEED,
+    "closing_exponent": None,
+}
+"""Arguments of RateAdhesion beside the work."""
 
 KNOWN: Mapping[str, Dimension | None] = {
     "work_of_adhesion": WORK_OF_ADHESION,
@@ -16,6 +26,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     "adhesion_rule": None,
     "control": None,
     "spring_stiffness": STIFFNESS,
+    **_RATE,
 }
 
 
@@ -27,6 +38,8 @@ class Adhesion(NamedTuple):
     adhesion_rule: str
     control: str
     spring_stiffness: float | None
+    rate: RateAdhesion | None = None
+    """where the work of adhesion depends on the speed of the edge"""
 
 
 def read_adhesion(section: Section) -> Adhesion:
@@ -38,4 +51,18 @@ def read_adhesion(section: Section) -> Adhesion:
     spring = section.quantity("spring_stiffness") if control == "spring" else None
     rule = section.choice("adhesion_rule", RULES, default="automatic")
     stress = section.positive("cohesive_stress", zero=True) if "cohesive_stress" in section else 0.0
-    return Adhesion(section.positive("work_of_adhesion", zero=True), stress, rule, control, spring)
+    work = section.positive("work_of_adhesion", zero=True)
+    return Adhesion(work, stress, rule, control, spring, _read_rate(section, work))
+
+
+def _read_rate(section: Section, work: float) -> RateAdhesion | None:
+    """The work of adhesion over the speed of the edge, if the file has a speed."""
+    given = [key for key in _RATE if key in section]
+    if not given:
+        return None
+    numbers = {key: section.number(key) if _RATE[key] is None else section.quantity(key) for key in given}
+    for key in ("speed", "exponent"):
+        if key not in numbers:
+            raise ProblemError(f"[{section.path}]: {key} is missing: {given[0]} makes the work of adhesion depend on speed")
+    with section.words():
+        return RateAdhesion(work, **numbers)

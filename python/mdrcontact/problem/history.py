@@ -16,11 +16,11 @@ from .columns import read_table
 from .compute import DIMENSIONS, MOST_POINTS
 from .roles import ROLES
 from .section import ProblemError, Section
-from .units import TIME, Dimension
+from .units import LENGTH, TIME, Dimension
 
 _PATHS: Mapping[str, tuple[str, ...]] = {
     "step": ("hold_time",),
-    "ramp": ("rise_time", "hold_time", "fall_time"),
+    "ramp": ("rise_time", "hold_time", "fall_time", "retract_to"),
     "triangle": ("duration",),
     "sine": ("duration",),
     "file": ("file", "time", "control"),
@@ -36,6 +36,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     "time": None,
     "control": None,
     "drainage": None,
+    "retract_to": LENGTH,
 }
 
 
@@ -77,7 +78,12 @@ def _read_path(section: Section, folder: Path) -> HistoryPath:
         half = 0.5 * section.positive("duration")
         return HistoryPath(name, *_pieces([0.0, half, 2.0 * half], [0.0, largest, 0.0], points))
     times, values_at = [0.0, section.positive("rise_time")], [0.0, largest]
-    for key, end in (("hold_time", largest), ("fall_time", 0.0)):
+    end_of_fall = 0.0
+    if "retract_to" in section:
+        end_of_fall = section.quantity("retract_to")
+        if name != "depth" or "fall_time" not in section or not end_of_fall < largest:
+            raise ProblemError(f"[{section.path}]: retract_to is a depth below the largest one, reached in fall_time")
+    for key, end in (("hold_time", largest), ("fall_time", end_of_fall)):
         if key in section:
             times.append(times[-1] + section.positive(key))
             values_at.append(end)
