@@ -5,7 +5,8 @@
 Budgets (exit status 1 if one is missed): 1000 samples up and down on a homogeneous body of ten Prony terms 1 ms; a layered history
 of 200 samples, marched to 1e-4, 0.5 s; the dynamic stiffness at another radius 20 elastic exact states, at a new frequency two
 elastic media and 20 states; a fit of 2000 readings of approach and retraction with a power law on a rigid base 0.3 s, with the
-thickness too and a start 20 % off in all; of a gel 200 times of a relaxation 5 ms, a new table 2 s, a fit of 2000 readings 0.5 s.
+thickness too and a start 20 % off in all; of a gel 200 times of a relaxation 5 ms, a new table 2 s, a fit of 2000 readings 0.5 s;
+1000 samples of adhesion with a rate on a film 20 ms, the film's samples included.
 Beside it the same homogeneous history by SciPy's adaptive quadrature of Ting's integrals, the root t1 by bisection. Prints a
 section of docs/benchmarks.md.
 """
@@ -65,6 +66,11 @@ def main():
     layered, path = mdr.Contact(mdr.Paraboloid(1.0), film), np.linspace(0.0, 2.0, 201)
     marched = fastest(lambda: layered.history(path, depth=0.8 * np.minimum(path, 2.0 - path), tolerance=1e-4), rounds=3)
     rows.append(("layers that do not relax in proportion, 200 samples, to 1e-4", marched, 0.5))
+
+    coated, rate = mdr.Coated(mdr.Elastic(1.0, 0.5), 1.0, mdr.Elastic(100.0, 0.3)), mdr.RateAdhesion(0.02, 1e-3, 0.33)
+    turning = np.interp(np.linspace(0.0, 400.0, 1000), [0.0, 60.0, 80.0, 400.0], [-0.01, 0.05, 0.05, -0.6])
+    pulled = fastest(lambda: mdr.Contact(mdr.Paraboloid(1.0), coated, adhesion=rate).history(np.arange(1000.0), depth=turning))
+    rows.append(("adhesion with a rate on a film, 1000 samples, approach to pull-off", pulled, 20e-3))
 
     elastic = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(mdr.Elastic(3.0, 0.5), 1.0, mdr.Elastic(1.0, 0.3)))
     radii = np.linspace(0.5, 1.0, 101)

@@ -273,11 +273,35 @@ def wear(quick: bool) -> Any:
     return figure
 
 
+def rate(quick: bool) -> Any:
+    """Retract curves of a rubber at three speeds, with what is fitted to all of them; pull-off against speed, with the fit."""
+    tip, body = mdr.Paraboloid(20e-6), mdr.Homogeneous(mdr.Elastic(1e6, 0.5))
+    contact, random = mdr.Contact(tip, body, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4)), np.random.default_rng(4)
+    curves = []
+    for speed in (1e-7, 1e-6, 1e-5):
+        time = np.linspace(0.0, 4.6e-6 / speed, 120)
+        position = 2e-6 - speed * time
+        force = contact.history(time, position=position, spring_stiffness=20.0, start="rest").force
+        curves.append(mdr.RateCurve(time, position, force + 3e-7 * random.standard_normal(120), 20.0))
+    fit = mdr.fit_rate(curves, contact, ["E", "work", "speed", "exponent"])
+    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
+    for curve, model, colour in zip(curves, fit.fitted, (BLUE, RED, GREEN), strict=True):
+        axes[0].plot(1e6 * curve.position, 1e6 * curve.force, ".", color=colour, markersize=3.0)
+        axes[0].plot(1e6 * curve.position[: curve.count], 1e6 * model, color=colour, label=f"{1e6 * curve.speed:g} um/s")
+    axes[0].set(xlabel="end of the spring [um]", ylabel="force [uN]", title="retraction, one fit of all")
+    axes[0].legend(frameon=False)
+    fit.plot(axes[1], points=8 if quick else 40)
+    axes[1].set(xlabel="speed of the machine [m/s]", ylabel="pull-off force [N]", title="pull-off")
+    for axis in axes:
+        axis.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
 def _elastic_models() -> tuple[str, ...]:
     return mdr.accuracy_map([2.0], [1.0]).models
 
 
-PICTURES = (springs, indenters, media, accuracy, adhesion, adhesion_range, stress, gels, wear)
+PICTURES = (springs, indenters, media, accuracy, adhesion, adhesion_range, stress, gels, wear, rate)
 
 
 def save(figure: Any, file: Path) -> None:

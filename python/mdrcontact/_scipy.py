@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""SciPy, which maps, sliding and fits of gels need and `import mdrcontact` does not."""
+"""SciPy, which maps, sliding and fits of gels and of adhesion need and `import mdrcontact` does not."""
 
 from __future__ import annotations
 
@@ -11,4 +11,4 @@ def require() -> None:
     try:
         import scipy  # noqa: F401
     except ImportError as problem:
-        raise MDRError('maps, sliding and fits of gels need SciPy: pip install "mdrcontact[map]"') from problem
+        raise MDRError('maps, sliding and fits of gels and of adhesion need SciPy: pip install "mdrcontact[map]"') from problem

@@ -34,7 +34,12 @@ def rates():
     rate = mdr.RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03)
     rubber = mdr.Viscoelastic(5e5, [(2e6, 1e-2)], nu=0.5)
     contact = mdr.Contact(mdr.Paraboloid(5e-6), mdr.Homogeneous(RUBBER), adhesion=rate)
+    time = np.linspace(0.0, 1.0, 30)
+    force = contact.history(time, depth=1e-7 - 1e-6 * time, start="rest").force
+    curve = mdr.RateCurve(time, 1e-7 - 1e-6 * time, force)
     return [
+        curve,
+        mdr.fit_rate([curve], contact, ["work"]),
         rate,
         mdr.RateAdhesion.from_rheology(rubber, 0.05, 1e6),
         contact,
@@ -208,6 +213,7 @@ def records():
         measurement.PopIn(3, 1e-8, 1e-5, 1e-9),
         measurement.Drift(1e-11, 1e-12),
         measurement.Pull(1e-9, -1e-8, 1e-11),
+        measurement.Parting(-1e-8, 1e-17),
     ]
 
 

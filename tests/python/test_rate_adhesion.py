@@ -12,6 +12,7 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
+from mdrcontact.cli import main
 
 TIP = mdr.Paraboloid(1.0)
 HALF_SPACE = mdr.Homogeneous(mdr.Elastic(1.0, 0.0))
@@ -40,6 +41,10 @@ def rows(kind):
 def contact_of(row):
     law = {LAW[key]: value for key, value in row["inputs"].items() if key in LAW}
     return mdr.Contact(TIP, BODIES[row["body"]], adhesion=mdr.RateAdhesion(**law))
+
+
+def area(x, y):
+    return np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(x))
 
 
 def met(row, found):
@@ -79,7 +84,7 @@ def test_cycle_rows(row):
     # and by the trapezoidal rule of the force itself
     fine = np.interp(np.linspace(0.0, time[-1], 40001), time, [0.0, depth, depth, -0.3])
     path = contact.history(np.linspace(0.0, time[-1], 40001), depth=fine)
-    assert np.trapezoid(path.force, fine) == pytest.approx(found.work[-1], rel=1e-4)
+    assert area(fine, path.force) == pytest.approx(found.work[-1], rel=1e-4)
 
 
 # The steady crack has its rows, to 1e-12, in tests/unit/test_rate_adhesion.pf: they give the compliance, not the modulus.
@@ -150,7 +155,7 @@ def test_energy_under_a_spring():
     found = contact.history(time, position=position, spring_stiffness=0.3)
     assert 0.3 * (position - found.depth) == pytest.approx(found.force, abs=1e-12)
     assert found.work[-1] == pytest.approx(found.dissipated[-1], rel=1e-7)
-    assert np.trapezoid(found.force, position) == pytest.approx(found.dissipated[-1], rel=1e-3)
+    assert area(position, found.force) == pytest.approx(found.dissipated[-1], rel=1e-3)
     assert found.radius[-1] == 0.0
 
 
@@ -208,3 +213,108 @@ def test_refusals():
         mdr.Contact(TIP, HALF_SPACE, cohesive_stress=1.0, adhesion=rate)
     with pytest.raises(mdr.ArgumentTypeError, match="adhesion="):
         mdr.Contact(TIP, HALF_SPACE).history([0.0, 1.0], depth=[0.0, 1.0], start="rest")
+
+
+def noisy_curves(noise, seed=1):
+    contact = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
+    random, curves = np.random.default_rng(seed), []
+    for speed in (1e-7, 1e-6, 1e-5):
+        time = np.linspace(0.0, 3.2e-6 / speed, 150)
+        position = 2e-6 - speed * time + 1e-8
+        force = contact.history(time, position=position - 1e-8, spring_stiffness=20.0, start="rest").force
+        curves.append(mdr.RateCurve(time, position, force + noise * random.standard_normal(150) * 1e-5, 20.0))
+    return curves
+
+
+RUBBERY = mdr.Homogeneous(mdr.Elastic(1e6, 0.5))
+
+
+def test_fits_of_several_speeds():
+    """Without noise the truth comes back, with the contact point; pull-off at another speed follows."""
+    guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.07, 3e-6, 0.5))
+    curves = noisy_curves(0.0)
+    found = mdr.fit_rate(curves, guess, ["E", "work", "speed", "exponent", "position_offset"])
+    truth = {"E": 1e6, "work": 0.05, "speed": 1e-6, "exponent": 0.4, "position_offset": 1e-8}
+    assert found.values == pytest.approx(truth, rel=1e-3)
+    assert found.contact.adhesion.work == found.values["work"]
+    assert "work" in found.summary()
+    true = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
+    end = true.history([0.0, 4.0], position=[2e-6, -10e-6], spring_stiffness=20.0, start="rest").end
+    assert found.pull_off(3e-6) == pytest.approx(end["lowest_force"], rel=1e-4)
+    noisy = mdr.fit_rate(noisy_curves(0.02), guess, ["work", "speed", "exponent", "position_offset"])
+    low, high = noisy.intervals["work"]
+    assert low < 0.05 < high and high / low < 1.5
+    assert abs(noisy.lag) < 0.2
+    assert len(noisy.fitted) == 3 and len(noisy.fitted[0]) == noisy.curves[0].count
+
+
+def test_a_fit_is_drawn():
+    pytest.importorskip("matplotlib").use("Agg")
+    guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
+    axes = mdr.fit_rate(noisy_curves(0.01), guess, ["work"]).plot(points=4)
+    assert [len(line.get_xdata()) for line in axes.lines] == [3, 4]
+    axes.figure.clear()
+
+
+def test_fits_that_cannot_be():
+    curves = noisy_curves(0.0)
+    guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
+    with pytest.raises(mdr.InvalidArgumentError, match="free = 'gamma'"):
+        mdr.fit_rate(curves, guess, ["gamma"])
+    with pytest.raises(mdr.ArgumentTypeError, match="adhesion="):
+        mdr.fit_rate(curves, mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY), ["work"])
+    with pytest.raises(mdr.ArgumentTypeError, match="RateCurve"):
+        mdr.fit_rate([1.0], guess)
+    with pytest.raises(mdr.InvalidArgumentError, match="ascending"):
+        mdr.RateCurve(np.ones(9), np.ones(9), np.ones(9))
+    with pytest.raises(mdr.InvalidArgumentError, match="same length"):
+        mdr.RateCurve(np.arange(9.0), np.ones(8), np.ones(9))
+
+
+PROBLEM = """
+[indenter]
+shape = "paraboloid"
+radius = "20 um"
+[medium]
+type = "homogeneous"
+[medium.material]
+E = "1 MPa"
+nu = 0.5
+[adhesion]
+work_of_adhesion = "50 mJ/m^2"
+speed = "1 um/s"
+exponent = 0.4
+closing_work = "30 mJ/m^2"
+spring_stiffness = "20 N/m"
+[history]
+path = "ramp"
+depth = "500 nm"
+rise_time = "1 s"
+fall_time = "10 s"
+retract_to = "-5 um"
+"""
+
+
+def test_the_command(tmp_path, capsys):
+    """The same pull-off as in Python."""
+    file = tmp_path / "pull.toml"
+    file.write_text(PROBLEM)
+    assert main(["history", str(file), "--csv", str(tmp_path / "path.csv")]) == 0
+    said = capsys.readouterr().out
+    law = mdr.RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03)
+    contact = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=law)
+    found = contact.history([0.0, 1.0, 11.0], position=[0.0, 5e-7, -5e-6], spring_stiffness=20.0)
+    assert f"lowest force: {found.end['lowest_force'] * 1e6:.5g} uN" in said
+    assert f"energy lost at the edge: {found.dissipated[-1] * 1e12:.5g} pJ" in said
+    assert (tmp_path / "path.csv").read_text().startswith("time")
+
+
+@pytest.mark.parametrize(("old", "new", "words"), [
+    ("exponent = 0.4", "", "exponent is missing"), ("exponent = 0.4", "exponent = 3", "exponent = 3"),
+    ('speed = "1 um/s"', 'speed = "1 um"', "speed"), ('fall_time = "10 s"', "", "retract_to"),
+])  # fmt: skip
+def test_problem_files_that_cannot_be(tmp_path, capsys, old, new, words):
+    file = tmp_path / "pull.toml"
+    file.write_text(PROBLEM.replace(old, new))
+    assert main(["history", str(file)]) != 0
+    assert words in capsys.readouterr().err

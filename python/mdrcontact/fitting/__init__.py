@@ -12,6 +12,7 @@ from .misfit import Misfit
 from .moves import Move, Moves, find_moves
 from .oliver_pharr import OliverPharr, oliver_pharr
 from .parameters import Free, Instrument, JointPrior
+from .rate_curves import RateCurve, RateFit, fit_rate
 from .rating import Rating, rate
 from .result import FitResult
 from .solve import fit
@@ -23,6 +24,9 @@ __all__ = [
     "fit_many",
     "fit_gel",
     "compare_drainages",
+    "fit_rate",
+    "RateCurve",
+    "RateFit",
     "GelFit",
     "compare_models",
     "FitResult",
