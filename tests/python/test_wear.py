@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+from mdrcontact.cli import main
 
 BALL = mdr.Paraboloid(1.0)
 SOFT, HARD = mdr.Elastic(0.091, 0.3), mdr.Elastic(0.91, 0.3)
@@ -101,3 +102,39 @@ def test_bad_input_is_refused_with_the_reason():
         history.advance(0.1, force=0.1)
     assert np.array_equal(history.saved(), before)
     history.advance(0.1, force=1.0)
+
+
+def test_command(tmp_path, capsys):
+    problem = tmp_path / "ball.toml"
+    problem.write_text(
+        """[indenter]
+shape = "sphere"
+radius = "3 mm"
+
+[medium]
+type = "coated"
+coating = { E = "120 GPa", nu = 0.25, thickness = "2 um" }
+substrate = { E = "210 GPa", nu = 0.3 }
+
+[compute]
+max_force = "5 N"
+
+[wear]
+coefficient = 1e-15
+sliding = ["10 m", "50 m"]
+intervals = 40
+"""
+    )
+    csv, picture = tmp_path / "wear.csv", tmp_path / "wear.png"
+    assert main(["wear", str(problem), "--csv", str(csv), "--plot", str(picture)]) == 0
+    assert "worn volume" in capsys.readouterr().out
+    steel, dlc = mdr.Elastic(210e9, 0.3), mdr.Elastic(120e9, 0.25)
+    contact = mdr.Contact(mdr.Sphere(3e-3), mdr.Coated(dlc, 2e-6, steel))
+    states, _ = mdr.Wear(contact, 1e-15).advance([10.0, 50.0], force=5.0, intervals=40)
+    rows = csv.read_text().splitlines()
+    assert len(rows) >= 3 and picture.stat().st_size > 10_000
+    assert float(rows[-1].split(",")[0]) == pytest.approx(50.0)
+    assert states.radius[-1] > states.radius[0]
+    problem.write_text(problem.read_text().replace("intervals = 40", "intervals = 42"))
+    assert main(["wear", str(problem)]) == 2
+    assert "multiple of 4" in capsys.readouterr().err

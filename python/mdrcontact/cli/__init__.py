@@ -13,13 +13,29 @@ from typing import Any
 from .. import __version__
 from ..errors import MDRError, MDRWarning
 from ..problem import ProblemError
-from . import adhesion, calibrate, compare, curve, example, fit, friction, history, inspect, law, modulus, stress, validate
+from . import adhesion, calibrate, compare, curve, example, fit, friction, history, inspect, law, modulus, stress, validate, wear
 from . import map as map_
 from .files import OutputError
 
 __all__ = ["main"]
 
-COMMANDS = (curve, compare, adhesion, stress, friction, history, law, inspect, fit, modulus, calibrate, example, map_, validate)
+COMMANDS = (
+    curve,
+    compare,
+    adhesion,
+    stress,
+    friction,
+    wear,
+    history,
+    law,
+    inspect,
+    fit,
+    modulus,
+    calibrate,
+    example,
+    map_,
+    validate,
+)
 """Each command is a module of its name with HELP, DESCRIPTION, `add_arguments(parser)` and `run(arguments)`."""
 _FORMAT = argparse.RawDescriptionHelpFormatter
 

@@ -11,7 +11,7 @@ from ..medium import Medium
 from ..medium.viscoelastic import is_viscoelastic
 from ..poroelastic import is_poroelastic
 from ..profile import Profile
-from . import adhesion, compute, friction, history, indenter, medium, strength
+from . import adhesion, compute, friction, history, indenter, medium, strength, wear
 from .adhesion import Adhesion
 from .compute import Control
 from .friction import Sliding
@@ -20,10 +20,11 @@ from .section import ProblemError, Section
 from .strength import Strengths
 from .tip_file import with_calibration
 from .toml import parse_file
+from .wear import Rubbing
 
 __all__ = ["Problem", "ProblemError", "load", "read"]
 
-_TABLES = dict.fromkeys(("title", "indenter", "medium", "compute", "adhesion", "strength", "friction", "history"))
+_TABLES = dict.fromkeys(("title", "indenter", "medium", "compute", "adhesion", "strength", "friction", "history", "wear"))
 
 
 class Problem(NamedTuple):
@@ -37,6 +38,7 @@ class Problem(NamedTuple):
     strength: Strengths | None = None
     friction: Sliding | None = None
     history: HistoryPath | None = None
+    wear: Rubbing | None = None
 
     def check_elastic(self) -> None:
         """Refuses a medium whose states depend on time, for a command that knows no time."""
@@ -106,4 +108,5 @@ def read(table: dict[str, Any], title: str = "", folder: Path = Path()) -> Probl
         strength.read_strength(Section(table["strength"], "strength", strength.KNOWN)) if "strength" in table else None,
         sliding,
         path,
+        wear.read_wear(Section(table["wear"], "wear", wear.KNOWN)) if "wear" in table else None,
     )

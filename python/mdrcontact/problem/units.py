@@ -43,6 +43,7 @@ ENERGY = Dimension(
     "an energy", "J", "1 fJ", (("aJ", 1e-18), ("fJ", 1e-15), ("pJ", 1e-12), ("nJ", 1e-9), ("uJ", 1e-6), ("mJ", 1e-3), ("J", 1.0))
 )
 AREA = Dimension("an area", "m^2", "1 um^2", (("nm^2", 1e-18), ("um^2", 1e-12), ("mm^2", 1e-6), ("m^2", 1.0)))
+VOLUME = Dimension("a volume", "m^3", "1 um^3", (("nm^3", 1e-27), ("um^3", 1e-18), ("mm^3", 1e-9), ("m^3", 1.0)))
 TIME = Dimension("a time", "s", "10 s", (("us", 1e-6), ("ms", 1e-3), ("s", 1.0)), ("min", "h"))
 FREQUENCY = Dimension(
     "an angular frequency", "rad/s", "10 rad/s", (("rad/s", 1.0),), ("Hz", "kHz"), ', or "Hz" where cycles per time are counted'

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact wear`: a sliding indenter that wears, at constant force or depth."""
+
+from __future__ import annotations
+
+import argparse
+
+import numpy as np
+
+from ..problem import Problem, ProblemError, load
+from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, VOLUME, practical, shown
+from ..wear import Wear, WearState, WornProfile
+from . import files
+from .figures import COLOURS, _figure, _render, _style
+from .table import Column, as_csv, as_text, column
+
+HELP = "a sliding indenter that wears: radius, depth, worn profile"
+DESCRIPTION = """\
+Slides the indenter at the largest force or depth of the problem, and wears it by Archard's law, dh = k p ds: contact radius, depth,
+force, pressure and worn depth on the axis after each sliding distance, and the worn profile.
+
+    mdrcontact example tin_on_steel > problem.toml
+    mdrcontact wear problem.toml --csv wear.csv --plot wear.png
+
+The problem file has one table more than for the other commands:
+
+    [wear]
+    coefficient = 1e-15                       # worn volume per force and sliding distance [m^3/(N m)]
+    sliding = ["1 m", "10 m", "100 m"]
+    intervals = 80                            # 16 to 640; errors fall as their square
+
+The error is stated: the difference from half the intervals.
+"""
+
+_ROWS = 24
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
+    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [wear]")
+    files.add_options(parser, "radii, depths and forces of the sliding distances")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Computes, prints, writes."""
+    files.check(arguments)
+    problem = load(arguments.problem)
+    if problem.wear is None:
+        raise ProblemError(
+            f'{arguments.problem}: the table [wear] is missing: write it with coefficient = 1e-15, sliding = ["1 m"]'
+        )
+    states, profile = _slide(problem)
+    table = columns(states)
+    print(f"{problem.title}\n\n{_words(problem, states)}\n\n{as_text(table, _ROWS)}")
+    results = {}
+    if arguments.csv:
+        results[arguments.csv] = as_csv(table)
+    if arguments.plot:
+        results[arguments.plot] = _draw(problem, states, profile, files.figure_format(arguments.plot))
+    files.write(results, arguments.overwrite)
+
+
+def _slide(problem: Problem) -> tuple[WearState, WornProfile]:
+    assert problem.wear is not None
+    contact, control = problem.contact(), problem.control
+    largest = float(np.max(control.values))
+    held = {"force": float(contact.at_radius(largest).force)} if control.name == "radius" else {control.name: largest}
+    wear = Wear(contact, problem.wear.coefficient)
+    return wear.advance(np.array(problem.wear.sliding), intervals=problem.wear.intervals, **held)
+
+
+def columns(states: WearState) -> list[Column]:
+    """What the table shows."""
+    return [
+        column("sliding", np.asarray(states.sliding), LENGTH),
+        column("radius", np.asarray(states.radius), LENGTH),
+        column("depth", np.asarray(states.depth), LENGTH),
+        column("force", np.asarray(states.force), FORCE),
+        column("pressure", np.asarray(states.pressure), MODULUS),
+        column("worn depth", np.asarray(states.worn_depth), LENGTH),
+        column("worn volume", np.asarray(states.worn_volume), VOLUME),
+        column("error", np.asarray(states.error), RATIO),
+    ]
+
+
+def _words(problem: Problem, states: WearState) -> str:
+    assert problem.wear is not None
+    last = {name: float(np.asarray(value)[-1]) for name, value in states._asdict().items()}
+    return (
+        f"coefficient of wear {problem.wear.coefficient:g} m^3/(N m), after {shown(last['sliding'], LENGTH)}:\n"
+        f"worn volume {shown(last['worn_volume'], VOLUME)}, contact radius {shown(last['radius'], LENGTH)}, "
+        f"error {last['error']:.1g}"
+    )
+
+
+def _draw(problem: Problem, states: WearState, profile: WornProfile, form: str) -> bytes:
+    """Radius and depth against distance, and the profile before and after."""
+    with _style():
+        figure, axes = _figure(problem.title, 1, 2, (9.6, 4.2))
+        along = practical(LENGTH, np.asarray(states.sliding))
+        length = practical(LENGTH, np.asarray(states.radius))
+        height = practical(LENGTH, np.asarray(states.depth))
+        axes[0].semilogx(
+            along.of(np.asarray(states.sliding)), length.of(np.asarray(states.radius)), "o-", color=COLOURS[0], markersize=4
+        )
+        axes[0].set(xlabel=f"sliding [{along.symbol}]", ylabel=f"contact radius [{length.symbol}]")
+        r = np.linspace(0.0, 1.2 * float(np.asarray(states.radius)[-1]), 200)
+        new = np.asarray(problem.indenter.height(r))
+        axes[1].plot(length.of(r), height.of(new), color="#707070", linestyle=":", label="new")
+        axes[1].plot(length.of(r), height.of(new + np.asarray(profile.worn_depth(r))), color=COLOURS[1], label="worn")
+        axes[1].set(xlabel=f"r [{length.symbol}]", ylabel=f"profile [{height.symbol}]")
+        axes[1].legend(frameon=False)
+        return _render(figure, form)
